@@ -1,0 +1,5 @@
+/** Stub. */
+@NullMarked
+package dev.cairn.core.snapshot;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,5 @@
+/** Stub. */
+@NullMarked
+package dev.cairn.core.tick;
+
+import org.jspecify.annotations.NullMarked;

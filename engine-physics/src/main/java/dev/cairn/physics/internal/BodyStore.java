@@ -1,0 +1,117 @@
+package dev.cairn.physics.internal;
+
+import dev.cairn.physics.shape.Shape;
+import java.util.Arrays;
+
+/**
+ * All bodies as a structure of arrays; a body is a slot in {@code [0, slotCount)}.
+ *
+ * <p>Positions are those of the centre of mass, in world axes and metres. Orientations are unit quaternions {@code
+ * (x, y, z, w)} that rotate body axes to world axes. Inertia is about the centre of mass. Simulation thread, and blocks of
+ * its stages, only; the fields are public because the kernels of the step are loops over them.
+ */
+public final class BodyStore {
+    /** Kind of a slot that holds no body. */
+    public static final byte FREE = 0;
+
+    /** Kind of a body that never moves: infinite mass. */
+    public static final byte STATIC = 1;
+
+    /** Kind of a body that forces and contacts move. */
+    public static final byte DYNAMIC = 2;
+
+    /** One past the highest slot in use. */
+    public int slotCount;
+
+    /** {@link #FREE}, {@link #STATIC} or {@link #DYNAMIC}. */
+    public byte[] kind = new byte[0];
+
+    /** ECS entity of the body. */
+    public long[] entity = new long[0];
+
+    /** Collision shape; its geometry is relative to the centre of mass. {@code null} in a free slot. */
+    public Shape[] shape = new Shape[0];
+
+    /** Centre of mass, world, m. */
+    public double[] positionX = {}, positionY = {}, positionZ = {};
+
+    /** Unit quaternion worldFromBody. */
+    public double[] orientationX = {}, orientationY = {}, orientationZ = {}, orientationW = {};
+
+    /** Velocity of the centre of mass, world, m/s. */
+    public double[] velocityX = {}, velocityY = {}, velocityZ = {};
+
+    /** Angular velocity, world, rad/s. */
+    public double[] angularVelocityX = {}, angularVelocityY = {}, angularVelocityZ = {};
+
+    /** Force of the user on the centre of mass during this tick, world, N; cleared after the step. */
+    public double[] forceX = {}, forceY = {}, forceZ = {};
+
+    /** Torque of the user during this tick, world, N m; cleared after the step. */
+    public double[] torqueX = {}, torqueY = {}, torqueZ = {};
+
+    /** 1/kg; 0 for static bodies. */
+    public double[] inverseMass = {};
+
+    /** Inertia about the centre of mass, body axes, kg m²: the symmetric matrix's six entries. */
+    public double[] inertiaXX = {}, inertiaYY = {}, inertiaZZ = {}, inertiaXY = {}, inertiaXZ = {}, inertiaYZ = {};
+
+    /** Inverse of that inertia, body axes, 1/(kg m²); all 0 for static bodies. */
+    public double[] inverseInertiaXX = {},
+            inverseInertiaYY = {},
+            inverseInertiaZZ = {},
+            inverseInertiaXY = {},
+            inverseInertiaXZ = {},
+            inverseInertiaYZ = {};
+
+    /** Coulomb coefficient. */
+    public double[] friction = {};
+
+    /** Newton's coefficient of restitution, 0..1. */
+    public double[] restitution = {};
+
+    /** Grows every column to at least {@code capacity} slots; between phases only. */
+    public void ensureCapacity(int capacity) {
+        if (capacity <= kind.length) {
+            return;
+        }
+        int n = Math.max(capacity, Math.max(16, kind.length + (kind.length >> 1)));
+        kind = Arrays.copyOf(kind, n);
+        entity = Arrays.copyOf(entity, n);
+        shape = Arrays.copyOf(shape, n);
+        positionX = Arrays.copyOf(positionX, n);
+        positionY = Arrays.copyOf(positionY, n);
+        positionZ = Arrays.copyOf(positionZ, n);
+        orientationX = Arrays.copyOf(orientationX, n);
+        orientationY = Arrays.copyOf(orientationY, n);
+        orientationZ = Arrays.copyOf(orientationZ, n);
+        orientationW = Arrays.copyOf(orientationW, n);
+        velocityX = Arrays.copyOf(velocityX, n);
+        velocityY = Arrays.copyOf(velocityY, n);
+        velocityZ = Arrays.copyOf(velocityZ, n);
+        angularVelocityX = Arrays.copyOf(angularVelocityX, n);
+        angularVelocityY = Arrays.copyOf(angularVelocityY, n);
+        angularVelocityZ = Arrays.copyOf(angularVelocityZ, n);
+        forceX = Arrays.copyOf(forceX, n);
+        forceY = Arrays.copyOf(forceY, n);
+        forceZ = Arrays.copyOf(forceZ, n);
+        torqueX = Arrays.copyOf(torqueX, n);
+        torqueY = Arrays.copyOf(torqueY, n);
+        torqueZ = Arrays.copyOf(torqueZ, n);
+        inverseMass = Arrays.copyOf(inverseMass, n);
+        inertiaXX = Arrays.copyOf(inertiaXX, n);
+        inertiaYY = Arrays.copyOf(inertiaYY, n);
+        inertiaZZ = Arrays.copyOf(inertiaZZ, n);
+        inertiaXY = Arrays.copyOf(inertiaXY, n);
+        inertiaXZ = Arrays.copyOf(inertiaXZ, n);
+        inertiaYZ = Arrays.copyOf(inertiaYZ, n);
+        inverseInertiaXX = Arrays.copyOf(inverseInertiaXX, n);
+        inverseInertiaYY = Arrays.copyOf(inverseInertiaYY, n);
+        inverseInertiaZZ = Arrays.copyOf(inverseInertiaZZ, n);
+        inverseInertiaXY = Arrays.copyOf(inverseInertiaXY, n);
+        inverseInertiaXZ = Arrays.copyOf(inverseInertiaXZ, n);
+        inverseInertiaYZ = Arrays.copyOf(inverseInertiaYZ, n);
+        friction = Arrays.copyOf(friction, n);
+        restitution = Arrays.copyOf(restitution, n);
+    }
+}

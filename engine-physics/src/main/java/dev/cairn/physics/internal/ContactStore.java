@@ -1,0 +1,86 @@
+package dev.cairn.physics.internal;
+
+import java.util.Arrays;
+
+/**
+ * All contacts of this tick as a structure of arrays; a contact is a row in {@code [0, count)}, one row per pair of bodies
+ * whose fat bounds overlap. Rows without points ({@code pointCount == 0}) take no part in the solve.
+ *
+ * <p>Points are stored four to a row: point {@code p} of row {@code c} is at {@code 4 * c + p}. The normal is a unit vector
+ * in world axes from body A to body B. Anchors are the contact point, midway between the surfaces, relative to each body's
+ * centre of mass, in world axes at the start of the tick, in metres. Impulses are what warm-starts the next tick.
+ */
+public final class ContactStore {
+    /** Points per row. */
+    public static final int POINTS = 4;
+
+    /** Rows in use. */
+    public int count;
+
+    /** Slots of the two bodies; at least one of them is dynamic. */
+    public int[] bodyA = {}, bodyB = {};
+
+    /** 0 to 4. */
+    public int[] pointCount = {};
+
+    /** Unit normal from A to B, world. */
+    public double[] normalX = {}, normalY = {}, normalZ = {};
+
+    /** Mixed Coulomb coefficient. */
+    public double[] friction = {};
+
+    /** Mixed coefficient of restitution, 0..1. */
+    public double[] restitution = {};
+
+    /** Friction impulse at the patch centre in world axes, N s over the last sub-step; warm start. */
+    public double[] frictionImpulseX = {}, frictionImpulseY = {}, frictionImpulseZ = {};
+
+    /** Twist impulse about the normal, N m s over the last sub-step; warm start. */
+    public double[] twistImpulse = {};
+
+    /** Per point: contact point relative to A's and B's centres of mass, world axes, m. */
+    public double[] anchorAX = {}, anchorAY = {}, anchorAZ = {}, anchorBX = {}, anchorBY = {}, anchorBZ = {};
+
+    /** Per point: signed distance of the surfaces along the normal, m; negative when they overlap. */
+    public double[] separation = {};
+
+    /** Per point: id of the features that touch; equal ids in successive ticks are the same point. */
+    public int[] feature = {};
+
+    /** Per point: normal impulse of the last sub-step, N s, never negative; warm start. */
+    public double[] normalImpulse = {};
+
+    /** Per point: sum of the normal impulses over the tick, N s; what users read as the contact's impulse. */
+    public double[] totalNormalImpulse = {};
+
+    /** Grows every column to at least {@code capacity} rows; between phases only. */
+    public void ensureCapacity(int capacity) {
+        if (capacity <= bodyA.length) {
+            return;
+        }
+        int n = Math.max(capacity, Math.max(64, bodyA.length + (bodyA.length >> 1)));
+        int m = n * POINTS;
+        bodyA = Arrays.copyOf(bodyA, n);
+        bodyB = Arrays.copyOf(bodyB, n);
+        pointCount = Arrays.copyOf(pointCount, n);
+        normalX = Arrays.copyOf(normalX, n);
+        normalY = Arrays.copyOf(normalY, n);
+        normalZ = Arrays.copyOf(normalZ, n);
+        friction = Arrays.copyOf(friction, n);
+        restitution = Arrays.copyOf(restitution, n);
+        frictionImpulseX = Arrays.copyOf(frictionImpulseX, n);
+        frictionImpulseY = Arrays.copyOf(frictionImpulseY, n);
+        frictionImpulseZ = Arrays.copyOf(frictionImpulseZ, n);
+        twistImpulse = Arrays.copyOf(twistImpulse, n);
+        anchorAX = Arrays.copyOf(anchorAX, m);
+        anchorAY = Arrays.copyOf(anchorAY, m);
+        anchorAZ = Arrays.copyOf(anchorAZ, m);
+        anchorBX = Arrays.copyOf(anchorBX, m);
+        anchorBY = Arrays.copyOf(anchorBY, m);
+        anchorBZ = Arrays.copyOf(anchorBZ, m);
+        separation = Arrays.copyOf(separation, m);
+        feature = Arrays.copyOf(feature, m);
+        normalImpulse = Arrays.copyOf(normalImpulse, m);
+        totalNormalImpulse = Arrays.copyOf(totalNormalImpulse, m);
+    }
+}

@@ -1,0 +1,5 @@
+/** Stub. */
+@NullMarked
+package dev.cairn.physics;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,12 @@
+/**
+ * Rigid bodies on the ECS core: broad phase, GJK and EPA narrow phase, sub-stepped soft contacts.
+ */
+module dev.cairn.physics {
+    requires static org.jspecify;
+    requires static jdk.incubator.vector;
+    requires transitive dev.cairn.core;
+    requires transitive org.joml;
+
+    exports dev.cairn.physics;
+    exports dev.cairn.physics.shape;
+}

@@ -1,0 +1,5 @@
+/** Stub. */
+@NullMarked
+package dev.cairn.render.camera;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,5 @@
+/** Stub. */
+@NullMarked
+package dev.cairn.render.mesh;
+
+import org.jspecify.annotations.NullMarked;
