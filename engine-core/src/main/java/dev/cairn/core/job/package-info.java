@@ -1,4 +1,4 @@
-/** Stub. */
+/** First form: the signatures that the other modules build on. */
 @NullMarked
 package dev.cairn.core.job;
 
