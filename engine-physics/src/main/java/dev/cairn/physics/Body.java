@@ -1,0 +1,229 @@
+package dev.cairn.physics;
+
+import dev.cairn.physics.shape.Shape;
+import java.util.ArrayList;
+import java.util.List;
+import org.joml.Quaterniondc;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The description of a body to be, for {@link PhysicsWorld#add}. A builder that can be used again: the world copies what it
+ * says. {@link #at} and {@link #rotation} place the frame that the shape was made in. One thread at a time.
+ */
+public final class Body {
+    final boolean fixed;
+    @Nullable Shape shape;
+    double x;
+    double y;
+    double z;
+    double qx;
+    double qy;
+    double qz;
+    double qw = 1;
+    Material material = Material.DEFAULT;
+    double mass = Double.NaN;
+    double vx;
+    double vy;
+    double vz;
+    double wx;
+    double wy;
+    double wz;
+    final List<Record> components = new ArrayList<>();
+    String name = "";
+
+    private Body(boolean fixed) {
+        this.fixed = fixed;
+    }
+
+    /**
+     * A body that forces and contacts move.
+     *
+     * @return a new description
+     */
+    public static Body dynamic() {
+        return new Body(false);
+    }
+
+    /**
+     * A body that never moves of itself and that nothing moves.
+     *
+     * @return a new description
+     */
+    public static Body fixed() {
+        return new Body(true);
+    }
+
+    /**
+     * Sets the collision shape. Required.
+     *
+     * @param value the shape; shared, not copied (shapes are immutable)
+     * @return this
+     */
+    public Body shape(Shape value) {
+        shape = Checks.notNull("shape", value);
+        return this;
+    }
+
+    /**
+     * Places the origin of the shape's frame; (0, 0, 0) by default.
+     *
+     * @param worldX m, finite
+     * @param worldY m, finite
+     * @param worldZ m, finite
+     * @return this
+     */
+    public Body at(double worldX, double worldY, double worldZ) {
+        Checks.finite("x", worldX);
+        Checks.finite("y", worldY);
+        Checks.finite("z", worldZ);
+        x = worldX;
+        y = worldY;
+        z = worldZ;
+        return this;
+    }
+
+    /**
+     * Turns the shape's frame; no rotation by default.
+     *
+     * @param worldFromBody unit quaternion, its length within 1e-6 of 1 (it is then normalised)
+     * @return this
+     * @throws IllegalArgumentException if it is not finite or not of unit length
+     */
+    public Body rotation(Quaterniondc worldFromBody) {
+        Checks.notNull("rotation", worldFromBody);
+        double inverse =
+                Rotations.inverseLength(
+                        "rotation",
+                        worldFromBody.x(),
+                        worldFromBody.y(),
+                        worldFromBody.z(),
+                        worldFromBody.w());
+        qx = worldFromBody.x() * inverse;
+        qy = worldFromBody.y() * inverse;
+        qz = worldFromBody.z() * inverse;
+        qw = worldFromBody.w() * inverse;
+        return this;
+    }
+
+    /**
+     * Turns the shape's frame about an axis through its origin.
+     *
+     * @param axisX world axis, any length above 0
+     * @param axisY world axis
+     * @param axisZ world axis
+     * @param radians angle by the right-hand rule, finite
+     * @return this
+     * @throws IllegalArgumentException if the axis is zero or anything is not finite
+     */
+    public Body rotationAbout(double axisX, double axisY, double axisZ, double radians) {
+        Checks.finite("axisX", axisX);
+        Checks.finite("axisY", axisY);
+        Checks.finite("axisZ", axisZ);
+        Checks.finite("radians", radians);
+        double largest = Math.max(Math.abs(axisX), Math.max(Math.abs(axisY), Math.abs(axisZ)));
+        if (largest == 0) {
+            throw new IllegalArgumentException(
+                    "axis is (0, 0, 0); it must have a direction: pass (0, 1, 0) to turn about y");
+        }
+        double ax = axisX / largest;
+        double ay = axisY / largest;
+        double az = axisZ / largest;
+        double scale = StrictMath.sin(0.5 * radians) / Math.sqrt(ax * ax + ay * ay + az * az);
+        qx = ax * scale;
+        qy = ay * scale;
+        qz = az * scale;
+        qw = StrictMath.cos(0.5 * radians);
+        return this;
+    }
+
+    /**
+     * Sets friction, restitution and density; {@link Material#DEFAULT} by default.
+     *
+     * @param value the material
+     * @return this
+     */
+    public Body material(Material value) {
+        material = Checks.notNull("material", value);
+        return this;
+    }
+
+    /**
+     * States the mass, instead of the material's density times the shape's volume.
+     *
+     * @param kilograms finite, above 0
+     * @return this
+     * @throws IllegalArgumentException if it is not; a body that shall not move is a {@link #fixed()} one
+     */
+    public Body mass(double kilograms) {
+        if (!(kilograms > 0) || kilograms == Double.POSITIVE_INFINITY) {
+            throw new IllegalArgumentException(
+                    "mass is "
+                            + kilograms
+                            + " kg; it must be finite and greater than 0. For a body that nothing moves use Body.fixed()");
+        }
+        mass = kilograms;
+        return this;
+    }
+
+    /**
+     * Sets the velocity of the centre of mass at the start; ignored for fixed bodies.
+     *
+     * @param worldX m/s, finite
+     * @param worldY m/s, finite
+     * @param worldZ m/s, finite
+     * @return this
+     */
+    public Body velocity(double worldX, double worldY, double worldZ) {
+        Checks.finite("vx", worldX);
+        Checks.finite("vy", worldY);
+        Checks.finite("vz", worldZ);
+        vx = worldX;
+        vy = worldY;
+        vz = worldZ;
+        return this;
+    }
+
+    /**
+     * Sets the angular velocity at the start; ignored for fixed bodies.
+     *
+     * @param worldX rad/s, finite
+     * @param worldY rad/s, finite
+     * @param worldZ rad/s, finite
+     * @return this
+     */
+    public Body angularVelocity(double worldX, double worldY, double worldZ) {
+        Checks.finite("wx", worldX);
+        Checks.finite("wy", worldY);
+        Checks.finite("wz", worldZ);
+        wx = worldX;
+        wy = worldY;
+        wz = worldZ;
+        return this;
+    }
+
+    /**
+     * Adds components to the body's entity, beside {@code Pose}, {@link Velocity} and {@link RigidBody}.
+     *
+     * @param values components of the user, one of a type
+     * @return this
+     */
+    public Body with(Record... values) {
+        Checks.notNull("components", values);
+        for (Record value : values) {
+            Checks.notNull("component", value);
+        }
+        components.addAll(List.of(values));
+        return this;
+    }
+
+    /**
+     * Names the body for messages and tools; empty by default.
+     *
+     * @param value any text
+     * @return this
+     */
+    public Body name(String value) {
+        name = Checks.notNull("name", value);
+        return this;
+    }
+}

@@ -1,0 +1,341 @@
+package dev.cairn.physics;
+
+import dev.cairn.physics.shape.Shape;
+import org.joml.Matrix3d;
+import org.joml.Quaterniond;
+import org.joml.Quaterniondc;
+import org.joml.Vector3d;
+
+/**
+ * A body in a world. All values are in world axes and SI units; positions named so are those of the origin of the frame that
+ * the shape was made in, unless a name says centre of mass.
+ *
+ * <p>Simulation thread only, and not from inside the physics step. Methods that take a destination or primitives do not
+ * allocate. Every method but {@link #entity}, {@link #isAlive}, {@link #name} and {@link #toString} throws {@link
+ * BodyRemovedException} once the body is gone. Forces and torques add up and act over the whole next step, then are
+ * cleared; impulses act at once. On fixed bodies forces and impulses have no effect.
+ */
+public final class BodyRef {
+    private final BodyTable table;
+    private final int slot;
+    private final long entity;
+    private final String name;
+
+    BodyRef(BodyTable table, int slot, long entity, String name) {
+        this.table = table;
+        this.slot = slot;
+        this.entity = entity;
+        this.name = name;
+    }
+
+    /**
+     * The body's ECS entity.
+     *
+     * @return its id
+     */
+    public long entity() {
+        return entity;
+    }
+
+    /**
+     * The name that the description gave, for messages and tools.
+     *
+     * @return the name, empty if none was given
+     */
+    public String name() {
+        return name;
+    }
+
+    /**
+     * Whether the body is still in its world.
+     *
+     * @return false once it was removed, or its entity deleted, or the world closed
+     */
+    public boolean isAlive() {
+        return table.isAlive(slot, entity);
+    }
+
+    /**
+     * Whether nothing moves the body: it was made so, or it was quarantined.
+     *
+     * @return true for infinite mass
+     */
+    public boolean isFixed() {
+        return table.isFixed(alive());
+    }
+
+    /**
+     * The collision shape.
+     *
+     * @return the shape that the description gave
+     */
+    public Shape shape() {
+        return table.shape(alive());
+    }
+
+    /**
+     * The material.
+     *
+     * @return the one that the description gave
+     */
+    public Material material() {
+        return table.material(alive());
+    }
+
+    /**
+     * The mass.
+     *
+     * @return kg; positive infinity for a fixed body
+     */
+    public double mass() {
+        return table.mass(alive());
+    }
+
+    /**
+     * The inverse of the inertia about the centre of mass, in world axes.
+     *
+     * @param destination receives 1/(kg m²); all 0 for a fixed body
+     * @return destination
+     */
+    public Matrix3d inverseInertia(Matrix3d destination) {
+        return table.inverseInertia(alive(), Checks.notNull("destination", destination));
+    }
+
+    /**
+     * Where the origin of the shape's frame is.
+     *
+     * @return a new vector, m
+     */
+    public Vector3d position() {
+        return position(new Vector3d());
+    }
+
+    /**
+     * Where the origin of the shape's frame is.
+     *
+     * @param destination receives m
+     * @return destination
+     */
+    public Vector3d position(Vector3d destination) {
+        return table.position(alive(), Checks.notNull("destination", destination));
+    }
+
+    /**
+     * Where the centre of mass is.
+     *
+     * @param destination receives m
+     * @return destination
+     */
+    public Vector3d centreOfMass(Vector3d destination) {
+        return table.centreOfMass(alive(), Checks.notNull("destination", destination));
+    }
+
+    /**
+     * How the body is turned.
+     *
+     * @return a new unit quaternion, worldFromBody
+     */
+    public Quaterniond orientation() {
+        return orientation(new Quaterniond());
+    }
+
+    /**
+     * How the body is turned.
+     *
+     * @param destination receives the unit quaternion worldFromBody
+     * @return destination
+     */
+    public Quaterniond orientation(Quaterniond destination) {
+        return table.orientation(alive(), Checks.notNull("destination", destination));
+    }
+
+    /**
+     * The velocity of the centre of mass.
+     *
+     * @return a new vector, m/s
+     */
+    public Vector3d velocity() {
+        return velocity(new Vector3d());
+    }
+
+    /**
+     * The velocity of the centre of mass.
+     *
+     * @param destination receives m/s
+     * @return destination
+     */
+    public Vector3d velocity(Vector3d destination) {
+        return table.velocity(alive(), Checks.notNull("destination", destination));
+    }
+
+    /**
+     * The angular velocity.
+     *
+     * @return a new vector, rad/s
+     */
+    public Vector3d angularVelocity() {
+        return angularVelocity(new Vector3d());
+    }
+
+    /**
+     * The angular velocity.
+     *
+     * @param destination receives rad/s
+     * @return destination
+     */
+    public Vector3d angularVelocity(Vector3d destination) {
+        return table.angularVelocity(alive(), Checks.notNull("destination", destination));
+    }
+
+    /**
+     * Pushes at the centre of mass during the next step.
+     *
+     * @param fx N, finite
+     * @param fy N, finite
+     * @param fz N, finite
+     */
+    public void applyForce(double fx, double fy, double fz) {
+        table.applyForce(alive(), fx, fy, fz);
+    }
+
+    /**
+     * Pushes at a point during the next step.
+     *
+     * @param fx N, finite
+     * @param fy N, finite
+     * @param fz N, finite
+     * @param px point, world, m, finite
+     * @param py point, world, m, finite
+     * @param pz point, world, m, finite
+     */
+    public void applyForceAt(double fx, double fy, double fz, double px, double py, double pz) {
+        table.applyForceAt(alive(), fx, fy, fz, px, py, pz);
+    }
+
+    /**
+     * Turns during the next step.
+     *
+     * @param tx N m, finite
+     * @param ty N m, finite
+     * @param tz N m, finite
+     */
+    public void applyTorque(double tx, double ty, double tz) {
+        table.applyTorque(alive(), tx, ty, tz);
+    }
+
+    /**
+     * Changes the velocity at once.
+     *
+     * @param jx impulse at the centre of mass, N s, finite
+     * @param jy N s, finite
+     * @param jz N s, finite
+     */
+    public void applyImpulse(double jx, double jy, double jz) {
+        table.applyImpulse(alive(), jx, jy, jz);
+    }
+
+    /**
+     * Changes velocity and angular velocity at once.
+     *
+     * @param jx impulse, N s, finite
+     * @param jy N s, finite
+     * @param jz N s, finite
+     * @param px point that it acts at, world, m, finite
+     * @param py point, world, m, finite
+     * @param pz point, world, m, finite
+     */
+    public void applyImpulseAt(double jx, double jy, double jz, double px, double py, double pz) {
+        table.applyImpulseAt(alive(), jx, jy, jz, px, py, pz);
+    }
+
+    /**
+     * Changes the angular velocity at once.
+     *
+     * @param lx angular impulse, N m s, finite
+     * @param ly N m s, finite
+     * @param lz N m s, finite
+     */
+    public void applyAngularImpulse(double lx, double ly, double lz) {
+        table.applyAngularImpulse(alive(), lx, ly, lz);
+    }
+
+    /**
+     * Sets the velocity of the centre of mass.
+     *
+     * @param vx m/s, finite
+     * @param vy m/s, finite
+     * @param vz m/s, finite
+     * @throws IllegalStateException if the body is fixed
+     */
+    public void setVelocity(double vx, double vy, double vz) {
+        table.setVelocity(alive(), vx, vy, vz);
+    }
+
+    /**
+     * Sets the angular velocity.
+     *
+     * @param wx rad/s, finite
+     * @param wy rad/s, finite
+     * @param wz rad/s, finite
+     * @throws IllegalStateException if the body is fixed
+     */
+    public void setAngularVelocity(double wx, double wy, double wz) {
+        table.setAngularVelocity(alive(), wx, wy, wz);
+    }
+
+    /**
+     * Puts the origin of the shape's frame elsewhere, at once; orientation and velocities stay. {@code Pose.jumps} counts it,
+     * so that pictures do not smear. Allocates.
+     *
+     * @param x m, finite
+     * @param y m, finite
+     * @param z m, finite
+     */
+    public void teleport(double x, double y, double z) {
+        table.teleport(alive(), x, y, z);
+    }
+
+    /**
+     * Puts the shape's frame elsewhere, at once; velocities stay. {@code Pose.jumps} counts it. Allocates.
+     *
+     * @param x m, finite
+     * @param y m, finite
+     * @param z m, finite
+     * @param rotation unit quaternion worldFromBody, its length within 1e-6 of 1
+     */
+    public void teleport(double x, double y, double z, Quaterniondc rotation) {
+        table.teleport(alive(), x, y, z, Checks.notNull("rotation", rotation));
+    }
+
+    /**
+     * Takes the body and its entity out of the world, between steps. Its contacts end with the next step.
+     *
+     * @throws IllegalStateException while a step runs
+     */
+    public void remove() {
+        table.remove(alive());
+    }
+
+    int slot() {
+        return slot;
+    }
+
+    BodyTable table() {
+        return table;
+    }
+
+    private int alive() {
+        if (!table.isAlive(slot, entity)) {
+            throw new BodyRemovedException(
+                    this + " is no longer in its world; ask isAlive() before you use a body that may be gone");
+        }
+        return slot;
+    }
+
+    @Override
+    public String toString() {
+        return name.isEmpty()
+                ? "body in slot " + slot
+                : "body '" + name + "' in slot " + slot;
+    }
+}

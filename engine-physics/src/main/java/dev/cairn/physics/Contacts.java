@@ -1,0 +1,129 @@
+package dev.cairn.physics;
+
+import org.joml.Vector3d;
+
+/**
+ * The contacts of the last step: pairs of bodies that touch or are about to. Their order is a function of the world's
+ * history, never of the number of workers.
+ *
+ * <p>A view: the same object for the life of the world, its contents replaced by each step. Simulation thread, between
+ * steps. Nothing here allocates. World axes, SI units. Bodies that were removed since the step are still named here; ask
+ * {@link BodyRef#isAlive}.
+ */
+public interface Contacts {
+    /**
+     * How many contacts have at least one point.
+     *
+     * @return the number, at least 0
+     */
+    int count();
+
+    /**
+     * One body of a contact.
+     *
+     * @param contact 0 to count - 1
+     * @return the body
+     */
+    BodyRef bodyA(int contact);
+
+    /**
+     * The other body of a contact.
+     *
+     * @param contact 0 to count - 1
+     * @return the body
+     */
+    BodyRef bodyB(int contact);
+
+    /**
+     * How many points the contact has.
+     *
+     * @param contact 0 to count - 1
+     * @return 1 to 4
+     */
+    int pointCount(int contact);
+
+    /**
+     * The direction from A to B.
+     *
+     * @param contact 0 to count - 1
+     * @param destination receives the unit normal
+     * @return destination
+     */
+    Vector3d normal(int contact, Vector3d destination);
+
+    /**
+     * A point, midway between the surfaces, as the narrow phase found it at the start of the step.
+     *
+     * @param contact 0 to count - 1
+     * @param point 0 to pointCount - 1
+     * @param destination receives m
+     * @return destination
+     */
+    Vector3d point(int contact, int point, Vector3d destination);
+
+    /**
+     * The distance of the surfaces along the normal, at the start of the step.
+     *
+     * @param contact 0 to count - 1
+     * @param point 0 to pointCount - 1
+     * @return m, negative when they overlap
+     */
+    double separation(int contact, int point);
+
+    /**
+     * What the bodies pushed each other with at the point.
+     *
+     * @param contact 0 to count - 1
+     * @param point 0 to pointCount - 1
+     * @return N s, summed over the step, at least 0
+     */
+    double normalImpulse(int contact, int point);
+
+    /**
+     * Whether the bodies touch: since they last came within reach, they have overlapped or pushed each other.
+     *
+     * @param contact 0 to count - 1
+     * @return true between the events of {@link #began} and {@link #ended}
+     */
+    boolean touching(int contact);
+
+    /**
+     * The pairs that began to touch in the last step.
+     *
+     * @return the same view each time
+     */
+    Events began();
+
+    /**
+     * The pairs that ceased to touch in the last step, or whose body was removed before it. Each had begun before.
+     *
+     * @return the same view each time
+     */
+    Events ended();
+
+    /** Pairs of bodies, in a deterministic order. Simulation thread, between steps; does not allocate. */
+    interface Events {
+        /**
+         * How many pairs there are.
+         *
+         * @return the number, at least 0
+         */
+        int count();
+
+        /**
+         * One body of a pair.
+         *
+         * @param event 0 to count - 1
+         * @return the body
+         */
+        BodyRef bodyA(int event);
+
+        /**
+         * The other body of a pair.
+         *
+         * @param event 0 to count - 1
+         * @return the body
+         */
+        BodyRef bodyB(int event);
+    }
+}

@@ -1,0 +1,90 @@
+package dev.cairn.physics;
+
+/**
+ * What a body's surface and substance are like. Immutable; any thread.
+ *
+ * <p>Two materials meet with the friction {@code sqrt(a * b)} and the larger restitution of the two.
+ *
+ * @param friction Coulomb coefficient, dimensionless, finite, at least 0
+ * @param restitution Newton's coefficient of restitution, 0 (no bounce) to 1 (bounces to its height)
+ * @param density kg/m³, finite, above 0; unused where a body states its mass
+ */
+public record Material(double friction, double restitution, double density) {
+    /** Friction 0.6, no bounce, the density of water: what a body is made of if nothing is said. */
+    public static final Material DEFAULT = new Material(0.6, 0, 1000);
+
+    /** Dry pine: friction 0.5, restitution 0.2, 600 kg/m³. */
+    public static final Material WOOD = new Material(0.5, 0.2, 600);
+
+    /** Clean steel: friction 0.7, restitution 0.3, 7850 kg/m³. */
+    public static final Material STEEL = new Material(0.7, 0.3, 7850);
+
+    /** Wet ice: friction 0.03, restitution 0.05, 917 kg/m³. */
+    public static final Material ICE = new Material(0.03, 0.05, 917);
+
+    /** Bouncy rubber: friction 1, restitution 0.8, 1100 kg/m³. */
+    public static final Material RUBBER = new Material(1, 0.8, 1100);
+
+    /**
+     * Checks the values.
+     *
+     * @throws IllegalArgumentException if a value is out of its range; the message names value and range
+     */
+    public Material {
+        Checks.atLeastZero("friction", friction);
+        Checks.between("restitution", restitution, 0, 1);
+        Checks.positive("density", density);
+    }
+
+    /**
+     * This material with another friction.
+     *
+     * @param value Coulomb coefficient, at least 0
+     * @return a new material
+     */
+    public Material withFriction(double value) {
+        return new Material(value, restitution, density);
+    }
+
+    /**
+     * This material with another restitution.
+     *
+     * @param value 0 to 1
+     * @return a new material
+     */
+    public Material withRestitution(double value) {
+        return new Material(friction, value, density);
+    }
+
+    /**
+     * This material with another density.
+     *
+     * @param value kg/m³, above 0
+     * @return a new material
+     */
+    public Material withDensity(double value) {
+        return new Material(friction, restitution, value);
+    }
+
+    /**
+     * The friction of two materials that meet: {@code sqrt(a.friction * b.friction)}.
+     *
+     * @param a one material
+     * @param b the other
+     * @return the mixed Coulomb coefficient
+     */
+    public static double mixFriction(Material a, Material b) {
+        return Math.sqrt(a.friction * b.friction);
+    }
+
+    /**
+     * The restitution of two materials that meet: the larger one.
+     *
+     * @param a one material
+     * @param b the other
+     * @return the mixed coefficient of restitution
+     */
+    public static double mixRestitution(Material a, Material b) {
+        return Math.max(a.restitution, b.restitution);
+    }
+}
