@@ -1,0 +1,6 @@
+package dev.cairn.core.ecs;
+
+/** Key of a column of {@code long}. */
+public final class LongField extends Field {
+    LongField() {}
+}

@@ -1,0 +1,10 @@
+package dev.cairn.core.ecs;
+
+/**
+ * Key of a column of references.
+ *
+ * @param <V> type of the field
+ */
+public final class ObjectField<V> extends Field {
+    ObjectField() {}
+}

@@ -1,0 +1,15 @@
+package dev.cairn.core.ecs;
+
+/**
+ * A system that runs once per tick on the simulation thread, with all its chunks and the workers at
+ * hand. It is a level of its own in the schedule, so nothing else runs beside it.
+ */
+public non-sealed interface WorldSystem extends EcsSystem {
+    /**
+     * Does the system's work of one tick. May fork with {@code tick.jobs().run(..)}; then each
+     * chunk's {@code out} columns must be asked for by one thread only.
+     *
+     * @param tick the tick that is being computed, valid during this call
+     */
+    void run(Tick tick);
+}
