@@ -1,0 +1,114 @@
+package dev.cairn.physics.solver;
+
+/**
+ * Tunables of the contact solver; immutable. Every number is here once, with what it buys and what it costs.
+ *
+ * @param substeps sub-steps per tick, 1 to 64. Cost grows linearly; stiffness, and with it sag, with the square.
+ * @param hertzPerRate natural frequency of a soft contact times the sub-step, 0.001 to 0.5. 0.125 is 30 Hz at 240
+ *     sub-steps per second; there is no cap, so sag falls with the square of the sub-step.
+ * @param dampingRatio damping ratio of a soft contact, at least 0. 10 recovers overlap slowly and never pops.
+ * @param staticHertzScale factor on the frequency of contacts with static bodies, at least 1: the ground is the last word.
+ * @param staticDampingScale factor on the damping ratio of those contacts, above 0.
+ * @param pushSpeed fastest speed at which overlap is pushed out, m/s, above 0; bounds the energy of bad starts.
+ * @param restitutionThreshold slowest impact that bounces, m/s, at least 0; slower ones are inelastic, so that a bouncing
+ *     body comes to rest instead of bouncing for ever smaller times.
+ * @param innerSweeps sweeps over the points of one contact before the next contact, 1 to 16. More sweeps solve the tilt of
+ *     a face inside the contact.
+ * @param offsetGain share of a resting point's overlap that moves into its offset per tick, 0 (off) to 0.05; removes sag.
+ * @param loadInertia kappa of the load-proportional inertia, 0 (off) to 4: a resting body's solver mass is up to kappa times
+ *     the load that it carries.
+ */
+public record SolverSettings(
+        int substeps,
+        double hertzPerRate,
+        double dampingRatio,
+        double staticHertzScale,
+        double staticDampingScale,
+        double pushSpeed,
+        double restitutionThreshold,
+        int innerSweeps,
+        double offsetGain,
+        double loadInertia) {
+    /** The measured defaults. */
+    public static final SolverSettings DEFAULT = new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 1, 0, 0);
+
+    /** Checks every bound. */
+    public SolverSettings {
+        check("substeps", substeps, 1, 64);
+        check("hertzPerRate", hertzPerRate, 1e-3, 0.5);
+        check("dampingRatio", dampingRatio, 0, 1000);
+        check("staticHertzScale", staticHertzScale, 1, 4);
+        check("staticDampingScale", staticDampingScale, 0.01, 1);
+        check("pushSpeed", pushSpeed, 1e-3, 1e3);
+        check("restitutionThreshold", restitutionThreshold, 0, 1e3);
+        check("innerSweeps", innerSweeps, 1, 16);
+        check("offsetGain", offsetGain, 0, 0.05);
+        check("loadInertia", loadInertia, 0, 4);
+    }
+
+    private static void check(String name, double value, double low, double high) {
+        if (!(value >= low && value <= high)) {
+            throw new IllegalArgumentException(name + " must be in [" + low + ", " + high + "], but is " + value);
+        }
+    }
+
+    /** These settings with another number of sub-steps. */
+    public SolverSettings withSubsteps(int value) {
+        return new SolverSettings(
+                value,
+                hertzPerRate,
+                dampingRatio,
+                staticHertzScale,
+                staticDampingScale,
+                pushSpeed,
+                restitutionThreshold,
+                innerSweeps,
+                offsetGain,
+                loadInertia);
+    }
+
+    /** These settings with another restitution threshold, m/s. */
+    public SolverSettings withRestitutionThreshold(double value) {
+        return new SolverSettings(
+                substeps,
+                hertzPerRate,
+                dampingRatio,
+                staticHertzScale,
+                staticDampingScale,
+                pushSpeed,
+                value,
+                innerSweeps,
+                offsetGain,
+                loadInertia);
+    }
+
+    /** These settings with other soft-contact numbers. */
+    public SolverSettings withSoftness(double newHertzPerRate, double newDampingRatio, double newPushSpeed) {
+        return new SolverSettings(
+                substeps,
+                newHertzPerRate,
+                newDampingRatio,
+                staticHertzScale,
+                staticDampingScale,
+                newPushSpeed,
+                restitutionThreshold,
+                innerSweeps,
+                offsetGain,
+                loadInertia);
+    }
+
+    /** These settings with other means against sag: sweeps inside a contact, offset gain, load-proportional inertia. */
+    public SolverSettings withStiffening(int newInnerSweeps, double newOffsetGain, double newLoadInertia) {
+        return new SolverSettings(
+                substeps,
+                hertzPerRate,
+                dampingRatio,
+                staticHertzScale,
+                staticDampingScale,
+                pushSpeed,
+                restitutionThreshold,
+                newInnerSweeps,
+                newOffsetGain,
+                newLoadInertia);
+    }
+}
