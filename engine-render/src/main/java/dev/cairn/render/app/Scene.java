@@ -1,0 +1,135 @@
+package dev.cairn.render.app;
+
+import dev.cairn.core.snapshot.Pose;
+import dev.cairn.core.snapshot.Visual;
+import dev.cairn.physics.Body;
+import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.render.camera.Camera;
+import dev.cairn.render.camera.Light;
+import dev.cairn.render.input.Bindings;
+import dev.cairn.render.mesh.Model;
+import java.util.Objects;
+
+/**
+ * What an application shows: a world of bodies, how they look, the camera, the light and the key bindings. All methods belong to
+ * the simulation thread, which is the thread of {@code initScene}, of {@code update} and of bound functions.
+ */
+public final class Scene {
+    private final PhysicsWorld physics;
+    private final Camera camera;
+    private final Bindings bindings;
+    private volatile Light light = Light.DAYLIGHT;
+    private volatile String title;
+
+    Scene(PhysicsWorld physics, Camera camera, Bindings bindings, String title) {
+        this.physics = physics;
+        this.camera = camera;
+        this.bindings = bindings;
+        this.title = title;
+    }
+
+    /**
+     * The bodies, and through {@link PhysicsWorld#ecs()} all entities.
+     *
+     * @return the world
+     */
+    public PhysicsWorld physics() {
+        return physics;
+    }
+
+    /**
+     * Adds a body that is drawn.
+     *
+     * @param body what it is like; may be used again
+     * @param model how it looks, in the frame of the body's shape
+     * @return the body
+     */
+    public BodyRef add(Body body, Model model) {
+        Objects.requireNonNull(model, "model");
+        BodyRef added = physics.add(body);
+        physics.ecs().add(added.entity(), new Visual(model));
+        return added;
+    }
+
+    /**
+     * Adds a body that is drawn as its shape.
+     *
+     * @param body what it is like
+     * @return the body
+     */
+    public BodyRef add(Body body) {
+        BodyRef added = physics.add(body);
+        physics.ecs().add(added.entity(), new Visual(Model.of(added.shape())));
+        return added;
+    }
+
+    /**
+     * Adds something that is drawn but has no part in the physics. Move it by {@code physics().ecs().set(entity, pose)}.
+     *
+     * @param pose where
+     * @param model how it looks
+     * @return its entity
+     */
+    public long addVisual(Pose pose, Model model) {
+        return physics.ecs().spawn(pose, new Visual(Objects.requireNonNull(model, "model")));
+    }
+
+    /**
+     * The camera; it may be placed at any time.
+     *
+     * @return the camera
+     */
+    public Camera camera() {
+        return camera;
+    }
+
+    /**
+     * What keys and buttons do.
+     *
+     * @return the bindings, with the application's defaults in them
+     */
+    public Bindings bindings() {
+        return bindings;
+    }
+
+    /**
+     * The light.
+     *
+     * @return the light in force
+     */
+    public Light light() {
+        return light;
+    }
+
+    /**
+     * Changes the light.
+     *
+     * @param value the new light
+     * @return this
+     */
+    public Scene light(Light value) {
+        light = Objects.requireNonNull(value, "light");
+        return this;
+    }
+
+    /**
+     * The window's title.
+     *
+     * @return the title
+     */
+    public String title() {
+        return title;
+    }
+
+    /**
+     * Changes the window's title.
+     *
+     * @param value the new title
+     * @return this
+     */
+    public Scene title(String value) {
+        title = Objects.requireNonNull(value, "title");
+        return this;
+    }
+}

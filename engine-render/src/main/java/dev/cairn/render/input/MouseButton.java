@@ -1,0 +1,36 @@
+package dev.cairn.render.input;
+
+/** A mouse button that a function can be bound to. */
+public enum MouseButton {
+    /** The primary button. */
+    LEFT,
+    /** The secondary button. */
+    RIGHT,
+    /** The wheel as a button. */
+    MIDDLE,
+    /** The fourth button, often "back". */
+    BUTTON_4,
+    /** The fifth button, often "forward". */
+    BUTTON_5,
+    /** The sixth button. */
+    BUTTON_6,
+    /** The seventh button. */
+    BUTTON_7,
+    /** The eighth button. */
+    BUTTON_8;
+
+    private static final MouseButton[] ALL = values();
+
+    /**
+     * The button of GLFW's number.
+     *
+     * @param code 0 = left, 1 = right, 2 = middle, up to 7
+     * @return the button
+     */
+    public static MouseButton ofCode(int code) {
+        if (code < 0 || code >= ALL.length) {
+            throw new IllegalArgumentException("mouse button code is " + code + ", expected 0.." + (ALL.length - 1));
+        }
+        return ALL[code];
+    }
+}

@@ -1,0 +1,124 @@
+package dev.cairn.render.mesh;
+
+import java.nio.file.Path;
+import java.util.Objects;
+
+/**
+ * A picture that is drawn on surfaces: sRGB colours, rows from top to bottom. Immutable and free of OpenGL; the renderer uploads it
+ * with mipmaps when it first draws it.
+ */
+public final class Texture {
+    /** One white pixel: the colour of the model shows as it is. */
+    public static final Texture WHITE = of("white", 1, 1, new int[] {0xFFFFFFFF});
+
+    private final String name;
+    private final int width;
+    private final int height;
+    private final int[] argb;
+    private final double tileMetres;
+
+    private Texture(String name, int width, int height, int[] argb, double tileMetres) {
+        this.name = name;
+        this.width = width;
+        this.height = height;
+        this.argb = argb;
+        this.tileMetres = tileMetres;
+    }
+
+    /**
+     * A texture from pixels.
+     *
+     * @param name what it is called in messages
+     * @param width pixels, 1..16384
+     * @param height pixels, 1..16384
+     * @param argb {@code width * height} pixels, top row first, 0xAARRGGBB in sRGB; copied; alpha is ignored
+     * @return the texture
+     */
+    public static Texture of(String name, int width, int height, int[] argb) {
+        Objects.requireNonNull(name, "name");
+        if (width < 1 || height < 1 || width > 16384 || height > 16384) {
+            throw new IllegalArgumentException(
+                    "texture '" + name + "' is " + width + " x " + height + " pixels, expected 1..16384 each");
+        }
+        if (argb.length != width * height) {
+            throw new IllegalArgumentException(
+                    "texture '" + name + "' has " + argb.length + " pixels, expected " + width + " * " + height);
+        }
+        return new Texture(name, width, height, argb.clone(), 0);
+    }
+
+    /**
+     * Reads a {@code .png} (also .jpg, .bmp, .tga) file.
+     *
+     * @param file where it is
+     * @return the texture
+     * @throws IllegalArgumentException naming the file and the reason, if it cannot be read
+     */
+    public static Texture read(Path file) {
+        throw new UnsupportedOperationException();
+    }
+
+    /**
+     * The same picture laid over the model by its coordinates in metres instead of by the mesh's texture coordinates: each face
+     * takes the two axes that it lies in. A floor of any size keeps its pattern's size so.
+     *
+     * @param metres length of one repetition, &gt; 0; 0 returns to the mesh's own coordinates
+     * @return a new texture that shares the pixels
+     */
+    public Texture tiledEvery(double metres) {
+        if (!(metres >= 0) || Double.isInfinite(metres)) {
+            throw new IllegalArgumentException("texture '" + name + "': tile is " + metres + " m, expected >= 0 and finite");
+        }
+        return new Texture(name, width, height, argb, metres);
+    }
+
+    /**
+     * What it is called in messages.
+     *
+     * @return the name
+     */
+    public String name() {
+        return name;
+    }
+
+    /**
+     * Width.
+     *
+     * @return pixels
+     */
+    public int width() {
+        return width;
+    }
+
+    /**
+     * Height.
+     *
+     * @return pixels
+     */
+    public int height() {
+        return height;
+    }
+
+    /**
+     * The pixels, top row first, 0xAARRGGBB in sRGB.
+     *
+     * @return a copy
+     */
+    public int[] argb() {
+        return argb.clone();
+    }
+
+    /**
+     * Length of one repetition if the texture is laid by metres.
+     *
+     * @return metres; 0 if the mesh's own texture coordinates are used
+     */
+    public double tileMetres() {
+        return tileMetres;
+    }
+
+    @Override
+    public String toString() {
+        return "Texture[" + name + ", " + width + " x " + height + "]";
+    }
+}
