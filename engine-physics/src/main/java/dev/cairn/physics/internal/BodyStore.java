@@ -1,14 +1,16 @@
 package dev.cairn.physics.internal;
 
 import dev.cairn.physics.shape.Shape;
+
 import java.util.Arrays;
 
 /**
  * All bodies as a structure of arrays; a body is a slot in {@code [0, slotCount)}.
  *
- * <p>Positions are those of the centre of mass, in world axes and metres. Orientations are unit quaternions {@code
- * (x, y, z, w)} that rotate body axes to world axes. Inertia is about the centre of mass. Simulation thread, and blocks of
- * its stages, only; the fields are public because the kernels of the step are loops over them.
+ * <p>Positions are those of the centre of mass, in world axes and metres. Orientations are unit
+ * quaternions {@code (x, y, z, w)} that rotate body axes to world axes. Inertia is about the centre
+ * of mass. Simulation thread, and blocks of its stages, only; the fields are public because the
+ * kernels of the step are loops over them.
  */
 public final class BodyStore {
     /** Kind of a slot that holds no body. */
@@ -29,7 +31,9 @@ public final class BodyStore {
     /** ECS entity of the body. */
     public long[] entity = new long[0];
 
-    /** Collision shape; its geometry is relative to the centre of mass. {@code null} in a free slot. */
+    /**
+     * Collision shape; its geometry is relative to the centre of mass. {@code null} in a free slot.
+     */
     public Shape[] shape = new Shape[0];
 
     /** Centre of mass, world, m. */
@@ -44,7 +48,9 @@ public final class BodyStore {
     /** Angular velocity, world, rad/s. */
     public double[] angularVelocityX = {}, angularVelocityY = {}, angularVelocityZ = {};
 
-    /** Force of the user on the centre of mass during this tick, world, N; cleared after the step. */
+    /**
+     * Force of the user on the centre of mass during this tick, world, N; cleared after the step.
+     */
     public double[] forceX = {}, forceY = {}, forceZ = {};
 
     /** Torque of the user during this tick, world, N m; cleared after the step. */
@@ -54,7 +60,12 @@ public final class BodyStore {
     public double[] inverseMass = {};
 
     /** Inertia about the centre of mass, body axes, kg m²: the symmetric matrix's six entries. */
-    public double[] inertiaXX = {}, inertiaYY = {}, inertiaZZ = {}, inertiaXY = {}, inertiaXZ = {}, inertiaYZ = {};
+    public double[] inertiaXX = {},
+            inertiaYY = {},
+            inertiaZZ = {},
+            inertiaXY = {},
+            inertiaXZ = {},
+            inertiaYZ = {};
 
     /** Inverse of that inertia, body axes, 1/(kg m²); all 0 for static bodies. */
     public double[] inverseInertiaXX = {},

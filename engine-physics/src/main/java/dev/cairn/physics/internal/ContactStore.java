@@ -3,12 +3,14 @@ package dev.cairn.physics.internal;
 import java.util.Arrays;
 
 /**
- * All contacts of this tick as a structure of arrays; a contact is a row in {@code [0, count)}, one row per pair of bodies
- * whose fat bounds overlap. Rows without points ({@code pointCount == 0}) take no part in the solve.
+ * All contacts of this tick as a structure of arrays; a contact is a row in {@code [0, count)}, one
+ * row per pair of bodies whose fat bounds overlap. Rows without points ({@code pointCount == 0})
+ * take no part in the solve.
  *
- * <p>Points are stored four to a row: point {@code p} of row {@code c} is at {@code 4 * c + p}. The normal is a unit vector
- * in world axes from body A to body B. Anchors are the contact point, midway between the surfaces, relative to each body's
- * centre of mass, in world axes at the start of the tick, in metres. Impulses are what warm-starts the next tick.
+ * <p>Points are stored four to a row: point {@code p} of row {@code c} is at {@code 4 * c + p}. The
+ * normal is a unit vector in world axes from body A to body B. Anchors are the contact point,
+ * midway between the surfaces, relative to each body's centre of mass, in world axes at the start
+ * of the tick, in metres. Impulses are what warm-starts the next tick.
  */
 public final class ContactStore {
     /** Points per row. */
@@ -32,25 +34,39 @@ public final class ContactStore {
     /** Mixed coefficient of restitution, 0..1. */
     public double[] restitution = {};
 
-    /** Friction impulse at the patch centre in world axes, N s over the last sub-step; warm start. */
+    /**
+     * Friction impulse at the patch centre in world axes, N s over the last sub-step; warm start.
+     */
     public double[] frictionImpulseX = {}, frictionImpulseY = {}, frictionImpulseZ = {};
 
     /** Twist impulse about the normal, N m s over the last sub-step; warm start. */
     public double[] twistImpulse = {};
 
     /** Per point: contact point relative to A's and B's centres of mass, world axes, m. */
-    public double[] anchorAX = {}, anchorAY = {}, anchorAZ = {}, anchorBX = {}, anchorBY = {}, anchorBZ = {};
+    public double[] anchorAX = {},
+            anchorAY = {},
+            anchorAZ = {},
+            anchorBX = {},
+            anchorBY = {},
+            anchorBZ = {};
 
-    /** Per point: signed distance of the surfaces along the normal, m; negative when they overlap. */
+    /**
+     * Per point: signed distance of the surfaces along the normal, m; negative when they overlap.
+     */
     public double[] separation = {};
 
-    /** Per point: id of the features that touch; equal ids in successive ticks are the same point. */
+    /**
+     * Per point: id of the features that touch; equal ids in successive ticks are the same point.
+     */
     public int[] feature = {};
 
     /** Per point: normal impulse of the last sub-step, N s, never negative; warm start. */
     public double[] normalImpulse = {};
 
-    /** Per point: sum of the normal impulses over the tick, N s; what users read as the contact's impulse. */
+    /**
+     * Per point: sum of the normal impulses over the tick, N s; what users read as the contact's
+     * impulse.
+     */
     public double[] totalNormalImpulse = {};
 
     /** Grows every column to at least {@code capacity} rows; between phases only. */

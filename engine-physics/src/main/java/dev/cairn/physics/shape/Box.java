@@ -1,0 +1,142 @@
+package dev.cairn.physics.shape;
+
+import org.joml.Vector3d;
+
+/** A rectangular block around the origin of the shape frame, given by its half extents. */
+public final class Box implements Shape {
+    /** Half extents, m. */
+    private final double halfX, halfY, halfZ;
+
+    /** Features, relative to the centre of mass. */
+    private final Polyhedron polyhedron;
+
+    private Box(double halfX, double halfY, double halfZ) {
+        this.halfX = halfX;
+        this.halfY = halfY;
+        this.halfZ = halfZ;
+        this.polyhedron = Polyhedron.box(halfX, halfY, halfZ);
+    }
+
+    /**
+     * A block of {@code 2 halfX} by {@code 2 halfY} by {@code 2 halfZ}.
+     *
+     * @param halfX half the width, m, in [1e-50, 1e50]
+     * @param halfY half the height, m
+     * @param halfZ half the depth, m
+     * @return the shape
+     * @throws DegenerateShapeException if a half extent is NaN, infinite or out of range
+     */
+    public static Box of(double halfX, double halfY, double halfZ) {
+        Checks.length("Box halfX", halfX);
+        Checks.length("Box halfY", halfY);
+        Checks.length("Box halfZ", halfZ);
+        return new Box(halfX, halfY, halfZ);
+    }
+
+    /**
+     * A cube of edge {@code 2 half}.
+     *
+     * @param half half the edge, m, in [1e-50, 1e50]
+     * @return the shape
+     * @throws DegenerateShapeException if the half extent is NaN, infinite or out of range
+     */
+    public static Box cube(double half) {
+        return of(half, half, half);
+    }
+
+    /**
+     * Half the width.
+     *
+     * @return m
+     */
+    public double halfX() {
+        return halfX;
+    }
+
+    /**
+     * Half the height.
+     *
+     * @return m
+     */
+    public double halfY() {
+        return halfY;
+    }
+
+    /**
+     * Half the depth.
+     *
+     * @return m
+     */
+    public double halfZ() {
+        return halfZ;
+    }
+
+    /**
+     * The features of the block. Vertex {@code i} has the sign of bit 0 of {@code i} on x (0 is
+     * minus), of bit 1 on y, of bit 2 on z.
+     *
+     * @return the polyhedron, relative to the centre of mass
+     */
+    public Polyhedron polyhedron() {
+        return polyhedron;
+    }
+
+    @Override
+    public double volume() {
+        return 8 * (halfX * halfY * halfZ);
+    }
+
+    @Override
+    public MassProperties massProperties(double density) {
+        Checks.density(density);
+        double mass = density * volume();
+        double third = mass / 3;
+        double xx = halfX * halfX;
+        double yy = halfY * halfY;
+        double zz = halfZ * halfZ;
+        return new MassProperties(
+                mass, 0, 0, 0, third * (yy + zz), third * (xx + zz), third * (xx + yy), 0, 0, 0);
+    }
+
+    @Override
+    public double innerRadius() {
+        return Math.min(halfX, Math.min(halfY, halfZ));
+    }
+
+    @Override
+    public double outerRadius() {
+        return polyhedron.outerRadius();
+    }
+
+    @Override
+    public Vector3d centreOfMass(Vector3d dest) {
+        return dest.zero();
+    }
+
+    @Override
+    public void bounds(double qx, double qy, double qz, double qw, double[] dest, int offset) {
+        double rx =
+                Math.abs(1 - 2 * (qy * qy + qz * qz)) * halfX
+                        + Math.abs(2 * (qx * qy - qz * qw)) * halfY
+                        + Math.abs(2 * (qx * qz + qy * qw)) * halfZ;
+        double ry =
+                Math.abs(2 * (qx * qy + qz * qw)) * halfX
+                        + Math.abs(1 - 2 * (qx * qx + qz * qz)) * halfY
+                        + Math.abs(2 * (qy * qz - qx * qw)) * halfZ;
+        double rz =
+                Math.abs(2 * (qx * qz - qy * qw)) * halfX
+                        + Math.abs(2 * (qy * qz + qx * qw)) * halfY
+                        + Math.abs(1 - 2 * (qx * qx + qy * qy)) * halfZ;
+        dest[offset] = -rx;
+        dest[offset + 1] = -ry;
+        dest[offset + 2] = -rz;
+        dest[offset + 3] = rx;
+        dest[offset + 4] = ry;
+        dest[offset + 5] = rz;
+    }
+
+    @Override
+    public String toString() {
+        return "Box[halfX=" + halfX + ", halfY=" + halfY + ", halfZ=" + halfZ + "]";
+    }
+}

@@ -1,0 +1,140 @@
+package dev.cairn.physics.shape;
+
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
+import java.util.List;
+
+/**
+ * The convex hull of a set of points. Coplanar faces are merged, points inside are dropped.
+ * Collision geometry is relative to the centre of mass; {@link #vertices} gives the corners in the
+ * frame of the input.
+ */
+public final class ConvexHull implements Shape {
+    /** Features, relative to the centre of mass. */
+    private final Polyhedron polyhedron;
+
+    /** At density 1, in the frame of the input. */
+    private final MassProperties unit;
+
+    private ConvexHull(Polyhedron polyhedron, MassProperties unit) {
+        this.polyhedron = polyhedron;
+        this.unit = unit;
+    }
+
+    /**
+     * The hull of points given as x, y, z, x, y, z, ...
+     *
+     * @param xyz three numbers per point, m; at least 4 points; duplicates are fine; not kept
+     * @return the shape
+     * @throws DegenerateShapeException if there are fewer than four points, a coordinate is not
+     *     finite, the points coincide or lie on a line or in a plane, or the hull has more than
+     *     {@value Polyhedron#MAX_VERTICES} vertices
+     */
+    public static ConvexHull of(double[] xyz) {
+        throw new UnsupportedOperationException();
+    }
+
+    /**
+     * The hull of points.
+     *
+     * @param points at least 4, m; not kept
+     * @return the shape
+     * @throws DegenerateShapeException as {@link #of(double[])}
+     */
+    public static ConvexHull of(List<? extends Vector3dc> points) {
+        double[] xyz = new double[3 * points.size()];
+        for (int i = 0; i < points.size(); i++) {
+            Vector3dc p = points.get(i);
+            xyz[3 * i] = p.x();
+            xyz[3 * i + 1] = p.y();
+            xyz[3 * i + 2] = p.z();
+        }
+        return of(xyz);
+    }
+
+    /**
+     * The features of the hull.
+     *
+     * @return the polyhedron, relative to the centre of mass
+     */
+    public Polyhedron polyhedron() {
+        return polyhedron;
+    }
+
+    /**
+     * The corners in the frame of the input.
+     *
+     * @return a new array x, y, z, ... in the order of {@link Polyhedron}'s vertices, m
+     */
+    public double[] vertices() {
+        double[] out = new double[3 * polyhedron.vertexCount()];
+        for (int v = 0; v < polyhedron.vertexCount(); v++) {
+            out[3 * v] = polyhedron.vertexX(v) + unit.comX();
+            out[3 * v + 1] = polyhedron.vertexY(v) + unit.comY();
+            out[3 * v + 2] = polyhedron.vertexZ(v) + unit.comZ();
+        }
+        return out;
+    }
+
+    /**
+     * The faces as loops of vertex indices, counter-clockwise seen from outside.
+     *
+     * @return a new array of new arrays, one per face
+     */
+    public int[][] faceLoops() {
+        return polyhedron.faceLoops();
+    }
+
+    @Override
+    public double volume() {
+        return unit.mass();
+    }
+
+    @Override
+    public MassProperties massProperties(double density) {
+        Checks.density(density);
+        return new MassProperties(
+                density * unit.mass(),
+                unit.comX(),
+                unit.comY(),
+                unit.comZ(),
+                density * unit.ixx(),
+                density * unit.iyy(),
+                density * unit.izz(),
+                density * unit.ixy(),
+                density * unit.ixz(),
+                density * unit.iyz());
+    }
+
+    @Override
+    public double innerRadius() {
+        return polyhedron.innerRadius();
+    }
+
+    @Override
+    public double outerRadius() {
+        return polyhedron.outerRadius();
+    }
+
+    @Override
+    public Vector3d centreOfMass(Vector3d dest) {
+        return dest.set(unit.comX(), unit.comY(), unit.comZ());
+    }
+
+    @Override
+    public void bounds(double qx, double qy, double qz, double qw, double[] dest, int offset) {
+        polyhedron.bounds(qx, qy, qz, qw, dest, offset);
+    }
+
+    @Override
+    public String toString() {
+        return "ConvexHull[vertices="
+                + polyhedron.vertexCount()
+                + ", faces="
+                + polyhedron.faceCount()
+                + ", volume="
+                + volume()
+                + "]";
+    }
+}

@@ -1,0 +1,584 @@
+package dev.cairn.physics.shape;
+
+import java.util.Arrays;
+
+/**
+ * The features of a convex polyhedron, relative to its centre of mass, in shape axes: vertices,
+ * faces as counter-clockwise loops with their outward planes, edges with their two faces.
+ * Immutable; all arrays are private, every accessor is a plain read without allocation.
+ *
+ * <p>A <em>slot</em> is a position in the concatenation of all face loops: slot {@code faceBegin(f)
+ * + k} is the {@code k}-th corner of face {@code f} and at the same time the side that leaves that
+ * corner. A <em>spoke</em> is a position in the concatenation of all vertex neighbour lists.
+ */
+public final class Polyhedron {
+    /**
+     * Most vertices a polyhedron may have: its at most 3 V - 6 edges then fit the 15 bits of a
+     * contact's feature id.
+     */
+    public static final int MAX_VERTICES = 10_922;
+
+    private final double[] x, y, z;
+    private final int[] faceBegin;
+    private final int[] slotVertex, slotEdge;
+    private final double[] normalX, normalY, normalZ, offset;
+    private final double[] sideX, sideY, sideZ, sideOffset;
+    private final int[] edgeFrom, edgeTo;
+    private final int[] spokeBegin, spokeVertex, spokeEdge, spokeFace;
+    private final double innerRadius, outerRadius;
+    private final int largestFace;
+    private final int[] extremes;
+
+    /**
+     * Assembles the topology from vertices and loops.
+     *
+     * @param x vertices relative to the centre of mass; taken over, not copied
+     * @param y see {@code x}
+     * @param z see {@code x}
+     * @param loops counter-clockwise loops, every edge in exactly two of them, once in each
+     *     direction
+     */
+    Polyhedron(double[] x, double[] y, double[] z, int[][] loops) {
+        this.x = x;
+        this.y = y;
+        this.z = z;
+        int faces = loops.length;
+        faceBegin = new int[faces + 1];
+        int widest = 0;
+        for (int f = 0; f < faces; f++) {
+            faceBegin[f + 1] = faceBegin[f] + loops[f].length;
+            widest = Math.max(widest, loops[f].length);
+        }
+        largestFace = widest;
+        int slots = faceBegin[faces];
+        slotVertex = new int[slots];
+        slotEdge = new int[slots];
+        for (int f = 0; f < faces; f++) {
+            System.arraycopy(loops[f], 0, slotVertex, faceBegin[f], loops[f].length);
+        }
+        normalX = new double[faces];
+        normalY = new double[faces];
+        normalZ = new double[faces];
+        offset = new double[faces];
+        sideX = new double[slots];
+        sideY = new double[slots];
+        sideZ = new double[slots];
+        sideOffset = new double[slots];
+        planes();
+        edgeFrom = new int[slots / 2];
+        edgeTo = new int[slots / 2];
+        int[] slotFace = new int[slots];
+        for (int f = 0; f < faces; f++) {
+            Arrays.fill(slotFace, faceBegin[f], faceBegin[f + 1], f);
+        }
+        spokeBegin = new int[x.length + 1];
+        spokeVertex = new int[slots];
+        spokeEdge = new int[slots];
+        spokeFace = new int[slots];
+        edges(slotFace);
+        double inner = Double.MAX_VALUE;
+        for (int f = 0; f < faces; f++) {
+            inner = Math.min(inner, offset[f]);
+        }
+        innerRadius = inner;
+        double outer = 0;
+        for (int v = 0; v < x.length; v++) {
+            outer = Math.max(outer, x[v] * x[v] + y[v] * y[v] + z[v] * z[v]);
+        }
+        outerRadius = Math.sqrt(outer);
+        extremes = new int[6];
+        for (int v = 1; v < x.length; v++) {
+            extremes[0] = x[v] < x[extremes[0]] ? v : extremes[0];
+            extremes[1] = x[v] > x[extremes[1]] ? v : extremes[1];
+            extremes[2] = y[v] < y[extremes[2]] ? v : extremes[2];
+            extremes[3] = y[v] > y[extremes[3]] ? v : extremes[3];
+            extremes[4] = z[v] < z[extremes[4]] ? v : extremes[4];
+            extremes[5] = z[v] > z[extremes[5]] ? v : extremes[5];
+        }
+    }
+
+    /**
+     * A block; bit k of a vertex index is the sign of axis k, face 2 k + s looks along axis k with
+     * sign s.
+     */
+    static Polyhedron box(double hx, double hy, double hz) {
+        double[] x = new double[8];
+        double[] y = new double[8];
+        double[] z = new double[8];
+        for (int v = 0; v < 8; v++) {
+            x[v] = (v & 1) == 0 ? -hx : hx;
+            y[v] = (v & 2) == 0 ? -hy : hy;
+            z[v] = (v & 4) == 0 ? -hz : hz;
+        }
+        int[][] loops = {
+            {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6},
+        };
+        return new Polyhedron(x, y, z, loops);
+    }
+
+    /**
+     * Planes by Newell's sums, which are exact for blocks; offsets touch the outermost corner of
+     * the face.
+     */
+    private void planes() {
+        for (int f = 0; f + 1 < faceBegin.length; f++) {
+            int begin = faceBegin[f];
+            int end = faceBegin[f + 1];
+            int origin = slotVertex[begin];
+            double nx = 0;
+            double ny = 0;
+            double nz = 0;
+            for (int s = begin + 1; s + 1 < end; s++) {
+                int a = slotVertex[s];
+                int b = slotVertex[s + 1];
+                double ax = x[a] - x[origin];
+                double ay = y[a] - y[origin];
+                double az = z[a] - z[origin];
+                double bx = x[b] - x[origin];
+                double by = y[b] - y[origin];
+                double bz = z[b] - z[origin];
+                nx += ay * bz - az * by;
+                ny += az * bx - ax * bz;
+                nz += ax * by - ay * bx;
+            }
+            double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+            nx /= length;
+            ny /= length;
+            nz /= length;
+            normalX[f] = nx;
+            normalY[f] = ny;
+            normalZ[f] = nz;
+            double d = -Double.MAX_VALUE;
+            for (int s = begin; s < end; s++) {
+                int v = slotVertex[s];
+                d = Math.max(d, nx * x[v] + ny * y[v] + nz * z[v]);
+            }
+            offset[f] = d;
+            for (int s = begin; s < end; s++) {
+                side(s, s + 1 == end ? begin : s + 1, nx, ny, nz);
+            }
+        }
+    }
+
+    private void side(int slot, int nextSlot, double nx, double ny, double nz) {
+        int a = slotVertex[slot];
+        int b = slotVertex[nextSlot];
+        double ex = x[b] - x[a];
+        double ey = y[b] - y[a];
+        double ez = z[b] - z[a];
+        double sx = ey * nz - ez * ny;
+        double sy = ez * nx - ex * nz;
+        double sz = ex * ny - ey * nx;
+        double length = Math.sqrt(sx * sx + sy * sy + sz * sz);
+        sideX[slot] = sx / length;
+        sideY[slot] = sy / length;
+        sideZ[slot] = sz / length;
+        sideOffset[slot] = (sx * x[a] + sy * y[a] + sz * z[a]) / length;
+    }
+
+    /**
+     * Numbers the edges in order of their end points and lists the spokes of each vertex in order
+     * of slots.
+     */
+    private void edges(int[] slotFace) {
+        int slots = slotVertex.length;
+        long[] keys = new long[slots];
+        for (int s = 0; s < slots; s++) {
+            int a = slotVertex[s];
+            int b = slotVertex[next(s, slotFace[s])];
+            keys[s] = ((long) Math.min(a, b) << 34) | ((long) Math.max(a, b) << 20) | s;
+            spokeBegin[a + 1]++;
+        }
+        Arrays.sort(keys);
+        for (int i = 0; i < slots; i += 2) {
+            int s = (int) (keys[i] & 0xFFFFF);
+            int twin = (int) (keys[i + 1] & 0xFFFFF);
+            if (keys[i] >>> 20 != keys[i + 1] >>> 20 || slotVertex[s] == slotVertex[twin]) {
+                throw new IllegalStateException("face loops do not close: " + slots + " slots");
+            }
+            edgeFrom[i / 2] = slotVertex[s];
+            edgeTo[i / 2] = slotVertex[twin];
+            slotEdge[s] = i / 2;
+            slotEdge[twin] = i / 2;
+        }
+        for (int v = 0; v < x.length; v++) {
+            spokeBegin[v + 1] += spokeBegin[v];
+        }
+        int[] cursor = Arrays.copyOf(spokeBegin, x.length);
+        for (int s = 0; s < slots; s++) {
+            int spoke = cursor[slotVertex[s]]++;
+            spokeVertex[spoke] = slotVertex[next(s, slotFace[s])];
+            spokeEdge[spoke] = slotEdge[s];
+            spokeFace[spoke] = slotFace[s];
+        }
+    }
+
+    private int next(int slot, int face) {
+        return slot + 1 == faceBegin[face + 1] ? faceBegin[face] : slot + 1;
+    }
+
+    /**
+     * How many vertices.
+     *
+     * @return at least 4, at most {@link #MAX_VERTICES}
+     */
+    public int vertexCount() {
+        return x.length;
+    }
+
+    /**
+     * How many faces.
+     *
+     * @return at least 4
+     */
+    public int faceCount() {
+        return normalX.length;
+    }
+
+    /**
+     * How many edges.
+     *
+     * @return at least 6
+     */
+    public int edgeCount() {
+        return edgeFrom.length;
+    }
+
+    /**
+     * Corners of the face that has most.
+     *
+     * @return at least 3
+     */
+    public int largestFace() {
+        return largestFace;
+    }
+
+    /**
+     * A coordinate of a vertex.
+     *
+     * @param vertex in [0, vertexCount)
+     * @return m, relative to the centre of mass
+     */
+    public double vertexX(int vertex) {
+        return x[vertex];
+    }
+
+    /**
+     * A coordinate of a vertex.
+     *
+     * @param vertex in [0, vertexCount)
+     * @return m, relative to the centre of mass
+     */
+    public double vertexY(int vertex) {
+        return y[vertex];
+    }
+
+    /**
+     * A coordinate of a vertex.
+     *
+     * @param vertex in [0, vertexCount)
+     * @return m, relative to the centre of mass
+     */
+    public double vertexZ(int vertex) {
+        return z[vertex];
+    }
+
+    /**
+     * The first slot of a face; its loop ends before {@code faceBegin(face + 1)}.
+     *
+     * @param face in [0, faceCount]
+     * @return the slot
+     */
+    public int faceBegin(int face) {
+        return faceBegin[face];
+    }
+
+    /**
+     * The corner at a slot.
+     *
+     * @param slot in [0, 2 edgeCount)
+     * @return the vertex
+     */
+    public int slotVertex(int slot) {
+        return slotVertex[slot];
+    }
+
+    /**
+     * The edge from the corner at a slot to the next corner of the loop.
+     *
+     * @param slot in [0, 2 edgeCount)
+     * @return the edge
+     */
+    public int slotEdge(int slot) {
+        return slotEdge[slot];
+    }
+
+    /**
+     * Outward unit normal of a face.
+     *
+     * @param face in [0, faceCount)
+     * @return the x component
+     */
+    public double normalX(int face) {
+        return normalX[face];
+    }
+
+    /**
+     * Outward unit normal of a face.
+     *
+     * @param face in [0, faceCount)
+     * @return the y component
+     */
+    public double normalY(int face) {
+        return normalY[face];
+    }
+
+    /**
+     * Outward unit normal of a face.
+     *
+     * @param face in [0, faceCount)
+     * @return the z component
+     */
+    public double normalZ(int face) {
+        return normalZ[face];
+    }
+
+    /**
+     * Distance of a face's plane from the centre of mass: inside means {@code normal . p <=
+     * offset}.
+     *
+     * @param face in [0, faceCount)
+     * @return m, positive
+     */
+    public double offset(int face) {
+        return offset[face];
+    }
+
+    /**
+     * Unit vector in the plane of the face, at right angles to the side at a slot, pointing out of
+     * the face.
+     *
+     * @param slot in [0, 2 edgeCount)
+     * @return the x component
+     */
+    public double sideX(int slot) {
+        return sideX[slot];
+    }
+
+    /**
+     * See {@link #sideX}.
+     *
+     * @param slot in [0, 2 edgeCount)
+     * @return the y component
+     */
+    public double sideY(int slot) {
+        return sideY[slot];
+    }
+
+    /**
+     * See {@link #sideX}.
+     *
+     * @param slot in [0, 2 edgeCount)
+     * @return the z component
+     */
+    public double sideZ(int slot) {
+        return sideZ[slot];
+    }
+
+    /**
+     * Offset of the side plane at a slot: inside means {@code side . p <= sideOffset}.
+     *
+     * @param slot in [0, 2 edgeCount)
+     * @return m
+     */
+    public double sideOffset(int slot) {
+        return sideOffset[slot];
+    }
+
+    /**
+     * One end of an edge.
+     *
+     * @param edge in [0, edgeCount)
+     * @return the vertex
+     */
+    public int edgeFrom(int edge) {
+        return edgeFrom[edge];
+    }
+
+    /**
+     * The other end of an edge.
+     *
+     * @param edge in [0, edgeCount)
+     * @return the vertex
+     */
+    public int edgeTo(int edge) {
+        return edgeTo[edge];
+    }
+
+    /**
+     * The first spoke of a vertex; its list ends before {@code spokeBegin(vertex + 1)}.
+     *
+     * @param vertex in [0, vertexCount]
+     * @return the spoke
+     */
+    public int spokeBegin(int vertex) {
+        return spokeBegin[vertex];
+    }
+
+    /**
+     * The neighbour at the other end of a spoke.
+     *
+     * @param spoke in [0, 2 edgeCount)
+     * @return the vertex
+     */
+    public int spokeVertex(int spoke) {
+        return spokeVertex[spoke];
+    }
+
+    /**
+     * The edge of a spoke.
+     *
+     * @param spoke in [0, 2 edgeCount)
+     * @return the edge
+     */
+    public int spokeEdge(int spoke) {
+        return spokeEdge[spoke];
+    }
+
+    /**
+     * The face to the left of a spoke; over all spokes of a vertex, each incident face once.
+     *
+     * @param spoke in [0, 2 edgeCount)
+     * @return the face
+     */
+    public int spokeFace(int spoke) {
+        return spokeFace[spoke];
+    }
+
+    /**
+     * The radius of the largest ball around the centre of mass inside.
+     *
+     * @return m
+     */
+    public double innerRadius() {
+        return innerRadius;
+    }
+
+    /**
+     * The radius of the smallest ball around the centre of mass outside.
+     *
+     * @return m
+     */
+    public double outerRadius() {
+        return outerRadius;
+    }
+
+    /**
+     * The vertex farthest in a direction. Few vertices are scanned, ties go to the lowest index;
+     * many are climbed from the extreme vertex of the direction's main axis along the edges, which
+     * ends at the same value because a local maximum of a linear function on a convex body is a
+     * global one.
+     *
+     * @param dx direction in shape axes, any length
+     * @param dy direction
+     * @param dz direction
+     * @return the vertex
+     */
+    public int support(double dx, double dy, double dz) {
+        if (x.length > 40) {
+            return climb(dx, dy, dz, start(dx, dy, dz));
+        }
+        int best = 0;
+        double bestDot = x[0] * dx + y[0] * dy + z[0] * dz;
+        for (int v = 1; v < x.length; v++) {
+            double dot = x[v] * dx + y[v] * dy + z[v] * dz;
+            if (dot > bestDot) {
+                bestDot = dot;
+                best = v;
+            }
+        }
+        return best;
+    }
+
+    /**
+     * As {@link #support(double, double, double)}, but a climb starts at the given vertex.
+     *
+     * @param dx direction in shape axes, any length
+     * @param dy direction
+     * @param dz direction
+     * @param hint vertex to start from
+     * @return the vertex
+     */
+    public int support(double dx, double dy, double dz, int hint) {
+        return x.length > 40 ? climb(dx, dy, dz, hint) : support(dx, dy, dz);
+    }
+
+    private int start(double dx, double dy, double dz) {
+        double ax = Math.abs(dx);
+        double ay = Math.abs(dy);
+        double az = Math.abs(dz);
+        if (ax >= ay && ax >= az) {
+            return extremes[dx > 0 ? 1 : 0];
+        }
+        return ay >= az ? extremes[dy > 0 ? 3 : 2] : extremes[dz > 0 ? 5 : 4];
+    }
+
+    private int climb(double dx, double dy, double dz, int from) {
+        int best = from;
+        double bestDot = x[from] * dx + y[from] * dy + z[from] * dz;
+        int at = -1;
+        while (at != best) {
+            at = best;
+            for (int s = spokeBegin[at]; s < spokeBegin[at + 1]; s++) {
+                int v = spokeVertex[s];
+                double dot = x[v] * dx + y[v] * dy + z[v] * dz;
+                if (dot > bestDot) {
+                    bestDot = dot;
+                    best = v;
+                }
+            }
+        }
+        return best;
+    }
+
+    /**
+     * Copies the loops.
+     *
+     * @return a new array of new arrays: per face its vertices, counter-clockwise seen from outside
+     */
+    public int[][] faceLoops() {
+        int[][] loops = new int[faceCount()][];
+        for (int f = 0; f < loops.length; f++) {
+            loops[f] = Arrays.copyOfRange(slotVertex, faceBegin[f], faceBegin[f + 1]);
+        }
+        return loops;
+    }
+
+    void bounds(double qx, double qy, double qz, double qw, double[] dest, int at) {
+        row(
+                dest,
+                at,
+                1 - 2 * (qy * qy + qz * qz),
+                2 * (qx * qy - qz * qw),
+                2 * (qx * qz + qy * qw));
+        row(
+                dest,
+                at + 1,
+                2 * (qx * qy + qz * qw),
+                1 - 2 * (qx * qx + qz * qz),
+                2 * (qy * qz - qx * qw));
+        row(
+                dest,
+                at + 2,
+                2 * (qx * qz - qy * qw),
+                2 * (qy * qz + qx * qw),
+                1 - 2 * (qx * qx + qy * qy));
+    }
+
+    private void row(double[] dest, int at, double dx, double dy, double dz) {
+        int high = support(dx, dy, dz);
+        int low = support(-dx, -dy, -dz);
+        dest[at] = x[low] * dx + y[low] * dy + z[low] * dz;
+        dest[at + 3] = x[high] * dx + y[high] * dy + z[high] * dz;
+    }
+}

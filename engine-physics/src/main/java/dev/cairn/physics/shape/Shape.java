@@ -1,0 +1,62 @@
+package dev.cairn.physics.shape;
+
+import org.joml.Vector3d;
+
+/**
+ * A convex solid. Immutable; share one instance between bodies and threads freely. Lengths are
+ * metres in the shape frame; what the engine collides is relative to the centre of mass ({@link
+ * #centreOfMass}).
+ */
+public sealed interface Shape permits Sphere, Box, ConvexHull {
+    /**
+     * The volume.
+     *
+     * @return m³, positive
+     */
+    double volume();
+
+    /**
+     * Mass, centre of mass and inertia at uniform density.
+     *
+     * @param density kg/m³, positive and finite
+     * @return the properties, inertia about the centre of mass in shape axes
+     * @throws IllegalArgumentException if the density is not positive and finite
+     */
+    MassProperties massProperties(double density);
+
+    /**
+     * The radius of the largest ball around the centre of mass that the shape contains.
+     *
+     * @return m, positive
+     */
+    double innerRadius();
+
+    /**
+     * The radius of the smallest ball around the centre of mass that contains the shape.
+     *
+     * @return m, positive
+     */
+    double outerRadius();
+
+    /**
+     * The centre of mass in the shape frame: what turns a shape frame's origin into a body's
+     * position.
+     *
+     * @param dest receives the result
+     * @return {@code dest}
+     */
+    Vector3d centreOfMass(Vector3d dest);
+
+    /**
+     * The tight axis-aligned box of the rotated shape, relative to its centre of mass, in world
+     * axes. Allocates nothing; any thread.
+     *
+     * @param qx orientation, world from body, unit quaternion
+     * @param qy orientation
+     * @param qz orientation
+     * @param qw orientation
+     * @param dest receives minX, minY, minZ, maxX, maxY, maxZ in metres
+     * @param offset index of minX in {@code dest}
+     */
+    void bounds(double qx, double qy, double qz, double qw, double[] dest, int offset);
+}
