@@ -23,6 +23,8 @@ import java.util.concurrent.locks.LockSupport;
  *
  * <p>Whoever makes a {@code Jobs} closes it; one that is dropped unclosed keeps its parked threads.
  */
+// Threads and jobs are compared as the objects that they are; yields are part of the protocol.
+@SuppressWarnings({"ReferenceEquality", "ThreadPriorityCheck"})
 public final class Jobs implements AutoCloseable {
 
     /** Upper bound of the number of workers, the caller included. */
@@ -59,6 +61,9 @@ public final class Jobs implements AutoCloseable {
         }
     }
 
+    /** Stands where no stage has run yet. */
+    private static final BlockJob NOTHING = (block, worker) -> {};
+
     private final int workers;
     private final int maxUnits;
     private final long[] board;
@@ -67,7 +72,7 @@ public final class Jobs implements AutoCloseable {
     private final @Nullable Perturbation perturbation;
 
     // Written by the caller between stages only; a helper reads it after a claim.
-    private @Nullable BlockJob job;
+    private BlockJob job = NOTHING;
 
     // The caller's own.
     private long epoch;
@@ -340,7 +345,6 @@ public final class Jobs implements AutoCloseable {
     private void runUnit(int unit, int units, int worker) {
         int blocks = (int) board[Board.BLOCKS];
         BlockJob stageJob = job;
-        assert stageJob != null : "a stage without a job";
         if (units == blocks) {
             runBlocks(stageJob, unit, unit + 1, worker);
         } else {
@@ -362,7 +366,7 @@ public final class Jobs implements AutoCloseable {
         }
     }
 
-    @SuppressWarnings("unchecked") // erased: throws the very object, checked or not
+    @SuppressWarnings({"unchecked", "TypeParameterUnusedInFormals"}) // erased: throws the very object, checked or not
     private static <T extends Throwable> T asIs(Throwable thrown) throws T {
         throw (T) thrown;
     }

@@ -21,6 +21,7 @@ final class Perturbation {
     }
 
     /** Spins for a drawn time; once in a while yields the core. */
+    @SuppressWarnings("ThreadPriorityCheck") // disturbing the scheduler is the purpose
     void disturb(int worker) {
         long draw = mix(counters[worker * Board.LINE] += GOLDEN);
         int spins = (int) (draw >>> 32) & MAX_SPINS - 1;
