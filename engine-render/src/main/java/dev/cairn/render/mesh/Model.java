@@ -1,6 +1,9 @@
 package dev.cairn.render.mesh;
 
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
 import java.util.Objects;
 
 /**
@@ -28,6 +31,10 @@ public record Model(
         double originX,
         double originY,
         double originZ) {
+    private static final int[] PALETTE = {
+        0xE07A5F, 0x3D8BBD, 0xF2B84B, 0x5FA777, 0xB76BA3, 0x4E5D8C, 0xD9573F, 0x6BBFB0, 0xC9A66B, 0x8F6BC2, 0x9DBF4F, 0xE29BB1
+    };
+
     /** Checks the ranges. */
     public Model {
         Objects.requireNonNull(mesh, "mesh");
@@ -57,7 +64,32 @@ public record Model(
      * @return the model; all boxes share one mesh, all spheres another, and each hull has one
      */
     public static Model of(Shape shape) {
-        return of(Meshes.of(shape));
+        return switch (shape) {
+            case Box box ->
+                    of(Meshes.CUBE).texture(Texture.panel()).scale(box.halfX(), box.halfY(), box.halfZ());
+            case Sphere sphere -> of(Meshes.BALL).texture(Texture.beachBall()).scale(sphere.radius());
+            case ConvexHull hull -> of(Meshes.hull(hull));
+        };
+    }
+
+    /**
+     * A collision shape as a floor or a wall: grey, with a grid of one-metre squares.
+     *
+     * @param shape which one
+     * @return the model
+     */
+    public static Model ground(Shape shape) {
+        return of(shape).texture(Texture.grid().tiledEvery(2)).color(0xC9CDD2);
+    }
+
+    /**
+     * One of twelve colours that can be told apart and look well together.
+     *
+     * @param index any number; they repeat
+     * @return 0xRRGGBB in sRGB
+     */
+    public static int paletteColor(int index) {
+        return PALETTE[Math.floorMod(index, PALETTE.length)];
     }
 
     /**

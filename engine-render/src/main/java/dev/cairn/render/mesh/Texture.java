@@ -1,7 +1,14 @@
 package dev.cairn.render.mesh;
 
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.IntBuffer;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Objects;
+import org.lwjgl.stb.STBImage;
+import org.lwjgl.system.MemoryStack;
+import org.lwjgl.system.MemoryUtil;
 
 /**
  * A picture that is drawn on surfaces: sRGB colours, rows from top to bottom. Immutable and free of OpenGL; the renderer uploads it
@@ -55,7 +62,71 @@ public final class Texture {
      * @throws IllegalArgumentException naming the file and the reason, if it cannot be read
      */
     public static Texture read(Path file) {
-        throw new UnsupportedOperationException();
+        if (!Files.isRegularFile(file)) {
+            throw new IllegalArgumentException(file + ": expected a picture file (.png), found nothing there");
+        }
+        byte[] bytes;
+        try {
+            bytes = Files.readAllBytes(file);
+        } catch (IOException e) {
+            throw new IllegalArgumentException(file + ": expected a readable picture file (.png), found: " + e, e);
+        }
+        ByteBuffer encoded = MemoryUtil.memAlloc(Math.max(1, bytes.length));
+        try (MemoryStack stack = MemoryStack.stackPush()) {
+            encoded.put(bytes).flip();
+            IntBuffer width = stack.mallocInt(1);
+            IntBuffer height = stack.mallocInt(1);
+            IntBuffer channels = stack.mallocInt(1);
+            ByteBuffer pixels = STBImage.stbi_load_from_memory(encoded, width, height, channels, 4);
+            if (pixels == null) {
+                throw new IllegalArgumentException(
+                        file + ": expected a picture (.png), found " + bytes.length + " bytes that are none: "
+                                + STBImage.stbi_failure_reason());
+            }
+            try {
+                int[] argb = new int[width.get(0) * height.get(0)];
+                for (int i = 0; i < argb.length; i++) {
+                    argb[i] =
+                            (pixels.get(4 * i + 3) & 255) << 24
+                                    | (pixels.get(4 * i) & 255) << 16
+                                    | (pixels.get(4 * i + 1) & 255) << 8
+                                    | (pixels.get(4 * i + 2) & 255);
+                }
+                return of(file.toString(), width.get(0), height.get(0), argb);
+            } finally {
+                STBImage.stbi_image_free(pixels);
+            }
+        } finally {
+            MemoryUtil.memFree(encoded);
+        }
+    }
+
+    /**
+     * A quiet floor: squares of two greys, fine lines between them. Lay it with {@link #tiledEvery}: {@code grid().tiledEvery(2)}
+     * makes squares of one metre.
+     *
+     * @return the texture, 256 x 256, with two by two squares
+     */
+    public static Texture grid() {
+        return Patterns.GRID;
+    }
+
+    /**
+     * A face of a crate: plain, with a soft darker rim, so that the edges of stacked boxes can be told apart.
+     *
+     * @return the texture, 128 x 128
+     */
+    public static Texture panel() {
+        return Patterns.PANEL;
+    }
+
+    /**
+     * The skin of a ball: eight sectors, light and slightly darker, and a band, so that its turning shows.
+     *
+     * @return the texture, 256 x 128
+     */
+    public static Texture beachBall() {
+        return Patterns.BEACH_BALL;
     }
 
     /**
