@@ -3,6 +3,7 @@ package dev.cairn.physics.shape;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -17,9 +18,13 @@ public final class ConvexHull implements Shape {
     /** At density 1, in the frame of the input. */
     private final MassProperties unit;
 
-    private ConvexHull(Polyhedron polyhedron, MassProperties unit) {
+    /** Corners in the frame of the input, x, y, z, ... */
+    private final double[] corners;
+
+    private ConvexHull(Polyhedron polyhedron, MassProperties unit, double[] corners) {
         this.polyhedron = polyhedron;
         this.unit = unit;
+        this.corners = corners;
     }
 
     /**
@@ -32,7 +37,36 @@ public final class ConvexHull implements Shape {
      *     {@value Polyhedron#MAX_VERTICES} vertices
      */
     public static ConvexHull of(double[] xyz) {
-        throw new UnsupportedOperationException();
+        double[] points = xyz.clone();
+        QuickHull hull = QuickHull.of(points);
+        int[][] loops = FaceMerger.loops(hull);
+        int[] kept =
+                Arrays.stream(loops).flatMapToInt(Arrays::stream).sorted().distinct().toArray();
+        if (kept.length > Polyhedron.MAX_VERTICES) {
+            throw new DegenerateShapeException(
+                    DegenerateShapeException.Reason.TOO_COMPLEX,
+                    "the hull has "
+                            + kept.length
+                            + " vertices, at most "
+                            + Polyhedron.MAX_VERTICES
+                            + " are possible; thin out the points");
+        }
+        MassProperties unit = Solids.integrate(points, loops);
+        double[] corners = new double[3 * kept.length];
+        double[][] relative = new double[3][kept.length];
+        for (int v = 0; v < kept.length; v++) {
+            System.arraycopy(points, 3 * kept[v], corners, 3 * v, 3);
+            relative[0][v] = corners[3 * v] - unit.comX();
+            relative[1][v] = corners[3 * v + 1] - unit.comY();
+            relative[2][v] = corners[3 * v + 2] - unit.comZ();
+        }
+        for (int[] loop : loops) {
+            for (int i = 0; i < loop.length; i++) {
+                loop[i] = Arrays.binarySearch(kept, loop[i]);
+            }
+        }
+        Polyhedron polyhedron = new Polyhedron(relative[0], relative[1], relative[2], loops);
+        return new ConvexHull(polyhedron, unit, corners);
     }
 
     /**
@@ -68,13 +102,7 @@ public final class ConvexHull implements Shape {
      * @return a new array x, y, z, ... in the order of {@link Polyhedron}'s vertices, m
      */
     public double[] vertices() {
-        double[] out = new double[3 * polyhedron.vertexCount()];
-        for (int v = 0; v < polyhedron.vertexCount(); v++) {
-            out[3 * v] = polyhedron.vertexX(v) + unit.comX();
-            out[3 * v + 1] = polyhedron.vertexY(v) + unit.comY();
-            out[3 * v + 2] = polyhedron.vertexZ(v) + unit.comZ();
-        }
-        return out;
+        return corners.clone();
     }
 
     /**

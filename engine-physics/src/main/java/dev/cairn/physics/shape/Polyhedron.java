@@ -78,6 +78,9 @@ public final class Polyhedron {
         edges(slotFace);
         double inner = Double.MAX_VALUE;
         for (int f = 0; f < faces; f++) {
+            int top = support(normalX[f], normalY[f], normalZ[f], slotVertex[faceBegin[f]]);
+            double reach = normalX[f] * x[top] + normalY[f] * y[top] + normalZ[f] * z[top];
+            offset[f] = Math.max(offset[f], reach);
             inner = Math.min(inner, offset[f]);
         }
         innerRadius = inner;
