@@ -1,7 +1,184 @@
 package dev.cairn.samples;
 
+import java.io.File;
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Starts the samples on a Java that can run them, with the flags that they need.
+ *
+ * <p>A jar's manifest can neither choose a Java nor add a module. So this class, compiled for Java
+ * 8, looks at the Java that runs it. With the right release and flags it calls {@code Main} in
+ * place; otherwise it starts {@code Main} in a child process: on this Java if only flags miss, else
+ * on a JDK 25 that {@link JdkSearch} finds. The child shares the console and gets the user's own
+ * JVM options; its exit code becomes ours; and it ends when this process is told to end. The child
+ * starts {@code Main}, not this class, so there is no way to relaunch for ever.
+ */
 public final class Launcher {
-    public static void main(String[] a) {
-        System.out.println("hello " + System.getProperty("java.version"));
+
+    private static final String MAIN = "dev.cairn.samples.Main";
+    private static final int EXIT_UNUSABLE = 2;
+
+    private Launcher() {}
+
+    /**
+     * Runs the samples and ends this process with their exit code.
+     *
+     * @param arguments the arguments of the samples; {@code --help} lists them
+     */
+    public static void main(String[] arguments) {
+        List<String> jvmOptions = ManagementFactory.getRuntimeMXBean().getInputArguments();
+        File home = new File(System.getProperty("java.home", "."));
+        boolean recent =
+                JdkSearch.feature(System.getProperty("java.specification.version", ""))
+                        >= JdkSearch.NEEDED;
+        if (recent && missingFlags(home, jvmOptions).isEmpty()) {
+            callMain(arguments);
+            return;
+        }
+        if (!recent) {
+            File found = JdkSearch.ofThisMachine().find();
+            if (found == null) {
+                System.err.println(
+                        "Cairn's samples need a JDK "
+                                + JdkSearch.NEEDED
+                                + ", and this is Java "
+                                + System.getProperty("java.version")
+                                + ": install one (for example Temurin "
+                                + JdkSearch.NEEDED
+                                + " from https://adoptium.net), or set JAVA_HOME to one that is"
+                                + " installed elsewhere.");
+                System.exit(EXIT_UNUSABLE);
+                return;
+            }
+            home = found;
+        }
+        System.exit(
+                relaunch(
+                        command(
+                                home,
+                                jvmOptions,
+                                System.getProperty("java.class.path", "."),
+                                arguments)));
+    }
+
+    /** Returns those of the needed flags that the options do not have. */
+    static List<String> missingFlags(File home, List<String> jvmOptions) {
+        List<String> missing = new ArrayList<String>();
+        if (JdkSearch.hasVectorModule(home)
+                && !has(jvmOptions, "--add-modules=", "jdk.incubator.vector")) {
+            missing.add("--add-modules=jdk.incubator.vector");
+        }
+        if (!has(jvmOptions, "--enable-native-access=", "")) {
+            missing.add("--enable-native-access=ALL-UNNAMED");
+        }
+        if (!has(jvmOptions, "--sun-misc-unsafe-memory-access=", "")) {
+            missing.add("--sun-misc-unsafe-memory-access=allow");
+        }
+        if (isMac() && System.getenv("JAVA_STARTED_ON_FIRST_THREAD_" + processId()) == null) {
+            missing.add("-XstartOnFirstThread");
+        }
+        return missing;
+    }
+
+    private static boolean has(List<String> options, String prefix, String part) {
+        for (String option : options) {
+            if (option.startsWith(prefix) && option.contains(part)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static boolean isMac() {
+        return System.getProperty("os.name", "").toLowerCase(Locale.ROOT).contains("mac");
+    }
+
+    /** The id of this process; Java 8 knows it only as the head of the runtime's name. */
+    private static String processId() {
+        String name = ManagementFactory.getRuntimeMXBean().getName();
+        int at = name.indexOf('@');
+        return at < 0 ? name : name.substring(0, at);
+    }
+
+    /** Returns the child's command line. */
+    static List<String> command(
+            File home, List<String> jvmOptions, String classPath, String[] arguments) {
+        List<String> command = new ArrayList<String>();
+        command.add(JdkSearch.executable(home).getPath());
+        for (String option : jvmOptions) {
+            // A debugger's or agent's port is taken by this process already.
+            if (!option.startsWith("-agentlib:") && !option.startsWith("-javaagent:")) {
+                command.add(option);
+            }
+        }
+        command.addAll(missingFlags(home, jvmOptions));
+        command.add("-Dcairn.launcher=" + processId());
+        command.add("-classpath");
+        command.add(classPath);
+        command.add(MAIN);
+        command.addAll(Arrays.asList(arguments));
+        return command;
+    }
+
+    /** Runs the command on our console, and returns its exit code. */
+    static int relaunch(List<String> command) {
+        final Process child;
+        try {
+            child = new ProcessBuilder(command).inheritIO().start();
+        } catch (IOException failure) {
+            System.err.println("Cannot start " + command.get(0) + ": " + failure.getMessage());
+            return EXIT_UNUSABLE;
+        }
+        Runtime.getRuntime()
+                .addShutdownHook(
+                        new Thread("end of child") {
+                            @Override
+                            public void run() {
+                                endOf(child);
+                            }
+                        });
+        while (true) {
+            try {
+                return child.waitFor();
+            } catch (InterruptedException ignored) {
+                // Nobody interrupts this thread; wait on.
+            }
+        }
+    }
+
+    /** Asks the child to end, as a terminal's Ctrl-C does, and insists after some seconds. */
+    private static void endOf(Process child) {
+        child.destroy();
+        try {
+            if (!child.waitFor(5, TimeUnit.SECONDS)) {
+                child.destroyForcibly();
+            }
+        } catch (InterruptedException interrupted) {
+            child.destroyForcibly();
+        }
+    }
+
+    private static void callMain(String[] arguments) {
+        try {
+            Method main = Class.forName(MAIN).getMethod("main", String[].class);
+            main.invoke(null, (Object) arguments);
+        } catch (InvocationTargetException failure) {
+            Throwable cause = failure.getCause();
+            System.err.println("The samples failed: " + cause);
+            cause.printStackTrace();
+            System.exit(1);
+        } catch (ReflectiveOperationException incomplete) {
+            System.err.println(
+                    "This jar is incomplete, build it again with `mvn package`: " + incomplete);
+            System.exit(EXIT_UNUSABLE);
+        }
     }
 }

@@ -1,0 +1,43 @@
+package dev.cairn.samples;
+
+import dev.cairn.physics.Material;
+
+/** The colours of the scenes, 0xRRGGBB, and the materials that go with them. Stateless. */
+public final class Palette {
+    /** Floors and ramps. */
+    public static final int GROUND = 0x8A9199;
+
+    /** Walls and pedestals. */
+    public static final int STONE = 0xB8B2A7;
+
+    /** The bodies that a scene is about, in turn; see {@link #body}. */
+    private static final int[] BODIES = {
+        0xC8553D, 0xE0A458, 0x588B8B, 0x3D5A80, 0x8F6593, 0x6A994E
+    };
+
+    /** A basketball. */
+    public static final int BASKETBALL = 0xD9702B;
+
+    private Palette() {}
+
+    /**
+     * Returns a colour that differs from its neighbours'.
+     *
+     * @param index any number at least 0
+     * @return 0xRRGGBB
+     */
+    public static int body(int index) {
+        return BODIES[index % BODIES.length];
+    }
+
+    /**
+     * Returns a material by friction and restitution, with the default density.
+     *
+     * @param friction Coulomb coefficient
+     * @param restitution coefficient of restitution
+     * @return the material
+     */
+    public static Material material(double friction, double restitution) {
+        return Material.DEFAULT.withFriction(friction).withRestitution(restitution);
+    }
+}

@@ -1,0 +1,320 @@
+package dev.cairn.samples;
+
+import dev.cairn.core.snapshot.Visual;
+import dev.cairn.physics.Body;
+import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.render.mesh.Model;
+
+import org.jspecify.annotations.Nullable;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.function.DoubleSupplier;
+
+/**
+ * What a scene's script speaks to, and, once the script has run, the scene's live side: its bodies,
+ * camera, hooks and error metrics.
+ *
+ * <p>A body added here carries a {@code Visual}, so a window or an offscreen picture can draw it;
+ * nothing here needs GL. Whoever steps the world calls {@link #beforeTick} and {@link #afterTick}
+ * around each step. One thread, the simulation's.
+ */
+public final class SceneBuilder {
+
+    /** What a scene does around a tick. */
+    @FunctionalInterface
+    public interface Hook {
+        /**
+         * Runs once per tick.
+         *
+         * @param tick number of the tick, 1 for the first
+         * @param seconds time of the scene at the end of that tick
+         */
+        void run(long tick, double seconds);
+    }
+
+    private final PhysicsWorld world;
+    private final SceneOptions options;
+    private final SplittableRandom random;
+    private final List<BodyRef> bodies = new ArrayList<>();
+    private final List<Hook> before = new ArrayList<>();
+    private final List<Hook> after = new ArrayList<>();
+    private final Map<String, DoubleSupplier> errors = new LinkedHashMap<>();
+    private final List<String> remarks = new ArrayList<>();
+    private final Map<Shape, Model> models = new IdentityHashMap<>();
+    private View view = new View(0, 4, 14, 0, 1, 0);
+    private long tick;
+
+    /**
+     * Where a scene wants to be seen from. World frame, metres.
+     *
+     * @param eyeX camera, x
+     * @param eyeY camera, y
+     * @param eyeZ camera, z
+     * @param targetX what it looks at, x
+     * @param targetY what it looks at, y
+     * @param targetZ what it looks at, z
+     */
+    public record View(
+            double eyeX,
+            double eyeY,
+            double eyeZ,
+            double targetX,
+            double targetY,
+            double targetZ) {}
+
+    /**
+     * Creates a builder.
+     *
+     * @param world an empty world with gravity (0, -{@link SampleScene#GRAVITY}, 0)
+     * @param options values of the scene's parameters
+     */
+    public SceneBuilder(PhysicsWorld world, SceneOptions options) {
+        this.world = world;
+        this.options = options;
+        this.random = new SplittableRandom(options.seed());
+    }
+
+    /**
+     * The world that the bodies go to.
+     *
+     * @return the world
+     */
+    public PhysicsWorld world() {
+        return world;
+    }
+
+    /**
+     * The value of a parameter.
+     *
+     * @param name its name
+     * @return what the user set, or the default
+     * @throws IllegalArgumentException if the scene declares no such parameter
+     */
+    public double get(String name) {
+        Double value = options.values().get(name);
+        if (value == null) {
+            throw new IllegalArgumentException(
+                    "parameter \"" + name + "\" is not declared by this scene");
+        }
+        return value;
+    }
+
+    /**
+     * The value of a counting parameter.
+     *
+     * @param name its name
+     * @return what the user set, or the default
+     */
+    public int count(String name) {
+        return (int) get(name);
+    }
+
+    /**
+     * The mesh file of {@code --obj}.
+     *
+     * @return the path, or null if none was given
+     */
+    public @Nullable Path obj() {
+        return options.obj();
+    }
+
+    /**
+     * A number between two bounds, drawn from the stream that {@code --seed} starts.
+     *
+     * @param low lower bound
+     * @param high upper bound, above the lower
+     * @return low &lt;= number &lt; high
+     */
+    public double random(double low, double high) {
+        return low + (high - low) * random.nextDouble();
+    }
+
+    /**
+     * Adds a body and the way it looks.
+     *
+     * @param shape its shape; bodies that share the object share the mesh
+     * @param rgb its colour, 0xRRGGBB
+     * @param body all else
+     * @return the body in the world
+     */
+    public BodyRef add(Shape shape, int rgb, Body body) {
+        Model model = models.get(shape);
+        if (model == null) {
+            model = Model.of(shape);
+            models.put(shape, model);
+        }
+        return add(shape, model.color(rgb), body);
+    }
+
+    /**
+     * Adds a body and the way it looks.
+     *
+     * @param shape its shape
+     * @param model its look
+     * @param body all else
+     * @return the body in the world
+     */
+    public BodyRef add(Shape shape, Model model, Body body) {
+        return remember(world.add(body.shape(shape).with(new Visual(model))));
+    }
+
+    /**
+     * Adds a body that is not drawn.
+     *
+     * @param shape its shape
+     * @param body all else
+     * @return the body in the world
+     */
+    public BodyRef addUnseen(Shape shape, Body body) {
+        return remember(world.add(body.shape(shape)));
+    }
+
+    private BodyRef remember(BodyRef body) {
+        bodies.add(body);
+        return body;
+    }
+
+    /**
+     * Adds a fixed, level plate whose upper side is the plane y = 0, centred on the origin.
+     *
+     * @param halfX half its size along x, m
+     * @param halfZ half its size along z, m
+     * @param friction its Coulomb coefficient
+     * @param restitution its coefficient of restitution
+     * @return the plate
+     */
+    public BodyRef floor(double halfX, double halfZ, double friction, double restitution) {
+        double halfY = 0.5;
+        return add(
+                Box.of(halfX, halfY, halfZ),
+                Palette.GROUND,
+                Body.fixed()
+                        .at(0, -halfY, 0)
+                        .material(Palette.material(friction, restitution))
+                        .name("floor"));
+    }
+
+    /**
+     * Says where the scene wants to be seen from.
+     *
+     * @param value the camera's place and aim
+     */
+    public void view(View value) {
+        view = value;
+    }
+
+    /**
+     * Where the scene wants to be seen from.
+     *
+     * @return the camera's place and aim
+     */
+    public View view() {
+        return view;
+    }
+
+    /**
+     * Has something done before every tick: forces, bodies that come and go.
+     *
+     * @param hook called with the number of the tick to come and the time at its end
+     */
+    public void beforeTick(Hook hook) {
+        before.add(hook);
+    }
+
+    /**
+     * Has something done after every tick: truths compared, events noted.
+     *
+     * @param hook called with the number of the tick and the time at its end
+     */
+    public void afterTick(Hook hook) {
+        after.add(hook);
+    }
+
+    /**
+     * Declares an error metric: how far the scene is from its closed form.
+     *
+     * @param name name in reports, ending in its unit or in {@code Relative}
+     * @param value the metric over the ticks so far; NaN where the closed form does not apply
+     */
+    public void error(String name, DoubleSupplier value) {
+        errors.put(name, value);
+    }
+
+    /**
+     * Notes a line for the user, printed after the run or while the window is open.
+     *
+     * @param line text without a line break
+     */
+    public void remark(String line) {
+        remarks.add(line);
+    }
+
+    /**
+     * All bodies added so far, in order.
+     *
+     * @return a live, unmodifiable view
+     */
+    public List<BodyRef> bodies() {
+        return Collections.unmodifiableList(bodies);
+    }
+
+    /**
+     * The lines noted so far.
+     *
+     * @return a live, unmodifiable view
+     */
+    public List<String> remarks() {
+        return Collections.unmodifiableList(remarks);
+    }
+
+    /**
+     * The error metrics at this moment; those whose closed form does not apply are left out.
+     *
+     * @return values by name, in the order of declaration
+     */
+    public Map<String, Double> errors() {
+        Map<String, Double> now = new LinkedHashMap<>();
+        errors.forEach((name, metric) -> {
+            double value = metric.getAsDouble();
+            if (!Double.isNaN(value)) {
+                now.put(name, value);
+            }
+        });
+        return now;
+    }
+
+    /** Runs the scene's hooks before a step of the world. */
+    public void beforeTick() {
+        long next = tick + 1;
+        for (int i = 0; i < before.size(); i++) {
+            before.get(i).run(next, next * SampleScene.STEP_SECONDS);
+        }
+    }
+
+    /** Runs the scene's hooks after a step of the world, and counts the tick. */
+    public void afterTick() {
+        tick++;
+        for (int i = 0; i < after.size(); i++) {
+            after.get(i).run(tick, tick * SampleScene.STEP_SECONDS);
+        }
+    }
+
+    /**
+     * The ticks counted so far.
+     *
+     * @return at least 0
+     */
+    public long tick() {
+        return tick;
+    }
+}

@@ -1,0 +1,68 @@
+package dev.cairn.samples;
+
+import dev.cairn.samples.scenes.CubesOnPlane;
+import dev.cairn.samples.scenes.FreeFall;
+import dev.cairn.samples.scenes.ObjDrop;
+import dev.cairn.samples.scenes.Pairs;
+import dev.cairn.samples.scenes.Pyramid;
+import dev.cairn.samples.scenes.Room;
+import dev.cairn.samples.scenes.SlopeBall;
+import dev.cairn.samples.scenes.SlopeBox;
+import dev.cairn.samples.scenes.StackOfBoxes;
+import dev.cairn.samples.scenes.StaticCubes;
+
+import java.util.List;
+
+/** All scenes, in the order of lists and number keys. Stateless. */
+public final class SceneRegistry {
+    private static final List<SampleScene> SCENES =
+            List.of(
+                    SlopeBox.scene(),
+                    StackOfBoxes.scene(),
+                    SlopeBall.scene(),
+                    Room.scene(),
+                    StaticCubes.scene(),
+                    CubesOnPlane.scene(),
+                    Pairs.scene(),
+                    ObjDrop.scene(),
+                    Pyramid.scene(),
+                    FreeFall.scene());
+
+    private SceneRegistry() {}
+
+    /**
+     * All scenes.
+     *
+     * @return an immutable list
+     */
+    public static List<SampleScene> all() {
+        return SCENES;
+    }
+
+    /**
+     * The ids of all scenes.
+     *
+     * @return an immutable list, in the same order
+     */
+    public static List<String> ids() {
+        return SCENES.stream().map(SampleScene::id).toList();
+    }
+
+    /**
+     * Finds a scene.
+     *
+     * @param id its id
+     * @return the scene
+     * @throws UsageException if there is none of this id; the message suggests the nearest
+     */
+    public static SampleScene get(String id) {
+        for (SampleScene scene : SCENES) {
+            if (scene.id().equals(id)) {
+                return scene;
+            }
+        }
+        throw new UsageException(
+                "--scene %s: there is no such scene%s; --list shows all"
+                        .formatted(id, Nearest.hint(id, ids())));
+    }
+}
