@@ -1,15 +1,46 @@
 package dev.cairn.physics.solver;
 
+import dev.cairn.core.job.BlockJob;
+import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
-/** Solves one tick of motion and contact; simulation thread; allocates only when a store has grown. */
+/**
+ * Solves one tick of motion and contact: a sub-stepped, sequential, soft contact solver in double.
+ *
+ * <p>Loops over bodies run as blocks on the job system, sweeps over contacts in row order on the calling thread, so the
+ * result does not depend on the number of workers. Simulation thread only; allocates only when a store has grown. The package's
+ * documentation tells the method and its sources.
+ */
 public final class ContactSolver {
+    private static final int BODIES_PER_BLOCK = 128;
+    private static final int ROWS_PER_BLOCK = 64;
+
     private final SolverSettings settings;
+    private final SolverBodies body = new SolverBodies();
+    private final ContactRows rows = new ContactRows();
+    private final Impacts impacts = new Impacts();
+    private final double[] gravity = new double[3];
+
+    private final BlockJob begin = this::begin;
+    private final BlockJob prepare = this::prepare;
+    private final BlockJob kick = this::kick;
+    private final BlockJob drift = this::drift;
+    private final BlockJob finish = this::finish;
+
+    private double step;
+    private double subStep;
+    private Softness soft = new Softness(0, 1, 0);
+    private Softness staticSoft = soft;
+    private double impulseScale = 1;
+    private @Nullable BodyStore bodyStore;
+    private @Nullable ContactStore contactStore;
 
     /**
-     * A solver without memory of contacts; one per world.
+     * A solver; one per world.
      *
      * @param settings the tunables
      */
@@ -17,7 +48,11 @@ public final class ContactSolver {
         this.settings = settings;
     }
 
-    /** The tunables. */
+    /**
+     * The tunables.
+     *
+     * @return as given
+     */
     public SolverSettings settings() {
         return settings;
     }
@@ -41,6 +76,193 @@ public final class ContactSolver {
             double gravityZ,
             double stepSeconds,
             Jobs jobs) {
-        throw new UnsupportedOperationException("under construction");
+        bodyStore = bodies;
+        contactStore = contacts;
+        gravity[0] = gravityX;
+        gravity[1] = gravityY;
+        gravity[2] = gravityZ;
+        timing(stepSeconds);
+        collect(bodies, contacts);
+        int bodyBlocks = Blocks.count(bodies.slotCount, BODIES_PER_BLOCK);
+        jobs.run(begin, bodyBlocks);
+        if (rows.count > 0) {
+            jobs.run(prepare, Blocks.count(rows.count, ROWS_PER_BLOCK));
+            for (int k = 0; k < settings.substeps(); k++) {
+                impacts.run(rows, body, bodies, gravity, subStep, settings.restitutionThreshold());
+                jobs.run(kick, bodyBlocks);
+                RowKernels.warmStart(rows, body.state);
+                RowKernels.bias(rows, body.state, subStep, settings.pushSpeed(), settings.innerSweeps());
+                jobs.run(drift, bodyBlocks);
+                RowKernels.relax(rows, body.state, subStep, settings.pushSpeed(), settings.innerSweeps());
+                jobs.run(finish, bodyBlocks);
+            }
+        }
+        store(bodies, contacts);
+        bodyStore = null;
+        contactStore = null;
+    }
+
+    /** Coefficients that depend on the length of the step; the impulses of a sub-step scale with it. */
+    private void timing(double stepSeconds) {
+        if (stepSeconds == step) {
+            impulseScale = 1;
+            return;
+        }
+        double h = stepSeconds / settings.substeps();
+        impulseScale = step == 0 ? 1 : stepSeconds / step;
+        double hertz = settings.hertzPerRate() / h;
+        soft = Softness.of(hertz, settings.dampingRatio(), h);
+        staticSoft = Softness.of(
+                hertz * settings.staticHertzScale(), settings.dampingRatio() * settings.staticDampingScale(), h);
+        step = stepSeconds;
+        subStep = h;
+    }
+
+    /** Lists the contacts that have points, and which bodies they bind. */
+    private void collect(BodyStore bodies, ContactStore contacts) {
+        body.ensureCapacity(bodies.slotCount);
+        rows.ensureCapacity(contacts.count);
+        int[] guide = body.guide;
+        Arrays.fill(guide, 0, bodies.slotCount, SolverBodies.FREE);
+        int n = 0;
+        int bouncing = 0;
+        for (int c = 0; c < contacts.count; c++) {
+            if (contacts.pointCount[c] == 0) {
+                continue;
+            }
+            int a = contacts.bodyA[c];
+            int b = contacts.bodyB[c];
+            int l = n * ContactRows.LINK;
+            rows.link[l + ContactRows.BODY_A] = a * SolverBodies.STRIDE;
+            rows.link[l + ContactRows.BODY_B] = b * SolverBodies.STRIDE;
+            rows.link[l + ContactRows.COUNT] = contacts.pointCount[c];
+            rows.link[l + ContactRows.SOURCE] = c;
+            boolean still = bodies.kind[a] != BodyStore.DYNAMIC || bodies.kind[b] != BodyStore.DYNAMIC;
+            guide[a] = guide[a] == SolverBodies.FREE && still ? n : SolverBodies.BOUND;
+            guide[b] = guide[b] == SolverBodies.FREE && still ? n : SolverBodies.BOUND;
+            if (contacts.restitution[c] > 0) {
+                rows.bouncer[bouncing++] = n;
+            }
+            n++;
+        }
+        rows.count = n;
+        rows.bouncing = bouncing;
+    }
+
+    /** Flies the bodies without contacts, loads the others. */
+    private void begin(int block, int worker) {
+        BodyStore b = stored(bodyStore);
+        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
+        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
+            boolean dynamic = b.kind[i] == BodyStore.DYNAMIC;
+            if (dynamic) {
+                body.axes.update(b, i);
+            }
+            if (body.guide[i] == SolverBodies.FREE) {
+                if (dynamic) {
+                    Motion.fly(b, body, i, gravity[0], gravity[1], gravity[2], step, settings.substeps());
+                }
+            } else if (dynamic) {
+                body.loadBound(b, i, 1);
+            } else {
+                body.loadStatic(i);
+            }
+        }
+    }
+
+    private void prepare(int block, int worker) {
+        ContactStore c = stored(contactStore);
+        int end = Blocks.end(block, ROWS_PER_BLOCK, rows.count);
+        for (int m = Blocks.begin(block, ROWS_PER_BLOCK); m < end; m++) {
+            PrepareRow.run(rows, body, c, m, soft, staticSoft, impulseScale);
+        }
+    }
+
+    private void kick(int block, int worker) {
+        BodyStore b = stored(bodyStore);
+        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
+        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
+            if (body.guide[i] != SolverBodies.FREE && b.kind[i] == BodyStore.DYNAMIC) {
+                Motion.kick(b, body, i, gravity[0], gravity[1], gravity[2], subStep);
+            }
+        }
+    }
+
+    private void drift(int block, int worker) {
+        BodyStore b = stored(bodyStore);
+        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
+        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
+            if (body.guide[i] != SolverBodies.FREE && b.kind[i] == BodyStore.DYNAMIC) {
+                Motion.drift(b, body, i, gravity[0], gravity[1], gravity[2], subStep);
+            }
+        }
+    }
+
+    private void finish(int block, int worker) {
+        BodyStore b = stored(bodyStore);
+        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
+        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
+            if (body.guide[i] >= 0 && b.kind[i] == BodyStore.DYNAMIC) {
+                Motion.glide(body, i, rows.row, subStep);
+            }
+        }
+    }
+
+    /** Writes the bodies and the impulses back. */
+    private void store(BodyStore bodies, ContactStore contacts) {
+        for (int i = 0; i < bodies.slotCount; i++) {
+            if (body.guide[i] != SolverBodies.FREE && bodies.kind[i] == BodyStore.DYNAMIC) {
+                body.store(bodies, i);
+            }
+        }
+        int m = 0;
+        for (int c = 0; c < contacts.count; c++) {
+            contacts.frictionImpulseX[c] = 0;
+            contacts.frictionImpulseY[c] = 0;
+            contacts.frictionImpulseZ[c] = 0;
+            contacts.twistImpulse[c] = 0;
+            if (contacts.pointCount[c] > 0) {
+                storeRow(contacts, c, m++);
+            }
+        }
+    }
+
+    private void storeRow(ContactStore contacts, int c, int m) {
+        double[] d = rows.row;
+        int r = m * ContactRows.ROW;
+        double f1 = d[r + ContactRows.LAMBDA];
+        double f2 = d[r + ContactRows.LAMBDA + 1];
+        int t1 = r + ContactRows.TANGENT1;
+        int t2 = r + ContactRows.TANGENT2;
+        contacts.frictionImpulseX[c] = f1 * d[t1] + f2 * d[t2];
+        contacts.frictionImpulseY[c] = f1 * d[t1 + 1] + f2 * d[t2 + 1];
+        contacts.frictionImpulseZ[c] = f1 * d[t1 + 2] + f2 * d[t2 + 2];
+        contacts.twistImpulse[c] = d[r + ContactRows.LAMBDA + 2];
+        for (int k = 0; k < contacts.pointCount[c]; k++) {
+            int o = (ContactStore.POINTS * m + k) * ContactRows.POINT;
+            contacts.normalImpulse[ContactStore.POINTS * c + k] = rows.point[o + ContactRows.IMPULSE];
+            contacts.totalNormalImpulse[ContactStore.POINTS * c + k] = rows.point[o + ContactRows.SUM];
+        }
+    }
+
+    /**
+     * Friction impulse of a contact over the last tick, for audits.
+     *
+     * @param row index among the contacts that have points
+     * @param axis 0 to 2 for world x, y, z
+     * @return impulse on B, N s
+     */
+    double totalFriction(int row, int axis) {
+        double[] d = rows.row;
+        int r = row * ContactRows.ROW;
+        return d[r + ContactRows.TOTAL] * d[r + ContactRows.TANGENT1 + axis]
+                + d[r + ContactRows.TOTAL + 1] * d[r + ContactRows.TANGENT2 + axis];
+    }
+
+    private static <T> T stored(@Nullable T value) {
+        if (value == null) {
+            throw new IllegalStateException("a block of the solver ran outside of step");
+        }
+        return value;
     }
 }

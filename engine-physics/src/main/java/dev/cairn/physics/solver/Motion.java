@@ -1,0 +1,183 @@
+package dev.cairn.physics.solver;
+
+import static dev.cairn.physics.solver.SolverBodies.GRAVITY;
+import static dev.cairn.physics.solver.SolverBodies.LOADED;
+import static dev.cairn.physics.solver.SolverBodies.MASS;
+import static dev.cairn.physics.solver.SolverBodies.P;
+import static dev.cairn.physics.solver.SolverBodies.STRIDE;
+import static dev.cairn.physics.solver.SolverBodies.V;
+
+import dev.cairn.physics.internal.BodyStore;
+
+/** Integrators of one body: flight, kick, drift, and the correction of bodies that glide on one contact. */
+final class Motion {
+    private Motion() {}
+
+    /**
+     * A tick without contacts: {@code x += t v + t²/2 a, v += t a}, the parabola itself; rotation in {@code substeps}
+     * Strang steps between half kicks of the torque.
+     */
+    static void fly(
+            BodyStore b, SolverBodies s, int i, double gx, double gy, double gz, double t, int substeps) {
+        double m = b.inverseMass[i];
+        double ax = gx + m * b.forceX[i];
+        double ay = gy + m * b.forceY[i];
+        double az = gz + m * b.forceZ[i];
+        double half = 0.5 * t * t;
+        b.positionX[i] += t * b.velocityX[i] + half * ax;
+        b.positionY[i] += t * b.velocityY[i] + half * ay;
+        b.positionZ[i] += t * b.velocityZ[i] + half * az;
+        b.velocityX[i] += t * ax;
+        b.velocityY[i] += t * ay;
+        b.velocityZ[i] += t * az;
+        double[] w = s.state;
+        int o = i * STRIDE;
+        w[o + LOADED] = 0;
+        w[o + V + 3] = b.angularVelocityX[i];
+        w[o + V + 4] = b.angularVelocityY[i];
+        w[o + V + 5] = b.angularVelocityZ[i];
+        boolean driven = b.torqueX[i] != 0 || b.torqueY[i] != 0 || b.torqueZ[i] != 0;
+        if (s.axes.isotropic[i] && !driven) {
+            Rotation.turn(b, i, t * w[o + V + 3], t * w[o + V + 4], t * w[o + V + 5]);
+            return;
+        }
+        double h = t / substeps;
+        if (driven) {
+            spinUp(b, s, i, 0.5 * h);
+        }
+        for (int k = 0; k < substeps; k++) {
+            rotate(b, s, i, h);
+            if (driven) {
+                spinUp(b, s, i, k + 1 == substeps ? 0.5 * h : h);
+            }
+        }
+        b.angularVelocityX[i] = w[o + V + 3];
+        b.angularVelocityY[i] = w[o + V + 4];
+        b.angularVelocityZ[i] = w[o + V + 5];
+    }
+
+    /** {@code w += t R I^-1 R^T torque} at the present orientation. */
+    private static void spinUp(BodyStore b, SolverBodies s, int i, double t) {
+        double qx = -b.orientationX[i];
+        double qy = -b.orientationY[i];
+        double qz = -b.orientationZ[i];
+        double qw = b.orientationW[i];
+        double x = t * b.torqueX[i];
+        double y = t * b.torqueY[i];
+        double z = t * b.torqueZ[i];
+        double ux = 2 * (qy * z - qz * y);
+        double uy = 2 * (qz * x - qx * z);
+        double uz = 2 * (qx * y - qy * x);
+        double lx = x + qw * ux + (qy * uz - qz * uy);
+        double ly = y + qw * uy + (qz * ux - qx * uz);
+        double lz = z + qw * uz + (qx * uy - qy * ux);
+        x = b.inverseInertiaXX[i] * lx + b.inverseInertiaXY[i] * ly + b.inverseInertiaXZ[i] * lz;
+        y = b.inverseInertiaXY[i] * lx + b.inverseInertiaYY[i] * ly + b.inverseInertiaYZ[i] * lz;
+        z = b.inverseInertiaXZ[i] * lx + b.inverseInertiaYZ[i] * ly + b.inverseInertiaZZ[i] * lz;
+        ux = 2 * (qz * y - qy * z);
+        uy = 2 * (qx * z - qz * x);
+        uz = 2 * (qy * x - qx * y);
+        int o = i * STRIDE + V + 3;
+        s.state[o] += x + qw * ux - (qy * uz - qz * uy);
+        s.state[o + 1] += y + qw * uy - (qz * ux - qx * uz);
+        s.state[o + 2] += z + qw * uz - (qx * uy - qy * ux);
+    }
+
+    /** Free rotation by {@code h} of a body whose angular velocity is in the solver's state. */
+    private static void rotate(BodyStore b, SolverBodies s, int i, double h) {
+        int o = i * STRIDE + V + 3;
+        double[] w = s.state;
+        if (w[o] == 0 && w[o + 1] == 0 && w[o + 2] == 0) {
+            return;
+        }
+        if (s.axes.isotropic[i]) {
+            Rotation.turn(b, i, h * w[o], h * w[o + 1], h * w[o + 2]);
+        } else {
+            Rotation.strang(b, i, s.axes.data, w, o, h);
+        }
+    }
+
+    /** Start of a sub-step of a body with contacts: {@code v += h (g + f/m), w += h I^-1 torque}. */
+    static void kick(BodyStore b, SolverBodies s, int i, double gx, double gy, double gz, double h) {
+        double[] v = s.state;
+        int o = i * STRIDE;
+        if (s.guide[i] >= 0) {
+            int g = 6 * i;
+            s.glide[g] = v[o + V];
+            s.glide[g + 1] = v[o + V + 1];
+            s.glide[g + 2] = v[o + V + 2];
+        }
+        v[o + LOADED] = 0;
+        double m = v[o + MASS];
+        double k = v[o + GRAVITY];
+        v[o + V] += h * (k * gx + m * b.forceX[i]);
+        v[o + V + 1] += h * (k * gy + m * b.forceY[i]);
+        v[o + V + 2] += h * (k * gz + m * b.forceZ[i]);
+        double x = h * b.torqueX[i];
+        double y = h * b.torqueY[i];
+        double z = h * b.torqueZ[i];
+        if (x != 0 || y != 0 || z != 0) {
+            double[] d = s.inverseInertia;
+            int q = 6 * i;
+            v[o + V + 3] += d[q] * x + d[q + 3] * y + d[q + 4] * z;
+            v[o + V + 4] += d[q + 3] * x + d[q + 1] * y + d[q + 5] * z;
+            v[o + V + 5] += d[q + 4] * x + d[q + 5] * y + d[q + 2] * z;
+        }
+    }
+
+    /**
+     * Moves a body with contacts. Under load {@code x += h v}: the velocity holds at the end of the sub-step, which is what
+     * the contacts were solved for. Without load {@code x += h v - h²/2 a}: the parabola.
+     */
+    static void drift(BodyStore b, SolverBodies s, int i, double gx, double gy, double gz, double h) {
+        double[] v = s.state;
+        int o = i * STRIDE;
+        double vx = v[o + V];
+        double vy = v[o + V + 1];
+        double vz = v[o + V + 2];
+        if (v[o + LOADED] == 0) {
+            double m = v[o + MASS];
+            double k = v[o + GRAVITY];
+            double half = 0.5 * h;
+            vx -= half * (k * gx + m * b.forceX[i]);
+            vy -= half * (k * gy + m * b.forceY[i]);
+            vz -= half * (k * gz + m * b.forceZ[i]);
+        } else if (s.guide[i] >= 0) {
+            int g = 6 * i + 3;
+            s.glide[g] = vx;
+            s.glide[g + 1] = vy;
+            s.glide[g + 2] = vz;
+        }
+        v[o + P] += h * vx;
+        v[o + P + 1] += h * vy;
+        v[o + P + 2] += h * vz;
+        v[o + P + 3] += h * v[o + V + 3];
+        v[o + P + 4] += h * v[o + V + 4];
+        v[o + P + 5] += h * v[o + V + 5];
+        rotate(b, s, i, h);
+    }
+
+    /**
+     * End of a sub-step of a guided body: along the contact plane it moves by the mean of the velocities before and after,
+     * {@code x += h ((v0 + v1)/2 - v)} without its part along the normal. So a slide follows the parabola, and a body that
+     * friction holds does not move at all.
+     */
+    static void glide(SolverBodies s, int i, double[] rows, double h) {
+        double[] v = s.state;
+        int o = i * STRIDE;
+        int row = s.guide[i];
+        if (row < 0 || v[o + LOADED] == 0) {
+            return;
+        }
+        int g = 6 * i;
+        double[] d = s.glide;
+        double x = h * (0.5 * (d[g] + v[o + V]) - d[g + 3]);
+        double y = h * (0.5 * (d[g + 1] + v[o + V + 1]) - d[g + 4]);
+        double z = h * (0.5 * (d[g + 2] + v[o + V + 2]) - d[g + 5]);
+        int r = row * ContactRows.ROW + ContactRows.NORMAL;
+        double n = x * rows[r] + y * rows[r + 1] + z * rows[r + 2];
+        v[o + P] += x - n * rows[r];
+        v[o + P + 1] += y - n * rows[r + 1];
+        v[o + P + 2] += z - n * rows[r + 2];
+    }
+}

@@ -1,0 +1,245 @@
+package dev.cairn.physics.solver;
+
+import dev.cairn.physics.internal.ContactStore;
+
+/** Fills one constraint row from a contact and its two bodies; blocks of rows may run in parallel. */
+final class PrepareRow {
+    /** Share of the patch's radius over which a point that leaves fades out of the friction's centre. */
+    private static final double FADE = 0.02;
+
+    private PrepareRow() {}
+
+    /**
+     * Fills row {@code m}.
+     *
+     * @param impulseScale factor on the stored impulses: this sub-step over the last tick's
+     */
+    static void run(
+            ContactRows rows,
+            SolverBodies bodies,
+            ContactStore c,
+            int m,
+            Softness soft,
+            Softness staticSoft,
+            double impulseScale) {
+        double[] d = rows.row;
+        int[] link = rows.link;
+        int r = m * ContactRows.ROW;
+        int l = m * ContactRows.LINK;
+        int source = link[l + ContactRows.SOURCE];
+        int a = c.bodyA[source];
+        int b = c.bodyB[source];
+        link[l + ContactRows.STRUCK] = 0;
+        double ma = bodies.state[a * SolverBodies.STRIDE + SolverBodies.MASS];
+        double mb = bodies.state[b * SolverBodies.STRIDE + SolverBodies.MASS];
+        Softness s = ma == 0 || mb == 0 ? staticSoft : soft;
+        double nx = c.normalX[source];
+        double ny = c.normalY[source];
+        double nz = c.normalZ[source];
+        d[r] = nx;
+        d[r + 1] = ny;
+        d[r + 2] = nz;
+        d[r + ContactRows.FRICTION] = c.friction[source];
+        d[r + ContactRows.RESTITUTION] = c.restitution[source];
+        d[r + ContactRows.BIAS_RATE] = s.biasRate();
+        d[r + ContactRows.MASS_SCALE] = s.massScale();
+        d[r + ContactRows.IMPULSE_SCALE] = s.impulseScale();
+        d[r + ContactRows.MASS_A] = ma;
+        d[r + ContactRows.MASS_B] = mb;
+        d[r + ContactRows.TOTAL] = 0;
+        d[r + ContactRows.TOTAL + 1] = 0;
+        d[r + ContactRows.TOTAL + 2] = 0;
+        tangents(d, r, nx, ny, nz);
+        centre(d, r, c, source);
+        points(rows, bodies, c, m, a, b, impulseScale);
+        if (d[r + ContactRows.FRICTION] > 0) {
+            friction(d, r, bodies, c, source, a, b, impulseScale);
+        } else {
+            d[r + ContactRows.LAMBDA] = 0;
+            d[r + ContactRows.LAMBDA + 1] = 0;
+            d[r + ContactRows.LAMBDA + 2] = 0;
+        }
+    }
+
+    /** {@code t1 = n x e / |n x e|}, e the axis along which n is shortest; {@code t2 = n x t1}. */
+    private static void tangents(double[] d, int r, double nx, double ny, double nz) {
+        double ax = Math.abs(nx);
+        double ay = Math.abs(ny);
+        double az = Math.abs(nz);
+        double x;
+        double y;
+        double z;
+        if (ax <= ay && ax <= az) {
+            x = 0;
+            y = nz;
+            z = -ny;
+        } else if (az <= ay) {
+            x = ny;
+            y = -nx;
+            z = 0;
+        } else {
+            x = -nz;
+            y = 0;
+            z = nx;
+        }
+        double k = 1 / Math.sqrt(x * x + y * y + z * z);
+        x *= k;
+        y *= k;
+        z *= k;
+        int t = r + ContactRows.TANGENT1;
+        d[t] = x;
+        d[t + 1] = y;
+        d[t + 2] = z;
+        d[t + 3] = ny * z - nz * y;
+        d[t + 4] = nz * x - nx * z;
+        d[t + 5] = nx * y - ny * x;
+    }
+
+    /**
+     * Centre of the friction patch, into the first three and second three lever slots as rA and rB: the mean of the anchors,
+     * with points that have left fading out so that the centre moves without jumps.
+     */
+    private static void centre(double[] d, int r, ContactStore c, int source) {
+        int first = ContactStore.POINTS * source;
+        int n = c.pointCount[source];
+        double spread = 0;
+        for (int p = first + 1; p < first + n; p++) {
+            double x = c.anchorAX[p] - c.anchorAX[first];
+            double y = c.anchorAY[p] - c.anchorAY[first];
+            double z = c.anchorAZ[p] - c.anchorAZ[first];
+            spread = Math.max(spread, x * x + y * y + z * z);
+        }
+        double fade = FADE * Math.sqrt(spread);
+        double sum = 0;
+        double ax = 0;
+        double ay = 0;
+        double az = 0;
+        double bx = 0;
+        double by = 0;
+        double bz = 0;
+        for (int p = first; p < first + n; p++) {
+            double gap = c.separation[p];
+            double w = gap <= fade || fade == 0 ? 1 : Math.max(2 - gap / fade, 1e-10);
+            sum += w;
+            ax += w * c.anchorAX[p];
+            ay += w * c.anchorAY[p];
+            az += w * c.anchorAZ[p];
+            bx += w * c.anchorBX[p];
+            by += w * c.anchorBY[p];
+            bz += w * c.anchorBZ[p];
+        }
+        double k = 1 / sum;
+        int o = r + ContactRows.LEVER;
+        d[o] = ax * k;
+        d[o + 1] = ay * k;
+        d[o + 2] = az * k;
+        d[o + 3] = bx * k;
+        d[o + 4] = by * k;
+        d[o + 5] = bz * k;
+    }
+
+    private static void points(
+            ContactRows rows, SolverBodies bodies, ContactStore c, int m, int a, int b, double impulseScale) {
+        double[] d = rows.row;
+        double[] q = rows.point;
+        int r = m * ContactRows.ROW;
+        int source = rows.link[m * ContactRows.LINK + ContactRows.SOURCE];
+        double nx = d[r];
+        double ny = d[r + 1];
+        double nz = d[r + 2];
+        double sum = d[r + ContactRows.MASS_A] + d[r + ContactRows.MASS_B];
+        double cx = d[r + ContactRows.LEVER];
+        double cy = d[r + ContactRows.LEVER + 1];
+        double cz = d[r + ContactRows.LEVER + 2];
+        double radius = 0;
+        for (int k = 0; k < c.pointCount[source]; k++) {
+            int p = ContactStore.POINTS * source + k;
+            int o = (ContactStore.POINTS * m + k) * ContactRows.POINT;
+            double x = c.anchorAX[p];
+            double y = c.anchorAY[p];
+            double z = c.anchorAZ[p];
+            cross(q, o, x, y, z, nx, ny, nz);
+            cross(q, o + 3, c.anchorBX[p], c.anchorBY[p], c.anchorBZ[p], nx, ny, nz);
+            apply(bodies.inverseInertia, a, q, o, q, o + ContactRows.SPIN);
+            apply(bodies.inverseInertia, b, q, o + 3, q, o + ContactRows.SPIN + 3);
+            // 1/m_eff = 1/mA + 1/mB + (rA x n).IA^-1(rA x n) + (rB x n).IB^-1(rB x n)
+            double w = sum + dot(q, o, q, o + 6) + dot(q, o + 3, q, o + 9);
+            q[o + ContactRows.MASS] = w > 0 ? 1 / w : 0;
+            q[o + ContactRows.GAP] = c.separation[p];
+            q[o + ContactRows.IMPULSE] = c.normalImpulse[p] * impulseScale;
+            q[o + ContactRows.SUM] = 0;
+            double dx = x - cx;
+            double dy = y - cy;
+            double dz = z - cz;
+            double reach = Math.sqrt(dx * dx + dy * dy + dz * dz);
+            q[o + ContactRows.REACH] = reach;
+            radius = Math.max(radius, reach);
+        }
+        d[r + ContactRows.RADIUS] = radius;
+    }
+
+    private static void friction(
+            double[] d, int r, SolverBodies bodies, ContactStore c, int source, int a, int b, double impulseScale) {
+        double[] inertia = bodies.inverseInertia;
+        int lever = r + ContactRows.LEVER;
+        int turn = r + ContactRows.TURN;
+        int t1 = r + ContactRows.TANGENT1;
+        int t2 = r + ContactRows.TANGENT2;
+        double ax = d[lever];
+        double ay = d[lever + 1];
+        double az = d[lever + 2];
+        double bx = d[lever + 3];
+        double by = d[lever + 4];
+        double bz = d[lever + 5];
+        cross(d, lever, ax, ay, az, d[t1], d[t1 + 1], d[t1 + 2]);
+        cross(d, lever + 3, ax, ay, az, d[t2], d[t2 + 1], d[t2 + 2]);
+        cross(d, lever + 6, bx, by, bz, d[t1], d[t1 + 1], d[t1 + 2]);
+        cross(d, lever + 9, bx, by, bz, d[t2], d[t2 + 1], d[t2 + 2]);
+        apply(inertia, a, d, lever, d, turn);
+        apply(inertia, a, d, lever + 3, d, turn + 3);
+        apply(inertia, b, d, lever + 6, d, turn + 6);
+        apply(inertia, b, d, lever + 9, d, turn + 9);
+        apply(inertia, a, d, r, d, turn + 12);
+        apply(inertia, b, d, r, d, turn + 15);
+        double sum = d[r + ContactRows.MASS_A] + d[r + ContactRows.MASS_B];
+        // K_ij = (1/mA + 1/mB) d_ij + (rA x ti).IA^-1(rA x tj) + (rB x ti).IB^-1(rB x tj)
+        double k11 = sum + dot(d, lever, d, turn) + dot(d, lever + 6, d, turn + 6);
+        double k12 = dot(d, lever, d, turn + 3) + dot(d, lever + 6, d, turn + 9);
+        double k22 = sum + dot(d, lever + 3, d, turn + 3) + dot(d, lever + 9, d, turn + 9);
+        double det = 1 / (k11 * k22 - k12 * k12);
+        d[r + ContactRows.BLOCK] = k22 * det;
+        d[r + ContactRows.BLOCK + 1] = -k12 * det;
+        d[r + ContactRows.BLOCK + 2] = k11 * det;
+        double twist = dot(d, r, d, turn + 12) + dot(d, r, d, turn + 15);
+        d[r + ContactRows.TWIST_MASS] = twist > 0 && c.pointCount[source] > 1 ? 1 / twist : 0;
+        double x = c.frictionImpulseX[source] * impulseScale;
+        double y = c.frictionImpulseY[source] * impulseScale;
+        double z = c.frictionImpulseZ[source] * impulseScale;
+        d[r + ContactRows.LAMBDA] = x * d[t1] + y * d[t1 + 1] + z * d[t1 + 2];
+        d[r + ContactRows.LAMBDA + 1] = x * d[t2] + y * d[t2 + 1] + z * d[t2 + 2];
+        d[r + ContactRows.LAMBDA + 2] =
+                d[r + ContactRows.TWIST_MASS] > 0 ? c.twistImpulse[source] * impulseScale : 0;
+    }
+
+    private static void cross(
+            double[] out, int o, double ax, double ay, double az, double bx, double by, double bz) {
+        out[o] = ay * bz - az * by;
+        out[o + 1] = az * bx - ax * bz;
+        out[o + 2] = ax * by - ay * bx;
+    }
+
+    /** {@code out = I^-1 v} with the world inverse inertia of a slot. */
+    private static void apply(double[] inertia, int slot, double[] v, int i, double[] out, int o) {
+        int k = 6 * slot;
+        double x = v[i];
+        double y = v[i + 1];
+        double z = v[i + 2];
+        out[o] = inertia[k] * x + inertia[k + 3] * y + inertia[k + 4] * z;
+        out[o + 1] = inertia[k + 3] * x + inertia[k + 1] * y + inertia[k + 5] * z;
+        out[o + 2] = inertia[k + 4] * x + inertia[k + 5] * y + inertia[k + 2] * z;
+    }
+
+    static double dot(double[] a, int i, double[] b, int j) {
+        return a[i] * b[j] + a[i + 1] * b[j + 1] + a[i + 2] * b[j + 2];
+    }
+}
