@@ -1,21 +1,247 @@
 package dev.cairn.core.ecs;
 
-/** What one system reads and writes. */
-public final class Access {
-    Access() {}
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
 
-    /** Reads the published columns. @param components which @return this */
-    public Access in(Component<?>... components) { return this; }
-    /** Writes, pre-filled with published values. @param components which @return this */
-    public Access out(Component<?>... components) { return this; }
-    /** Writes every row of the columns it asks for. @param components which @return this */
-    public Access writesAll(Component<?>... components) { return this; }
-    /** Reads what was written earlier this tick. @param components which @return this */
-    public Access next(Component<?>... components) { return this; }
-    /** Filter only. @param components which @return this */
-    public Access with(Component<?>... components) { return this; }
-    /** Reads where present, no filter. @param components which @return this */
-    public Access optional(Component<?>... components) { return this; }
-    /** Filter. @param components which @return this */
-    public Access exclude(Component<?>... components) { return this; }
+/**
+ * What one system reads and writes. A chunk reaches the system when its entities have every
+ * component of {@code in}, {@code out}, {@code next} and {@code with}, and none of {@code exclude}.
+ *
+ * <p>Calls may be repeated and add up. Used during {@link EcsSystem#describe} only.
+ */
+public final class Access {
+    /** What a system may do with a column. */
+    static final byte READ = 1;
+
+    static final byte WRITE = 2;
+    static final byte NEXT = 4;
+
+    /** The system writes every row, so nothing is copied before. */
+    static final byte ALL = 8;
+
+    /** Between ticks: writes go to the published column. */
+    static final byte DIRECT = 16;
+
+    final String system;
+    private final List<Component<?>> in = new ArrayList<>();
+    private final List<Component<?>> out = new ArrayList<>();
+    private final List<Component<?>> all = new ArrayList<>();
+    private final List<Component<?>> next = new ArrayList<>();
+    private final List<Component<?>> with = new ArrayList<>();
+    private final List<Component<?>> optional = new ArrayList<>();
+    private final List<Component<?>> exclude = new ArrayList<>();
+    private boolean closed;
+
+    Access(String system) {
+        this.system = system;
+    }
+
+    /**
+     * The system reads the published columns: what the last tick left. Never conflicts with
+     * anything.
+     *
+     * @param components the components
+     * @return this
+     */
+    public Access in(Component<?>... components) {
+        return note(in, "in", components);
+    }
+
+    /**
+     * The system writes these components, and is the only one that does in a tick. The columns that
+     * it asks for hold the published values at first; a chunk whose {@code out} it never asks for
+     * stays as it is, at no cost. Includes the right to read the published columns.
+     *
+     * @param components the components
+     * @return this
+     */
+    public Access out(Component<?>... components) {
+        return note(out, "out", components);
+    }
+
+    /**
+     * As {@link #out}, and the system writes every row of each column that it asks for, so the
+     * published values are not copied before. A row that it leaves out holds an old value; checked
+     * mode finds it.
+     *
+     * @param components the components
+     * @return this
+     */
+    public Access writesAll(Component<?>... components) {
+        note(out, "writesAll", components);
+        return note(all, "writesAll", components);
+    }
+
+    /**
+     * The system reads what was written earlier in this tick, so it runs after the writer. This is
+     * the only thing that orders two systems. Where nothing wrote, these are the published columns.
+     *
+     * @param components the components
+     * @return this
+     */
+    public Access next(Component<?>... components) {
+        return note(next, "next", components);
+    }
+
+    /**
+     * Only entities that have these components; gives no right to their columns.
+     *
+     * @param components the components
+     * @return this
+     */
+    public Access with(Component<?>... components) {
+        return note(with, "with", components);
+    }
+
+    /**
+     * The system reads the published columns in those chunks that {@link Chunk#has} them.
+     *
+     * @param components the components
+     * @return this
+     */
+    public Access optional(Component<?>... components) {
+        return note(optional, "optional", components);
+    }
+
+    /**
+     * Only entities that have none of these components.
+     *
+     * @param components the components
+     * @return this
+     */
+    public Access exclude(Component<?>... components) {
+        return note(exclude, "exclude", components);
+    }
+
+    private Access note(List<Component<?>> list, String call, Component<?>... components) {
+        if (closed) {
+            throw new IllegalStateException(
+                    "system '" + system + "' changed its access after describe had returned");
+        }
+        Objects.requireNonNull(components, "components must not be null");
+        for (Component<?> component : components) {
+            if (component == null) {
+                throw new NullPointerException(
+                        "system '"
+                                + system
+                                + "' passes a null component to "
+                                + call
+                                + "; is a constant used before it is initialised?");
+            }
+            if (!list.contains(component)) {
+                list.add(component);
+            }
+        }
+        return this;
+    }
+
+    /** Ends the description and checks it for contradictions. */
+    Access close() {
+        closed = true;
+        for (Component<?> component : exclude) {
+            if (required().contains(component)) {
+                throw new SchedulingException(
+                        "system '"
+                                + system
+                                + "' both requires and excludes "
+                                + component
+                                + ", so it could never run; drop one of the two");
+            }
+        }
+        for (Component<?> component : next) {
+            if (out.contains(component)) {
+                throw new SchedulingException(
+                        "system '"
+                                + system
+                                + "' declares both out and next of "
+                                + component
+                                + ", so it would have to run after itself; the array from out can"
+                                + " be read as well as written, so drop next");
+            }
+        }
+        return this;
+    }
+
+    /** An open copy. */
+    Access copy() {
+        Access copy = new Access(system);
+        copy.in.addAll(in);
+        copy.out.addAll(out);
+        copy.all.addAll(all);
+        copy.next.addAll(next);
+        copy.with.addAll(with);
+        copy.optional.addAll(optional);
+        copy.exclude.addAll(exclude);
+        return copy;
+    }
+
+    ComponentSet required() {
+        List<Component<?>> all = new ArrayList<>(in);
+        all.addAll(out);
+        all.addAll(next);
+        all.addAll(with);
+        return ComponentSet.of(all);
+    }
+
+    ComponentSet excluded() {
+        return ComponentSet.of(exclude);
+    }
+
+    List<Component<?>> written() {
+        return out;
+    }
+
+    List<Component<?>> awaited() {
+        return next;
+    }
+
+    /** Whether no entity can match both. */
+    boolean isDisjoint(Access other) {
+        return excluded().intersects(other.required()) || other.excluded().intersects(required());
+    }
+
+    /** The rights by column of an archetype. */
+    byte[] rights(Archetype archetype) {
+        byte[] rights = new byte[archetype.fields.length];
+        grant(rights, archetype, in, READ);
+        grant(rights, archetype, optional, READ);
+        grant(rights, archetype, out, (byte) (READ | WRITE));
+        grant(rights, archetype, all, ALL);
+        grant(rights, archetype, next, NEXT);
+        return rights;
+    }
+
+    private static void grant(
+            byte[] rights, Archetype archetype, List<Component<?>> components, byte right) {
+        for (Component<?> component : components) {
+            int base = archetype.base(component);
+            if (base >= 0) {
+                for (int slot = base; slot < base + component.fields.length; slot++) {
+                    rights[slot] |= right;
+                }
+            }
+        }
+    }
+
+    /** As {@code in{Wind} out{Force}}. */
+    @Override
+    public String toString() {
+        StringBuilder text = new StringBuilder();
+        append(text, "in", in);
+        append(text, "optional", optional);
+        append(text, "out", out);
+        append(text, "next", next);
+        append(text, "with", with);
+        append(text, "exclude", exclude);
+        return text.toString();
+    }
+
+    private static void append(StringBuilder text, String label, List<Component<?>> components) {
+        if (!components.isEmpty()) {
+            String names = components.toString();
+            text.append(text.isEmpty() ? "" : " ").append(label).append('{');
+            text.append(names, 1, names.length() - 1).append('}');
+        }
+    }
 }

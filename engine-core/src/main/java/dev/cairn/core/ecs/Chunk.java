@@ -1,50 +1,349 @@
 package dev.cairn.core.ecs;
 
-/** Up to 1024 rows. */
+/**
+ * Up to 1024 entities of one archetype, as raw columns, through the eyes of one system or query.
+ * Row {@code r} of every column belongs to {@link #entity entity(r)}. Only rows below {@link #size}
+ * count; a column's array may be longer.
+ *
+ * <pre>{@code
+ * double[] x = chunk.out(X), vx = chunk.in(VX);
+ * for (int row = 0, n = chunk.size(); row < n; row++) {
+ *     x[row] += vx[row] * h;
+ * }
+ * }</pre>
+ *
+ * <p>Arrays are valid during the tick, or between two structural changes; fetch them again then.
+ * Methods allocate nothing, but for the first write to a column. Inside a tick each chunk's {@code
+ * out} columns are asked for by one thread.
+ */
 public final class Chunk {
     /** Rows of a full chunk. */
     public static final int CAPACITY = 1024;
 
-    Chunk() {}
+    static final int SHIFT = 10;
+    static final int MASK = CAPACITY - 1;
 
-    /** @return rows */
-    public int size() { throw new UnsupportedOperationException(); }
-    /** @param row row @return entity */
-    public long entity(int row) { throw new UnsupportedOperationException(); }
-    /** @return ids of rows, do not write */
-    public long[] entities() { throw new UnsupportedOperationException(); }
-    /** @param component which @return whether */
-    public boolean has(Component<?> component) { throw new UnsupportedOperationException(); }
-    /** @param field field @return tick of last replacement */
-    public long version(Field field) { throw new UnsupportedOperationException(); }
-    /** @param field field @return published */
-    public double[] in(DoubleField field) { throw new UnsupportedOperationException(); }
-    /** @param field field @return published */
-    public float[] in(FloatField field) { throw new UnsupportedOperationException(); }
-    /** @param field field @return published */
-    public int[] in(IntField field) { throw new UnsupportedOperationException(); }
-    /** @param field field @return published */
-    public long[] in(LongField field) { throw new UnsupportedOperationException(); }
-    /** @param field field @param <V> type @return published */
-    public <V> V[] in(ObjectField<V> field) { throw new UnsupportedOperationException(); }
-    /** @param field field @return to write */
-    public double[] out(DoubleField field) { throw new UnsupportedOperationException(); }
-    /** @param field field @return to write */
-    public float[] out(FloatField field) { throw new UnsupportedOperationException(); }
-    /** @param field field @return to write */
-    public int[] out(IntField field) { throw new UnsupportedOperationException(); }
-    /** @param field field @return to write */
-    public long[] out(LongField field) { throw new UnsupportedOperationException(); }
-    /** @param field field @param <V> type @return to write */
-    public <V> V[] out(ObjectField<V> field) { throw new UnsupportedOperationException(); }
-    /** @param field field @return written this tick */
-    public double[] next(DoubleField field) { throw new UnsupportedOperationException(); }
-    /** @param field field @return written this tick */
-    public float[] next(FloatField field) { throw new UnsupportedOperationException(); }
-    /** @param field field @return written this tick */
-    public int[] next(IntField field) { throw new UnsupportedOperationException(); }
-    /** @param field field @return written this tick */
-    public long[] next(LongField field) { throw new UnsupportedOperationException(); }
-    /** @param field field @param <V> type @return written this tick */
-    public <V> V[] next(ObjectField<V> field) { throw new UnsupportedOperationException(); }
+    final Slab slab;
+    private final String system;
+    private final byte[] rights;
+    private final int[] writable;
+    private final Store store;
+    private final boolean checked;
+
+    Chunk(
+            Slab slab,
+            String system,
+            byte[] rights,
+            int[] writable,
+            Store store,
+            boolean checked) {
+        this.slab = slab;
+        this.system = system;
+        this.rights = rights;
+        this.writable = writable;
+        this.store = store;
+        this.checked = checked;
+    }
+
+    /**
+     * Number of entities in this chunk.
+     *
+     * @return rows, up to {@link #CAPACITY}
+     */
+    public int size() {
+        return slab.size;
+    }
+
+    /**
+     * The entity of a row.
+     *
+     * @param row the row, in {@code [0, size())}
+     * @return the entity
+     * @throws IndexOutOfBoundsException if there is no such row
+     */
+    public long entity(int row) {
+        if (row < 0 || row >= slab.size) {
+            throw new IndexOutOfBoundsException(
+                    "row is " + row + ", but must be in [0, " + slab.size + ")");
+        }
+        return slab.entities[row];
+    }
+
+    /**
+     * The entities of all rows, to be read only.
+     *
+     * @return an array whose first {@link #size} elements are the entities
+     */
+    public long[] entities() {
+        return slab.entities;
+    }
+
+    /**
+     * Whether the entities of this chunk have a component.
+     *
+     * @param component the component
+     * @return whether they have it
+     */
+    public boolean has(Component<?> component) {
+        return slab.archetype.has(component);
+    }
+
+    /**
+     * When a column last changed: the number of the tick whose commit replaced it, or in which rows
+     * came, went or were set from outside. A reader that remembers the number can skip what stands.
+     *
+     * @param field the column
+     * @return the tick's number, 0 for what was made before the first tick
+     * @throws ComponentException if this chunk has no such column
+     */
+    public long version(Field field) {
+        int slot = slab.archetype.slot(field);
+        if (slot < 0) {
+            throw absent(field);
+        }
+        return Math.max(slab.versions[slot], slab.structureTick);
+    }
+
+    /**
+     * The published column: the state that the last tick left. To be read only.
+     *
+     * @param field the column
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    public double[] in(DoubleField field) {
+        return (double[]) slab.published[slot(field, Access.READ)];
+    }
+
+    /**
+     * The column that this tick writes. Holds the published values at first, unless the system
+     * declared {@code writesAll}. Asking is writing: the column counts as changed.
+     *
+     * @param field the column
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    public double[] out(DoubleField field) {
+        return (double[]) writable(field);
+    }
+
+    /**
+     * The column as this tick's writer left it; the published one where nothing wrote. To be read
+     * only.
+     *
+     * @param field the column
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    public double[] next(DoubleField field) {
+        return (double[]) slab.next[slot(field, Access.NEXT)];
+    }
+
+    /**
+     * The published column: the state that the last tick left. To be read only.
+     *
+     * @param field the column
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    public float[] in(FloatField field) {
+        return (float[]) slab.published[slot(field, Access.READ)];
+    }
+
+    /**
+     * The column that this tick writes. Holds the published values at first, unless the system
+     * declared {@code writesAll}. Asking is writing: the column counts as changed.
+     *
+     * @param field the column
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    public float[] out(FloatField field) {
+        return (float[]) writable(field);
+    }
+
+    /**
+     * The column as this tick's writer left it; the published one where nothing wrote. To be read
+     * only.
+     *
+     * @param field the column
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    public float[] next(FloatField field) {
+        return (float[]) slab.next[slot(field, Access.NEXT)];
+    }
+
+    /**
+     * The published column: the state that the last tick left. To be read only.
+     *
+     * @param field the column
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    public int[] in(IntField field) {
+        return (int[]) slab.published[slot(field, Access.READ)];
+    }
+
+    /**
+     * The column that this tick writes. Holds the published values at first, unless the system
+     * declared {@code writesAll}. Asking is writing: the column counts as changed.
+     *
+     * @param field the column
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    public int[] out(IntField field) {
+        return (int[]) writable(field);
+    }
+
+    /**
+     * The column as this tick's writer left it; the published one where nothing wrote. To be read
+     * only.
+     *
+     * @param field the column
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    public int[] next(IntField field) {
+        return (int[]) slab.next[slot(field, Access.NEXT)];
+    }
+
+    /**
+     * The published column: the state that the last tick left. To be read only.
+     *
+     * @param field the column
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    public long[] in(LongField field) {
+        return (long[]) slab.published[slot(field, Access.READ)];
+    }
+
+    /**
+     * The column that this tick writes. Holds the published values at first, unless the system
+     * declared {@code writesAll}. Asking is writing: the column counts as changed.
+     *
+     * @param field the column
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    public long[] out(LongField field) {
+        return (long[]) writable(field);
+    }
+
+    /**
+     * The column as this tick's writer left it; the published one where nothing wrote. To be read
+     * only.
+     *
+     * @param field the column
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    public long[] next(LongField field) {
+        return (long[]) slab.next[slot(field, Access.NEXT)];
+    }
+
+    /**
+     * The published column: the state that the last tick left. To be read only.
+     *
+     * @param field the column
+     * @param <V> type of the field
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    @SuppressWarnings("unchecked") // the array was made for the field's class
+    public <V> V[] in(ObjectField<V> field) {
+        return (V[]) slab.published[slot(field, Access.READ)];
+    }
+
+    /**
+     * The column that this tick writes. Holds the published values at first, unless the system
+     * declared {@code writesAll}. Asking is writing: the column counts as changed.
+     *
+     * @param field the column
+     * @param <V> type of the field
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    @SuppressWarnings("unchecked") // the array was made for the field's class
+    public <V> V[] out(ObjectField<V> field) {
+        return (V[]) writable(field);
+    }
+
+    /**
+     * The column as this tick's writer left it; the published one where nothing wrote. To be read
+     * only.
+     *
+     * @param field the column
+     * @param <V> type of the field
+     * @return its array
+     * @throws AccessException if the system has not declared it
+     */
+    @SuppressWarnings("unchecked") // the array was made for the field's class
+    public <V> V[] next(ObjectField<V> field) {
+        return (V[]) slab.next[slot(field, Access.NEXT)];
+    }
+
+    private Object writable(Field field) {
+        int slot = slot(field, Access.WRITE);
+        int right = rights[slot];
+        if ((right & Access.DIRECT) != 0) {
+            slab.versions[slot] = store.tick;
+        } else if (slab.next[slot] == slab.published[slot]) {
+            slab.open(slot, (right & Access.ALL) == 0, checked);
+        }
+        return slab.next[slot];
+    }
+
+    private int slot(Field field, int need) {
+        int slot = slab.archetype.slot(field);
+        if (slot < 0 || (rights[slot] & need) == 0) {
+            throw denied(field, slot, need);
+        }
+        return slot;
+    }
+
+    private RuntimeException denied(Field field, int slot, int need) {
+        if (slot < 0 && (rights.length > 0 && (rights[0] & Access.DIRECT) != 0)) {
+            return absent(field);
+        }
+        String call = need == Access.WRITE ? "out" : need == Access.NEXT ? "next" : "in";
+        return new AccessException(
+                "system '"
+                        + system
+                        + "' uses column "
+                        + field
+                        + " through "
+                        + call
+                        + ", but has not declared it"
+                        + (slot < 0 ? ", and this chunk has none" : "")
+                        + "; add access."
+                        + call
+                        + "("
+                        + field.component()
+                        + ") to its describe method");
+    }
+
+    private ComponentException absent(Field field) {
+        return new ComponentException(
+                "this chunk has no column " + field + "; ask has(" + field.component() + ") first");
+    }
+
+    void commit(long tick) {
+        for (int slot : writable) {
+            slab.commit(slot, tick);
+        }
+    }
+
+    void rollBack() {
+        for (int slot : writable) {
+            slab.rollBack(slot);
+        }
+    }
+
+    /** Rights by column, for the guard of checked mode. */
+    byte[] rights() {
+        return rights;
+    }
 }

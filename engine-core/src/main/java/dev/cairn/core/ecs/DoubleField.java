@@ -2,5 +2,7 @@ package dev.cairn.core.ecs;
 
 /** Key of a column of {@code double}. */
 public final class DoubleField extends Field {
-    DoubleField() {}
+    DoubleField(Component<?> component, String name, Class<?> type, int offset) {
+        super(component, name, type, offset);
+    }
 }

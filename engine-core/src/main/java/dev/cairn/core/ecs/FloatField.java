@@ -2,5 +2,7 @@ package dev.cairn.core.ecs;
 
 /** Key of a column of {@code float}. */
 public final class FloatField extends Field {
-    FloatField() {}
+    FloatField(Component<?> component, String name, Class<?> type, int offset) {
+        super(component, name, type, offset);
+    }
 }

@@ -6,5 +6,7 @@ package dev.cairn.core.ecs;
  * @param <V> type of the field
  */
 public final class ObjectField<V> extends Field {
-    ObjectField() {}
+    ObjectField(Component<?> component, String name, Class<?> type, int offset) {
+        super(component, name, type, offset);
+    }
 }

@@ -1,15 +1,70 @@
 package dev.cairn.core.ecs;
 
-/** Chunks by components, between steps. */
-public final class Query {
-    Query() {}
+import java.util.Objects;
 
-    /** @param components must be absent @return narrower query */
-    public Query exclude(Component<?>... components) { return this; }
-    /** @return chunks */
-    public int chunkCount() { throw new UnsupportedOperationException(); }
-    /** @param index of the chunk @return chunk */
-    public Chunk chunk(int index) { throw new UnsupportedOperationException(); }
-    /** @return matching entities */
-    public int entityCount() { throw new UnsupportedOperationException(); }
+/**
+ * The chunks of the entities that have some components and lack others, for use between steps on
+ * the simulation thread. Shows the published state. {@code chunk.out} gives the published column
+ * itself, so tools can edit it in place. Keep the object and use it again: a repeated walk over an
+ * unchanged structure costs and allocates nothing.
+ *
+ * <p>Creating and deleting during a walk moves rows between chunks; collect first, change after.
+ */
+public final class Query {
+    private final World world;
+    private final Access access;
+    private final ChunkList chunks;
+
+    Query(World world, Store store, Access access) {
+        this.world = world;
+        this.access = access;
+        this.chunks = new ChunkList(store, access, true, false);
+    }
+
+    /**
+     * A narrower query.
+     *
+     * @param components components that the entities must not have
+     * @return a new query; this one stays as it is
+     * @throws NullPointerException if a component is null
+     */
+    public Query exclude(Component<?>... components) {
+        return world.query(access.copy().exclude(components));
+    }
+
+    /**
+     * Number of matching chunks.
+     *
+     * @return the number of chunks
+     * @throws IllegalStateException if called during a step
+     */
+    public int chunkCount() {
+        world.requireBetweenSteps("a query is walked");
+        return chunks.refresh();
+    }
+
+    /**
+     * A matching chunk.
+     *
+     * @param index the chunk, in {@code [0, chunkCount())}
+     * @return the chunk
+     * @throws IndexOutOfBoundsException if there is no such chunk
+     */
+    public Chunk chunk(int index) {
+        return chunks.get(Objects.checkIndex(index, chunks.count()));
+    }
+
+    /**
+     * Number of matching entities.
+     *
+     * @return the number of entities
+     */
+    public int entityCount() {
+        int total = 0;
+        int count = chunkCount();
+        for (int i = 0; i < count; i++) {
+            total += chunks.get(i).size();
+        }
+        return total;
+    }
 }

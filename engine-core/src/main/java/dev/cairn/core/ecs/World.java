@@ -1,88 +1,647 @@
 package dev.cairn.core.ecs;
 
 import dev.cairn.core.job.Jobs;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
-/** Entities, their components, and the systems that run on them. */
+/**
+ * Entities, their components, and the systems that run on them.
+ *
+ * <pre>{@code
+ * try (World world = World.builder().systems(new DragSystem()).workers(2).build()) {
+ *     long crate = world.spawn(Pose.at(0, 5, 0), new Wind(1, 0, 0));
+ *     world.step(1.0 / 60.0);
+ *     Pose pose = world.get(crate, Pose.COMPONENT);
+ * }
+ * }</pre>
+ *
+ * <p>Between steps the simulation thread may change anything, at once. During a step, systems change
+ * the structure through {@link Tick#commands()}; a direct call is refused. Reading ({@link #get},
+ * {@link #has}, {@link #isAlive}, {@link #resource}) is allowed then too, from any worker, and gives
+ * the published state. All other threads read through {@link
+ * dev.cairn.core.snapshot.SnapshotExchange}.
+ *
+ * <p>A call with bad arguments throws and changes nothing. A steady tick, without structural
+ * changes, allocates nothing.
+ */
 public final class World implements AutoCloseable {
-    private World() {}
+    private final Store store = new Store();
+    private final Map<Class<?>, Object> resources = new HashMap<>();
+    private final Schedule schedule;
+    private final Jobs jobs;
+    private final boolean ownsJobs;
+    private final long seed;
+    private final Runner runner;
+    private double stepSeconds;
+    private long tickNumber;
+    private int skipped;
+    private boolean stepping;
+    private boolean failed;
+    private boolean closed;
 
-    /** @return builder */
-    public static Builder builder() { return new Builder(); }
-    /** @param components records @return entity */
-    public long spawn(Record... components) { throw new UnsupportedOperationException(); }
-    /** @param a record @return entity */
-    public long spawn(Record a) { throw new UnsupportedOperationException(); }
-    /** @param a record @param b record @return entity */
-    public long spawn(Record a, Record b) { throw new UnsupportedOperationException(); }
-    /** @param a record @param b record @param c record @return entity */
-    public long spawn(Record a, Record b, Record c) { throw new UnsupportedOperationException(); }
-    /** @param a record @param b record @param c record @param d record @return entity */
-    public long spawn(Record a, Record b, Record c, Record d) { throw new UnsupportedOperationException(); }
-    /** @param count entities @param components records, same for all @return entities */
-    public long[] spawnMany(int count, Record... components) { throw new UnsupportedOperationException(); }
-    /** @param entity which */
-    public void delete(long entity) { throw new UnsupportedOperationException(); }
-    /** @param entity which @return whether */
-    public boolean isAlive(long entity) { throw new UnsupportedOperationException(); }
-    /** @param entity which @param component record, not yet present */
-    public void add(long entity, Record component) { throw new UnsupportedOperationException(); }
-    /** @param entity which @param component which @param <T> record */
-    public <T extends Record> void remove(long entity, Component<T> component) { throw new UnsupportedOperationException(); }
-    /** @param entity which */
-    public void clear(long entity) { throw new UnsupportedOperationException(); }
-    /** @param entity which @param component which @param <T> record @return value */
-    public <T extends Record> T get(long entity, Component<T> component) { throw new UnsupportedOperationException(); }
-    /** @param entity which @param component which @return whether */
-    public boolean has(long entity, Component<?> component) { throw new UnsupportedOperationException(); }
-    /** @param entity which @param component record, present already */
-    public void set(long entity, Record component) { throw new UnsupportedOperationException(); }
-    /** Handle of {@link Commands#spawn} to entity. @param handle of the last tick @return entity */
-    public long resolve(long handle) { throw new UnsupportedOperationException(); }
-    /** @param include must be present @return query */
-    public Query query(Component<?>... include) { throw new UnsupportedOperationException(); }
-    /** @param resource by its class @param <T> type */
-    public <T> void putResource(T resource) { throw new UnsupportedOperationException(); }
-    /** @param type key @param resource value @param <T> type */
-    public <T> void putResource(Class<T> type, T resource) { throw new UnsupportedOperationException(); }
-    /** @param type class @param <T> type @return resource */
-    public <T> T resource(Class<T> type) { throw new UnsupportedOperationException(); }
-    /** @param stepSeconds length, s */
-    public void step(double stepSeconds) { throw new UnsupportedOperationException(); }
-    /** @return completed ticks */
-    public long tickNumber() { throw new UnsupportedOperationException(); }
-    /** @return length of the last tick, s */
-    public double stepSeconds() { throw new UnsupportedOperationException(); }
-    /** @return alive entities */
-    public int entityCount() { throw new UnsupportedOperationException(); }
-    /** @return digest of the published state */
-    public long digest() { throw new UnsupportedOperationException(); }
-    /** @return whether a system threw */
-    public boolean hasFailed() { throw new UnsupportedOperationException(); }
-    /** @return seed */
-    public long seed() { throw new UnsupportedOperationException(); }
-    /** @return schedule */
-    public Schedule schedule() { throw new UnsupportedOperationException(); }
-    /** @return jobs */
-    public Jobs jobs() { throw new UnsupportedOperationException(); }
-    @Override public void close() { throw new UnsupportedOperationException(); }
+    private World(Schedule schedule, Jobs jobs, boolean ownsJobs, long seed, boolean checked) {
+        this.schedule = schedule;
+        this.jobs = jobs;
+        this.ownsJobs = ownsJobs;
+        this.seed = seed;
+        this.runner = new Runner(this, store, schedule, jobs, checked);
+    }
 
-    /** Settings. */
+    /**
+     * Begins a world.
+     *
+     * @return a builder with no systems, as many workers as fit the machine, and seed 0
+     */
+    public static Builder builder() {
+        return new Builder();
+    }
+
+    /**
+     * Makes an entity.
+     *
+     * @param components its components, each at most once; none is fine
+     * @return the entity
+     * @throws NullPointerException if a component is null
+     * @throws ComponentException if a component is given twice
+     * @throws WorldClosedException after {@link #close}
+     * @throws IllegalStateException during a step
+     */
+    public long spawn(Record... components) {
+        requireChangeable("spawn");
+        requireParts(components);
+        return components.length == 0 ? store.spawn() : store.spawn(components);
+    }
+
+    /**
+     * Makes an entity; see {@link #spawn(Record...)}. Allocates only while tables grow.
+     *
+     * @param a its component
+     * @return the entity
+     */
+    public long spawn(Record a) {
+        requireChangeable("spawn");
+        return store.spawn(requirePart(a));
+    }
+
+    /**
+     * Makes an entity; see {@link #spawn(Record...)}. Allocates only while tables grow.
+     *
+     * @param a one component
+     * @param b another component
+     * @return the entity
+     */
+    public long spawn(Record a, Record b) {
+        requireChangeable("spawn");
+        return store.spawn(requirePart(a), requirePart(b));
+    }
+
+    /**
+     * Makes an entity; see {@link #spawn(Record...)}.
+     *
+     * @param a one component
+     * @param b another component
+     * @param c another component
+     * @return the entity
+     */
+    public long spawn(Record a, Record b, Record c) {
+        requireChangeable("spawn");
+        return store.spawn(new Record[] {requirePart(a), requirePart(b), requirePart(c)});
+    }
+
+    /**
+     * Makes an entity; see {@link #spawn(Record...)}.
+     *
+     * @param a one component
+     * @param b another component
+     * @param c another component
+     * @param d another component
+     * @return the entity
+     */
+    public long spawn(Record a, Record b, Record c, Record d) {
+        requireChangeable("spawn");
+        return store.spawn(
+                new Record[] {requirePart(a), requirePart(b), requirePart(c), requirePart(d)});
+    }
+
+    /**
+     * Makes many entities with the same components; their columns can be filled afterwards through
+     * a {@link #query}.
+     *
+     * @param count number of entities, at least 0
+     * @param components their components, each at most once
+     * @return the entities
+     * @throws IllegalArgumentException if the count is negative
+     * @throws NullPointerException if a component is null
+     * @throws ComponentException if a component is given twice
+     */
+    public long[] spawnMany(int count, Record... components) {
+        requireChangeable("spawnMany");
+        requireParts(components);
+        if (count < 0) {
+            throw new IllegalArgumentException("count is " + count + ", but must be at least 0");
+        }
+        long[] entities = new long[count];
+        store.spawnMany(entities, components);
+        return entities;
+    }
+
+    /**
+     * Deletes an entity. Its id never names another one.
+     *
+     * @param entity the entity
+     * @throws DeadEntityException if it is not alive
+     */
+    public void delete(long entity) {
+        requireChangeable("delete");
+        store.delete(entity);
+    }
+
+    /**
+     * Whether an entity exists.
+     *
+     * @param entity any id
+     * @return whether it was made by this world and not deleted since
+     */
+    public boolean isAlive(long entity) {
+        return store.entities.isAlive(entity);
+    }
+
+    /**
+     * Gives an entity one more component.
+     *
+     * @param entity the entity
+     * @param component the component, which it has not yet
+     * @throws NullPointerException if {@code component} is null
+     * @throws DeadEntityException if the entity is not alive
+     * @throws ComponentException if it has such a component; then use {@link #set}
+     */
+    public void add(long entity, Record component) {
+        requireChangeable("add");
+        store.add(entity, requirePart(component));
+    }
+
+    /**
+     * Takes a component from an entity.
+     *
+     * @param entity the entity
+     * @param component the component, which it has
+     * @param <T> the record
+     * @throws NullPointerException if {@code component} is null
+     * @throws DeadEntityException if the entity is not alive
+     * @throws ComponentException if it has no such component
+     */
+    public <T extends Record> void remove(long entity, Component<T> component) {
+        requireChangeable("remove");
+        requireKey(component);
+        store.remove(entity, component);
+    }
+
+    /**
+     * Takes all components from an entity; it stays alive.
+     *
+     * @param entity the entity
+     * @throws DeadEntityException if it is not alive
+     */
+    public void clear(long entity) {
+        requireChangeable("clear");
+        store.clear(entity);
+    }
+
+    /**
+     * A component of an entity, as a new record.
+     *
+     * @param entity the entity
+     * @param component the component, which it has
+     * @param <T> the record
+     * @return its published value
+     * @throws NullPointerException if {@code component} is null
+     * @throws DeadEntityException if the entity is not alive
+     * @throws ComponentException if it has no such component
+     */
+    public <T extends Record> T get(long entity, Component<T> component) {
+        requireKey(component);
+        return store.get(entity, component);
+    }
+
+    /**
+     * Whether an entity has a component.
+     *
+     * @param entity the entity
+     * @param component the component
+     * @return whether it has it
+     * @throws NullPointerException if {@code component} is null
+     * @throws DeadEntityException if the entity is not alive
+     */
+    public boolean has(long entity, Component<?> component) {
+        requireKey(component);
+        return store.has(entity, component);
+    }
+
+    /**
+     * Replaces a component of an entity.
+     *
+     * @param entity the entity
+     * @param component the new value of a component that it has
+     * @throws NullPointerException if {@code component} is null
+     * @throws DeadEntityException if the entity is not alive
+     * @throws ComponentException if it has no such component; then use {@link #add}
+     */
+    public void set(long entity, Record component) {
+        requireChangeable("set");
+        store.set(entity, requirePart(component));
+    }
+
+    /**
+     * The entity that a {@link Commands#spawn} of the last step made.
+     *
+     * @param handle what spawn returned
+     * @return the entity, which is alive unless something deleted it since
+     * @throws DeadEntityException if the handle is not one of the last step
+     */
+    public long resolve(long handle) {
+        long entity = Handle.isHandle(handle) ? runner.entityOf(handle) : Entities.NONE;
+        if (entity == Entities.NONE) {
+            throw new DeadEntityException(
+                    "0x"
+                            + Long.toHexString(handle)
+                            + " is no handle of a spawn of the last step; resolve it right after"
+                            + " the step that recorded it");
+        }
+        return entity;
+    }
+
+    /**
+     * The chunks of all entities that have some components.
+     *
+     * @param include components that the entities must have; none gives all chunks
+     * @return a query, to be kept and used again
+     * @throws NullPointerException if a component is null
+     */
+    public Query query(Component<?>... include) {
+        return query(new Access("query").in(include));
+    }
+
+    Query query(Access access) {
+        return new Query(this, store, access);
+    }
+
+    /**
+     * Shares an object with all systems, under its own class. Replaces an earlier one.
+     *
+     * @param resource the object
+     * @param <T> its type
+     * @throws NullPointerException if it is null
+     */
+    public <T> void putResource(T resource) {
+        requireChangeable("putResource");
+        Objects.requireNonNull(resource, "resource must not be null");
+        resources.put(resource.getClass(), resource);
+    }
+
+    /**
+     * Shares an object with all systems, under a class or interface of your choice. Replaces an
+     * earlier one.
+     *
+     * @param type the key
+     * @param resource the object
+     * @param <T> its type
+     * @throws NullPointerException if an argument is null
+     */
+    public <T> void putResource(Class<T> type, T resource) {
+        requireChangeable("putResource");
+        Objects.requireNonNull(type, "type must not be null: it is the key of the resource");
+        Objects.requireNonNull(resource, "resource must not be null");
+        resources.put(type, type.cast(resource));
+    }
+
+    /**
+     * A shared object.
+     *
+     * @param type the class that it was put under
+     * @param <T> its type
+     * @return the object
+     * @throws NullPointerException if {@code type} is null
+     * @throws ComponentException if there is none
+     */
+    public <T> T resource(Class<T> type) {
+        Objects.requireNonNull(type, "type must not be null: it is the key of the resource");
+        Object resource = resources.get(type);
+        if (resource == null) {
+            throw new ComponentException(
+                    "there is no resource of class "
+                            + type.getName()
+                            + "; put it with putResource before the first step");
+        }
+        return type.cast(resource);
+    }
+
+    /**
+     * Computes one tick: runs the enabled systems, publishes what they wrote, and applies their
+     * commands.
+     *
+     * @param stepSeconds length of the tick, finite and positive
+     * @throws IllegalArgumentException if the length is NaN, infinite or not positive
+     * @throws WorldFailedException if a system throws, or one threw in an earlier step; the
+     *     published state is that of the last good tick
+     * @throws WorldClosedException after {@link #close}
+     * @throws IllegalStateException if called by a system
+     */
+    public void step(double stepSeconds) {
+        requireChangeable("step");
+        if (failed) {
+            throw new WorldFailedException(
+                    "this world failed in tick "
+                            + (tickNumber + 1)
+                            + " and cannot step again; its last good state can still be read",
+                    null);
+        }
+        if (!(stepSeconds > 0) || stepSeconds == Double.POSITIVE_INFINITY) {
+            throw new IllegalArgumentException(
+                    "stepSeconds is "
+                            + stepSeconds
+                            + ", but must be finite and above 0, such as 1.0 / 60.0");
+        }
+        stepping = true;
+        try {
+            long tick = tickNumber + 1;
+            skipped = runner.run(tick, stepSeconds);
+            tickNumber = tick;
+            this.stepSeconds = stepSeconds;
+        } catch (Throwable failure) {
+            failed = true;
+            throw Runner.explain(failure, tickNumber + 1);
+        } finally {
+            stepping = false;
+        }
+    }
+
+    /**
+     * Number of completed ticks.
+     *
+     * @return 0 before the first step
+     */
+    public long tickNumber() {
+        return tickNumber;
+    }
+
+    /**
+     * Length of the last completed tick.
+     *
+     * @return seconds, 0 before the first step
+     */
+    public double stepSeconds() {
+        return stepSeconds;
+    }
+
+    /**
+     * Number of entities that are alive.
+     *
+     * @return the number of entities
+     */
+    public int entityCount() {
+        return store.entities.aliveCount();
+    }
+
+    /**
+     * Commands of the last step that had become pointless when their turn came; see {@link
+     * Commands}.
+     *
+     * @return how many were skipped
+     */
+    public int skippedCommands() {
+        return skipped;
+    }
+
+    /**
+     * A hash of everything that decides what happens next: tick, seed, ids, free list, tables, and
+     * the bits of all published columns. Two worlds that agree in it have, for all practical
+     * purposes, the same state. Does not depend on the number of workers, on the order in which
+     * systems were registered, or on the JVM. Strings, enum constants and boxed numbers in reference
+     * columns count by value, other objects only by being there. Costs one pass over all columns.
+     *
+     * @return 64 bits
+     */
+    public long digest() {
+        long hash = Hash.mix(Hash.mix(Hash.START, seed), tickNumber);
+        return store.digest(hash);
+    }
+
+    /**
+     * Whether a system threw in a step, so that this world cannot step again.
+     *
+     * @return whether it has failed
+     */
+    public boolean hasFailed() {
+        return failed;
+    }
+
+    /**
+     * The seed of all random streams of this world.
+     *
+     * @return the seed
+     */
+    public long seed() {
+        return seed;
+    }
+
+    /**
+     * The systems of this world.
+     *
+     * @return the schedule
+     */
+    public Schedule schedule() {
+        return schedule;
+    }
+
+    /**
+     * The workers of this world.
+     *
+     * @return the job system
+     */
+    public Jobs jobs() {
+        return jobs;
+    }
+
+    /**
+     * Ends the world, and its workers if it made them. What it holds can still be read. A second
+     * call does nothing.
+     *
+     * @throws IllegalStateException if called by a system
+     */
+    @Override
+    public void close() {
+        requireBetweenSteps("close");
+        if (!closed) {
+            closed = true;
+            if (ownsJobs) {
+                jobs.close();
+            }
+        }
+    }
+
+    private void requireChangeable(String call) {
+        if (closed) {
+            throw new WorldClosedException(call + " was called on a world that is closed");
+        }
+        requireBetweenSteps(call);
+        store.tick = tickNumber;
+    }
+
+    void requireBetweenSteps(String call) {
+        if (stepping) {
+            throw new IllegalStateException(
+                    call
+                            + " was called during a step; a system changes the structure through"
+                            + " tick.commands(), and its own columns through chunk.out");
+        }
+    }
+
+    static Record requirePart(@Nullable Record component) {
+        if (component == null) {
+            throw new NullPointerException(
+                    "a component must not be null: leave it out, or take it away with remove");
+        }
+        return component;
+    }
+
+    static void requireParts(@Nullable Record @Nullable [] components) {
+        Objects.requireNonNull(components, "components must not be null");
+        for (Record component : components) {
+            requirePart(component);
+        }
+    }
+
+    static void requireKey(@Nullable Component<?> component) {
+        if (component == null) {
+            throw new NullPointerException(
+                    "component must not be null: pass the key from Component.of");
+        }
+    }
+
+    /** Settings of a world. */
     public static final class Builder {
+        private final List<EcsSystem> systems = new ArrayList<>();
+        private @Nullable Schedule schedule;
+        private @Nullable Jobs jobs;
+        private int workers;
+        private long seed;
+        private boolean checked;
+
         private Builder() {}
 
-        /** @param schedule systems @return this */
-        public Builder schedule(Schedule schedule) { return this; }
-        /** @param systems more systems @return this */
-        public Builder systems(EcsSystem... systems) { return this; }
-        /** @param workers threads @return this */
-        public Builder workers(int workers) { return this; }
-        /** @param jobs shared, not closed by the world @return this */
-        public Builder jobs(Jobs jobs) { return this; }
-        /** @param seed of random streams @return this */
-        public Builder seed(long seed) { return this; }
-        /** @param checked whether contracts are verified @return this */
-        public Builder checked(boolean checked) { return this; }
-        /** @return world */
-        public World build() { return new World(); }
+        /**
+         * The systems of the world, with headings.
+         *
+         * @param schedule the schedule
+         * @return this
+         */
+        public Builder schedule(Schedule schedule) {
+            this.schedule =
+                    Objects.requireNonNull(schedule, "schedule must not be null: leave it out");
+            return this;
+        }
+
+        /**
+         * Adds systems, as a short way to a schedule with one heading.
+         *
+         * @param systems the systems
+         * @return this
+         */
+        public Builder systems(EcsSystem... systems) {
+            Objects.requireNonNull(systems, "systems must not be null");
+            this.systems.addAll(Arrays.asList(systems));
+            return this;
+        }
+
+        /**
+         * The number of workers, the simulation thread included. They end with the world.
+         *
+         * @param workers the number, in {@code [1, Jobs.MAX_WORKERS]}
+         * @return this
+         * @throws IllegalArgumentException if the number is out of range
+         */
+        public Builder workers(int workers) {
+            if (workers < 1 || workers > Jobs.MAX_WORKERS) {
+                throw new IllegalArgumentException(
+                        "workers is "
+                                + workers
+                                + ", but must be in [1, "
+                                + Jobs.MAX_WORKERS
+                                + "]; 1 runs everything on the calling thread");
+            }
+            this.workers = workers;
+            return this;
+        }
+
+        /**
+         * Workers that are shared with others. The world does not close them.
+         *
+         * @param jobs the job system
+         * @return this
+         */
+        public Builder jobs(Jobs jobs) {
+            this.jobs = Objects.requireNonNull(jobs, "jobs must not be null: leave it out");
+            return this;
+        }
+
+        /**
+         * The seed of all random streams, 0 by default.
+         *
+         * @param seed any number
+         * @return this
+         */
+        public Builder seed(long seed) {
+            this.seed = seed;
+            return this;
+        }
+
+        /**
+         * Whether contracts are verified: a write through {@code in} or {@code next}, and NaN left
+         * in a written column, end the tick with an {@link AccessException} that names system and
+         * column. The systems of a level then run one after the other, and each is a few times
+         * slower. (A column that was not declared is refused in any case.)
+         *
+         * @param checked whether to verify
+         * @return this
+         */
+        public Builder checked(boolean checked) {
+            this.checked = checked;
+            return this;
+        }
+
+        /**
+         * Makes the world.
+         *
+         * @return an empty world
+         * @throws SchedulingException if the systems contradict each other
+         * @throws IllegalStateException if both ways to give systems, or both to give workers, were
+         *     used
+         */
+        public World build() {
+            if (schedule != null && !systems.isEmpty()) {
+                throw new IllegalStateException(
+                        "both schedule and systems were given; add the systems to the schedule");
+            }
+            if (jobs != null && workers != 0) {
+                throw new IllegalStateException(
+                        "both jobs and workers were given; jobs decides the number of workers");
+            }
+            Schedule built =
+                    schedule != null
+                            ? schedule
+                            : Schedule.builder()
+                                    .stage("systems", systems.toArray(EcsSystem[]::new))
+                                    .build();
+            if (jobs != null) {
+                return new World(built, jobs, false, seed, checked);
+            }
+            Jobs own = Jobs.of(workers == 0 ? Jobs.defaultWorkers() : workers);
+            return new World(built, own, true, seed, checked);
+        }
     }
 }

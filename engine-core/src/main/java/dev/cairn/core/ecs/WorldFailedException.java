@@ -1,13 +1,16 @@
 package dev.cairn.core.ecs;
 
+import org.jspecify.annotations.Nullable;
+
 /**
- * A system threw. The cause is the first failure in (system, chunk) order, the others are
- * suppressed; the tick was not committed.
+ * A system threw during a step. The cause is the first failure in (system, chunk) order, those of
+ * other chunks of the same level are suppressed. The tick was not published: the world shows its
+ * last good state, and cannot step again.
  */
 public final class WorldFailedException extends IllegalStateException {
     private static final long serialVersionUID = 1L;
 
-    WorldFailedException(String message, Throwable cause) {
+    WorldFailedException(String message, @Nullable Throwable cause) {
         super(message, cause);
     }
 }

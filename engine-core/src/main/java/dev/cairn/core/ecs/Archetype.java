@@ -1,0 +1,186 @@
+package dev.cairn.core.ecs;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The table of all entities that have exactly one set of components. Rows are dense: all slabs are
+ * full but the last used one. Slabs that fall empty are kept for later rows.
+ */
+final class Archetype {
+    /** Rows of a new archetype's first slab; it grows, so that lone entities stay cheap. */
+    private static final int FIRST_CAPACITY = 64;
+
+    private static final int GROWTH = 4;
+
+    final int index;
+    final ComponentSet set;
+
+    /** In the order of their class names, which does not depend on class loading. */
+    final Component<?>[] components;
+
+    /** One per column. */
+    final Field[] fields;
+
+    final int[] objectSlots;
+
+    /** Names of the components, for the digest. */
+    final long signature;
+
+    Slab[] slabs = new Slab[0];
+    int rows;
+
+    /** Column by field id, -1 where the archetype has no such column. */
+    private final int[] slotByField;
+
+    /** First column by component id, -1 where absent. */
+    private final int[] baseByComponent;
+
+    private @Nullable Archetype[] grown = new Archetype[0];
+    private @Nullable Archetype[] shrunk = new Archetype[0];
+
+    Archetype(int index, ComponentSet set, List<Component<?>> members) {
+        List<Component<?>> sorted = new ArrayList<>(members);
+        sorted.sort(Comparator.comparing(component -> component.type().getName()));
+        this.index = index;
+        this.set = set;
+        this.components = sorted.toArray(Component<?>[]::new);
+        int maxField = -1;
+        int maxComponent = -1;
+        List<Field> columns = new ArrayList<>();
+        long names = Hash.START;
+        for (Component<?> component : components) {
+            columns.addAll(Arrays.asList(component.fields));
+            maxComponent = Math.max(maxComponent, component.id);
+            names = Hash.mix(names, Hash.of(component.type().getName()));
+        }
+        this.signature = names;
+        this.fields = columns.toArray(Field[]::new);
+        for (Field field : fields) {
+            maxField = Math.max(maxField, field.id);
+        }
+        this.slotByField = new int[maxField + 1];
+        this.baseByComponent = new int[maxComponent + 1];
+        Arrays.fill(slotByField, -1);
+        Arrays.fill(baseByComponent, -1);
+        int base = 0;
+        for (Component<?> component : components) {
+            baseByComponent[component.id] = base;
+            for (Field field : component.fields) {
+                slotByField[field.id] = base++;
+            }
+        }
+        this.objectSlots =
+                columns.stream()
+                        .filter(field -> field.kind == Kind.OBJECT)
+                        .mapToInt(this::slot)
+                        .toArray();
+    }
+
+    /** The column of a field, or -1. */
+    int slot(Field field) {
+        int id = field.id;
+        return id < slotByField.length ? slotByField[id] : -1;
+    }
+
+    /** The first column of a component, or -1. */
+    int base(Component<?> component) {
+        int id = component.id;
+        return id < baseByComponent.length ? baseByComponent[id] : -1;
+    }
+
+    boolean has(Component<?> component) {
+        return base(component) >= 0;
+    }
+
+    /** Number of slabs that have rows. */
+    int chunkCount() {
+        return (rows + Chunk.CAPACITY - 1) >>> Chunk.SHIFT;
+    }
+
+    Slab slab(int row) {
+        return slabs[row >>> Chunk.SHIFT];
+    }
+
+    /** Adds an uninitialised row for the entity; the caller fills every column. */
+    int append(long entity, long tick) {
+        int row = rows;
+        int chunk = row >>> Chunk.SHIFT;
+        int local = row & Chunk.MASK;
+        if (chunk == slabs.length || local >= slabs[chunk].entities.length) {
+            enlarge(chunk);
+        }
+        Slab slab = slabs[chunk];
+        slab.entities[local] = entity;
+        slab.size = local + 1;
+        slab.structureTick = tick;
+        rows = row + 1;
+        return row;
+    }
+
+    private void enlarge(int chunk) {
+        if (chunk < slabs.length) {
+            slabs[chunk].grow(
+                    Math.min(Chunk.CAPACITY, slabs[chunk].entities.length * GROWTH));
+            return;
+        }
+        Slab added = new Slab(this, chunk == 0 ? FIRST_CAPACITY : Chunk.CAPACITY);
+        Slab[] longer = Arrays.copyOf(slabs, chunk + 1);
+        longer[chunk] = added;
+        slabs = longer;
+    }
+
+    /**
+     * Takes a row out; the last row moves into its place.
+     *
+     * @return the entity that moved, or {@link Entities#NONE}
+     */
+    long removeRow(int row, long tick) {
+        int last = rows - 1;
+        Slab lastSlab = slab(last);
+        int lastLocal = last & Chunk.MASK;
+        Slab slab = slab(row);
+        int local = row & Chunk.MASK;
+        long moved = Entities.NONE;
+        if (row != last) {
+            slab.copyRow(lastSlab, lastLocal, local);
+            slab.structureTick = tick;
+            moved = slab.entities[local];
+        }
+        if (objectSlots.length > 0) {
+            lastSlab.forgetRow(lastLocal);
+            lastSlab.forgetSpare(lastLocal);
+            slab.forgetSpare(local);
+        }
+        lastSlab.size = lastLocal;
+        lastSlab.structureTick = tick;
+        rows = last;
+        return moved;
+    }
+
+    @Nullable Archetype grownBy(Component<?> component) {
+        return component.id < grown.length ? grown[component.id] : null;
+    }
+
+    @Nullable Archetype shrunkBy(Component<?> component) {
+        return component.id < shrunk.length ? shrunk[component.id] : null;
+    }
+
+    void rememberGrown(Component<?> component, Archetype to) {
+        grown = put(grown, component.id, to);
+    }
+
+    void rememberShrunk(Component<?> component, Archetype to) {
+        shrunk = put(shrunk, component.id, to);
+    }
+
+    private static @Nullable Archetype[] put(@Nullable Archetype[] edges, int id, Archetype to) {
+        @Nullable Archetype[] longer =
+                id < edges.length ? edges : Arrays.copyOf(edges, id + 1);
+        longer[id] = to;
+        return longer;
+    }
+}

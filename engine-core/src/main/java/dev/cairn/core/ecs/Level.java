@@ -1,0 +1,75 @@
+package dev.cairn.core.ecs;
+
+import dev.cairn.core.job.BlockJob;
+import dev.cairn.core.job.Jobs;
+
+/**
+ * Systems that may run at the same time: all chunk systems of one depth of the graph, as one stage
+ * over the (system, chunk) pairs, or a single world system.
+ */
+final class Level implements BlockJob {
+    private final SystemRunner[] systems;
+
+    /** First block by system; one more entry for the end. */
+    private final int[] starts;
+
+    private final Tick[] ticks;
+    private final boolean sequential;
+
+    Level(SystemRunner[] systems, Tick[] ticks, boolean sequential) {
+        this.systems = systems;
+        this.starts = new int[systems.length + 1];
+        this.ticks = ticks;
+        this.sequential = sequential;
+    }
+
+    void run(Jobs jobs) {
+        if (systems[0].worldSystem != null) {
+            if (systems[0].active) {
+                systems[0].runWorld(ticks[0].bind(systems[0], 0));
+                ticks[0].unbind();
+            }
+            return;
+        }
+        int total = 0;
+        for (int i = 0; i < systems.length; i++) {
+            starts[i] = total;
+            total += systems[i].active ? systems[i].chunks.count() : 0;
+        }
+        starts[systems.length] = total;
+        if (sequential) {
+            runInOrder(total);
+        } else {
+            jobs.run(this, total);
+        }
+    }
+
+    private void runInOrder(int blocks) {
+        SystemFailure first = null;
+        for (int block = 0; block < blocks; block++) {
+            try {
+                run(block, 0);
+            } catch (SystemFailure failure) {
+                if (first == null) {
+                    first = failure;
+                } else {
+                    first.addSuppressed(failure);
+                }
+            }
+        }
+        if (first != null) {
+            throw first;
+        }
+    }
+
+    @Override
+    public void run(int block, int worker) {
+        int i = 0;
+        while (block >= starts[i + 1]) {
+            i++;
+        }
+        SystemRunner system = systems[i];
+        int chunk = block - starts[i];
+        system.runChunk(chunk, ticks[worker].bind(system, chunk));
+    }
+}

@@ -1,0 +1,123 @@
+package dev.cairn.core.ecs;
+
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The storage of one chunk: up to 1024 rows, and per column a published array and the array of the
+ * tick that is being computed. Both are the same array until a system asks to write. Then the spare
+ * array takes the writes, and commit exchanges the two references; nothing is copied back.
+ */
+final class Slab {
+    final Archetype archetype;
+
+    /** Readable by everyone during a tick. */
+    final Object[] published;
+
+    /** What this tick writes; the same reference as published where nothing wrote. */
+    final Object[] next;
+
+    /** The array that the next write will take; null until the first write. */
+    final @Nullable Object[] spare;
+
+    /** Tick of the last commit that replaced the column. */
+    final long[] versions;
+
+    long[] entities;
+    int size;
+
+    /** Tick of the last change of rows or of values from outside the tick. */
+    long structureTick;
+
+    Slab(Archetype archetype, int capacity) {
+        Field[] fields = archetype.fields;
+        this.archetype = archetype;
+        this.published = new Object[fields.length];
+        this.spare = new Object[fields.length];
+        this.versions = new long[fields.length];
+        this.entities = new long[capacity];
+        for (int slot = 0; slot < fields.length; slot++) {
+            published[slot] = fields[slot].kind.allocate(fields[slot].type, capacity);
+        }
+        this.next = published.clone();
+    }
+
+    /** Between ticks only. */
+    @SuppressWarnings("SuspiciousSystemArraycopy") // both are arrays of the column's kind
+    void grow(int capacity) {
+        Field[] fields = archetype.fields;
+        for (int slot = 0; slot < fields.length; slot++) {
+            Object larger = fields[slot].kind.allocate(fields[slot].type, capacity);
+            System.arraycopy(published[slot], 0, larger, 0, size);
+            published[slot] = larger;
+            next[slot] = larger;
+            spare[slot] = null;
+        }
+        entities = Arrays.copyOf(entities, capacity);
+    }
+
+    /** Makes the column writable. By the column's only writer of this tick, once. */
+    @SuppressWarnings("SuspiciousSystemArraycopy") // both are arrays of the column's kind
+    void open(int slot, boolean prefill, boolean poison) {
+        Object target = spare[slot];
+        if (target == null) {
+            Field field = archetype.fields[slot];
+            target = field.kind.allocate(field.type, entities.length);
+            spare[slot] = target;
+        }
+        if (prefill) {
+            System.arraycopy(published[slot], 0, target, 0, size);
+        } else if (poison) {
+            poison(target);
+        }
+        next[slot] = target;
+    }
+
+    /** Checked mode: a row that a writesAll system forgets shows up as NaN. */
+    private static void poison(Object column) {
+        if (column instanceof double[] doubles) {
+            Arrays.fill(doubles, Double.NaN);
+        } else if (column instanceof float[] floats) {
+            Arrays.fill(floats, Float.NaN);
+        }
+    }
+
+    /** Publishes the column if it was written. */
+    void commit(int slot, long tick) {
+        Object written = next[slot];
+        Object old = published[slot];
+        if (written != old) {
+            published[slot] = written;
+            spare[slot] = old;
+            versions[slot] = tick;
+        }
+    }
+
+    /** Forgets what a failed tick wrote. */
+    void rollBack(int slot) {
+        next[slot] = published[slot];
+    }
+
+    /** Copies a row over another, of this or another slab of the same archetype. */
+    void copyRow(Slab from, int fromRow, int row) {
+        Field[] fields = archetype.fields;
+        for (int slot = 0; slot < fields.length; slot++) {
+            fields[slot].kind.copy(from.published[slot], fromRow, published[slot], row);
+        }
+        entities[row] = from.entities[fromRow];
+    }
+
+    /** Drops the references of a row that is no longer used. */
+    void forgetRow(int row) {
+        for (int slot : archetype.objectSlots) {
+            Kind.OBJECT.forget(published[slot], row);
+        }
+    }
+
+    /** Drops what the spare arrays still hold of a row. */
+    void forgetSpare(int row) {
+        for (int slot : archetype.objectSlots) {
+            Kind.OBJECT.forget(spare[slot], row);
+        }
+    }
+}
