@@ -1,5 +1,6 @@
 /**
- * Entities, double-buffered columns, schedule, job graph, tick loop and snapshots. Knows nothing of physics or drawing.
+ * Entities, double-buffered columns, schedule, job graph, tick loop and snapshots. Knows nothing of
+ * physics or drawing.
  */
 module dev.cairn.core {
     requires static org.jspecify;

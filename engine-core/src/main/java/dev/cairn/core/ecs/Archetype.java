@@ -1,10 +1,11 @@
 package dev.cairn.core.ecs;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 
 /**
  * The table of all entities that have exactly one set of components. Rows are dense: all slabs are
@@ -123,8 +124,7 @@ final class Archetype {
 
     private void enlarge(int chunk) {
         if (chunk < slabs.length) {
-            slabs[chunk].grow(
-                    Math.min(Chunk.CAPACITY, slabs[chunk].entities.length * GROWTH));
+            slabs[chunk].grow(Math.min(Chunk.CAPACITY, slabs[chunk].entities.length * GROWTH));
             return;
         }
         Slab added = new Slab(this, chunk == 0 ? FIRST_CAPACITY : Chunk.CAPACITY);
@@ -178,8 +178,7 @@ final class Archetype {
     }
 
     private static @Nullable Archetype[] put(@Nullable Archetype[] edges, int id, Archetype to) {
-        @Nullable Archetype[] longer =
-                id < edges.length ? edges : Arrays.copyOf(edges, id + 1);
+        @Nullable Archetype[] longer = id < edges.length ? edges : Arrays.copyOf(edges, id + 1);
         longer[id] = to;
         return longer;
     }

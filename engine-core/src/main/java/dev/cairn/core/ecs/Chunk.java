@@ -30,13 +30,7 @@ public final class Chunk {
     private final Store store;
     private final boolean checked;
 
-    Chunk(
-            Slab slab,
-            String system,
-            byte[] rights,
-            int[] writable,
-            Store store,
-            boolean checked) {
+    Chunk(Slab slab, String system, byte[] rights, int[] writable, Store store, boolean checked) {
         this.slab = slab;
         this.system = system;
         this.rights = rights;

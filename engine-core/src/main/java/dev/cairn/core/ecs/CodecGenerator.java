@@ -72,8 +72,7 @@ final class CodecGenerator {
                                                         code -> read(code, record, fields)));
         MethodHandles.Lookup hidden =
                 lookup.defineHiddenClass(bytes, true, MethodHandles.Lookup.ClassOption.NESTMATE);
-        return (RecordCodec)
-                hidden.lookupClass().getDeclaredConstructor().newInstance();
+        return (RecordCodec) hidden.lookupClass().getDeclaredConstructor().newInstance();
     }
 
     private static void constructor(CodeBuilder code) {
@@ -85,8 +84,7 @@ final class CodecGenerator {
         for (int i = 0; i < fields.length; i++) {
             loadColumn(code, WRITE_COLUMNS, i, Kind.of(fields[i].getType()));
             code.aload(TYPED)
-                    .invokevirtual(
-                            record, fields[i].getName(), MethodTypeDesc.of(desc(fields[i])));
+                    .invokevirtual(record, fields[i].getName(), MethodTypeDesc.of(desc(fields[i])));
             switch (Kind.of(fields[i].getType())) {
                 case DOUBLE -> code.dastore();
                 case FLOAT -> code.fastore();

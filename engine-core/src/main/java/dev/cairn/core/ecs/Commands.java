@@ -1,7 +1,8 @@
 package dev.cairn.core.ecs;
 
-import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
 
 /**
  * Structural changes that a system asks for during a tick. They are recorded per (system, chunk),

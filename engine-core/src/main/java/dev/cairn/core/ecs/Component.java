@@ -1,5 +1,7 @@
 package dev.cairn.core.ecs;
 
+import org.jspecify.annotations.Nullable;
+
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.RecordComponent;
 import java.util.Arrays;
@@ -7,13 +9,12 @@ import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Key of a component. A component is a record that names its fields; every field becomes a column
  * of its own: {@code double}, {@code float}, {@code long} and {@code int} as they are, {@code
- * boolean} (0 or 1), {@code byte}, {@code short} and {@code char} in an {@code int} column, anything
- * else in a column of references.
+ * boolean} (0 or 1), {@code byte}, {@code short} and {@code char} in an {@code int} column,
+ * anything else in a column of references.
  *
  * <pre>{@code
  * public record Wind(float x, float y, float z) {}
@@ -72,7 +73,8 @@ public final class Component<T extends Record> {
      * @param <T> the record
      * @return its key, always the same one
      * @throws NullPointerException if an argument is null
-     * @throws ComponentException if {@code type} is not a record, or {@code lookup} does not reach it
+     * @throws ComponentException if {@code type} is not a record, or {@code lookup} does not reach
+     *     it
      */
     public static <T extends Record> Component<T> of(MethodHandles.Lookup lookup, Class<T> type) {
         Objects.requireNonNull(lookup, "lookup must not be null: pass MethodHandles.lookup()");
@@ -96,8 +98,7 @@ public final class Component<T extends Record> {
         return KNOWN.computeIfAbsent(type, key -> new Component<>(type, codec));
     }
 
-    private static RecordCodec codec(
-            Class<?> type, MethodHandles.@Nullable Lookup given) {
+    private static RecordCodec codec(Class<?> type, MethodHandles.@Nullable Lookup given) {
         try {
             MethodHandles.Lookup lookup =
                     MethodHandles.privateLookupIn(
@@ -122,7 +123,8 @@ public final class Component<T extends Record> {
                 new ComponentException(
                         "the fields of record "
                                 + type.getName()
-                                + " cannot be reached; make it public in an exported package, write 'opens "
+                                + " cannot be reached; make it public in an exported package, write"
+                                + " 'opens "
                                 + type.getPackageName()
                                 + " to dev.cairn.core' in its module, or call"
                                 + " Component.of(MethodHandles.lookup(), "
@@ -209,7 +211,12 @@ public final class Component<T extends Record> {
         Field field = field(name, Kind.OBJECT);
         if (field.type != type) {
             throw new ComponentException(
-                    "field " + field + " is a " + field.type.getName() + ", not a " + type.getName());
+                    "field "
+                            + field
+                            + " is a "
+                            + field.type.getName()
+                            + ", not a "
+                            + type.getName());
         }
         return (ObjectField<V>) field;
     }

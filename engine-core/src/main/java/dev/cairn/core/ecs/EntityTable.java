@@ -4,8 +4,8 @@ import java.util.Arrays;
 
 /**
  * Which ids are alive, and where their rows are. A freed index is taken again by the next spawn
- * (last in, first out) under its next generation; an index whose generations are used up is retired,
- * so an id is never given twice.
+ * (last in, first out) under its next generation; an index whose generations are used up is
+ * retired, so an id is never given twice.
  */
 final class EntityTable {
     /** Generations stay positive: negative longs are the handles of {@link Commands#spawn}. */

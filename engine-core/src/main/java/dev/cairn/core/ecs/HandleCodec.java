@@ -30,8 +30,11 @@ final class HandleCodec implements RecordCodec {
                 lookup.findConstructor(type, MethodType.methodType(void.class, parameters));
         constructor =
                 MethodHandles.filterArguments(plain, 0, narrowing)
-                        .asType(plain.type().changeReturnType(Record.class).generic()
-                                .changeReturnType(Record.class))
+                        .asType(
+                                plain.type()
+                                        .changeReturnType(Record.class)
+                                        .generic()
+                                        .changeReturnType(Record.class))
                         .asSpreader(Object[].class, fields.length);
     }
 

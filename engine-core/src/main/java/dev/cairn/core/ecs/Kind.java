@@ -1,7 +1,8 @@
 package dev.cairn.core.ecs;
 
-import java.lang.reflect.Array;
 import org.jspecify.annotations.Nullable;
+
+import java.lang.reflect.Array;
 
 /** How a column is stored: four primitive arrays and one of references. */
 enum Kind {

@@ -4,8 +4,8 @@ package dev.cairn.core.ecs;
  * Random numbers that are a pure function of (seed, tick, entity, stream, position). There is no
  * shared state, so the numbers do not depend on which worker draws them, or on what else draws.
  *
- * <p>The four words are folded into a key with the 64-bit finaliser of SplitMix64 (G. Steele, D. Lea
- * and C. Flood, "Fast splittable pseudorandom number generators", 2014), and the stream is the
+ * <p>The four words are folded into a key with the 64-bit finaliser of SplitMix64 (G. Steele, D.
+ * Lea and C. Flood, "Fast splittable pseudorandom number generators", 2014), and the stream is the
  * SplitMix64 sequence from that key; the idea of a counter in place of a state is that of J. Salmon
  * et al., "Parallel random numbers: as easy as 1, 2, 3", 2011.
  *

@@ -1,6 +1,7 @@
 package dev.cairn.core.ecs;
 
 import dev.cairn.core.job.Jobs;
+
 import java.util.ArrayList;
 import java.util.List;
 

@@ -44,10 +44,10 @@ final class ScheduleGraph {
                                 + a
                                 + " and "
                                 + b
-                                + "; a column has exactly one writer per tick. Let one of them write a"
-                                + " component of its own and the other read that with next("
-                                + "..), or keep their entities apart: exclude in one a component that the"
-                                + " other requires");
+                                + "; a column has exactly one writer per tick. Let one of them"
+                                + " write a component of its own and the other read that with"
+                                + " next(..), or keep their entities apart: exclude in one a"
+                                + " component that the other requires");
             }
         }
     }

@@ -1,7 +1,8 @@
 package dev.cairn.core.ecs;
 
-import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
 
 /**
  * The storage of one chunk: up to 1024 rows, and per column a published array and the array of the
@@ -83,6 +84,7 @@ final class Slab {
     }
 
     /** Publishes the column if it was written. */
+    @SuppressWarnings("ReferenceEquality") // one array on both sides means that nothing wrote
     void commit(int slot, long tick) {
         Object written = next[slot];
         Object old = published[slot];

@@ -1,7 +1,8 @@
 package dev.cairn.core.ecs;
 
-import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
 
 /**
  * The spawn plans by class tuple: an open hash table, since a spawn asks it every time. Classes
@@ -61,7 +62,10 @@ final class SpawnPlans {
 
     private void insert(SpawnPlan plan) {
         int mask = table.length - 1;
-        int hash = Arrays.stream(plan.types).mapToInt(SpawnPlans::hash).reduce(0, (h, c) -> h * 31 + c);
+        int hash =
+                Arrays.stream(plan.types)
+                        .mapToInt(SpawnPlans::hash)
+                        .reduce(0, (h, c) -> h * 31 + c);
         int i = hash & mask;
         while (table[i] != null) {
             i = i + 1 & mask;

@@ -177,8 +177,7 @@ final class Store {
             to.rememberShrunk(component, from);
         }
         int row = move(entity, from, row(place), to);
-        component.codec.write(
-                value, to.slab(row).published, to.base(component), row & Chunk.MASK);
+        component.codec.write(value, to.slab(row).published, to.base(component), row & Chunk.MASK);
     }
 
     void remove(long entity, Component<?> component) {
@@ -244,9 +243,7 @@ final class Store {
         int row = row(place);
         return component
                 .type()
-                .cast(
-                        component.codec.read(
-                                archetype.slab(row).published, base, row & Chunk.MASK));
+                .cast(component.codec.read(archetype.slab(row).published, base, row & Chunk.MASK));
     }
 
     boolean has(long entity, Component<?> component) {
@@ -289,8 +286,7 @@ final class Store {
         return place;
     }
 
-    private static ComponentException absent(
-            long entity, Component<?> component, String remedy) {
+    private static ComponentException absent(long entity, Component<?> component, String remedy) {
         return new ComponentException(
                 "entity " + Entities.toString(entity) + " has no " + component + "; " + remedy);
     }

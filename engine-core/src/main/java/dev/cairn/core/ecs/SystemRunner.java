@@ -1,7 +1,8 @@
 package dev.cairn.core.ecs;
 
-import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
 
 /** One system at work in one world: its chunks, its commands, and whether it runs this tick. */
 final class SystemRunner {

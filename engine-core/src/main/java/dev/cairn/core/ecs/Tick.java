@@ -1,6 +1,7 @@
 package dev.cairn.core.ecs;
 
 import dev.cairn.core.job.Jobs;
+
 import java.util.Objects;
 
 /**
@@ -77,7 +78,8 @@ public final class Tick {
     }
 
     /**
-     * The commands of this system and chunk. A {@link WorldSystem} records on the simulation thread.
+     * The commands of this system and chunk. A {@link WorldSystem} records on the simulation
+     * thread.
      *
      * @return the recorder, valid during this call
      */

@@ -1,13 +1,15 @@
 package dev.cairn.core.ecs;
 
 import dev.cairn.core.job.Jobs;
+
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Entities, their components, and the systems that run on them.
@@ -20,10 +22,10 @@ import org.jspecify.annotations.Nullable;
  * }
  * }</pre>
  *
- * <p>Between steps the simulation thread may change anything, at once. During a step, systems change
- * the structure through {@link Tick#commands()}; a direct call is refused. Reading ({@link #get},
- * {@link #has}, {@link #isAlive}, {@link #resource}) is allowed then too, from any worker, and gives
- * the published state. All other threads read through {@link
+ * <p>Between steps the simulation thread may change anything, at once. During a step, systems
+ * change the structure through {@link Tick#commands()}; a direct call is refused. Reading ({@link
+ * #get}, {@link #has}, {@link #isAlive}, {@link #resource}) is allowed then too, from any worker,
+ * and gives the published state. All other threads read through {@link
  * dev.cairn.core.snapshot.SnapshotExchange}.
  *
  * <p>A call with bad arguments throws and changes nothing. A steady tick, without structural
@@ -421,8 +423,9 @@ public final class World implements AutoCloseable {
      * A hash of everything that decides what happens next: tick, seed, ids, free list, tables, and
      * the bits of all published columns. Two worlds that agree in it have, for all practical
      * purposes, the same state. Does not depend on the number of workers, on the order in which
-     * systems were registered, or on the JVM. Strings, enum constants and boxed numbers in reference
-     * columns count by value, other objects only by being there. Costs one pass over all columns.
+     * systems were registered, or on the JVM. Strings, enum constants and boxed numbers in
+     * reference columns count by value, other objects only by being there. Costs one pass over all
+     * columns.
      *
      * @return 64 bits
      */

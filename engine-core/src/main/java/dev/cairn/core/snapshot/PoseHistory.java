@@ -3,6 +3,7 @@ package dev.cairn.core.snapshot;
 import static dev.cairn.core.snapshot.PoseSnapshot.STRIDE;
 
 import dev.cairn.core.ecs.Entities;
+
 import java.util.Arrays;
 
 /**

@@ -1,8 +1,9 @@
 package dev.cairn.core.snapshot;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.Arrays;
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 
 /**
  * The visible entities of one tick: those that have a {@link Pose} and a {@link Visual}, each with

@@ -6,8 +6,10 @@ import dev.cairn.core.ecs.IntField;
 import dev.cairn.core.ecs.ObjectField;
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
-import java.util.Objects;
+
 import org.jspecify.annotations.Nullable;
+
+import java.util.Objects;
 
 /**
  * Hands the poses of a world from the simulation thread to one reader, usually the one that draws.
@@ -43,10 +45,10 @@ public final class SnapshotExchange {
     public SnapshotExchange() {}
 
     /**
-     * Publishes the present state. Simulation thread, between steps; call it after every step, since
-     * the previous pose is the one that was published before. A second call for one tick, say after
-     * an edit during a pause, keeps the previous poses. Allocates only while the number of entities
-     * grows.
+     * Publishes the present state. Simulation thread, between steps; call it after every step,
+     * since the previous pose is the one that was published before. A second call for one tick, say
+     * after an edit during a pause, keeps the previous poses. Allocates only while the number of
+     * entities grows.
      *
      * @param world the world; another one than before starts anew
      * @throws NullPointerException if it is null

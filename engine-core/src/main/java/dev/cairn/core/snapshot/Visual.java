@@ -1,6 +1,7 @@
 package dev.cairn.core.snapshot;
 
 import dev.cairn.core.ecs.Component;
+
 import java.util.Objects;
 
 /**
@@ -19,6 +20,8 @@ public record Visual(Object model) {
      * @throws NullPointerException if there is no model
      */
     public Visual {
-        Objects.requireNonNull(model, "model must not be null: an entity that is not to be drawn has no Visual at all");
+        Objects.requireNonNull(
+                model,
+                "model must not be null: an entity that is not to be drawn has no Visual at all");
     }
 }

@@ -1,11 +1,15 @@
 package dev.cairn.core.ecs;
 
 import static org.junit.jupiter.api.Assertions.*;
+
 import dev.cairn.core.snapshot.*;
+
 import org.junit.jupiter.api.Test;
 
 class WorldTest {
-    private record P(double x, float f, long l, int i, boolean b, byte y, short s, char c, String t) {}
+    private record P(
+            double x, float f, long l, int i, boolean b, byte y, short s, char c, String t) {}
+
     record V(double vx) {}
 
     static final Component<P> PC = Component.of(P.class);
@@ -14,7 +18,10 @@ class WorldTest {
     static final DoubleField VX = VC.doubleField("vx");
 
     static final class Move implements ChunkSystem {
-        public void describe(Access a) { a.in(VC).out(PC); }
+        public void describe(Access a) {
+            a.in(VC).out(PC);
+        }
+
         public void run(Chunk c, Tick t) {
             double[] x = c.out(X), v = c.in(VX);
             for (int r = 0, n = c.size(); r < n; r++) x[r] += v[r] * t.stepSeconds();
