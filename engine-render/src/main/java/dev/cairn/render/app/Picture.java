@@ -1,7 +1,13 @@
 package dev.cairn.render.app;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Objects;
+import org.lwjgl.stb.STBImageWrite;
+import org.lwjgl.system.MemoryUtil;
 
 /**
  * Pixels that were drawn, in sRGB.
@@ -39,6 +45,23 @@ public record Picture(int width, int height, int[] argb) {
      * @throws java.io.UncheckedIOException if it cannot be written
      */
     public void savePng(Path file) {
-        throw new UnsupportedOperationException();
+        ByteBuffer bytes = MemoryUtil.memAlloc(3 * argb.length);
+        try {
+            for (int pixel : argb) {
+                bytes.put((byte) (pixel >> 16)).put((byte) (pixel >> 8)).put((byte) pixel);
+            }
+            Path parent = file.toAbsolutePath().getParent();
+            if (parent != null) {
+                Files.createDirectories(parent);
+            }
+            STBImageWrite.stbi_flip_vertically_on_write(false);
+            if (!STBImageWrite.stbi_write_png(file.toString(), width, height, 3, bytes.flip(), 3 * width)) {
+                throw new IOException("the file cannot be written");
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException("the picture " + file + " was not saved: " + e.getMessage(), e);
+        } finally {
+            MemoryUtil.memFree(bytes);
+        }
     }
 }

@@ -1,7 +1,7 @@
 package dev.cairn.render.mesh;
 
-import java.util.Arrays;
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Triangles to draw: vertices with position, normal and texture coordinate, and an index list, in the frame of the model that uses
@@ -46,7 +46,7 @@ public final class Mesh {
         return of(name, vertices, indices, null);
     }
 
-    static Mesh of(String name, float[] vertices, int[] indices, double @org.jspecify.annotations.Nullable [] points) {
+    static Mesh of(String name, float[] vertices, int[] indices, double @Nullable [] points) {
         Objects.requireNonNull(name, "name");
         if (vertices.length % FLOATS_PER_VERTEX != 0) {
             throw new IllegalArgumentException(
@@ -166,20 +166,5 @@ public final class Mesh {
     @Override
     public String toString() {
         return "Mesh[" + name + ", " + vertexCount() + " vertices, " + triangleCount() + " triangles]";
-    }
-
-    @Override
-    public int hashCode() {
-        return System.identityHashCode(this);
-    }
-
-    @Override
-    public boolean equals(@org.jspecify.annotations.Nullable Object other) {
-        return this == other;
-    }
-
-    /** For tests of this package: same vertices and indices. */
-    boolean sameGeometry(Mesh other) {
-        return Arrays.equals(vertices, other.vertices) && Arrays.equals(indices, other.indices);
     }
 }

@@ -6,6 +6,7 @@ import java.nio.IntBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.lwjgl.stb.STBImage;
 import org.lwjgl.system.MemoryStack;
 import org.lwjgl.system.MemoryUtil;
@@ -186,6 +187,17 @@ public final class Texture {
      */
     public double tileMetres() {
         return tileMetres;
+    }
+
+    /** Textures are equal if they share their pixels, not if they merely look alike, and are tiled alike. */
+    @Override
+    public boolean equals(@Nullable Object other) {
+        return other instanceof Texture that && that.argb == argb && that.tileMetres == tileMetres;
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * System.identityHashCode(argb) + Double.hashCode(tileMetres);
     }
 
     @Override

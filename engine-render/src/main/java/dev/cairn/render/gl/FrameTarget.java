@@ -1,0 +1,150 @@
+package dev.cairn.render.gl;
+
+import static org.lwjgl.opengl.GL11.GL_COLOR_BUFFER_BIT;
+import static org.lwjgl.opengl.GL11.GL_NEAREST;
+import static org.lwjgl.opengl.GL11.GL_PACK_ALIGNMENT;
+import static org.lwjgl.opengl.GL11.GL_RGBA8;
+import static org.lwjgl.opengl.GL11.glGetInteger;
+import static org.lwjgl.opengl.GL11.glPixelStorei;
+import static org.lwjgl.opengl.GL11.glReadPixels;
+import static org.lwjgl.opengl.GL12.GL_BGRA;
+import static org.lwjgl.opengl.GL12.GL_UNSIGNED_INT_8_8_8_8_REV;
+import static org.lwjgl.opengl.GL14.GL_DEPTH_COMPONENT24;
+import static org.lwjgl.opengl.GL30.GL_COLOR_ATTACHMENT0;
+import static org.lwjgl.opengl.GL30.GL_DEPTH_ATTACHMENT;
+import static org.lwjgl.opengl.GL30.GL_DRAW_FRAMEBUFFER;
+import static org.lwjgl.opengl.GL30.GL_FRAMEBUFFER;
+import static org.lwjgl.opengl.GL30.GL_FRAMEBUFFER_COMPLETE;
+import static org.lwjgl.opengl.GL30.GL_MAX_SAMPLES;
+import static org.lwjgl.opengl.GL30.GL_READ_FRAMEBUFFER;
+import static org.lwjgl.opengl.GL30.GL_RENDERBUFFER;
+import static org.lwjgl.opengl.GL30.glBindFramebuffer;
+import static org.lwjgl.opengl.GL30.glBindRenderbuffer;
+import static org.lwjgl.opengl.GL30.glBlitFramebuffer;
+import static org.lwjgl.opengl.GL30.glCheckFramebufferStatus;
+import static org.lwjgl.opengl.GL30.glDeleteFramebuffers;
+import static org.lwjgl.opengl.GL30.glDeleteRenderbuffers;
+import static org.lwjgl.opengl.GL30.glFramebufferRenderbuffer;
+import static org.lwjgl.opengl.GL30.glGenFramebuffers;
+import static org.lwjgl.opengl.GL30.glGenRenderbuffers;
+import static org.lwjgl.opengl.GL30.glRenderbufferStorageMultisample;
+
+import java.nio.IntBuffer;
+import org.lwjgl.system.MemoryUtil;
+
+/** What is drawn into: colour and depth of some samples per pixel, and the same resolved to one. */
+public final class FrameTarget implements AutoCloseable {
+    private final int width;
+    private final int height;
+    private final int framebuffer;
+    private final int colour;
+    private final int depth;
+    private final int resolved;
+    private final int resolvedColour;
+
+    /**
+     * Makes a target.
+     *
+     * @param width pixels
+     * @param height pixels
+     * @param samples per pixel, as far as the graphics processor can; 0 or 1 = one
+     */
+    public FrameTarget(int width, int height, int samples) {
+        this.width = width;
+        this.height = height;
+        int count = Math.min(samples <= 1 ? 0 : samples, glGetInteger(GL_MAX_SAMPLES));
+        framebuffer = glGenFramebuffers();
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        colour = buffer(GL_RGBA8, count, GL_COLOR_ATTACHMENT0);
+        depth = buffer(GL_DEPTH_COMPONENT24, count, GL_DEPTH_ATTACHMENT);
+        check();
+        resolved = glGenFramebuffers();
+        glBindFramebuffer(GL_FRAMEBUFFER, resolved);
+        resolvedColour = buffer(GL_RGBA8, 0, GL_COLOR_ATTACHMENT0);
+        check();
+    }
+
+    private int buffer(int format, int samples, int attachment) {
+        int id = glGenRenderbuffers();
+        glBindRenderbuffer(GL_RENDERBUFFER, id);
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, id);
+        return id;
+    }
+
+    private void check() {
+        int status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+        if (status != GL_FRAMEBUFFER_COMPLETE) {
+            throw new IllegalStateException(
+                    "a picture of " + width + " x " + height + " pixels cannot be drawn here: framebuffer status 0x"
+                            + Integer.toHexString(status) + "; choose a smaller size");
+        }
+    }
+
+    /**
+     * Width.
+     *
+     * @return pixels
+     */
+    public int width() {
+        return width;
+    }
+
+    /**
+     * Height.
+     *
+     * @return pixels
+     */
+    public int height() {
+        return height;
+    }
+
+    /** Makes this what is drawn into. */
+    void bind() {
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    }
+
+    /** Averages the samples of each pixel. */
+    void resolve() {
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved);
+        glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
+
+    /** Copies the resolved picture to the window. */
+    public void show() {
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
+
+    /**
+     * Reads the resolved picture back.
+     *
+     * @return pixels, top row first, 0xAARRGGBB
+     */
+    public int[] read() {
+        int[] argb = new int[width * height];
+        IntBuffer pixels = MemoryUtil.memAllocInt(width * height);
+        try {
+            glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved);
+            glPixelStorei(GL_PACK_ALIGNMENT, 4);
+            glReadPixels(0, 0, width, height, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, pixels);
+            for (int y = 0; y < height; y++) {
+                pixels.get(y * width, argb, (height - 1 - y) * width, width);
+            }
+        } finally {
+            MemoryUtil.memFree(pixels);
+        }
+        return argb;
+    }
+
+    @Override
+    public void close() {
+        glDeleteFramebuffers(framebuffer);
+        glDeleteFramebuffers(resolved);
+        glDeleteRenderbuffers(colour);
+        glDeleteRenderbuffers(depth);
+        glDeleteRenderbuffers(resolvedColour);
+    }
+}

@@ -1,0 +1,203 @@
+package dev.cairn.render.gl;
+
+import static org.lwjgl.opengl.GL11.GL_BACK;
+import static org.lwjgl.opengl.GL11.GL_COLOR_BUFFER_BIT;
+import static org.lwjgl.opengl.GL11.GL_CULL_FACE;
+import static org.lwjgl.opengl.GL11.GL_DEPTH_BUFFER_BIT;
+import static org.lwjgl.opengl.GL11.GL_DEPTH_TEST;
+import static org.lwjgl.opengl.GL11.GL_LEQUAL;
+import static org.lwjgl.opengl.GL11.GL_TRIANGLES;
+import static org.lwjgl.opengl.GL11.glClear;
+import static org.lwjgl.opengl.GL11.glClearColor;
+import static org.lwjgl.opengl.GL11.glCullFace;
+import static org.lwjgl.opengl.GL11.glDepthFunc;
+import static org.lwjgl.opengl.GL11.glDrawArrays;
+import static org.lwjgl.opengl.GL11.glEnable;
+import static org.lwjgl.opengl.GL11.glViewport;
+import static org.lwjgl.opengl.GL13.GL_TEXTURE0;
+import static org.lwjgl.opengl.GL13.GL_TEXTURE1;
+import static org.lwjgl.opengl.GL13.glActiveTexture;
+import static org.lwjgl.opengl.GL30.glBindVertexArray;
+import static org.lwjgl.opengl.GL30.glDeleteVertexArrays;
+import static org.lwjgl.opengl.GL30.glGenVertexArrays;
+
+import dev.cairn.core.snapshot.PoseSnapshot;
+import dev.cairn.render.camera.Camera;
+import dev.cairn.render.camera.Light;
+import java.util.List;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+
+/** Draws a snapshot into a target: shadows, then the scene, then the sky behind it. On the thread of the context. */
+public final class SceneRenderer implements AutoCloseable {
+    private static final int MIN_SHADOW_SIZE = 512;
+    private static final int MAX_SHADOW_SIZE = 2048;
+
+    private final boolean frugal;
+    private final ShaderProgram scene;
+    private final SceneUniforms uniforms;
+    private final ShaderProgram sky;
+    private final int skyForward;
+    private final int skyRight;
+    private final int skyUp;
+    private final int skyZenith;
+    private final int skyHorizon;
+    private final int emptyVertexArray = glGenVertexArrays();
+    private final Instances instances = new Instances();
+    private @Nullable ShadowMap shadowMap;
+
+    private final Vector3d eye = new Vector3d();
+    private final Vector3d forward = new Vector3d();
+    private final Vector3d right = new Vector3d();
+    private final Vector3d up = new Vector3d();
+    private final Vector3d sun = new Vector3d();
+    private final Matrix4d clipFromAnchored = new Matrix4d();
+
+    /**
+     * Compiles the shaders.
+     *
+     * @param frugal whether to save effort: shadows of one tap and half the resolution
+     */
+    public SceneRenderer(boolean frugal) {
+        this.frugal = frugal;
+        scene =
+                new ShaderProgram(
+                        "scene",
+                        "#define SHADOW_TAPS " + (frugal ? 1 : 3) + "\n",
+                        new String[] {"instance.glsl", "scene.vert"},
+                        new String[] {"encode.glsl", "scene.frag"});
+        uniforms = new SceneUniforms(scene);
+        sky = new ShaderProgram("sky", "", new String[] {"sky.vert"}, new String[] {"encode.glsl", "sky.frag"});
+        skyForward = sky.uniform("rayForward");
+        skyRight = sky.uniform("rayRight");
+        skyUp = sky.uniform("rayUp");
+        skyZenith = sky.uniform("zenithColour");
+        skyHorizon = sky.uniform("horizonColour");
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LEQUAL);
+        glEnable(GL_CULL_FACE);
+        glCullFace(GL_BACK);
+        glClearColor(0, 0, 0, 1);
+    }
+
+    /**
+     * Draws and resolves one frame.
+     *
+     * @param snapshot what
+     * @param alpha 0 = the poses of the previous tick, 1 = those of the current one
+     * @param camera from where; one that follows an entity is moved to it
+     * @param light in which light
+     * @param target into what
+     */
+    public void draw(PoseSnapshot snapshot, double alpha, Camera camera, Light light, FrameTarget target) {
+        ride(snapshot, alpha, camera);
+        camera.position(eye);
+        camera.forward(forward);
+        instances.update(snapshot, eye, ShadowMap.CASTER_LIMIT);
+        Vector3d anchor = instances.anchor();
+        eye.sub(anchor);
+        sun.set(light.sunX(), light.sunY(), light.sunZ()).normalize();
+
+        ShadowMap shadows = light.shadows() ? shadowMap(target) : null;
+        if (shadows != null) {
+            shadows.draw(instances, alpha, sun, eye, forward);
+        }
+        target.bind();
+        glViewport(0, 0, target.width(), target.height());
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        double aspect = (double) target.width() / target.height();
+        clipFromAnchored
+                .setPerspective(camera.fieldOfView(), aspect, camera.near(), camera.far())
+                .rotateX(-camera.pitch())
+                .rotateY(camera.yaw())
+                .translate(-eye.x, -eye.y, -eye.z);
+        drawScene(alpha, light, shadows);
+        drawSky(camera, aspect, light);
+        target.resolve();
+    }
+
+    private void ride(PoseSnapshot snapshot, double alpha, Camera camera) {
+        long entity = camera.followed();
+        if (entity == Camera.NOTHING) {
+            return;
+        }
+        for (int row = 0; row < snapshot.size(); row++) {
+            if (snapshot.entity(row) == entity) {
+                double[] a = snapshot.previous();
+                double[] b = snapshot.current();
+                int at = row * PoseSnapshot.STRIDE;
+                camera.rideOn(
+                        a[at] + alpha * (b[at] - a[at]),
+                        a[at + 1] + alpha * (b[at + 1] - a[at + 1]),
+                        a[at + 2] + alpha * (b[at + 2] - a[at + 2]));
+                return;
+            }
+        }
+    }
+
+    private ShadowMap shadowMap(FrameTarget target) {
+        int longer = Math.max(target.width(), target.height());
+        int wanted = Integer.highestOneBit(Math.max(1, longer - 1)) << 1;
+        int size = Math.clamp(frugal ? wanted / 2 : wanted, MIN_SHADOW_SIZE, MAX_SHADOW_SIZE);
+        ShadowMap map = shadowMap;
+        if (map == null || map.size() != size) {
+            if (map != null) {
+                map.close();
+            }
+            glActiveTexture(GL_TEXTURE1);
+            map = new ShadowMap(size);
+            shadowMap = map;
+        }
+        return map;
+    }
+
+    private void drawScene(double alpha, Light light, @Nullable ShadowMap shadows) {
+        scene.use();
+        uniforms.set(light, alpha, clipFromAnchored, eye, sun);
+        glActiveTexture(GL_TEXTURE1);
+        uniforms.setShadows(shadows);
+        glActiveTexture(GL_TEXTURE0);
+        List<Instances.Batch> batches = instances.batches();
+        for (int i = 0; i < batches.size(); i++) {
+            Instances.Batch batch = batches.get(i);
+            batch.bindTexture();
+            uniforms.setTile(batch.tileMetres());
+            batch.draw();
+        }
+    }
+
+    private void drawSky(Camera camera, double aspect, Light light) {
+        double tan = Math.tan(camera.fieldOfView() / 2);
+        right.set(1, 0, 0).rotateY(-camera.yaw());
+        up.set(right).cross(forward);
+        sky.use();
+        ShaderProgram.set(skyForward, forward.x, forward.y, forward.z);
+        ShaderProgram.set(skyRight, right.x * tan * aspect, right.y * tan * aspect, right.z * tan * aspect);
+        ShaderProgram.set(skyUp, up.x * tan, up.y * tan, up.z * tan);
+        SceneUniforms.setColour(skyZenith, light.zenithRgb());
+        SceneUniforms.setColour(skyHorizon, light.horizonRgb());
+        glBindVertexArray(emptyVertexArray);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+
+    /**
+     * How often poses were written to graphics memory so far.
+     *
+     * @return the count; it does not grow when the same snapshot is drawn again
+     */
+    public int uploads() {
+        return instances.uploads();
+    }
+
+    @Override
+    public void close() {
+        if (shadowMap != null) {
+            shadowMap.close();
+        }
+        instances.close();
+        scene.close();
+        sky.close();
+        glDeleteVertexArrays(emptyVertexArray);
+    }
+}

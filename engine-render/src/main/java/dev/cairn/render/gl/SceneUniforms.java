@@ -1,0 +1,77 @@
+package dev.cairn.render.gl;
+
+import dev.cairn.render.camera.Light;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+
+/** The uniforms of the scene's shaders by name. */
+final class SceneUniforms {
+    private final int clipFromAnchored;
+    private final int alpha;
+    private final int surface;
+    private final int shadowMap;
+    private final int tileMetres;
+    private final int eye;
+    private final int sunDirection;
+    private final int sunLight;
+    private final int skyLight;
+    private final int groundLight;
+    private final int horizonColour;
+    private final int hazeMetres;
+    private final int shadowFromAnchored;
+    private final int shadowTexelMetres;
+    private final int shadowBias;
+
+    SceneUniforms(ShaderProgram program) {
+        clipFromAnchored = program.uniform("clipFromAnchored");
+        alpha = program.uniform("alpha");
+        surface = program.uniform("surface");
+        shadowMap = program.uniform("shadowMap");
+        tileMetres = program.uniform("tileMetres");
+        eye = program.uniform("eye");
+        sunDirection = program.uniform("sunDirection");
+        sunLight = program.uniform("sunLight");
+        skyLight = program.uniform("skyLight");
+        groundLight = program.uniform("groundLight");
+        horizonColour = program.uniform("horizonColour");
+        hazeMetres = program.uniform("hazeMetres");
+        shadowFromAnchored = program.uniform("shadowFromAnchored");
+        shadowTexelMetres = program.uniform("shadowTexelMetres");
+        shadowBias = program.uniform("shadowBias");
+    }
+
+    void set(Light light, double interpolation, Matrix4d matrix, Vector3d anchoredEye, Vector3d sun) {
+        ShaderProgram.set(clipFromAnchored, matrix);
+        ShaderProgram.set(alpha, interpolation);
+        ShaderProgram.set(surface, 0);
+        ShaderProgram.set(shadowMap, 1);
+        ShaderProgram.set(eye, anchoredEye.x, anchoredEye.y, anchoredEye.z);
+        ShaderProgram.set(sunDirection, sun.x, sun.y, sun.z);
+        ShaderProgram.set(sunLight, light.sunRed(), light.sunGreen(), light.sunBlue());
+        ShaderProgram.set(skyLight, light.skyRed(), light.skyGreen(), light.skyBlue());
+        ShaderProgram.set(groundLight, light.groundRed(), light.groundGreen(), light.groundBlue());
+        setColour(horizonColour, light.horizonRgb());
+        ShaderProgram.set(hazeMetres, light.hazeMetres());
+    }
+
+    /** With the shadow map's texture unit active. */
+    void setShadows(@Nullable ShadowMap shadows) {
+        if (shadows == null) {
+            ShaderProgram.set(shadowTexelMetres, 0.0);
+            return;
+        }
+        shadows.bindTexture();
+        ShaderProgram.set(shadowFromAnchored, shadows.matrix());
+        ShaderProgram.set(shadowTexelMetres, shadows.texelMetres());
+        ShaderProgram.set(shadowBias, shadows.bias());
+    }
+
+    void setTile(double metres) {
+        ShaderProgram.set(tileMetres, metres);
+    }
+
+    static void setColour(int uniform, int rgb) {
+        ShaderProgram.set(uniform, Srgb.linear(rgb >> 16), Srgb.linear(rgb >> 8), Srgb.linear(rgb));
+    }
+}

@@ -1,0 +1,136 @@
+package dev.cairn.render.gl;
+
+import static org.lwjgl.opengl.GL11.GL_FALSE;
+import static org.lwjgl.opengl.GL20.GL_COMPILE_STATUS;
+import static org.lwjgl.opengl.GL20.GL_FRAGMENT_SHADER;
+import static org.lwjgl.opengl.GL20.GL_LINK_STATUS;
+import static org.lwjgl.opengl.GL20.GL_VERTEX_SHADER;
+import static org.lwjgl.opengl.GL20.glAttachShader;
+import static org.lwjgl.opengl.GL20.glCompileShader;
+import static org.lwjgl.opengl.GL20.glCreateProgram;
+import static org.lwjgl.opengl.GL20.glCreateShader;
+import static org.lwjgl.opengl.GL20.glDeleteProgram;
+import static org.lwjgl.opengl.GL20.glDeleteShader;
+import static org.lwjgl.opengl.GL20.glGetProgramInfoLog;
+import static org.lwjgl.opengl.GL20.glGetProgrami;
+import static org.lwjgl.opengl.GL20.glGetShaderInfoLog;
+import static org.lwjgl.opengl.GL20.glGetShaderi;
+import static org.lwjgl.opengl.GL20.glGetUniformLocation;
+import static org.lwjgl.opengl.GL20.glLinkProgram;
+import static org.lwjgl.opengl.GL20.glShaderSource;
+import static org.lwjgl.opengl.GL20.glUniform1f;
+import static org.lwjgl.opengl.GL20.glUniform1i;
+import static org.lwjgl.opengl.GL20.glUniform3f;
+import static org.lwjgl.opengl.GL20.glUniformMatrix4fv;
+import static org.lwjgl.opengl.GL20.glUseProgram;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.FloatBuffer;
+import java.nio.charset.StandardCharsets;
+import org.joml.Matrix4d;
+import org.lwjgl.system.MemoryStack;
+
+/** A vertex and a fragment shader, from the resources beside this class. */
+final class ShaderProgram implements AutoCloseable {
+    private final int id;
+    private final String name;
+
+    /**
+     * Compiles and links.
+     *
+     * @param name for messages
+     * @param defines lines that go before the sources
+     * @param vertex resource files that make up the vertex shader
+     * @param fragment resource files that make up the fragment shader
+     */
+    ShaderProgram(String name, String defines, String[] vertex, String[] fragment) {
+        this.name = name;
+        int program = 0;
+        int first = 0;
+        int second = 0;
+        try {
+            first = compile(GL_VERTEX_SHADER, defines, vertex);
+            second = compile(GL_FRAGMENT_SHADER, defines, fragment);
+            program = glCreateProgram();
+            glAttachShader(program, first);
+            glAttachShader(program, second);
+            glLinkProgram(program);
+            if (glGetProgrami(program, GL_LINK_STATUS) == GL_FALSE) {
+                String log = glGetProgramInfoLog(program);
+                glDeleteProgram(program);
+                throw new IllegalStateException("shader program '" + name + "' does not link: " + log);
+            }
+        } finally {
+            glDeleteShader(first);
+            glDeleteShader(second);
+        }
+        id = program;
+    }
+
+    private int compile(int kind, String defines, String[] files) {
+        StringBuilder source = new StringBuilder("#version 330 core\n").append(defines);
+        for (String file : files) {
+            source.append("#line 1\n").append(resource(file));
+        }
+        int shader = glCreateShader(kind);
+        glShaderSource(shader, source);
+        glCompileShader(shader);
+        if (glGetShaderi(shader, GL_COMPILE_STATUS) == GL_FALSE) {
+            String log = glGetShaderInfoLog(shader);
+            glDeleteShader(shader);
+            throw new IllegalStateException(
+                    "shader of '" + name + "' (" + String.join(", ", files) + ") does not compile: " + log);
+        }
+        return shader;
+    }
+
+    private static String resource(String file) {
+        try (InputStream in = ShaderProgram.class.getResourceAsStream(file)) {
+            if (in == null) {
+                throw new IllegalStateException("the resource " + file + " is missing from the engine-render jar");
+            }
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException("the resource " + file + " of the engine-render jar cannot be read", e);
+        }
+    }
+
+    void use() {
+        glUseProgram(id);
+    }
+
+    /** Where a uniform is; asked once, when the program is made. */
+    int uniform(String uniform) {
+        int location = glGetUniformLocation(id, uniform);
+        if (location < 0) {
+            throw new IllegalStateException("shader program '" + name + "' does not use a uniform '" + uniform + "'");
+        }
+        return location;
+    }
+
+    static void set(int location, int value) {
+        glUniform1i(location, value);
+    }
+
+    static void set(int location, double value) {
+        glUniform1f(location, (float) value);
+    }
+
+    static void set(int location, double x, double y, double z) {
+        glUniform3f(location, (float) x, (float) y, (float) z);
+    }
+
+    static void set(int location, Matrix4d matrix) {
+        try (MemoryStack stack = MemoryStack.stackPush()) {
+            FloatBuffer buffer = stack.mallocFloat(16);
+            glUniformMatrix4fv(location, false, matrix.get(buffer));
+        }
+    }
+
+    @Override
+    public void close() {
+        glDeleteProgram(id);
+    }
+}

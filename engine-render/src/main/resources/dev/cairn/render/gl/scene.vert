@@ -1,0 +1,19 @@
+uniform mat4 clipFromAnchored;
+
+out vec3 anchored;
+out vec3 worldNormal;
+out vec2 coordinate;
+out vec3 tilePosition;
+out vec3 tileNormal;
+out vec3 colour;
+
+void main() {
+    vec4 turn = interpolatedTurn();
+    anchored = interpolatedPlace() + rotated(turn, modelPosition());
+    worldNormal = rotated(turn, normalize(meshNormal / instanceScale));
+    coordinate = meshCoordinate;
+    tilePosition = meshPosition * instanceScale;
+    tileNormal = meshNormal;
+    colour = instanceColour;
+    gl_Position = clipFromAnchored * vec4(anchored, 1.0);
+}
