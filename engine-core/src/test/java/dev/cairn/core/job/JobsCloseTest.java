@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 
 /** Shutdown in every state of the helpers: none of these may hang, and no thread may stay. */
-@Timeout(60)
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class JobsCloseTest {
 
     /** The helpers of a job system, found by a stage that each worker must join. */

@@ -13,7 +13,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicIntegerArray;
@@ -21,7 +23,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 
-@Timeout(60)
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class JobsTest {
 
     private static final int[] WORKERS = {1, 2, 3, 4, 8};
@@ -71,24 +73,30 @@ class JobsTest {
     @Test
     void stagesOfChangingSizeNeverMix() {
         for (int workers = 2; workers <= 4; workers++) {
-            try (Jobs jobs = Jobs.of(workers)) {
-                int[] stageOfBlock = new int[100];
-                int[] current = new int[1];
-                BlockJob job = (block, worker) -> stageOfBlock[block] += current[0];
-                jobs.beginTick();
-                long[] expected = new long[100];
-                for (int stage = 1; stage <= 20_000; stage++) {
-                    int blocks = 2 + (int) (stage * 2654435761L >>> 16 & 63);
-                    current[0] = stage & 7;
-                    jobs.run(job, blocks);
-                    for (int block = 0; block < blocks; block++) {
-                        expected[block] += stage & 7;
-                    }
-                }
-                jobs.endTick();
-                assertArrayEquals(expected, Arrays.stream(stageOfBlock).asLongStream().toArray());
+            try (Jobs jobs = Jobs.of(workers);
+                    Jobs perturbed = Jobs.perturbed(workers, workers)) {
+                assertStagesNeverMix(jobs, 20_000);
+                assertStagesNeverMix(perturbed, 1_000);
             }
         }
+    }
+
+    private static void assertStagesNeverMix(Jobs jobs, int stages) {
+        long[] sums = new long[100];
+        long[] expected = new long[100];
+        int[] current = new int[1];
+        BlockJob job = (block, worker) -> sums[block] += current[0];
+        jobs.beginTick();
+        for (int stage = 1; stage <= stages; stage++) {
+            int blocks = 2 + (int) (stage * 2654435761L >>> 16 & 63);
+            current[0] = stage;
+            jobs.run(job, blocks);
+            for (int block = 0; block < blocks; block++) {
+                expected[block] += stage;
+            }
+        }
+        jobs.endTick();
+        assertArrayEquals(expected, sums, "workers " + jobs.workers());
     }
 
     /** Each stage reads, in plain arrays, what other blocks wrote in the stage before. */
@@ -164,25 +172,34 @@ class JobsTest {
         }
     }
 
-    /** Helpers that woke to a tick that was over already must still hear of the next one. */
+    /** A helper that wakes to a tick that is over already must still hear of the next one. */
     @Test
-    void helpersWakeAfterAnyPatternOfTicks() {
+    void helpersWakeAfterTicksThatWereOverBeforeTheyWoke() {
         try (Jobs jobs = Jobs.of(2)) {
-            for (int round = 0; round < 300; round++) {
-                for (int empty = 0; empty < round % 4; empty++) {
-                    jobs.beginTick();
-                    jobs.endTick();
-                }
-                for (int i = 0; i < round * 37 % 1000; i++) {
-                    Thread.onSpinWait(); // the helper is anywhere between awake and parked
-                }
+            AtomicReference<Thread> helper = new AtomicReference<>();
+            for (int round = 0; round < 200; round++) {
                 CountDownLatch both = new CountDownLatch(2);
                 jobs.run(
                         (block, worker) -> {
                             both.countDown();
                             assertDoesNotThrow(() -> both.await());
+                            if (worker == 1) {
+                                helper.set(Thread.currentThread());
+                            }
                         },
                         2);
+                if (round % 2 == 0) {
+                    while (helper.get().getState() != Thread.State.WAITING) {
+                        Thread.onSpinWait();
+                    }
+                }
+                for (int empty = 0; empty < round % 3; empty++) {
+                    jobs.beginTick();
+                    jobs.endTick();
+                }
+                for (int i = 0; i < round % 7 * 3000; i++) {
+                    Thread.onSpinWait(); // the helper is anywhere between asleep and asleep again
+                }
             }
         }
     }
@@ -300,13 +317,25 @@ class JobsTest {
     void runInsideABlockIsRefusedWithARemedy(int workers) {
         try (Jobs jobs = Jobs.of(workers)) {
             BlockJob inner = (block, worker) -> {};
+            CountDownLatch all = new CountDownLatch(workers); // so that each worker has a block
             IllegalStateException thrown =
                     assertThrows(
                             IllegalStateException.class,
-                            () -> jobs.run((block, worker) -> jobs.run(inner, 4), 4));
-            assertTrue(thrown.getMessage().contains("inside a block"), thrown.getMessage());
-            assertTrue(thrown.getMessage().contains("after this one"), thrown.getMessage());
-            assertEquals(3, thrown.getSuppressed().length); // each of the four blocks was refused
+                            () ->
+                                    jobs.run(
+                                            (block, worker) -> {
+                                                all.countDown();
+                                                assertDoesNotThrow(() -> all.await());
+                                                jobs.run(inner, 4);
+                                            },
+                                            workers));
+            List<Throwable> refused = new ArrayList<>(List.of(thrown.getSuppressed()));
+            refused.add(thrown);
+            assertEquals(workers, refused.size());
+            for (Throwable refusal : refused) {
+                assertTrue(refusal.getMessage().contains("inside a block"), refusal::getMessage);
+                assertTrue(refusal.getMessage().contains("after this one"), refusal::getMessage);
+            }
             assertExactlyOnce(jobs, "after the refusal");
         }
     }
