@@ -30,18 +30,6 @@ public final class Jobs implements AutoCloseable {
     /** Upper bound of the number of workers, the caller included. */
     public static final int MAX_WORKERS = 256;
 
-    /**
-     * Claimable units per worker: stages of more blocks hand out runs of consecutive blocks. Box3D
-     * measured 32 as the best bound for big parallel loops; it also bounds the claim slots to 4 KiB
-     * per worker.
-     */
-    private static final int UNITS_PER_WORKER = 32;
-
-    /**
-     * The caller's spins (some 20 ns each) for a block in work, before it yields its core: 1-2 us.
-     */
-    private static final int CALLER_SPINS = 64;
-
     /** A helper's spins for the next stage before it starts to yield: a few microseconds. */
     private static final int HELPER_SPINS = 200;
 
@@ -61,22 +49,12 @@ public final class Jobs implements AutoCloseable {
         }
     }
 
-    /** Stands where no stage has run yet. */
-    private static final BlockJob NOTHING = (block, worker) -> {};
-
     private final int workers;
-    private final int maxUnits;
-    private final long[] board;
+    private final Stage stage;
+    private final TickGate gate;
     private final Helper[] helpers;
-    private final Failures failures;
-    private final @Nullable Perturbation perturbation;
 
-    // Written by the caller between stages only; a helper reads it after a claim.
-    private BlockJob job = NOTHING;
-
-    // The caller's own.
-    private long epoch;
-    private long helperUnits;
+    /** The caller's own: how many ticks are open, one inside the other. */
     private int tickDepth;
 
     /** The thread inside {@code run}, or null. */
@@ -85,10 +63,8 @@ public final class Jobs implements AutoCloseable {
 
     private Jobs(int workers, @Nullable Perturbation perturbation) {
         this.workers = workers;
-        this.perturbation = perturbation;
-        maxUnits = UNITS_PER_WORKER * workers;
-        board = Board.create(workers, maxUnits);
-        failures = new Failures(workers);
+        stage = new Stage(workers, perturbation);
+        gate = new TickGate(workers);
         helpers = new Helper[workers - 1];
         for (int worker = 1; worker < workers; worker++) {
             helpers[worker - 1] = new Helper(this, worker);
@@ -184,16 +160,14 @@ public final class Jobs implements AutoCloseable {
      */
     public void endTick() {
         if (tickDepth > 0 && --tickDepth == 0) {
-            Board.WORD.setRelease(board, Board.TICK, 0L);
+            gate.end();
         }
     }
 
     private void openTick() {
-        // Volatile store, then volatile loads: pairs with the reverse order in Helper.park.
-        Board.WORD.setVolatile(board, Board.TICK, 1L);
+        gate.open();
         for (Helper helper : helpers) {
-            if ((long) Board.WORD.getVolatile(board, Board.parked(helper.worker)) != 0L) {
-                Board.WORD.setVolatile(board, Board.parked(helper.worker), 0L);
+            if (gate.takeParked(helper.worker)) {
                 LockSupport.unpark(helper);
             }
         }
@@ -226,23 +200,23 @@ public final class Jobs implements AutoCloseable {
         boolean ended = false;
         try {
             if (blocks <= 1 || workers == 1) {
-                runBlocks(job, 0, blocks, 0);
+                stage.runBlocks(job, 0, blocks, 0);
             } else if (tickDepth > 0) {
-                runStage(job, blocks);
+                stage.run(job, blocks);
             } else {
                 beginTick();
-                runStage(job, blocks);
+                stage.run(job, blocks);
                 endTick();
             }
             ended = true;
         } finally {
             if (!ended) { // the stack ended between two blocks: refuse further stages, do not hang
-                Board.WORD.setVolatile(board, Board.CLOSED, 1L);
+                gate.close();
             }
             RUNNER.setRelease(this, null);
         }
-        if (failures.any()) {
-            throw Jobs.<RuntimeException>asIs(failures.take());
+        if (stage.failures().any()) {
+            throw Jobs.<RuntimeException>asIs(stage.failures().take());
         }
     }
 
@@ -257,7 +231,7 @@ public final class Jobs implements AutoCloseable {
         } else if (!RUNNER.compareAndSet(this, null, caller)) {
             throw refusal(caller);
         }
-        if (isClosed()) {
+        if (gate.isClosed()) {
             RUNNER.setRelease(this, null);
             throw new IllegalStateException(
                     "this Jobs is closed; make a new one by Jobs.of(" + workers + ")");
@@ -283,99 +257,12 @@ public final class Jobs implements AutoCloseable {
         return thread instanceof Helper helper && helper.jobs == this;
     }
 
-    private void runStage(BlockJob stageJob, int blocks) {
-        if (job != stageJob) { // iterations repeat the job; spare the garbage collector's barrier
-            job = stageJob;
-        }
-        int units = Math.min(blocks, maxUnits);
-        long stageWord = Board.stageWord(++epoch, units);
-        board[Board.BLOCKS] = blocks;
-        Board.WORD.setRelease(board, Board.STAGE, stageWord); // pairs with Helper.run's acquire
-        int own = claimUnits(stageWord, 0);
-        helperUnits += units - own;
-        for (int spins = 0; completedByHelpers() != helperUnits; spins++) {
-            if (spins < CALLER_SPINS) {
-                Thread.onSpinWait();
-            } else {
-                Thread.yield(); // the helper may wait for this very core
-            }
-        }
-    }
-
-    private long completedByHelpers() {
-        long sum = 0;
-        for (int worker = 1; worker < workers; worker++) {
-            // Pairs with the release in claimUnits.
-            sum += (long) Board.WORD.getAcquire(board, Board.completed(worker));
-        }
-        return sum;
-    }
-
-    /** Claims and runs units until none is left; starts at the worker's share, for warm caches. */
-    private int claimUnits(long stageWord, int worker) {
-        long[] board = this.board;
-        int workers = this.workers;
-        int units = Board.units(stageWord);
-        int first = worker * units / workers;
-        int own = 0;
-        for (int i = 0; i < units; i++) {
-            int unit = first + i < units ? first + i : first + i - units;
-            if (perturbation != null) {
-                perturbation.disturb(worker);
-                unit = units - 1 - unit;
-            }
-            int claim = Board.claim(workers, unit);
-            long seen = (long) Board.WORD.getOpaque(board, claim);
-            if (seen > stageWord) {
-                break; // this worker was delayed: the stage is over
-            }
-            if (seen < stageWord && Board.WORD.compareAndSet(board, claim, seen, stageWord)) {
-                runUnit(unit, units, worker);
-                own++;
-                if (worker > 0) { // one writer, so no read-modify-write
-                    int completed = Board.completed(worker);
-                    Board.WORD.setRelease(board, completed, board[completed] + 1);
-                }
-            }
-        }
-        return own;
-    }
-
-    /** Runs a claimed unit. The claim proves that the stage is on: plain reads are safe. */
-    private void runUnit(int unit, int units, int worker) {
-        int blocks = (int) board[Board.BLOCKS];
-        BlockJob stageJob = job;
-        if (units == blocks) {
-            runBlocks(stageJob, unit, unit + 1, worker);
-        } else {
-            int begin = (int) ((long) unit * blocks / units);
-            int end = (int) ((unit + 1L) * blocks / units);
-            runBlocks(stageJob, begin, end, worker);
-        }
-    }
-
-    private void runBlocks(BlockJob stageJob, int begin, int end, int worker) {
-        boolean reversed = perturbation != null;
-        for (int i = begin; i < end; i++) {
-            int block = reversed ? begin + end - 1 - i : i;
-            try {
-                stageJob.run(block, worker);
-            } catch (Throwable thrown) { // any: a stage always runs to its end
-                failures.record(worker, block, thrown);
-            }
-        }
-    }
-
     @SuppressWarnings({
         "unchecked",
         "TypeParameterUnusedInFormals"
     }) // erased: throws the very object, checked or not
     private static <T extends Throwable> T asIs(Throwable thrown) throws T {
         throw (T) thrown;
-    }
-
-    private boolean isClosed() {
-        return (long) Board.WORD.getVolatile(board, Board.CLOSED) != 0L;
     }
 
     /**
@@ -386,7 +273,7 @@ public final class Jobs implements AutoCloseable {
      */
     @Override
     public void close() {
-        Board.WORD.setVolatile(board, Board.CLOSED, 1L);
+        gate.close();
         for (Helper helper : helpers) {
             LockSupport.unpark(helper);
         }
@@ -413,53 +300,41 @@ public final class Jobs implements AutoCloseable {
 
         final Jobs jobs;
         final int worker;
-        private final long[] board;
 
         Helper(Jobs jobs, int worker) {
             super("cairn-job-" + worker);
             this.jobs = jobs;
             this.worker = worker;
-            board = jobs.board;
             setDaemon(true);
         }
 
         @Override
         public void run() {
+            Stage stage = jobs.stage;
+            TickGate gate = jobs.gate;
             long done = 0;
             int idle = 0;
-            while (!jobs.isClosed()) {
-                long stageWord = (long) Board.WORD.getAcquire(board, Board.STAGE);
+            while (!gate.isClosed()) {
+                long stageWord = stage.published();
                 if (stageWord != done) {
-                    jobs.claimUnits(stageWord, worker);
+                    stage.claimUnits(stageWord, worker);
                     done = stageWord;
                     idle = 0;
                 } else if (idle < HELPER_SPINS) {
                     idle++;
                     Thread.onSpinWait();
-                } else if (idle < HELPER_SPINS + HELPER_YIELDS || tickIsOpen()) {
+                } else if (idle < HELPER_SPINS + HELPER_YIELDS || gate.isOpen()) {
                     idle++;
                     Thread.yield();
                 } else {
-                    park();
+                    while (gate.mayPark(worker)) {
+                        interrupted(); // a block may have left it set; park would return at once
+                        LockSupport.park(jobs);
+                    }
+                    gate.unparked(worker);
                     idle = 0;
                 }
             }
-        }
-
-        private boolean tickIsOpen() {
-            return (long) Board.WORD.getVolatile(board, Board.TICK) != 0L;
-        }
-
-        private void park() {
-            // Volatile store, then volatile loads: pairs with the reverse order in openTick, close.
-            // The flag is raised before every look, since the caller lowers it when it wakes us.
-            Board.WORD.setVolatile(board, Board.parked(worker), 1L);
-            while (!tickIsOpen() && !jobs.isClosed()) {
-                interrupted(); // a block may have left it set, and park would return at once
-                LockSupport.park(jobs);
-                Board.WORD.setVolatile(board, Board.parked(worker), 1L);
-            }
-            Board.WORD.setVolatile(board, Board.parked(worker), 0L);
         }
     }
 }

@@ -14,16 +14,16 @@ final class Perturbation {
     private final long[] counters;
 
     Perturbation(int workers, long seed) {
-        counters = new long[workers * Board.LINE];
+        counters = new long[workers * Lines.LINE];
         for (int worker = 0; worker < workers; worker++) {
-            counters[worker * Board.LINE] = mix(seed + worker * GOLDEN);
+            counters[worker * Lines.LINE] = mix(seed + worker * GOLDEN);
         }
     }
 
     /** Spins for a drawn time; once in a while yields the core. */
     @SuppressWarnings("ThreadPriorityCheck") // disturbing the scheduler is the purpose
     void disturb(int worker) {
-        long draw = mix(counters[worker * Board.LINE] += GOLDEN);
+        long draw = mix(counters[worker * Lines.LINE] += GOLDEN);
         int spins = (int) (draw >>> 32) & MAX_SPINS - 1;
         for (int i = 0; i < spins; i++) {
             Thread.onSpinWait();
