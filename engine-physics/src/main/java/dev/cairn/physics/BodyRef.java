@@ -61,7 +61,7 @@ public final class BodyRef {
      * @return true for infinite mass
      */
     public boolean isFixed() {
-        return table.isFixed(alive());
+        return table.access.isFixed(alive());
     }
 
     /**
@@ -70,7 +70,7 @@ public final class BodyRef {
      * @return the shape that the description gave
      */
     public Shape shape() {
-        return table.shape(alive());
+        return table.access.shape(alive());
     }
 
     /**
@@ -79,7 +79,7 @@ public final class BodyRef {
      * @return the one that the description gave
      */
     public Material material() {
-        return table.material(alive());
+        return table.access.material(alive());
     }
 
     /**
@@ -88,7 +88,7 @@ public final class BodyRef {
      * @return kg; positive infinity for a fixed body
      */
     public double mass() {
-        return table.mass(alive());
+        return table.access.mass(alive());
     }
 
     /**
@@ -98,7 +98,7 @@ public final class BodyRef {
      * @return destination
      */
     public Matrix3d inverseInertia(Matrix3d destination) {
-        return table.inverseInertia(alive(), Checks.notNull("destination", destination));
+        return table.access.inverseInertia(alive(), Checks.notNull("destination", destination));
     }
 
     /**
@@ -117,7 +117,7 @@ public final class BodyRef {
      * @return destination
      */
     public Vector3d position(Vector3d destination) {
-        return table.position(alive(), Checks.notNull("destination", destination));
+        return table.access.position(alive(), Checks.notNull("destination", destination));
     }
 
     /**
@@ -127,7 +127,7 @@ public final class BodyRef {
      * @return destination
      */
     public Vector3d centreOfMass(Vector3d destination) {
-        return table.centreOfMass(alive(), Checks.notNull("destination", destination));
+        return table.access.centreOfMass(alive(), Checks.notNull("destination", destination));
     }
 
     /**
@@ -146,7 +146,7 @@ public final class BodyRef {
      * @return destination
      */
     public Quaterniond orientation(Quaterniond destination) {
-        return table.orientation(alive(), Checks.notNull("destination", destination));
+        return table.access.orientation(alive(), Checks.notNull("destination", destination));
     }
 
     /**
@@ -165,7 +165,7 @@ public final class BodyRef {
      * @return destination
      */
     public Vector3d velocity(Vector3d destination) {
-        return table.velocity(alive(), Checks.notNull("destination", destination));
+        return table.access.velocity(alive(), Checks.notNull("destination", destination));
     }
 
     /**
@@ -184,7 +184,7 @@ public final class BodyRef {
      * @return destination
      */
     public Vector3d angularVelocity(Vector3d destination) {
-        return table.angularVelocity(alive(), Checks.notNull("destination", destination));
+        return table.access.angularVelocity(alive(), Checks.notNull("destination", destination));
     }
 
     /**
@@ -195,7 +195,7 @@ public final class BodyRef {
      * @param fz N, finite
      */
     public void applyForce(double fx, double fy, double fz) {
-        table.applyForce(alive(), fx, fy, fz);
+        table.access.applyForce(alive(), fx, fy, fz);
     }
 
     /**
@@ -209,7 +209,7 @@ public final class BodyRef {
      * @param pz point, world, m, finite
      */
     public void applyForceAt(double fx, double fy, double fz, double px, double py, double pz) {
-        table.applyForceAt(alive(), fx, fy, fz, px, py, pz);
+        table.access.applyForceAt(alive(), fx, fy, fz, px, py, pz);
     }
 
     /**
@@ -220,7 +220,7 @@ public final class BodyRef {
      * @param tz N m, finite
      */
     public void applyTorque(double tx, double ty, double tz) {
-        table.applyTorque(alive(), tx, ty, tz);
+        table.access.applyTorque(alive(), tx, ty, tz);
     }
 
     /**
@@ -231,7 +231,7 @@ public final class BodyRef {
      * @param jz N s, finite
      */
     public void applyImpulse(double jx, double jy, double jz) {
-        table.applyImpulse(alive(), jx, jy, jz);
+        table.access.applyImpulse(alive(), jx, jy, jz);
     }
 
     /**
@@ -245,7 +245,7 @@ public final class BodyRef {
      * @param pz point, world, m, finite
      */
     public void applyImpulseAt(double jx, double jy, double jz, double px, double py, double pz) {
-        table.applyImpulseAt(alive(), jx, jy, jz, px, py, pz);
+        table.access.applyImpulseAt(alive(), jx, jy, jz, px, py, pz);
     }
 
     /**
@@ -256,7 +256,7 @@ public final class BodyRef {
      * @param lz N m s, finite
      */
     public void applyAngularImpulse(double lx, double ly, double lz) {
-        table.applyAngularImpulse(alive(), lx, ly, lz);
+        table.access.applyAngularImpulse(alive(), lx, ly, lz);
     }
 
     /**
@@ -268,7 +268,7 @@ public final class BodyRef {
      * @throws IllegalStateException if the body is fixed
      */
     public void setVelocity(double vx, double vy, double vz) {
-        table.setVelocity(alive(), vx, vy, vz);
+        table.access.setVelocity(alive(), vx, vy, vz);
     }
 
     /**
@@ -280,7 +280,7 @@ public final class BodyRef {
      * @throws IllegalStateException if the body is fixed
      */
     public void setAngularVelocity(double wx, double wy, double wz) {
-        table.setAngularVelocity(alive(), wx, wy, wz);
+        table.access.setAngularVelocity(alive(), wx, wy, wz);
     }
 
     /**
@@ -292,7 +292,7 @@ public final class BodyRef {
      * @param z m, finite
      */
     public void teleport(double x, double y, double z) {
-        table.teleport(alive(), x, y, z);
+        table.access.teleport(alive(), x, y, z);
     }
 
     /**
@@ -304,7 +304,7 @@ public final class BodyRef {
      * @param rotation unit quaternion worldFromBody, its length within 1e-6 of 1
      */
     public void teleport(double x, double y, double z, Quaterniondc rotation) {
-        table.teleport(alive(), x, y, z, Checks.notNull("rotation", rotation));
+        table.access.teleport(alive(), x, y, z, Checks.notNull("rotation", rotation));
     }
 
     /**
@@ -313,15 +313,11 @@ public final class BodyRef {
      * @throws IllegalStateException while a step runs
      */
     public void remove() {
-        table.remove(alive());
+        table.access.remove(alive());
     }
 
     int slot() {
         return slot;
-    }
-
-    BodyTable table() {
-        return table;
     }
 
     private int alive() {

@@ -1,76 +1,413 @@
 package dev.cairn.physics;
 
+import dev.cairn.core.ecs.World;
+import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.broadphase.BroadPhase;
+import dev.cairn.physics.contact.BoundsStage;
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
-import org.joml.Matrix3d;
-import org.joml.Quaterniond;
-import org.joml.Quaterniondc;
-import org.joml.Vector3d;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
 
-/** The bodies of a world behind {@link BodyRef}. */
+/**
+ * Who is in the world: slots, their entities and references, and what the kernels of the step do not need.
+ *
+ * <p>A slot is free, or in use, or gone: its entity was found dead at the start of a tick, and its rows leave in that tick;
+ * then it is free. Free slots are used again last freed first, which is part of the deterministic state.
+ */
 final class BodyTable {
+    final BodyStore bodies = new BodyStore();
+    final BroadPhase broadPhase = new BroadPhase();
+    final BoundsStage bounds;
+    final BodyAccess access = new BodyAccess(this);
+
+    BodyRef[] refs = new BodyRef[0];
+    Material[] materials = new Material[0];
+    double[] comX = {}, comY = {}, comZ = {};
+    int[] jumps = {};
+    private long[] seen = {};
+
+    /** Slots of dynamic bodies and of fixed ones, each ascending. */
+    int[] dynamic = {}, fixed = {};
+
+    int dynamicCount;
+    int fixedCount;
+    private boolean listsStale;
+
+    private int[] free = new int[16];
+    private int freeCount;
+    private int[] gone = new int[16];
+    private int goneCount;
+
+    /** Fixed bodies whose box must be placed at the next tick, in the order of the calls. */
+    private int[] unplaced = new int[16];
+
+    private int unplacedCount;
+
+    final List<BodyRef> quarantined = new ArrayList<>();
+    private @Nullable World world;
+    private boolean closed;
+
+    BodyTable(PhysicsSettings settings) {
+        bounds = new BoundsStage(settings);
+    }
+
+    void bind(World ecs) {
+        world = ecs;
+    }
+
+    World world() {
+        if (world == null) {
+            throw new IllegalStateException("the physics system is in no world yet");
+        }
+        return world;
+    }
+
+    void close() {
+        closed = true;
+    }
+
+    boolean isClosed() {
+        return closed;
+    }
+
+    // Birth ------------------------------------------------------------------------------------
+
+    /** Everything that can fail happens before anything changes. */
+    BodyRef add(Body body) {
+        Shape shape = body.shape;
+        if (shape == null) {
+            throw new IllegalArgumentException(
+                    "body"
+                            + (body.name.isEmpty() ? "" : " '" + body.name + "'")
+                            + " has no shape; call .shape(..) before adding it");
+        }
+        MassProperties mass = massOf(body, shape);
+        double[] inverse = body.fixed ? new double[6] : Inertia.inverse(mass);
+        double[] com = new double[3];
+        Rotations.rotate(
+                body.qx, body.qy, body.qz, body.qw, mass.comX(), mass.comY(), mass.comZ(), com);
+        checkReach("x", body.x + com[0]);
+        checkReach("y", body.y + com[1]);
+        checkReach("z", body.z + com[2]);
+        int slot = freeCount > 0 ? free[freeCount - 1] : bodies.slotCount;
+        ensureSlots(slot + 1);
+        Record[] records = records(body, slot);
+        long entity = world().spawn(records);
+        if (freeCount > 0) {
+            freeCount--;
+        } else {
+            bodies.slotCount++;
+        }
+        BodyRef ref = new BodyRef(this, slot, entity, body.name);
+        refs[slot] = ref;
+        materials[slot] = body.material;
+        comX[slot] = mass.comX();
+        comY[slot] = mass.comY();
+        comZ[slot] = mass.comZ();
+        jumps[slot] = 0;
+        fill(slot, entity, body, shape, mass, inverse, com);
+        listsStale = true;
+        if (body.fixed) {
+            addUnplaced(slot);
+        }
+        return ref;
+    }
+
+    private static MassProperties massOf(Body body, Shape shape) {
+        MassProperties p = shape.massProperties(body.material.density());
+        if (!Double.isNaN(body.mass)) {
+            double factor = body.mass / p.mass();
+            p =
+                    new MassProperties(
+                            body.mass,
+                            p.comX(),
+                            p.comY(),
+                            p.comZ(),
+                            p.ixx() * factor,
+                            p.iyy() * factor,
+                            p.izz() * factor,
+                            p.ixy() * factor,
+                            p.ixz() * factor,
+                            p.iyz() * factor);
+        }
+        boolean usable =
+                p.mass() > 0
+                        && Double.isFinite(p.mass())
+                        && Double.isFinite(1 / p.mass())
+                        && p.ixx() > 0
+                        && p.iyy() > 0
+                        && p.izz() > 0
+                        && Double.isFinite(p.ixx() + p.iyy() + p.izz());
+        if (!body.fixed && !usable) {
+            throw new IllegalArgumentException(
+                    "mass of "
+                            + shape
+                            + " is "
+                            + p.mass()
+                            + " kg with inertia ("
+                            + p.ixx()
+                            + ", "
+                            + p.iyy()
+                            + ", "
+                            + p.izz()
+                            + ") kg m²; these and their inverses must be finite and greater than 0:"
+                            + " choose another size, density or mass");
+        }
+        return p;
+    }
+
+    private static void checkReach(String name, double value) {
+        if (!(Math.abs(value) <= BoundsStage.LIMIT)) {
+            throw new IllegalArgumentException(
+                    name + " is " + value + " m; it must be from -1e60 to 1e60");
+        }
+    }
+
+    private Record[] records(Body body, int slot) {
+        int own = body.fixed ? 2 : 3;
+        Record[] records = new Record[own + body.components.size()];
+        records[0] = new Pose(body.x, body.y, body.z, body.qx, body.qy, body.qz, body.qw, 0);
+        records[1] = new RigidBody(slot);
+        if (!body.fixed) {
+            records[2] = new Velocity(body.vx, body.vy, body.vz, body.wx, body.wy, body.wz);
+        }
+        for (int i = 0; i < body.components.size(); i++) {
+            Record component = body.components.get(i);
+            for (int j = 0; j < own + i; j++) {
+                if (records[j].getClass() == component.getClass()) {
+                    throw new IllegalArgumentException(
+                            "component "
+                                    + component.getClass().getSimpleName()
+                                    + " is given twice; pass one of each type, and leave Pose, Velocity"
+                                    + " and RigidBody to the body");
+                }
+            }
+            if (component instanceof Velocity) {
+                throw new IllegalArgumentException(
+                        "component Velocity is given to a fixed body; make it dynamic or leave it out");
+            }
+            records[own + i] = component;
+        }
+        return records;
+    }
+
+    private void fill(
+            int s,
+            long entity,
+            Body body,
+            Shape shape,
+            MassProperties mass,
+            double[] inverse,
+            double[] com) {
+        BodyStore b = bodies;
+        b.kind[s] = body.fixed ? BodyStore.STATIC : BodyStore.DYNAMIC;
+        b.entity[s] = entity;
+        b.shape[s] = shape;
+        b.innerRadius[s] = shape.innerRadius();
+        b.outerRadius[s] = shape.outerRadius();
+        b.positionX[s] = body.x + com[0];
+        b.positionY[s] = body.y + com[1];
+        b.positionZ[s] = body.z + com[2];
+        b.orientationX[s] = body.qx;
+        b.orientationY[s] = body.qy;
+        b.orientationZ[s] = body.qz;
+        b.orientationW[s] = body.qw;
+        b.velocityX[s] = body.fixed ? 0 : body.vx;
+        b.velocityY[s] = body.fixed ? 0 : body.vy;
+        b.velocityZ[s] = body.fixed ? 0 : body.vz;
+        b.angularVelocityX[s] = body.fixed ? 0 : body.wx;
+        b.angularVelocityY[s] = body.fixed ? 0 : body.wy;
+        b.angularVelocityZ[s] = body.fixed ? 0 : body.wz;
+        clearForces(s);
+        b.inverseMass[s] = body.fixed ? 0 : 1 / mass.mass();
+        b.inertiaXX[s] = mass.ixx();
+        b.inertiaYY[s] = mass.iyy();
+        b.inertiaZZ[s] = mass.izz();
+        b.inertiaXY[s] = mass.ixy();
+        b.inertiaXZ[s] = mass.ixz();
+        b.inertiaYZ[s] = mass.iyz();
+        b.inverseInertiaXX[s] = inverse[0];
+        b.inverseInertiaYY[s] = inverse[1];
+        b.inverseInertiaZZ[s] = inverse[2];
+        b.inverseInertiaXY[s] = inverse[3];
+        b.inverseInertiaXZ[s] = inverse[4];
+        b.inverseInertiaYZ[s] = inverse[5];
+        b.friction[s] = body.material.friction();
+        b.restitution[s] = body.material.restitution();
+    }
+
+    private void ensureSlots(int capacity) {
+        bodies.ensureCapacity(capacity);
+        broadPhase.ensureSlots(capacity);
+        bounds.ensureSlots(capacity);
+        if (capacity > refs.length) {
+            int n = bodies.kind.length;
+            refs = Arrays.copyOf(refs, n);
+            materials = Arrays.copyOf(materials, n);
+            comX = Arrays.copyOf(comX, n);
+            comY = Arrays.copyOf(comY, n);
+            comZ = Arrays.copyOf(comZ, n);
+            jumps = Arrays.copyOf(jumps, n);
+            seen = Arrays.copyOf(seen, n);
+        }
+    }
+
+    // Life and death ---------------------------------------------------------------------------
+
     boolean isAlive(int slot, long entity) {
-        throw new UnsupportedOperationException();
+        return !closed
+                && bodies.kind[slot] != BodyStore.FREE
+                && bodies.entity[slot] == entity
+                && world().isAlive(entity)
+                && world().has(entity, RigidBody.COMPONENT);
     }
 
-    boolean isFixed(int slot) {
-        throw new UnsupportedOperationException();
+    /** A row of the ECS says that its body is there. */
+    void see(int slot, long entity, long tick) {
+        if (slot < 0
+                || slot >= bodies.slotCount
+                || bodies.kind[slot] == BodyStore.FREE
+                || bodies.entity[slot] != entity) {
+            throw new IllegalStateException(
+                    "an entity has RigidBody["
+                            + slot
+                            + "] that is not its own; bodies are made by PhysicsWorld.add, do not add"
+                            + " RigidBody by hand");
+        }
+        seen[slot] = tick;
     }
 
-    Shape shape(int slot) {
-        throw new UnsupportedOperationException();
+    /** Bodies whose entity is gone leave the trees; their slots are free after {@link #freeGone}. */
+    void sweep(long tick) {
+        if (listsStale) {
+            rebuildLists();
+        }
+        World ecs = world();
+        boolean any = false;
+        for (int i = 0; i < dynamicCount; i++) {
+            if (seen[dynamic[i]] != tick) {
+                leave(dynamic[i]);
+                any = true;
+            }
+        }
+        for (int i = 0; i < fixedCount; i++) {
+            int slot = fixed[i];
+            if (seen[slot] != tick
+                    && !(ecs.isAlive(bodies.entity[slot])
+                            && ecs.has(bodies.entity[slot], RigidBody.COMPONENT))) {
+                leave(slot);
+                any = true;
+            }
+        }
+        if (any) {
+            rebuildLists();
+        }
+        placeFixed();
     }
 
-    Material material(int slot) {
-        throw new UnsupportedOperationException();
+    private void leave(int slot) {
+        broadPhase.remove(slot);
+        bodies.kind[slot] = BodyStore.FREE;
+        if (goneCount == gone.length) {
+            gone = Arrays.copyOf(gone, 2 * goneCount);
+        }
+        gone[goneCount++] = slot;
+        quarantined.remove(refs[slot]);
     }
 
-    double mass(int slot) {
-        throw new UnsupportedOperationException();
+    /** After the rows of the gone bodies have left. */
+    void freeGone() {
+        for (int i = goneCount - 1; i >= 0; i--) {
+            if (freeCount == free.length) {
+                free = Arrays.copyOf(free, 2 * freeCount);
+            }
+            free[freeCount++] = gone[i];
+        }
+        goneCount = 0;
     }
 
-    Matrix3d inverseInertia(int slot, Matrix3d d) {
-        throw new UnsupportedOperationException();
+    private void rebuildLists() {
+        int n = bodies.slotCount;
+        if (dynamic.length < n) {
+            dynamic = new int[bodies.kind.length];
+            fixed = new int[bodies.kind.length];
+        }
+        dynamicCount = 0;
+        fixedCount = 0;
+        for (int slot = 0; slot < n; slot++) {
+            if (bodies.kind[slot] == BodyStore.DYNAMIC) {
+                dynamic[dynamicCount++] = slot;
+            } else if (bodies.kind[slot] == BodyStore.STATIC) {
+                fixed[fixedCount++] = slot;
+            }
+        }
+        listsStale = false;
     }
 
-    Vector3d position(int slot, Vector3d d) {
-        throw new UnsupportedOperationException();
+    void addUnplaced(int slot) {
+        if (unplacedCount == unplaced.length) {
+            unplaced = Arrays.copyOf(unplaced, 2 * unplacedCount);
+        }
+        unplaced[unplacedCount++] = slot;
     }
 
-    Vector3d centreOfMass(int slot, Vector3d d) {
-        throw new UnsupportedOperationException();
+    private void placeFixed() {
+        for (int i = 0; i < unplacedCount; i++) {
+            if (bodies.kind[unplaced[i]] == BodyStore.STATIC) {
+                bounds.placeFixed(bodies, broadPhase, unplaced[i]);
+            }
+        }
+        unplacedCount = 0;
     }
 
-    Quaterniond orientation(int slot, Quaterniond d) {
-        throw new UnsupportedOperationException();
+    /** Stops a body where it is and fixes it there. */
+    void quarantine(int slot) {
+        BodyStore b = bodies;
+        b.kind[slot] = BodyStore.STATIC;
+        b.velocityX[slot] = 0;
+        b.velocityY[slot] = 0;
+        b.velocityZ[slot] = 0;
+        b.angularVelocityX[slot] = 0;
+        b.angularVelocityY[slot] = 0;
+        b.angularVelocityZ[slot] = 0;
+        b.inverseMass[slot] = 0;
+        b.inverseInertiaXX[slot] = 0;
+        b.inverseInertiaYY[slot] = 0;
+        b.inverseInertiaZZ[slot] = 0;
+        b.inverseInertiaXY[slot] = 0;
+        b.inverseInertiaXZ[slot] = 0;
+        b.inverseInertiaYZ[slot] = 0;
+        clearForces(slot);
+        quarantined.add(refs[slot]);
+        listsStale = true;
     }
 
-    Vector3d velocity(int slot, Vector3d d) {
-        throw new UnsupportedOperationException();
+    void clearForces(int slot) {
+        bodies.forceX[slot] = 0;
+        bodies.forceY[slot] = 0;
+        bodies.forceZ[slot] = 0;
+        bodies.torqueX[slot] = 0;
+        bodies.torqueY[slot] = 0;
+        bodies.torqueZ[slot] = 0;
     }
 
-    Vector3d angularVelocity(int slot, Vector3d d) {
-        throw new UnsupportedOperationException();
+    void clearAllForces() {
+        for (int slot = 0; slot < bodies.slotCount; slot++) {
+            clearForces(slot);
+        }
     }
 
-    void applyForce(int slot, double fx, double fy, double fz) {}
-
-    void applyForceAt(int slot, double fx, double fy, double fz, double px, double py, double pz) {}
-
-    void applyTorque(int slot, double tx, double ty, double tz) {}
-
-    void applyImpulse(int slot, double x, double y, double z) {}
-
-    void applyImpulseAt(int slot, double x, double y, double z, double px, double py, double pz) {}
-
-    void applyAngularImpulse(int slot, double x, double y, double z) {}
-
-    void setVelocity(int slot, double x, double y, double z) {}
-
-    void setAngularVelocity(int slot, double x, double y, double z) {}
-
-    void teleport(int slot, double x, double y, double z) {}
-
-    void teleport(int slot, double x, double y, double z, Quaterniondc q) {}
-
-    void remove(int slot) {}
+    List<BodyRef> alive() {
+        List<BodyRef> alive = new ArrayList<>();
+        for (int slot = 0; slot < bodies.slotCount; slot++) {
+            if (isAlive(slot, bodies.entity[slot])) {
+                alive.add(refs[slot]);
+            }
+        }
+        return alive;
+    }
 }

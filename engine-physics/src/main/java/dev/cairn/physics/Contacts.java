@@ -52,7 +52,8 @@ public interface Contacts {
     Vector3d normal(int contact, Vector3d destination);
 
     /**
-     * A point, midway between the surfaces, as the narrow phase found it at the start of the step.
+     * A point, midway between the surfaces: as the narrow phase found it at the start of the step,
+     * carried along with the centre of mass of body A.
      *
      * @param contact 0 to count - 1
      * @param point 0 to pointCount - 1

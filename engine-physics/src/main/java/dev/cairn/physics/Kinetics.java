@@ -1,5 +1,7 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.internal.BodyStore;
+
 /**
  * What all dynamic bodies of a world have in motion, summed in slot order (so the same bits for any number of workers).
  *
@@ -18,4 +20,68 @@ public record Kinetics(
         double momentumZ,
         double angularMomentumX,
         double angularMomentumY,
-        double angularMomentumZ) {}
+        double angularMomentumZ) {
+    /** Sums in slot order. */
+    static Kinetics of(BodyStore b) {
+        double energy = 0;
+        double px = 0;
+        double py = 0;
+        double pz = 0;
+        double lx = 0;
+        double ly = 0;
+        double lz = 0;
+        double[] v = new double[3];
+        for (int s = 0; s < b.slotCount; s++) {
+            if (b.kind[s] != BodyStore.DYNAMIC) {
+                continue;
+            }
+            double mass = 1 / b.inverseMass[s];
+            double mx = mass * b.velocityX[s];
+            double my = mass * b.velocityY[s];
+            double mz = mass * b.velocityZ[s];
+            spin(b, s, v);
+            energy +=
+                    0.5 * (mx * b.velocityX[s] + my * b.velocityY[s] + mz * b.velocityZ[s])
+                            + 0.5
+                                    * (v[0] * b.angularVelocityX[s]
+                                            + v[1] * b.angularVelocityY[s]
+                                            + v[2] * b.angularVelocityZ[s]);
+            px += mx;
+            py += my;
+            pz += mz;
+            lx += b.positionY[s] * mz - b.positionZ[s] * my + v[0];
+            ly += b.positionZ[s] * mx - b.positionX[s] * mz + v[1];
+            lz += b.positionX[s] * my - b.positionY[s] * mx + v[2];
+        }
+        return new Kinetics(energy, px, py, pz, lx, ly, lz);
+    }
+
+    /** Spin angular momentum in world axes: R I Rᵀ w. */
+    private static void spin(BodyStore b, int s, double[] v) {
+        double qx = b.orientationX[s];
+        double qy = b.orientationY[s];
+        double qz = b.orientationZ[s];
+        double qw = b.orientationW[s];
+        Rotations.rotate(
+                -qx,
+                -qy,
+                -qz,
+                qw,
+                b.angularVelocityX[s],
+                b.angularVelocityY[s],
+                b.angularVelocityZ[s],
+                v);
+        double wx = v[0];
+        double wy = v[1];
+        double wz = v[2];
+        Rotations.rotate(
+                qx,
+                qy,
+                qz,
+                qw,
+                b.inertiaXX[s] * wx + b.inertiaXY[s] * wy + b.inertiaXZ[s] * wz,
+                b.inertiaXY[s] * wx + b.inertiaYY[s] * wy + b.inertiaYZ[s] * wz,
+                b.inertiaXZ[s] * wx + b.inertiaYZ[s] * wy + b.inertiaZZ[s] * wz,
+                v);
+    }
+}

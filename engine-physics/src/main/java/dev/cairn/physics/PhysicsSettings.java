@@ -1,21 +1,23 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.solver.SolverSettings;
+
 /**
  * The tunables of the step, in one place. Every length rule is relative to the bodies' own size or to how far they move in
  * a tick: there is no absolute slop, so a scene of millimetres behaves as one of kilometres. Immutable; any thread.
  *
  * @param substeps solver sub-steps of a tick, 1 to 64. More are more accurate and cost in proportion. Default 4
- * @param contactStiffness frequency of the soft contacts as a fraction of the sub-step's frequency: {@code hertz =
- *     contactStiffness / h}, above 0, at most 0.5. Default 0.125, as far as the soft step of Box3D goes
- * @param contactDampingRatio damping ratio of the soft contacts, above 0. Default 10: overlaps fade, they do not pop
- * @param pushSpeed the fastest that an overlap is pushed apart, m/s, above 0. Default 3
- * @param restitutionThreshold approach speed below which nothing bounces, m/s, at least 0. Default 1
+ * @param contactStiffness frequency of the soft contacts as a fraction of the sub-step's: {@code hertz = contactStiffness /
+ *     h}, 0.001 to 0.5. Default 0.125
+ * @param contactDampingRatio damping ratio of the soft contacts, 0 to 1000. Default 10: overlaps fade, they do not pop
+ * @param pushSpeed the fastest that an overlap is pushed apart, m/s, 0.001 to 1000. Default 3
+ * @param restitutionThreshold approach speed below which nothing bounces, m/s, 0 to 1000. Default 0.1
  * @param speculativeTime contacts are made for pairs that could meet within so many ticks at their present relative speed
- *     (turning included), at least 0. Default 1
+ *     (turning included), 0 to 16. Default 1
  * @param speculativeFraction and, besides, for pairs that are closer than this fraction of the smaller body's inner
  *     radius, so that resting points persist, 0 to 1. Default 0.02
- * @param boundsMargin fat bounds extend the tight ones by this fraction of the body's outer radius, 0 to 1. Default 0.1
- * @param boundsTime and by the distance of so many ticks along the body's velocity, at least 0. Default 4
+ * @param boundsMargin fat bounds extend the needed ones by this fraction of the body's outer radius, 0 to 1. Default 0.1
+ * @param boundsTime and by the distance of so many ticks along the body's velocity, 0 to 64. Default 4
  */
 public record PhysicsSettings(
         int substeps,
@@ -29,7 +31,16 @@ public record PhysicsSettings(
         double boundsTime) {
     /** The default values. */
     public static final PhysicsSettings DEFAULT =
-            new PhysicsSettings(4, 0.125, 10, 3, 1, 1, 0.02, 0.1, 4);
+            new PhysicsSettings(
+                    SolverSettings.DEFAULT.substeps(),
+                    SolverSettings.DEFAULT.hertzPerRate(),
+                    SolverSettings.DEFAULT.dampingRatio(),
+                    SolverSettings.DEFAULT.pushSpeed(),
+                    SolverSettings.DEFAULT.restitutionThreshold(),
+                    1,
+                    0.02,
+                    0.1,
+                    4);
 
     /**
      * Checks the values.
@@ -38,15 +49,14 @@ public record PhysicsSettings(
      */
     public PhysicsSettings {
         Checks.between("substeps", substeps, 1, 64);
-        Checks.positive("contactStiffness", contactStiffness);
-        Checks.between("contactStiffness", contactStiffness, 0, 0.5);
-        Checks.positive("contactDampingRatio", contactDampingRatio);
-        Checks.positive("pushSpeed", pushSpeed);
-        Checks.atLeastZero("restitutionThreshold", restitutionThreshold);
-        Checks.atLeastZero("speculativeTime", speculativeTime);
+        Checks.between("contactStiffness", contactStiffness, 0.001, 0.5);
+        Checks.between("contactDampingRatio", contactDampingRatio, 0, 1000);
+        Checks.between("pushSpeed", pushSpeed, 0.001, 1000);
+        Checks.between("restitutionThreshold", restitutionThreshold, 0, 1000);
+        Checks.between("speculativeTime", speculativeTime, 0, 16);
         Checks.between("speculativeFraction", speculativeFraction, 0, 1);
         Checks.between("boundsMargin", boundsMargin, 0, 1);
-        Checks.atLeastZero("boundsTime", boundsTime);
+        Checks.between("boundsTime", boundsTime, 0, 64);
     }
 
     /**
@@ -85,5 +95,12 @@ public record PhysicsSettings(
                 speculativeFraction,
                 boundsMargin,
                 boundsTime);
+    }
+
+    SolverSettings solver() {
+        return SolverSettings.DEFAULT
+                .withSubsteps(substeps)
+                .withSoftness(contactStiffness, contactDampingRatio, pushSpeed)
+                .withRestitutionThreshold(restitutionThreshold);
     }
 }

@@ -3,6 +3,7 @@ package dev.cairn.physics;
 import dev.cairn.core.ecs.EcsSystem;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.job.Jobs;
+import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -13,7 +14,16 @@ import org.jspecify.annotations.Nullable;
  * #step}. Steps allocate nothing once the arrays have grown.
  */
 public final class PhysicsWorld implements AutoCloseable {
-    private PhysicsWorld() {}
+    private final PhysicsSystem physics;
+    private final World ecs;
+    private boolean stepping;
+    private boolean closed;
+
+    private PhysicsWorld(PhysicsSystem physics, World ecs) {
+        this.physics = physics;
+        this.ecs = ecs;
+        physics.table.bind(ecs);
+    }
 
     /**
      * Starts the description of a world.
@@ -33,7 +43,14 @@ public final class PhysicsWorld implements AutoCloseable {
      * @throws IllegalStateException if the world is closed or a step runs
      */
     public BodyRef add(Body body) {
-        throw new UnsupportedOperationException();
+        Checks.notNull("body", body);
+        requireOpen("add");
+        if (stepping || physics.isRunning()) {
+            throw new IllegalStateException(
+                    "add was called during a step; add bodies between steps, or spawn plain entities with"
+                            + " tick.commands()");
+        }
+        return physics.table.add(body);
     }
 
     /**
@@ -44,7 +61,18 @@ public final class PhysicsWorld implements AutoCloseable {
      * @throws IllegalStateException if the world is closed, has failed, or a step runs already
      */
     public void step(double stepSeconds) {
-        throw new UnsupportedOperationException();
+        requireOpen("step");
+        if (stepping) {
+            throw new IllegalStateException(
+                    "step was called during a step; a system must not step the world that runs it");
+        }
+        Checks.positive("stepSeconds", stepSeconds);
+        stepping = true;
+        try {
+            ecs.step(stepSeconds);
+        } finally {
+            stepping = false;
+        }
     }
 
     /**
@@ -53,7 +81,7 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return the world
      */
     public World ecs() {
-        throw new UnsupportedOperationException();
+        return ecs;
     }
 
     /**
@@ -62,7 +90,7 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return the same view each time
      */
     public Contacts contacts() {
-        throw new UnsupportedOperationException();
+        return physics.view;
     }
 
     /**
@@ -73,7 +101,13 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return a new list
      */
     public List<BodyRef> quarantined() {
-        throw new UnsupportedOperationException();
+        List<BodyRef> list = new ArrayList<>();
+        for (BodyRef ref : physics.table.quarantined) {
+            if (ref.isAlive()) {
+                list.add(ref);
+            }
+        }
+        return list;
     }
 
     /**
@@ -83,17 +117,20 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return its body, or {@code null} if it has none
      */
     public @Nullable BodyRef bodyOf(long entity) {
-        throw new UnsupportedOperationException();
+        if (closed || !ecs.isAlive(entity) || !ecs.has(entity, RigidBody.COMPONENT)) {
+            return null;
+        }
+        BodyRef ref = physics.table.refs[ecs.get(entity, RigidBody.COMPONENT).slot()];
+        return ref.entity() == entity ? ref : null;
     }
 
     /**
-     * The body of an index, in slot order, for loops over all bodies.
+     * All bodies, in slot order. Allocates.
      *
-     * @param index 0 to bodyCount - 1
-     * @return the body
+     * @return a new list
      */
-    public BodyRef body(int index) {
-        throw new UnsupportedOperationException();
+    public List<BodyRef> bodies() {
+        return physics.table.alive();
     }
 
     /**
@@ -102,7 +139,7 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return the number
      */
     public int bodyCount() {
-        throw new UnsupportedOperationException();
+        return ecs.query(RigidBody.COMPONENT).entityCount();
     }
 
     /**
@@ -111,7 +148,7 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return 64 bits
      */
     public long digest() {
-        throw new UnsupportedOperationException();
+        return Digest.of(physics.table.bodies, physics.contacts);
     }
 
     /**
@@ -129,16 +166,20 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return the sums
      */
     public Kinetics kinetics() {
-        throw new UnsupportedOperationException();
+        return Kinetics.of(physics.table.bodies);
     }
 
     /**
-     * Stops or resumes the physics system; the other systems run on.
+     * Stops or resumes the physics system; the other systems run on. Forces that were applied meanwhile are forgotten.
      *
      * @param paused true to stop
      */
     public void setPaused(boolean paused) {
-        throw new UnsupportedOperationException();
+        requireOpen("setPaused");
+        if (!paused && isPaused()) {
+            physics.table.clearAllForces();
+        }
+        ecs.schedule().setEnabled(PhysicsSystem.NAME, !paused);
     }
 
     /**
@@ -147,7 +188,7 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return true between setPaused(true) and setPaused(false)
      */
     public boolean isPaused() {
-        throw new UnsupportedOperationException();
+        return !ecs.schedule().isEnabled(PhysicsSystem.NAME);
     }
 
     /**
@@ -156,7 +197,7 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return true after a failed step
      */
     public boolean hasFailed() {
-        throw new UnsupportedOperationException();
+        return ecs.hasFailed();
     }
 
     /**
@@ -165,17 +206,55 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return the settings
      */
     public PhysicsSettings settings() {
-        throw new UnsupportedOperationException();
+        return physics.settings;
     }
 
     /** Ends the world and its helpers. A second call does nothing. */
     @Override
     public void close() {
-        throw new UnsupportedOperationException();
+        if (closed) {
+            return;
+        }
+        ecs.close();
+        closed = true;
+        physics.table.close();
+    }
+
+    /**
+     * Changes the gravity, between steps.
+     *
+     * @param x m/s², finite
+     * @param y m/s², finite
+     * @param z m/s², finite
+     */
+    public void setGravity(double x, double y, double z) {
+        Checks.finite("gravity x", x);
+        Checks.finite("gravity y", y);
+        Checks.finite("gravity z", z);
+        requireOpen("setGravity");
+        physics.gravityX = x;
+        physics.gravityY = y;
+        physics.gravityZ = z;
+    }
+
+    private void requireOpen(String call) {
+        if (closed) {
+            throw new IllegalStateException(
+                    call + " was called on a world that is closed; build another one");
+        }
     }
 
     /** Describes a world. One thread at a time. */
     public static final class Builder {
+        private double gravityX;
+        private double gravityY = -9.81;
+        private double gravityZ;
+        private @Nullable Jobs jobs;
+        private int workers;
+        private PhysicsSettings settings = PhysicsSettings.DEFAULT;
+        private long seed;
+        private final List<EcsSystem> systems = new ArrayList<>();
+
         private Builder() {}
 
         /**
@@ -187,6 +266,12 @@ public final class PhysicsWorld implements AutoCloseable {
          * @return this
          */
         public Builder gravity(double x, double y, double z) {
+            Checks.finite("gravity x", x);
+            Checks.finite("gravity y", y);
+            Checks.finite("gravity z", z);
+            gravityX = x;
+            gravityY = y;
+            gravityZ = z;
             return this;
         }
 
@@ -198,6 +283,8 @@ public final class PhysicsWorld implements AutoCloseable {
          * @return this
          */
         public Builder workers(int count) {
+            workers = Checks.between("workers", count, 1, Jobs.MAX_WORKERS);
+            jobs = null;
             return this;
         }
 
@@ -208,6 +295,7 @@ public final class PhysicsWorld implements AutoCloseable {
          * @return this
          */
         public Builder jobs(Jobs value) {
+            jobs = Checks.notNull("jobs", value);
             return this;
         }
 
@@ -218,6 +306,7 @@ public final class PhysicsWorld implements AutoCloseable {
          * @return this
          */
         public Builder substeps(int count) {
+            settings = settings.withSubsteps(count);
             return this;
         }
 
@@ -228,6 +317,7 @@ public final class PhysicsWorld implements AutoCloseable {
          * @return this
          */
         public Builder settings(PhysicsSettings value) {
+            settings = Checks.notNull("settings", value);
             return this;
         }
 
@@ -238,6 +328,7 @@ public final class PhysicsWorld implements AutoCloseable {
          * @return this
          */
         public Builder seed(long value) {
+            seed = value;
             return this;
         }
 
@@ -248,6 +339,10 @@ public final class PhysicsWorld implements AutoCloseable {
          * @return this
          */
         public Builder systems(EcsSystem... values) {
+            Checks.notNull("systems", values);
+            for (EcsSystem system : values) {
+                systems.add(Checks.notNull("system", system));
+            }
             return this;
         }
 
@@ -257,7 +352,17 @@ public final class PhysicsWorld implements AutoCloseable {
          * @return an empty world
          */
         public PhysicsWorld build() {
-            throw new UnsupportedOperationException();
+            PhysicsSystem physics = new PhysicsSystem(settings, gravityX, gravityY, gravityZ);
+            List<EcsSystem> all = new ArrayList<>(systems);
+            all.add(physics);
+            World.Builder builder =
+                    World.builder().systems(all.toArray(new EcsSystem[0])).seed(seed);
+            if (jobs != null) {
+                builder.jobs(jobs);
+            } else {
+                builder.workers(workers == 0 ? Jobs.defaultWorkers() : workers);
+            }
+            return new PhysicsWorld(physics, builder.build());
         }
     }
 }

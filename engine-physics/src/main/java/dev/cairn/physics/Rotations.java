@@ -1,6 +1,6 @@
 package dev.cairn.physics;
 
-/** Checks on quaternions that users pass. */
+/** Quaternions as users pass them, and the rotation of a vector. */
 final class Rotations {
     /** How far from 1 the length of a quaternion may be to be taken as rounding. */
     static final double TOLERANCE = 1e-6;
@@ -28,5 +28,23 @@ final class Rotations {
                             + " of 1: normalise it first");
         }
         return 1 / length;
+    }
+
+    /** Rotates (vx, vy, vz) by the unit quaternion: v + 2 w (q x v) + 2 q x (q x v). */
+    static void rotate(
+            double qx,
+            double qy,
+            double qz,
+            double qw,
+            double vx,
+            double vy,
+            double vz,
+            double[] out) {
+        double tx = 2 * (qy * vz - qz * vy);
+        double ty = 2 * (qz * vx - qx * vz);
+        double tz = 2 * (qx * vy - qy * vx);
+        out[0] = vx + qw * tx + (qy * tz - qz * ty);
+        out[1] = vy + qw * ty + (qz * tx - qx * tz);
+        out[2] = vz + qw * tz + (qx * ty - qy * tx);
     }
 }

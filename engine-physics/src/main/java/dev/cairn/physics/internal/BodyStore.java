@@ -81,6 +81,9 @@ public final class BodyStore {
     /** Newton's coefficient of restitution, 0..1. */
     public double[] restitution = {};
 
+    /** Radii of the shape's inner and outer ball about the centre of mass, m. */
+    public double[] innerRadius = {}, outerRadius = {};
+
     /** Grows every column to at least {@code capacity} slots; between phases only. */
     public void ensureCapacity(int capacity) {
         if (capacity <= kind.length) {
@@ -124,5 +127,7 @@ public final class BodyStore {
         inverseInertiaYZ = Arrays.copyOf(inverseInertiaYZ, n);
         friction = Arrays.copyOf(friction, n);
         restitution = Arrays.copyOf(restitution, n);
+        innerRadius = Arrays.copyOf(innerRadius, n);
+        outerRadius = Arrays.copyOf(outerRadius, n);
     }
 }

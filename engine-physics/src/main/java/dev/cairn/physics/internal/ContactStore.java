@@ -34,6 +34,12 @@ public final class ContactStore {
     /** Mixed coefficient of restitution, 0..1. */
     public double[] restitution = {};
 
+    /** 1 while the bodies touch: since they came within reach they have overlapped or pushed. */
+    public byte[] touching = {};
+
+    /** The narrow phase's warm-start word; 0 if there is none. */
+    public long[] cache = {};
+
     /**
      * Friction impulse at the patch centre in world axes, N s over the last sub-step; warm start.
      */
@@ -84,6 +90,8 @@ public final class ContactStore {
         normalZ = Arrays.copyOf(normalZ, n);
         friction = Arrays.copyOf(friction, n);
         restitution = Arrays.copyOf(restitution, n);
+        touching = Arrays.copyOf(touching, n);
+        cache = Arrays.copyOf(cache, n);
         frictionImpulseX = Arrays.copyOf(frictionImpulseX, n);
         frictionImpulseY = Arrays.copyOf(frictionImpulseY, n);
         frictionImpulseZ = Arrays.copyOf(frictionImpulseZ, n);

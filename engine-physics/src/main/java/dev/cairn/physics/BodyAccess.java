@@ -1,0 +1,270 @@
+package dev.cairn.physics;
+
+import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.contact.BoundsStage;
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.shape.Shape;
+import org.joml.Matrix3d;
+import org.joml.Quaterniond;
+import org.joml.Quaterniondc;
+import org.joml.Vector3d;
+
+/** What {@link BodyRef} reads and writes, by slot; the slot is alive. */
+final class BodyAccess {
+    private final BodyTable table;
+    private final BodyStore bodies;
+    private final double[] rotated = new double[3];
+
+    BodyAccess(BodyTable table) {
+        this.table = table;
+        this.bodies = table.bodies;
+    }
+
+    boolean isFixed(int s) {
+        return bodies.kind[s] == BodyStore.STATIC;
+    }
+
+    Shape shape(int s) {
+        return bodies.shape[s];
+    }
+
+    Material material(int s) {
+        return table.materials[s];
+    }
+
+    double mass(int s) {
+        return isFixed(s) ? Double.POSITIVE_INFINITY : 1 / bodies.inverseMass[s];
+    }
+
+    /** R I⁻¹ Rᵀ. */
+    Matrix3d inverseInertia(int s, Matrix3d d) {
+        Matrix3d body =
+                new Matrix3d(
+                        bodies.inverseInertiaXX[s],
+                        bodies.inverseInertiaXY[s],
+                        bodies.inverseInertiaXZ[s],
+                        bodies.inverseInertiaXY[s],
+                        bodies.inverseInertiaYY[s],
+                        bodies.inverseInertiaYZ[s],
+                        bodies.inverseInertiaXZ[s],
+                        bodies.inverseInertiaYZ[s],
+                        bodies.inverseInertiaZZ[s]);
+        Quaterniond q = orientation(s, new Quaterniond());
+        d.rotation(q);
+        Matrix3d transposed = d.transpose(new Matrix3d());
+        return d.mul(body).mul(transposed);
+    }
+
+    Vector3d position(int s, Vector3d d) {
+        Rotations.rotate(
+                bodies.orientationX[s],
+                bodies.orientationY[s],
+                bodies.orientationZ[s],
+                bodies.orientationW[s],
+                table.comX[s],
+                table.comY[s],
+                table.comZ[s],
+                rotated);
+        return d.set(
+                bodies.positionX[s] - rotated[0],
+                bodies.positionY[s] - rotated[1],
+                bodies.positionZ[s] - rotated[2]);
+    }
+
+    Vector3d centreOfMass(int s, Vector3d d) {
+        return d.set(bodies.positionX[s], bodies.positionY[s], bodies.positionZ[s]);
+    }
+
+    Quaterniond orientation(int s, Quaterniond d) {
+        return d.set(
+                bodies.orientationX[s],
+                bodies.orientationY[s],
+                bodies.orientationZ[s],
+                bodies.orientationW[s]);
+    }
+
+    Vector3d velocity(int s, Vector3d d) {
+        return d.set(bodies.velocityX[s], bodies.velocityY[s], bodies.velocityZ[s]);
+    }
+
+    Vector3d angularVelocity(int s, Vector3d d) {
+        return d.set(
+                bodies.angularVelocityX[s], bodies.angularVelocityY[s], bodies.angularVelocityZ[s]);
+    }
+
+    void applyForce(int s, double fx, double fy, double fz) {
+        Checks.finite("fx", fx);
+        Checks.finite("fy", fy);
+        Checks.finite("fz", fz);
+        if (isFixed(s)) {
+            return;
+        }
+        bodies.forceX[s] += fx;
+        bodies.forceY[s] += fy;
+        bodies.forceZ[s] += fz;
+    }
+
+    void applyForceAt(
+            int s, double fx, double fy, double fz, double px, double py, double pz) {
+        Checks.finite("px", px);
+        Checks.finite("py", py);
+        Checks.finite("pz", pz);
+        applyForce(s, fx, fy, fz);
+        if (isFixed(s)) {
+            return;
+        }
+        double rx = px - bodies.positionX[s];
+        double ry = py - bodies.positionY[s];
+        double rz = pz - bodies.positionZ[s];
+        bodies.torqueX[s] += ry * fz - rz * fy;
+        bodies.torqueY[s] += rz * fx - rx * fz;
+        bodies.torqueZ[s] += rx * fy - ry * fx;
+    }
+
+    void applyTorque(int s, double tx, double ty, double tz) {
+        Checks.finite("tx", tx);
+        Checks.finite("ty", ty);
+        Checks.finite("tz", tz);
+        if (isFixed(s)) {
+            return;
+        }
+        bodies.torqueX[s] += tx;
+        bodies.torqueY[s] += ty;
+        bodies.torqueZ[s] += tz;
+    }
+
+    void applyImpulse(int s, double jx, double jy, double jz) {
+        Checks.finite("jx", jx);
+        Checks.finite("jy", jy);
+        Checks.finite("jz", jz);
+        bodies.velocityX[s] += jx * bodies.inverseMass[s];
+        bodies.velocityY[s] += jy * bodies.inverseMass[s];
+        bodies.velocityZ[s] += jz * bodies.inverseMass[s];
+    }
+
+    void applyImpulseAt(
+            int s, double jx, double jy, double jz, double px, double py, double pz) {
+        Checks.finite("px", px);
+        Checks.finite("py", py);
+        Checks.finite("pz", pz);
+        applyImpulse(s, jx, jy, jz);
+        double rx = px - bodies.positionX[s];
+        double ry = py - bodies.positionY[s];
+        double rz = pz - bodies.positionZ[s];
+        turn(s, ry * jz - rz * jy, rz * jx - rx * jz, rx * jy - ry * jx);
+    }
+
+    void applyAngularImpulse(int s, double lx, double ly, double lz) {
+        Checks.finite("lx", lx);
+        Checks.finite("ly", ly);
+        Checks.finite("lz", lz);
+        turn(s, lx, ly, lz);
+    }
+
+    /** w += R I⁻¹ Rᵀ l. */
+    private void turn(int s, double lx, double ly, double lz) {
+        if (isFixed(s)) {
+            return;
+        }
+        double qx = bodies.orientationX[s];
+        double qy = bodies.orientationY[s];
+        double qz = bodies.orientationZ[s];
+        double qw = bodies.orientationW[s];
+        double[] v = rotated;
+        Rotations.rotate(-qx, -qy, -qz, qw, lx, ly, lz, v);
+        double bx = v[0];
+        double by = v[1];
+        double bz = v[2];
+        double xx = bodies.inverseInertiaXX[s];
+        double yy = bodies.inverseInertiaYY[s];
+        double zz = bodies.inverseInertiaZZ[s];
+        double xy = bodies.inverseInertiaXY[s];
+        double xz = bodies.inverseInertiaXZ[s];
+        double yz = bodies.inverseInertiaYZ[s];
+        Rotations.rotate(
+                qx,
+                qy,
+                qz,
+                qw,
+                xx * bx + xy * by + xz * bz,
+                xy * bx + yy * by + yz * bz,
+                xz * bx + yz * by + zz * bz,
+                v);
+        bodies.angularVelocityX[s] += v[0];
+        bodies.angularVelocityY[s] += v[1];
+        bodies.angularVelocityZ[s] += v[2];
+    }
+
+    void setVelocity(int s, double vx, double vy, double vz) {
+        Checks.finite("vx", vx);
+        Checks.finite("vy", vy);
+        Checks.finite("vz", vz);
+        needsDynamic(s, "velocity");
+        bodies.velocityX[s] = vx;
+        bodies.velocityY[s] = vy;
+        bodies.velocityZ[s] = vz;
+    }
+
+    void setAngularVelocity(int s, double wx, double wy, double wz) {
+        Checks.finite("wx", wx);
+        Checks.finite("wy", wy);
+        Checks.finite("wz", wz);
+        needsDynamic(s, "angular velocity");
+        bodies.angularVelocityX[s] = wx;
+        bodies.angularVelocityY[s] = wy;
+        bodies.angularVelocityZ[s] = wz;
+    }
+
+    private void needsDynamic(int s, String what) {
+        if (isFixed(s)) {
+            throw new IllegalStateException(
+                    table.refs[s]
+                            + " is fixed, so its "
+                            + what
+                            + " is 0; make it with Body.dynamic() if it shall move");
+        }
+    }
+
+    void teleport(int s, double x, double y, double z) {
+        place(
+                s,
+                x,
+                y,
+                z,
+                bodies.orientationX[s],
+                bodies.orientationY[s],
+                bodies.orientationZ[s],
+                bodies.orientationW[s]);
+    }
+
+    void teleport(int s, double x, double y, double z, Quaterniondc q) {
+        double f = Rotations.inverseLength("rotation", q.x(), q.y(), q.z(), q.w());
+        place(s, x, y, z, q.x() * f, q.y() * f, q.z() * f, q.w() * f);
+    }
+
+    /** The ECS is written first: if it refuses (a step runs), nothing has changed. */
+    private void place(
+            int s, double x, double y, double z, double qx, double qy, double qz, double qw) {
+        Rotations.rotate(qx, qy, qz, qw, table.comX[s], table.comY[s], table.comZ[s], rotated);
+        double px = Checks.between("x", x + rotated[0], -BoundsStage.LIMIT, BoundsStage.LIMIT);
+        double py = Checks.between("y", y + rotated[1], -BoundsStage.LIMIT, BoundsStage.LIMIT);
+        double pz = Checks.between("z", z + rotated[2], -BoundsStage.LIMIT, BoundsStage.LIMIT);
+        table.world()
+                .set(bodies.entity[s], new Pose(x, y, z, qx, qy, qz, qw, table.jumps[s] + 1));
+        table.jumps[s]++;
+        bodies.positionX[s] = px;
+        bodies.positionY[s] = py;
+        bodies.positionZ[s] = pz;
+        bodies.orientationX[s] = qx;
+        bodies.orientationY[s] = qy;
+        bodies.orientationZ[s] = qz;
+        bodies.orientationW[s] = qw;
+        if (isFixed(s)) {
+            table.addUnplaced(s);
+        }
+    }
+
+    void remove(int s) {
+        table.world().delete(bodies.entity[s]);
+    }
+}

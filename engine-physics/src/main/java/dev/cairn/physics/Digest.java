@@ -1,0 +1,64 @@
+package dev.cairn.physics;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+
+/** A hash of the state's bits, in slot and row order. */
+final class Digest {
+    private Digest() {}
+
+    static long of(BodyStore b, ContactStore c) {
+        long h = 0x6361_6972_6e00_0001L;
+        for (int s = 0; s < b.slotCount; s++) {
+            h = mix(h, b.kind[s]);
+            if (b.kind[s] == BodyStore.FREE) {
+                continue;
+            }
+            h = mix(h, b.entity[s]);
+            h = mix(h, b.positionX[s]);
+            h = mix(h, b.positionY[s]);
+            h = mix(h, b.positionZ[s]);
+            h = mix(h, b.orientationX[s]);
+            h = mix(h, b.orientationY[s]);
+            h = mix(h, b.orientationZ[s]);
+            h = mix(h, b.orientationW[s]);
+            h = mix(h, b.velocityX[s]);
+            h = mix(h, b.velocityY[s]);
+            h = mix(h, b.velocityZ[s]);
+            h = mix(h, b.angularVelocityX[s]);
+            h = mix(h, b.angularVelocityY[s]);
+            h = mix(h, b.angularVelocityZ[s]);
+        }
+        for (int row = 0; row < c.count; row++) {
+            h = contact(h, c, row);
+        }
+        return h;
+    }
+
+    private static long contact(long start, ContactStore c, int row) {
+        long h = mix(start, (long) c.bodyA[row] << 32 | c.bodyB[row]);
+        h = mix(h, c.pointCount[row]);
+        h = mix(h, c.touching[row]);
+        h = mix(h, c.frictionImpulseX[row]);
+        h = mix(h, c.frictionImpulseY[row]);
+        h = mix(h, c.frictionImpulseZ[row]);
+        h = mix(h, c.twistImpulse[row]);
+        int first = ContactStore.POINTS * row;
+        for (int p = first; p < first + c.pointCount[row]; p++) {
+            h = mix(h, c.feature[p]);
+            h = mix(h, c.separation[p]);
+            h = mix(h, c.normalImpulse[p]);
+            h = mix(h, c.totalNormalImpulse[p]);
+        }
+        return h;
+    }
+
+    private static long mix(long h, double value) {
+        return mix(h, Double.doubleToRawLongBits(value));
+    }
+
+    private static long mix(long h, long value) {
+        long k = (h ^ value) * 0x9E37_79B9_7F4A_7C15L;
+        return k ^ k >>> 29;
+    }
+}

@@ -1,0 +1,144 @@
+package dev.cairn.physics;
+
+import dev.cairn.core.ecs.Access;
+import dev.cairn.core.ecs.Chunk;
+import dev.cairn.core.ecs.IntField;
+import dev.cairn.core.ecs.Tick;
+import dev.cairn.core.ecs.WorldSystem;
+import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.contact.ContactRows;
+import dev.cairn.physics.contact.ManifoldStage;
+import dev.cairn.physics.contact.TouchEvents;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.solver.ContactSolver;
+
+/**
+ * One tick of the physics, as a system of the ECS named {@value #NAME}: reads {@link RigidBody}, writes {@link Pose} and
+ * {@link Velocity} of all bodies that can move. {@link PhysicsWorld} makes it.
+ *
+ * <p>Simulation thread; each stage runs in blocks over the tick's workers. A steady tick allocates nothing.
+ */
+public final class PhysicsSystem implements WorldSystem {
+    /** The system's name in the schedule. */
+    public static final String NAME = "physics";
+
+    private static final IntField SLOT = RigidBody.COMPONENT.intField("slot");
+
+    final BodyTable table;
+    final ContactStore contacts = new ContactStore();
+    final TouchEvents events = new TouchEvents();
+    final ContactView view;
+    final PhysicsSettings settings;
+
+    private final ContactRows rows = new ContactRows();
+    private final ManifoldStage manifolds;
+    private final ContactSolver solver;
+    private final Publisher publisher;
+    double gravityX;
+    double gravityY;
+    double gravityZ;
+    private boolean running;
+
+    PhysicsSystem(PhysicsSettings settings, double gravityX, double gravityY, double gravityZ) {
+        this.settings = settings;
+        this.gravityX = gravityX;
+        this.gravityY = gravityY;
+        this.gravityZ = gravityZ;
+        table = new BodyTable(settings);
+        manifolds = new ManifoldStage(settings);
+        solver = new ContactSolver(settings.solver());
+        publisher = new Publisher(table);
+        view = new ContactView(table, contacts);
+    }
+
+    @Override
+    public String name() {
+        return NAME;
+    }
+
+    @Override
+    public void describe(Access access) {
+        access.in(RigidBody.COMPONENT, Pose.COMPONENT)
+                .writesAll(Pose.COMPONENT, Velocity.COMPONENT);
+    }
+
+    @Override
+    public void run(Tick tick) {
+        running = true;
+        try {
+            step(tick);
+        } finally {
+            running = false;
+        }
+    }
+
+    /** The table of contents. */
+    private void step(Tick tick) {
+        events.clear();
+        readRoster(tick);
+        moveBounds(tick);
+        table.broadPhase.findPairs(tick.jobs());
+        rows.update(table.bodies, contacts, table.broadPhase, events, tick.jobs());
+        table.broadPhase.endTick();
+        table.freeGone();
+        manifolds.run(table.bodies, contacts, table.bounds, tick.stepSeconds(), tick.jobs());
+        solver.step(
+                table.bodies, contacts, gravityX, gravityY, gravityZ, tick.stepSeconds(), tick.jobs());
+        publishPoses(tick);
+        events.update(contacts, tick.jobs());
+        view.update(events);
+    }
+
+    boolean isRunning() {
+        return running;
+    }
+
+    /** Bodies whose entity is gone leave. */
+    private void readRoster(Tick tick) {
+        for (int c = 0; c < tick.chunkCount(); c++) {
+            Chunk chunk = tick.chunk(c);
+            int[] slots = chunk.in(SLOT);
+            int size = chunk.size();
+            for (int row = 0; row < size; row++) {
+                table.see(slots[row], chunk.entity(row), tick.number());
+            }
+        }
+        table.sweep(tick.number());
+    }
+
+    /** Boxes follow their bodies; a body that cannot be computed with stays where it is. */
+    private void moveBounds(Tick tick) {
+        table.bounds.run(
+                table.bodies,
+                table.broadPhase,
+                table.dynamic,
+                table.dynamicCount,
+                gravityX,
+                gravityY,
+                gravityZ,
+                tick.stepSeconds(),
+                tick.jobs());
+        for (int i = 0; i < table.bounds.invalidCount(); i++) {
+            int slot = table.bounds.invalidSlot(i);
+            table.quarantine(slot);
+            ContactRows.clearImpulses(contacts, slot);
+            table.bounds.placeFixed(table.bodies, table.broadPhase, slot);
+        }
+    }
+
+    /** Columns of the next state; a body that ceased to be finite goes back to where it was. */
+    private void publishPoses(Tick tick) {
+        publisher.run(tick);
+        if (publisher.failures() == 0) {
+            return;
+        }
+        for (int i = 0; i < table.dynamicCount; i++) {
+            int slot = table.dynamic[i];
+            if (publisher.takeFailure(slot)) {
+                table.quarantine(slot);
+                ContactRows.clearImpulses(contacts, slot);
+                table.addUnplaced(slot);
+            }
+        }
+    }
+}

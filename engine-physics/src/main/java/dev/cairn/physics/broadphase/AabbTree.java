@@ -1,0 +1,422 @@
+package dev.cairn.physics.broadphase;
+
+import java.util.Arrays;
+
+/**
+ * A binary tree of axis-aligned boxes. Leaves hold an item, a number of the owner; the box of an inner node is the union of
+ * its children's. A leaf's id is stable until it is removed.
+ *
+ * <p>Insertion descends to the sibling that adds the least surface area; on the way up, a rotation that shrinks an inner box is
+ * taken. Ties go to the lower subtree, so that many equal boxes make a balanced tree.
+ *
+ * <p>One thread changes it; any number may read it between changes. Allocates only when it grows.
+ */
+public final class AabbTree {
+    /** No node. */
+    public static final int NONE = -1;
+
+    /** Six numbers to a node: minX, minY, minZ, maxX, maxY, maxZ; world, m. */
+    double[] bounds = new double[6 * 16];
+
+    /** Parent, or for a free node the next free one. */
+    int[] parent = new int[16];
+
+    /** First child; {@link #NONE} for a leaf. */
+    int[] left = new int[16];
+
+    /** Second child; {@link #NONE} for a leaf. */
+    int[] right = new int[16];
+
+    /** 0 for a leaf, else one more than the higher child's. */
+    int[] height = new int[16];
+
+    /** Item of a leaf. */
+    int[] item = new int[16];
+
+    int root = NONE;
+    private int free = NONE;
+    private int used;
+    private int leaves;
+    private long changes;
+
+    /** An empty tree. */
+    public AabbTree() {}
+
+    /**
+     * How many leaves there are.
+     *
+     * @return the number
+     */
+    public int leafCount() {
+        return leaves;
+    }
+
+    /**
+     * The height of the root.
+     *
+     * @return 0 for no leaf or one leaf
+     */
+    public int height() {
+        return root == NONE ? 0 : height[root];
+    }
+
+    /**
+     * How often the tree was changed since it was made.
+     *
+     * @return insertions, removals and moves
+     */
+    public long changes() {
+        return changes;
+    }
+
+    /**
+     * Adds a leaf.
+     *
+     * @param box array that holds the box: minX, minY, minZ, maxX, maxY, maxZ; world, m
+     * @param offset where the box begins in it
+     * @param leafItem the owner's number
+     * @return the leaf's id
+     */
+    public int insert(double[] box, int offset, int leafItem) {
+        int leaf = allocate();
+        System.arraycopy(box, offset, bounds, 6 * leaf, 6);
+        left[leaf] = NONE;
+        right[leaf] = NONE;
+        height[leaf] = 0;
+        item[leaf] = leafItem;
+        link(leaf);
+        leaves++;
+        changes++;
+        return leaf;
+    }
+
+    /**
+     * Takes a leaf out.
+     *
+     * @param leaf its id
+     */
+    public void remove(int leaf) {
+        unlink(leaf);
+        release(leaf);
+        leaves--;
+        changes++;
+    }
+
+    /**
+     * Gives a leaf another box.
+     *
+     * @param leaf its id, which it keeps
+     * @param box array that holds the box
+     * @param offset where the box begins in it
+     */
+    public void move(int leaf, double[] box, int offset) {
+        unlink(leaf);
+        System.arraycopy(box, offset, bounds, 6 * leaf, 6);
+        link(leaf);
+        changes++;
+    }
+
+    /**
+     * The items of all leaves whose box overlaps a box, in the tree's order. For tests and tools; the broad phase walks the
+     * tree itself.
+     *
+     * @param box array that holds the box
+     * @param offset where the box begins in it
+     * @return a new array
+     */
+    public int[] query(double[] box, int offset) {
+        int[] stack = new int[height() + 2];
+        int[] found = new int[16];
+        int count = 0;
+        int top = 0;
+        if (root != NONE) {
+            stack[top++] = root;
+        }
+        while (top > 0) {
+            int node = stack[--top];
+            if (!overlap(bounds, 6 * node, box, offset)) {
+                continue;
+            }
+            if (left[node] == NONE) {
+                if (count == found.length) {
+                    found = Arrays.copyOf(found, 2 * count);
+                }
+                found[count++] = item[node];
+            } else {
+                stack[top++] = right[node];
+                stack[top++] = left[node];
+            }
+        }
+        return Arrays.copyOf(found, count);
+    }
+
+    /** Whether two boxes overlap; touching counts. */
+    static boolean overlap(double[] a, int i, double[] b, int j) {
+        return a[i] <= b[j + 3]
+                && b[j] <= a[i + 3]
+                && a[i + 1] <= b[j + 4]
+                && b[j + 1] <= a[i + 4]
+                && a[i + 2] <= b[j + 5]
+                && b[j + 2] <= a[i + 5];
+    }
+
+    private void link(int leaf) {
+        if (root == NONE) {
+            root = leaf;
+            parent[leaf] = NONE;
+            return;
+        }
+        int sibling = bestSibling(leaf);
+        int node = allocate();
+        int above = parent[sibling];
+        parent[node] = above;
+        left[node] = sibling;
+        right[node] = leaf;
+        item[node] = NONE;
+        parent[sibling] = node;
+        parent[leaf] = node;
+        if (above == NONE) {
+            root = node;
+        } else if (left[above] == sibling) {
+            left[above] = node;
+        } else {
+            right[above] = node;
+        }
+        refit(node);
+    }
+
+    private void unlink(int leaf) {
+        if (leaf == root) {
+            root = NONE;
+            return;
+        }
+        int node = parent[leaf];
+        int sibling = left[node] == leaf ? right[node] : left[node];
+        int above = parent[node];
+        parent[sibling] = above;
+        release(node);
+        if (above == NONE) {
+            root = sibling;
+        } else {
+            if (left[above] == node) {
+                left[above] = sibling;
+            } else {
+                right[above] = sibling;
+            }
+            refit(above);
+        }
+    }
+
+    /**
+     * Greedy descent. With the leaf as sibling of a node, the cost is the new inner box plus what all ancestors grow by; a
+     * subtree cannot cost less than that growth plus the leaf's own area.
+     */
+    private int bestSibling(int leaf) {
+        double own = area(leaf);
+        int node = root;
+        double direct = unionArea(node, leaf);
+        double inherited = 0;
+        int best = node;
+        double bestCost = direct;
+        while (left[node] != NONE) {
+            inherited += direct - area(node);
+            int a = left[node];
+            int b = right[node];
+            double directA = unionArea(a, leaf);
+            double directB = unionArea(b, leaf);
+            if (directA + inherited < bestCost) {
+                best = a;
+                bestCost = directA + inherited;
+            }
+            if (directB + inherited < bestCost) {
+                best = b;
+                bestCost = directB + inherited;
+            }
+            double lowA = inherited + directA + Math.min(own - area(a), 0);
+            double lowB = inherited + directB + Math.min(own - area(b), 0);
+            if (left[a] == NONE) {
+                lowA = directA + inherited;
+            }
+            if (left[b] == NONE) {
+                lowB = directB + inherited;
+            }
+            if (bestCost < lowA && bestCost < lowB) {
+                break;
+            }
+            boolean toA = lowA != lowB ? lowA < lowB : height[a] <= height[b];
+            node = toA ? a : b;
+            direct = toA ? directA : directB;
+            // On equal cost the deeper place wins: that keeps a heap of equal boxes balanced.
+            if (direct + inherited <= bestCost) {
+                best = node;
+                bestCost = direct + inherited;
+            }
+        }
+        return best;
+    }
+
+    private void refit(int from) {
+        for (int node = from; node != NONE; node = parent[node]) {
+            pull(node);
+            rotate(node);
+        }
+    }
+
+    /** Box and height of an inner node from its children. */
+    private void pull(int node) {
+        double[] box = bounds;
+        int n = 6 * node;
+        int a = 6 * left[node];
+        int b = 6 * right[node];
+        box[n] = Math.min(box[a], box[b]);
+        box[n + 1] = Math.min(box[a + 1], box[b + 1]);
+        box[n + 2] = Math.min(box[a + 2], box[b + 2]);
+        box[n + 3] = Math.max(box[a + 3], box[b + 3]);
+        box[n + 4] = Math.max(box[a + 4], box[b + 4]);
+        box[n + 5] = Math.max(box[a + 5], box[b + 5]);
+        height[node] = 1 + Math.max(height[left[node]], height[right[node]]);
+    }
+
+    /**
+     * Swaps a child with a grandchild on the other side, if that shrinks the other child's box the most of the four ways; or if
+     * it shrinks nothing but makes a lopsided pair of equal cost more even.
+     */
+    private void rotate(int node) {
+        int b = left[node];
+        int c = right[node];
+        double bestGain = 0;
+        int low = NONE;
+        int high = NONE;
+        if (left[c] != NONE) {
+            double now = area(c);
+            boolean even = height[c] > height[b] + 1;
+            double gainLeft = now - unionArea(b, right[c]);
+            double gainRight = now - unionArea(b, left[c]);
+            if (gainLeft > bestGain || (even && gainLeft == 0 && height[left[c]] > height[b])) {
+                bestGain = gainLeft;
+                low = left[c];
+                high = b;
+            }
+            if (gainRight > bestGain
+                    || (even && low == NONE && gainRight == 0 && height[right[c]] > height[b])) {
+                bestGain = gainRight;
+                low = right[c];
+                high = b;
+            }
+        }
+        if (left[b] != NONE) {
+            double now = area(b);
+            boolean even = height[b] > height[c] + 1;
+            double gainLeft = now - unionArea(c, right[b]);
+            double gainRight = now - unionArea(c, left[b]);
+            if (gainLeft > bestGain
+                    || (even && low == NONE && gainLeft == 0 && height[left[b]] > height[c])) {
+                bestGain = gainLeft;
+                low = left[b];
+                high = c;
+            }
+            if (gainRight > bestGain
+                    || (even && low == NONE && gainRight == 0 && height[right[b]] > height[c])) {
+                low = right[b];
+                high = c;
+            }
+        }
+        if (low != NONE) {
+            swap(node, high, low);
+        }
+    }
+
+    /** Exchanges {@code high}, a child of {@code node}, with {@code low}, a child of the other child. */
+    private void swap(int node, int high, int low) {
+        int other = parent[low];
+        if (left[node] == high) {
+            left[node] = low;
+        } else {
+            right[node] = low;
+        }
+        if (left[other] == low) {
+            left[other] = high;
+        } else {
+            right[other] = high;
+        }
+        parent[low] = node;
+        parent[high] = other;
+        pull(other);
+        height[node] = 1 + Math.max(height[left[node]], height[right[node]]);
+    }
+
+    private double area(int node) {
+        double[] box = bounds;
+        int n = 6 * node;
+        double x = box[n + 3] - box[n];
+        double y = box[n + 4] - box[n + 1];
+        double z = box[n + 5] - box[n + 2];
+        return x * y + y * z + z * x;
+    }
+
+    private double unionArea(int a, int b) {
+        double[] box = bounds;
+        int i = 6 * a;
+        int j = 6 * b;
+        double x = Math.max(box[i + 3], box[j + 3]) - Math.min(box[i], box[j]);
+        double y = Math.max(box[i + 4], box[j + 4]) - Math.min(box[i + 1], box[j + 1]);
+        double z = Math.max(box[i + 5], box[j + 5]) - Math.min(box[i + 2], box[j + 2]);
+        return x * y + y * z + z * x;
+    }
+
+    private int allocate() {
+        if (free != NONE) {
+            int node = free;
+            free = parent[node];
+            return node;
+        }
+        if (used == parent.length) {
+            int n = 2 * used;
+            bounds = Arrays.copyOf(bounds, 6 * n);
+            parent = Arrays.copyOf(parent, n);
+            left = Arrays.copyOf(left, n);
+            right = Arrays.copyOf(right, n);
+            height = Arrays.copyOf(height, n);
+            item = Arrays.copyOf(item, n);
+        }
+        return used++;
+    }
+
+    private void release(int node) {
+        parent[node] = free;
+        height[node] = NONE;
+        free = node;
+    }
+
+    /**
+     * Checks every invariant of the tree. For tests: cost is linear.
+     *
+     * @throws IllegalStateException naming the node that breaks one
+     */
+    public void validate() {
+        int count = root == NONE ? 0 : validate(root, NONE);
+        if (count != leaves) {
+            throw new IllegalStateException("tree reaches " + count + " leaves of " + leaves);
+        }
+    }
+
+    private int validate(int node, int above) {
+        if (parent[node] != above) {
+            throw new IllegalStateException("node " + node + " has a wrong parent");
+        }
+        if (left[node] == NONE) {
+            if (height[node] != 0 || right[node] != NONE) {
+                throw new IllegalStateException("leaf " + node + " looks like an inner node");
+            }
+            return 1;
+        }
+        int count = validate(left[node], node) + validate(right[node], node);
+        double[] was = Arrays.copyOfRange(bounds, 6 * node, 6 * node + 6);
+        int wasHeight = height[node];
+        pull(node);
+        if (!Arrays.equals(was, 0, 6, bounds, 6 * node, 6 * node + 6) || wasHeight != height[node]) {
+            throw new IllegalStateException("node " + node + " is not the union of its children");
+        }
+        return count;
+    }
+}

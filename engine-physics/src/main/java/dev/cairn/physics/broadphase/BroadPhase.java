@@ -1,0 +1,377 @@
+package dev.cairn.physics.broadphase;
+
+import dev.cairn.core.job.BlockJob;
+import dev.cairn.core.job.Blocks;
+import dev.cairn.core.job.Jobs;
+import java.util.Arrays;
+
+/**
+ * Fat boxes of all bodies in two trees, static and dynamic, and the set of their overlapping pairs. See the package's essay.
+ *
+ * <p>A tick: {@link #place} for every body that is new or left its box, {@link #findPairs}, the owner reads {@link
+ * #newPairs}, drops the rows whose boxes no longer {@link #overlap} by {@link #forget}, and calls {@link #endTick}.
+ *
+ * <p>Simulation thread; {@link #overlap} and {@link #moved} also from blocks. Allocates only when something grows.
+ */
+public final class BroadPhase {
+    /** Moved proxies of a block: small enough to balance, large enough to hide the dispatch. */
+    private static final int PROXIES_PER_BLOCK = 32;
+
+    /** First capacity of a block's buffer; a pile's body meets about ten others. */
+    private static final int FIRST_CAPACITY = 256;
+
+    private static final byte OUT = 0;
+    private static final byte STATIC = 1;
+    private static final byte DYNAMIC = 2;
+
+    private final AabbTree staticTree = new AabbTree();
+    private final AabbTree dynamicTree = new AabbTree();
+    private final PairSet pairs = new PairSet();
+    private final BlockJob queryJob = this::queryBlock;
+
+    private double[] fat = {};
+    private int[] leaf = {};
+    private byte[] where = {};
+    private boolean[] moved = {};
+
+    private int[] movedSlots = new int[64];
+    private int movedCount;
+
+    private long[][] found = {};
+    private int[] foundCount = {};
+    private boolean[] again = {};
+    private boolean secondPass;
+    private int[][] stacks = {};
+
+    private long[] newPairs = new long[64];
+    private int newPairCount;
+
+    /** Without bodies. */
+    public BroadPhase() {}
+
+    /**
+     * Grows the columns; between phases only.
+     *
+     * @param slots number of slots of bodies
+     */
+    public void ensureSlots(int slots) {
+        if (slots <= leaf.length) {
+            return;
+        }
+        int n = Math.max(slots, Math.max(64, leaf.length + (leaf.length >> 1)));
+        fat = Arrays.copyOf(fat, 6 * n);
+        leaf = Arrays.copyOf(leaf, n);
+        where = Arrays.copyOf(where, n);
+        moved = Arrays.copyOf(moved, n);
+    }
+
+    /**
+     * Whether a slot has a box.
+     *
+     * @param slot of a body
+     * @return true between place and remove
+     */
+    public boolean contains(int slot) {
+        return where[slot] != OUT;
+    }
+
+    /**
+     * The fat boxes, six numbers to a slot. Read only.
+     *
+     * @return minX, minY, minZ, maxX, maxY, maxZ of slot s from 6 s on; world, m
+     */
+    public double[] fatBoxes() {
+        return fat;
+    }
+
+    /**
+     * Gives a slot a fat box, its first or another one, and marks it as moved.
+     *
+     * @param slot of a body
+     * @param isStatic whether it goes to the static tree
+     * @param box array that holds the box
+     * @param offset where the box begins in it
+     */
+    public void place(int slot, boolean isStatic, double[] box, int offset) {
+        byte target = isStatic ? STATIC : DYNAMIC;
+        if (where[slot] != OUT && where[slot] != target) {
+            takeOut(slot);
+        }
+        System.arraycopy(box, offset, fat, 6 * slot, 6);
+        AabbTree tree = isStatic ? staticTree : dynamicTree;
+        if (where[slot] == OUT) {
+            leaf[slot] = tree.insert(box, offset, slot);
+            where[slot] = target;
+        } else {
+            tree.move(leaf[slot], box, offset);
+        }
+        if (!moved[slot]) {
+            moved[slot] = true;
+            if (movedCount == movedSlots.length) {
+                movedSlots = Arrays.copyOf(movedSlots, 2 * movedCount);
+            }
+            movedSlots[movedCount++] = slot;
+        }
+    }
+
+    /**
+     * Takes a slot's box out. Its pairs no longer {@link #overlap}; it counts as moved, so that their owner looks.
+     *
+     * @param slot of a body
+     */
+    public void remove(int slot) {
+        if (where[slot] == OUT) {
+            return;
+        }
+        takeOut(slot);
+        if (!moved[slot]) {
+            moved[slot] = true;
+            if (movedCount == movedSlots.length) {
+                movedSlots = Arrays.copyOf(movedSlots, 2 * movedCount);
+            }
+            movedSlots[movedCount++] = slot;
+        }
+    }
+
+    private void takeOut(int slot) {
+        (where[slot] == STATIC ? staticTree : dynamicTree).remove(leaf[slot]);
+        where[slot] = OUT;
+    }
+
+    /**
+     * How many slots moved in this tick.
+     *
+     * @return at least 0
+     */
+    public int movedCount() {
+        return movedCount;
+    }
+
+    /**
+     * Whether a slot's box changed in this tick.
+     *
+     * @param slot of a body
+     * @return true between place or remove, and endTick
+     */
+    public boolean moved(int slot) {
+        return moved[slot];
+    }
+
+    /**
+     * Whether two slots are a pair: both have boxes, these overlap, not both are static.
+     *
+     * @param a a slot
+     * @param b another slot
+     * @return true if so
+     */
+    public boolean overlap(int a, int b) {
+        return where[a] != OUT
+                && where[b] != OUT
+                && (where[a] == DYNAMIC || where[b] == DYNAMIC)
+                && AabbTree.overlap(fat, 6 * a, fat, 6 * b);
+    }
+
+    /**
+     * Finds all pairs that overlap now and were none before, and makes them pairs.
+     *
+     * @param jobs runs the queries in blocks
+     */
+    public void findPairs(Jobs jobs) {
+        newPairCount = 0;
+        int blocks = Blocks.count(movedCount, PROXIES_PER_BLOCK);
+        if (blocks == 0) {
+            return;
+        }
+        prepare(blocks, jobs.workers());
+        secondPass = false;
+        jobs.run(queryJob, blocks);
+        if (growBuffers(blocks)) {
+            secondPass = true;
+            jobs.run(queryJob, blocks);
+        }
+        merge(blocks);
+    }
+
+    private void prepare(int blocks, int workers) {
+        if (found.length < blocks) {
+            int old = found.length;
+            found = Arrays.copyOf(found, Math.max(blocks, 2 * old));
+            for (int b = old; b < found.length; b++) {
+                found[b] = new long[FIRST_CAPACITY];
+            }
+            foundCount = new int[found.length];
+            again = new boolean[found.length];
+        }
+        int depth = Math.max(staticTree.height(), dynamicTree.height()) + 2;
+        if (stacks.length < workers || stacks[0].length < depth) {
+            stacks = new int[Math.max(workers, stacks.length)][2 * depth + 16];
+        }
+    }
+
+    private boolean growBuffers(int blocks) {
+        boolean any = false;
+        for (int b = 0; b < blocks; b++) {
+            again[b] = foundCount[b] > found[b].length;
+            if (again[b]) {
+                found[b] = new long[foundCount[b] + (foundCount[b] >> 2)];
+                any = true;
+            }
+        }
+        return any;
+    }
+
+    private void merge(int blocks) {
+        long total = 0;
+        for (int b = 0; b < blocks; b++) {
+            total += foundCount[b];
+        }
+        if (total > Integer.MAX_VALUE - 8) {
+            throw new IllegalStateException(
+                    total + " new pairs of bodies in one tick; at most 2147483639 are possible");
+        }
+        if (newPairs.length < total) {
+            newPairs = new long[(int) Math.min(Integer.MAX_VALUE - 8, total + (total >> 2))];
+        }
+        for (int b = 0; b < blocks; b++) {
+            for (int i = 0; i < foundCount[b]; i++) {
+                long key = found[b][i];
+                if (pairs.add(key)) {
+                    newPairs[newPairCount++] = key;
+                }
+            }
+        }
+    }
+
+    private void queryBlock(int block, int worker) {
+        if (secondPass && !again[block]) {
+            return;
+        }
+        int end = Blocks.end(block, PROXIES_PER_BLOCK, movedCount);
+        int count = 0;
+        for (int i = Blocks.begin(block, PROXIES_PER_BLOCK); i < end; i++) {
+            int slot = movedSlots[i];
+            if (where[slot] == DYNAMIC) {
+                count = query(dynamicTree, slot, found[block], count, stacks[worker]);
+                count = query(staticTree, slot, found[block], count, stacks[worker]);
+            } else if (where[slot] == STATIC) {
+                count = query(dynamicTree, slot, found[block], count, stacks[worker]);
+            }
+        }
+        foundCount[block] = count;
+    }
+
+    /** Walks one tree; stores what fits and counts all. Of two moved slots of a tree the lower one reports. */
+    private int query(AabbTree tree, int slot, long[] out, int count, int[] stack) {
+        if (tree.root == AabbTree.NONE) {
+            return count;
+        }
+        double[] bounds = tree.bounds;
+        int[] left = tree.left;
+        int box = 6 * slot;
+        int top = 0;
+        stack[top++] = tree.root;
+        while (top > 0) {
+            int node = stack[--top];
+            if (!AabbTree.overlap(bounds, 6 * node, fat, box)) {
+                continue;
+            }
+            if (left[node] != AabbTree.NONE) {
+                stack[top++] = tree.right[node];
+                stack[top++] = left[node];
+                continue;
+            }
+            int other = tree.item[node];
+            if (other == slot || (moved[other] && !reports(slot, other))) {
+                continue;
+            }
+            long key = PairSet.key(slot, other);
+            if (!pairs.contains(key)) {
+                if (count < out.length) {
+                    out[count] = key;
+                }
+                count++;
+            }
+        }
+        return count;
+    }
+
+    /** Which of two moved slots reports the pair: the dynamic one, else the lower one. */
+    private boolean reports(int slot, int other) {
+        return where[slot] != where[other] ? where[slot] == DYNAMIC : slot < other;
+    }
+
+    /**
+     * The keys of the pairs that {@link #findPairs} found, by {@link PairSet#key}. Valid until its next call.
+     *
+     * @return an array; only the first {@link #newPairCount} count
+     */
+    public long[] newPairs() {
+        return newPairs;
+    }
+
+    /**
+     * How many pairs {@link #findPairs} found.
+     *
+     * @return at least 0
+     */
+    public int newPairCount() {
+        return newPairCount;
+    }
+
+    /**
+     * Ends a pair, so that it can be found again.
+     *
+     * @param a a slot
+     * @param b another slot
+     */
+    public void forget(int a, int b) {
+        pairs.remove(PairSet.key(a, b));
+    }
+
+    /**
+     * How many pairs there are.
+     *
+     * @return at least 0
+     */
+    public int pairCount() {
+        return pairs.size();
+    }
+
+    /**
+     * Whether two slots are known as a pair.
+     *
+     * @param a a slot
+     * @param b another slot
+     * @return true between findPairs and forget
+     */
+    public boolean isPair(int a, int b) {
+        return pairs.contains(PairSet.key(a, b));
+    }
+
+    /** Nothing counts as moved any more. */
+    public void endTick() {
+        for (int i = 0; i < movedCount; i++) {
+            moved[movedSlots[i]] = false;
+        }
+        movedCount = 0;
+        newPairCount = 0;
+    }
+
+    /**
+     * The tree of bodies that never move.
+     *
+     * @return the tree; read only
+     */
+    public AabbTree staticTree() {
+        return staticTree;
+    }
+
+    /**
+     * The tree of bodies that move.
+     *
+     * @return the tree; read only
+     */
+    public AabbTree dynamicTree() {
+        return dynamicTree;
+    }
+}

@@ -1,0 +1,126 @@
+package dev.cairn.physics.broadphase;
+
+/**
+ * A set of unordered pairs of slots: open addressing with linear probing, no tombstones. Asked for membership only; it is
+ * never iterated, so its layout cannot reach any result.
+ *
+ * <p>One thread changes it; any number may ask between changes. Allocates only when it grows.
+ */
+public final class PairSet {
+    private long[] keys = new long[64];
+    private int shift = 64 - 6;
+    private int size;
+
+    /** An empty set. */
+    public PairSet() {}
+
+    /**
+     * The key of a pair.
+     *
+     * @param a a slot, at least 0
+     * @param b another slot
+     * @return the smaller slot in the upper half, the larger in the lower; never 0
+     */
+    public static long key(int a, int b) {
+        return a < b ? (long) a << 32 | b : (long) b << 32 | a;
+    }
+
+    /**
+     * The number of pairs.
+     *
+     * @return at least 0
+     */
+    public int size() {
+        return size;
+    }
+
+    /**
+     * Whether a pair is there.
+     *
+     * @param key of the pair
+     * @return true if so
+     */
+    public boolean contains(long key) {
+        long[] table = keys;
+        int mask = table.length - 1;
+        int at = home(key);
+        while (table[at] != 0) {
+            if (table[at] == key) {
+                return true;
+            }
+            at = at + 1 & mask;
+        }
+        return false;
+    }
+
+    /**
+     * Adds a pair.
+     *
+     * @param key of the pair
+     * @return false if it was there already
+     */
+    public boolean add(long key) {
+        if (2 * (size + 1) > keys.length) {
+            grow();
+        }
+        int mask = keys.length - 1;
+        int at = home(key);
+        while (keys[at] != 0) {
+            if (keys[at] == key) {
+                return false;
+            }
+            at = at + 1 & mask;
+        }
+        keys[at] = key;
+        size++;
+        return true;
+    }
+
+    /**
+     * Takes a pair out.
+     *
+     * @param key of the pair
+     * @return false if it was not there
+     */
+    public boolean remove(long key) {
+        int mask = keys.length - 1;
+        int at = home(key);
+        while (keys[at] != key) {
+            if (keys[at] == 0) {
+                return false;
+            }
+            at = at + 1 & mask;
+        }
+        int hole = at;
+        for (int next = hole + 1 & mask; keys[next] != 0; next = next + 1 & mask) {
+            // A key may fill the hole if its home is not between the hole (exclusive) and its place.
+            if ((next - home(keys[next]) & mask) >= (next - hole & mask)) {
+                keys[hole] = keys[next];
+                hole = next;
+            }
+        }
+        keys[hole] = 0;
+        size--;
+        return true;
+    }
+
+    private int home(long key) {
+        return (int) (key * 0x9E3779B97F4A7C15L >>> shift);
+    }
+
+    private void grow() {
+        long[] old = keys;
+        if (old.length >= 1 << 30) {
+            throw new IllegalStateException(
+                    size + " pairs of bodies overlap; at most " + (1 << 29) + " are possible");
+        }
+        keys = new long[2 * old.length];
+        shift--;
+        size = 0;
+        for (long key : old) {
+            if (key != 0) {
+                add(key);
+            }
+        }
+    }
+}

@@ -1,0 +1,177 @@
+package dev.cairn.physics.contact;
+
+import dev.cairn.core.job.BlockJob;
+import dev.cairn.core.job.Blocks;
+import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.broadphase.BroadPhase;
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+import java.util.Arrays;
+
+/**
+ * Which pairs have a row. Rows whose fat boxes parted leave by a stable compaction; new pairs follow at the end.
+ *
+ * <p>Simulation thread; allocates only when the number of rows grows.
+ */
+public final class ContactRows {
+    private static final int ROWS_PER_BLOCK = 256;
+
+    private final BlockJob markJob = this::markBlock;
+    private boolean[] parted = {};
+    private int[] partedInBlock = {};
+
+    private BroadPhase broadPhase = new BroadPhase();
+    private ContactStore contacts = new ContactStore();
+
+    /** Without rows. */
+    public ContactRows() {}
+
+    /**
+     * Brings the rows in step with the broad phase's pairs.
+     *
+     * @param bodies frictions and restitutions of new rows
+     * @param store the rows
+     * @param pairs after its pairs phase
+     * @param events receives the touches that end with a row
+     * @param jobs runs the check in blocks
+     */
+    public void update(
+            BodyStore bodies, ContactStore store, BroadPhase pairs, TouchEvents events, Jobs jobs) {
+        broadPhase = pairs;
+        contacts = store;
+        if (pairs.movedCount() > 0 && store.count > 0) {
+            drop(events, jobs);
+        }
+        append(bodies, store, pairs);
+    }
+
+    private void drop(TouchEvents events, Jobs jobs) {
+        if (parted.length < contacts.count) {
+            parted = new boolean[contacts.bodyA.length];
+            partedInBlock = new int[Blocks.count(parted.length, ROWS_PER_BLOCK)];
+        }
+        int blocks = Blocks.count(contacts.count, ROWS_PER_BLOCK);
+        jobs.run(markJob, blocks);
+        int block = 0;
+        while (block < blocks && partedInBlock[block] == 0) {
+            block++;
+        }
+        if (block == blocks) {
+            return;
+        }
+        ContactStore c = contacts;
+        int kept = Blocks.begin(block, ROWS_PER_BLOCK);
+        for (int row = kept; row < c.count; row++) {
+            if (!parted[row]) {
+                move(c, row, kept++);
+                continue;
+            }
+            broadPhase.forget(c.bodyA[row], c.bodyB[row]);
+            if (c.touching[row] != 0) {
+                events.addEnded(c.bodyA[row], c.bodyB[row]);
+            }
+        }
+        c.count = kept;
+    }
+
+    private void markBlock(int block, int worker) {
+        ContactStore c = contacts;
+        int end = Blocks.end(block, ROWS_PER_BLOCK, c.count);
+        int count = 0;
+        for (int row = Blocks.begin(block, ROWS_PER_BLOCK); row < end; row++) {
+            int a = c.bodyA[row];
+            int b = c.bodyB[row];
+            boolean apart =
+                    (broadPhase.moved(a) || broadPhase.moved(b)) && !broadPhase.overlap(a, b);
+            parted[row] = apart;
+            count += apart ? 1 : 0;
+        }
+        partedInBlock[block] = count;
+    }
+
+    /** Moves what outlives a tick; the rest is written anew by the narrow phase. */
+    private static void move(ContactStore c, int from, int to) {
+        if (from == to) {
+            return;
+        }
+        c.bodyA[to] = c.bodyA[from];
+        c.bodyB[to] = c.bodyB[from];
+        c.pointCount[to] = c.pointCount[from];
+        c.normalX[to] = c.normalX[from];
+        c.normalY[to] = c.normalY[from];
+        c.normalZ[to] = c.normalZ[from];
+        c.friction[to] = c.friction[from];
+        c.restitution[to] = c.restitution[from];
+        c.touching[to] = c.touching[from];
+        c.cache[to] = c.cache[from];
+        c.frictionImpulseX[to] = c.frictionImpulseX[from];
+        c.frictionImpulseY[to] = c.frictionImpulseY[from];
+        c.frictionImpulseZ[to] = c.frictionImpulseZ[from];
+        c.twistImpulse[to] = c.twistImpulse[from];
+        int m = ContactStore.POINTS;
+        for (int p = 0; p < c.pointCount[from]; p++) {
+            c.feature[m * to + p] = c.feature[m * from + p];
+            c.normalImpulse[m * to + p] = c.normalImpulse[m * from + p];
+        }
+    }
+
+    private static void append(BodyStore bodies, ContactStore c, BroadPhase pairs) {
+        int added = pairs.newPairCount();
+        if (added == 0) {
+            return;
+        }
+        if (c.count + (long) added > Integer.MAX_VALUE / (2L * ContactStore.POINTS)) {
+            throw new IllegalStateException(
+                    (c.count + (long) added)
+                            + " pairs of bodies are near each other; at most "
+                            + Integer.MAX_VALUE / (2 * ContactStore.POINTS)
+                            + " rows are possible");
+        }
+        c.ensureCapacity(c.count + added);
+        long[] keys = pairs.newPairs();
+        for (int i = 0; i < added; i++) {
+            int a = (int) (keys[i] >>> 32);
+            int b = (int) keys[i];
+            int row = c.count++;
+            c.bodyA[row] = a;
+            c.bodyB[row] = b;
+            c.pointCount[row] = 0;
+            c.friction[row] = Math.sqrt(bodies.friction[a] * bodies.friction[b]);
+            c.restitution[row] = Math.max(bodies.restitution[a], bodies.restitution[b]);
+            c.touching[row] = 0;
+            c.cache[row] = 0;
+            c.frictionImpulseX[row] = 0;
+            c.frictionImpulseY[row] = 0;
+            c.frictionImpulseZ[row] = 0;
+            c.twistImpulse[row] = 0;
+        }
+    }
+
+    /**
+     * Forgets what the contacts of a body pushed with.
+     *
+     * @param c the rows
+     * @param slot of the body
+     */
+    public static void clearImpulses(ContactStore c, int slot) {
+        for (int row = 0; row < c.count; row++) {
+            if (c.bodyA[row] != slot && c.bodyB[row] != slot) {
+                continue;
+            }
+            c.frictionImpulseX[row] = 0;
+            c.frictionImpulseY[row] = 0;
+            c.frictionImpulseZ[row] = 0;
+            c.twistImpulse[row] = 0;
+            Arrays.fill(
+                    c.normalImpulse,
+                    ContactStore.POINTS * row,
+                    ContactStore.POINTS * row + ContactStore.POINTS,
+                    0);
+            Arrays.fill(
+                    c.totalNormalImpulse,
+                    ContactStore.POINTS * row,
+                    ContactStore.POINTS * row + ContactStore.POINTS,
+                    0);
+        }
+    }
+}

@@ -1,0 +1,157 @@
+package dev.cairn.physics.contact;
+
+import dev.cairn.core.job.BlockJob;
+import dev.cairn.core.job.Blocks;
+import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.internal.ContactStore;
+import java.util.Arrays;
+
+/**
+ * Which pairs began and ceased to touch in a tick: first the touches that ended with their row, then the others, in row order.
+ *
+ * <p>A pair begins to touch when one of its points overlaps or pushes; it ceases when no point is within the speculative
+ * margin any more. Between the two the state stays, so that a resting pair does not flicker.
+ *
+ * <p>Simulation thread; allocates only when a list grows.
+ */
+public final class TouchEvents {
+    private static final int ROWS_PER_BLOCK = 512;
+
+    private final BlockJob job = this::block;
+    private ContactStore contacts = new ContactStore();
+    private int[] changesInBlock = {};
+    private byte[] change = {};
+
+    private int[] began = new int[64];
+    private int beganCount;
+    private int[] ended = new int[64];
+    private int endedCount;
+
+    /** Without events. */
+    public TouchEvents() {}
+
+    /** Empties both lists; at the start of a tick. */
+    public void clear() {
+        beganCount = 0;
+        endedCount = 0;
+    }
+
+    /**
+     * Compares all rows with their state before; after the solve.
+     *
+     * @param rows the rows, whose touching state is written
+     * @param jobs runs the check in blocks
+     */
+    public void update(ContactStore rows, Jobs jobs) {
+        contacts = rows;
+        if (change.length < rows.count) {
+            change = new byte[rows.bodyA.length];
+            changesInBlock = new int[Blocks.count(change.length, ROWS_PER_BLOCK)];
+        }
+        int blocks = Blocks.count(rows.count, ROWS_PER_BLOCK);
+        jobs.run(job, blocks);
+        for (int b = 0; b < blocks; b++) {
+            if (changesInBlock[b] == 0) {
+                continue;
+            }
+            int end = Blocks.end(b, ROWS_PER_BLOCK, rows.count);
+            for (int row = Blocks.begin(b, ROWS_PER_BLOCK); row < end; row++) {
+                if (change[row] > 0) {
+                    addBegan(rows.bodyA[row], rows.bodyB[row]);
+                } else if (change[row] < 0) {
+                    addEnded(rows.bodyA[row], rows.bodyB[row]);
+                }
+            }
+        }
+    }
+
+    private void block(int block, int worker) {
+        ContactStore c = contacts;
+        int end = Blocks.end(block, ROWS_PER_BLOCK, c.count);
+        int changes = 0;
+        for (int row = Blocks.begin(block, ROWS_PER_BLOCK); row < end; row++) {
+            change[row] = 0;
+            if (c.touching[row] == 0) {
+                if (pushes(c, row)) {
+                    c.touching[row] = 1;
+                    change[row] = 1;
+                    changes++;
+                }
+            } else if (c.pointCount[row] == 0) {
+                c.touching[row] = 0;
+                change[row] = -1;
+                changes++;
+            }
+        }
+        changesInBlock[block] = changes;
+    }
+
+    private static boolean pushes(ContactStore c, int row) {
+        int first = ContactStore.POINTS * row;
+        int end = first + c.pointCount[row];
+        for (int p = first; p < end; p++) {
+            if (c.totalNormalImpulse[p] > 0 || c.separation[p] <= 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void addBegan(int a, int b) {
+        if (2 * beganCount == began.length) {
+            began = Arrays.copyOf(began, 2 * began.length);
+        }
+        began[2 * beganCount] = a;
+        began[2 * beganCount + 1] = b;
+        beganCount++;
+    }
+
+    void addEnded(int a, int b) {
+        if (2 * endedCount == ended.length) {
+            ended = Arrays.copyOf(ended, 2 * ended.length);
+        }
+        ended[2 * endedCount] = a;
+        ended[2 * endedCount + 1] = b;
+        endedCount++;
+    }
+
+    /**
+     * How many pairs began to touch.
+     *
+     * @return at least 0
+     */
+    public int beganCount() {
+        return beganCount;
+    }
+
+    /**
+     * How many pairs ceased to touch.
+     *
+     * @return at least 0
+     */
+    public int endedCount() {
+        return endedCount;
+    }
+
+    /**
+     * A slot of a pair that began to touch.
+     *
+     * @param event 0 to beganCount - 1
+     * @param side 0 for A, 1 for B
+     * @return the slot
+     */
+    public int began(int event, int side) {
+        return began[2 * event + side];
+    }
+
+    /**
+     * A slot of a pair that ceased to touch.
+     *
+     * @param event 0 to endedCount - 1
+     * @param side 0 for A, 1 for B
+     * @return the slot
+     */
+    public int ended(int event, int side) {
+        return ended[2 * event + side];
+    }
+}
