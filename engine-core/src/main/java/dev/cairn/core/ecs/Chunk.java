@@ -284,7 +284,7 @@ public final class Chunk {
         int right = rights[slot];
         if ((right & Access.DIRECT) != 0) {
             slab.versions[slot] = store.tick;
-        } else if (slab.next[slot] == slab.published[slot]) {
+        } else if (!slab.isWritten(slot)) {
             slab.open(slot, (right & Access.ALL) == 0, checked);
         }
         return slab.next[slot];

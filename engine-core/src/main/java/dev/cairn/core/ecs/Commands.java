@@ -3,6 +3,7 @@ package dev.cairn.core.ecs;
 import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
+import java.util.Objects;
 
 /**
  * Structural changes that a system asks for during a tick. They are recorded per (system, chunk),
@@ -166,7 +167,7 @@ public final class Commands {
     }
 
     private void record(byte operation, long target, @Nullable Object payload) {
-        if (owner != null && owner != Thread.currentThread()) {
+        if (owner != null && !owner.equals(Thread.currentThread())) {
             throw new IllegalStateException(
                     "the commands of a WorldSystem are recorded on the simulation thread only;"
                             + " collect per block, and record after jobs().run has returned");
@@ -203,7 +204,7 @@ public final class Commands {
     private int applySpawn(int at) {
         Record[] parts = new Record[(int) targets[at]];
         for (int part = 0; part < parts.length; part++) {
-            parts[part] = (Record) Store.notNull(payloads[at + 1 + part], "payload");
+            parts[part] = (Record) Objects.requireNonNull(payloads[at + 1 + part], "payload");
         }
         if (resolved == spawned.length) {
             spawned = Arrays.copyOf(spawned, resolved * 2);
@@ -221,14 +222,14 @@ public final class Commands {
             case DELETE -> store.delete(entity);
             case CLEAR -> store.clear(entity);
             case REMOVE -> {
-                Component<?> component = (Component<?>) Store.notNull(payload, "payload");
+                Component<?> component = (Component<?>) Objects.requireNonNull(payload, "payload");
                 if (!store.has(entity, component)) {
                     return false;
                 }
                 store.remove(entity, component);
             }
             default -> {
-                Record value = (Record) Store.notNull(payload, "payload");
+                Record value = (Record) Objects.requireNonNull(payload, "payload");
                 boolean present = store.has(entity, Component.of(value.getClass()));
                 if (present) {
                     store.set(entity, value);

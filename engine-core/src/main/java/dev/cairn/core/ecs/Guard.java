@@ -84,7 +84,7 @@ final class Guard {
                                 + " through next, which is for reading what another system wrote;"
                                 + " a column has one writer per tick");
             }
-            boolean written = slab.next[slot] != slab.published[slot];
+            boolean written = slab.isWritten(slot);
             if (written && (chunk.rights()[slot] & Access.WRITE) != 0) {
                 scan(slab, slot, field);
             }

@@ -83,14 +83,17 @@ final class Slab {
         }
     }
 
-    /** Publishes the column if it was written. */
+    /** Whether this tick writes the column. */
     @SuppressWarnings("ReferenceEquality") // one array on both sides means that nothing wrote
+    boolean isWritten(int slot) {
+        return next[slot] != published[slot];
+    }
+
+    /** Publishes the column if it was written. */
     void commit(int slot, long tick) {
-        Object written = next[slot];
-        Object old = published[slot];
-        if (written != old) {
-            published[slot] = written;
-            spare[slot] = old;
+        if (isWritten(slot)) {
+            spare[slot] = published[slot];
+            published[slot] = next[slot];
             versions[slot] = tick;
         }
     }

@@ -16,7 +16,7 @@ final class SpawnPlans {
         int mask = table.length - 1;
         for (int i = hash(a) & mask; ; i = i + 1 & mask) {
             SpawnPlan plan = table[i];
-            if (plan == null || plan.types.length == 1 && plan.types[0] == a) {
+            if (plan == null || (plan.types.length == 1 && plan.types[0] == a)) {
                 return plan;
             }
         }
@@ -27,7 +27,7 @@ final class SpawnPlans {
         for (int i = hash(a) * 31 + hash(b) & mask; ; i = i + 1 & mask) {
             SpawnPlan plan = table[i];
             if (plan == null
-                    || plan.types.length == 2 && plan.types[0] == a && plan.types[1] == b) {
+                    || (plan.types.length == 2 && plan.types[0] == a && plan.types[1] == b)) {
                 return plan;
             }
         }

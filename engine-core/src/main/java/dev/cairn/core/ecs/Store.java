@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 
 /**
  * Entities and archetype tables, and the structural changes on them. Every change is checked first
@@ -289,10 +288,6 @@ final class Store {
     private static ComponentException absent(long entity, Component<?> component, String remedy) {
         return new ComponentException(
                 "entity " + Entities.toString(entity) + " has no " + component + "; " + remedy);
-    }
-
-    static <T> T notNull(T value, String name) {
-        return Objects.requireNonNull(value, name);
     }
 
     long digest(long hash) {

@@ -50,7 +50,7 @@ final class SystemRunner {
             if (needed > commands.length) {
                 commands = Arrays.copyOf(commands, Math.max(needed, commands.length * 2));
             }
-            if (worldSystem != null && thread != Thread.currentThread()) {
+            if (worldSystem != null && !Thread.currentThread().equals(thread)) {
                 thread = Thread.currentThread();
                 commands[0] = null;
             }
