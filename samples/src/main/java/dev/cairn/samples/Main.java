@@ -1,0 +1,230 @@
+package dev.cairn.samples;
+
+import org.jspecify.annotations.Nullable;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.IVersionProvider;
+import picocli.CommandLine.Option;
+
+import java.io.Console;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * The command line of the samples. Numbers stay text until {@link Request} has checked them, so
+ * that every refusal names option, value and bound in one line.
+ */
+@Command(
+        name = "samples",
+        mixinStandardHelpOptions = true,
+        versionProvider = Main.Version.class,
+        sortOptions = false,
+        usageHelpWidth = 100,
+        description = {
+            "The scenes of Cairn. Without options: a window with all scenes where there is a"
+                    + " display;",
+            "otherwise all scenes without a window, a table of results, and a picture of each in"
+                    + " ./pictures."
+        },
+        footer = {
+            "",
+            "Examples:",
+            "  samples --list",
+            "  samples --scene slope-box --set friction=0.2",
+            "  samples --headless --scene pyramid --set base=100 --workers 2 --json -",
+            "  samples --headless --obj rock.obj --picture rock.png --at 120",
+            "",
+            "Exit codes: 0 done; 1 a scene failed; 2 the options make no sense (one line says why)."
+        })
+public final class Main {
+    /** Everything went well. */
+    static final int DONE = 0;
+
+    /** A scene failed while it ran. */
+    static final int FAILED = 1;
+
+    /** The options make no sense. */
+    static final int MISUSED = 2;
+
+    @Option(names = "--list", description = "Print the scenes and their parameters.")
+    boolean list;
+
+    @Option(
+            names = "--headless",
+            description = "Run without a window; implied by --ticks, --json and --picture.")
+    boolean headless;
+
+    @Option(names = "--window", description = "Open a window, and fail where that is impossible.")
+    boolean window;
+
+    @Option(
+            names = "--scene",
+            split = ",",
+            paramLabel = "ID",
+            description = "Scene to run; repeat it, or separate by commas.")
+    List<String> scenes = new ArrayList<>();
+
+    @Option(names = "--obj", paramLabel = "FILE", description = "Mesh for scene obj-drop.")
+    @Nullable String obj;
+
+    @Option(
+            names = "--set",
+            paramLabel = "NAME=VALUE",
+            description = "Set a parameter of the scene; may be repeated.")
+    List<String> settings = new ArrayList<>();
+
+    @Option(
+            names = "--ticks",
+            paramLabel = "N",
+            description = "Length of the run in ticks of 1/60 s.")
+    @Nullable String ticks;
+
+    @Option(
+            names = "--workers",
+            paramLabel = "W",
+            description = "Threads; the results do not depend on it.")
+    @Nullable String workers;
+
+    @Option(
+            names = "--substeps",
+            paramLabel = "N",
+            description = "Sub-steps of the solver per tick.")
+    @Nullable String substeps;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "S",
+            description = "Seed of all that is random in a scene.")
+    @Nullable String seed;
+
+    @Option(
+            names = "--json",
+            paramLabel = "FILE",
+            description = "Write the results as JSON; - is standard output.")
+    @Nullable String json;
+
+    @Option(
+            names = "--picture",
+            paramLabel = "FILE.png",
+            description = "Draw the scene into a file.")
+    @Nullable String picture;
+
+    @Option(
+            names = "--at",
+            paramLabel = "TICK",
+            description = "Tick of that picture; the last by default.")
+    @Nullable String at;
+
+    private Main() {}
+
+    /**
+     * Runs the samples and ends the process.
+     *
+     * @param arguments the options; {@code --help} lists them
+     */
+    public static void main(String[] arguments) {
+        endWithLauncher();
+        System.exit(run(arguments, System.out, System.err, hasDisplay(System.getenv())));
+    }
+
+    /**
+     * Runs the samples.
+     *
+     * @param arguments the options
+     * @param out standard output
+     * @param err standard error
+     * @param display true if a window may be tried
+     * @return the exit code
+     */
+    public static int run(String[] arguments, PrintStream out, PrintStream err, boolean display) {
+        Main typed = new Main();
+        CommandLine line = new CommandLine(typed);
+        try {
+            CommandLine.ParseResult parsed = line.parseArgs(arguments);
+            if (parsed.isUsageHelpRequested()) {
+                line.usage(out);
+                return DONE;
+            }
+            if (parsed.isVersionHelpRequested()) {
+                line.printVersionHelp(out);
+                return DONE;
+            }
+            return new Runner(Request.of(typed), out, err, display).run();
+        } catch (CommandLine.UnmatchedArgumentException unknown) {
+            List<String> near = unknown.getSuggestions();
+            err.println(
+                    "%s%s; --help lists the options"
+                            .formatted(
+                                    oneLine(unknown),
+                                    near.isEmpty() ? "" : " (did you mean " + near.get(0) + "?)"));
+            return MISUSED;
+        } catch (CommandLine.ParameterException wrong) {
+            err.println(oneLine(wrong) + "; --help lists the options");
+            return MISUSED;
+        } catch (UsageException misuse) {
+            err.println(oneLine(misuse));
+            return MISUSED;
+        } catch (UncheckedIOException unwritable) {
+            err.println(oneLine(unwritable) + ": " + unwritable.getCause());
+            return FAILED;
+        }
+    }
+
+    private static String oneLine(Exception failure) {
+        return String.valueOf(failure.getMessage()).strip().replaceAll("\\s*\\R\\s*", " ");
+    }
+
+    /**
+     * Says whether a window may be tried: X11 and Wayland name their display, macOS and Windows
+     * have one.
+     */
+    static boolean hasDisplay(Map<String, String> environment) {
+        String system = System.getProperty("os.name", "").toLowerCase(Locale.ROOT);
+        if (system.contains("windows") || system.contains("mac")) {
+            return true;
+        }
+        return !environment.getOrDefault("DISPLAY", "").isEmpty()
+                || !environment.getOrDefault("WAYLAND_DISPLAY", "").isEmpty();
+    }
+
+    /** Says whether a person watches: standard input and output are a terminal. */
+    static boolean onTerminal() {
+        Console console = System.console();
+        return console != null && console.isTerminal();
+    }
+
+    /**
+     * Ends this process when the launcher that started it is killed, so that no orphan keeps
+     * computing.
+     */
+    private static void endWithLauncher() {
+        Long launcher = Long.getLong("cairn.launcher");
+        if (launcher != null) {
+            ProcessHandle.of(launcher)
+                    .ifPresent(handle ->
+                            handle.onExit().thenRun(() -> Runtime.getRuntime().halt(FAILED)));
+        }
+    }
+
+    /** The answer to {@code --version}. */
+    static final class Version implements IVersionProvider {
+        @Override
+        public String[] getVersion() {
+            String version = Main.class.getPackage().getImplementationVersion();
+            return new String[] {
+                "Cairn samples " + (version == null ? "(development build)" : version),
+                "Java "
+                        + Runtime.version()
+                        + ", "
+                        + System.getProperty("os.name")
+                        + " "
+                        + System.getProperty("os.arch")
+            };
+        }
+    }
+}

@@ -1,0 +1,272 @@
+package dev.cairn.samples;
+
+import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.PhysicsSettings;
+
+import org.jspecify.annotations.Nullable;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * A checked command line: what to run and how. Everything that can be wrong with it has been said
+ * before the first scene starts. Immutable.
+ *
+ * @param mode what to do
+ * @param scenes the scenes, in order
+ * @param options options by scene id
+ * @param ticks length of each run, or null for each scene's own
+ * @param workers threads of the physics
+ * @param substeps sub-steps of the solver
+ * @param json where the JSON goes, {@code -} for standard output, or null
+ * @param picture where the picture of the only scene goes, or null
+ * @param at tick of that picture, or null for the last
+ * @param gallery true if every scene gets a picture in a folder
+ */
+record Request(
+        Mode mode,
+        List<SampleScene> scenes,
+        Map<String, SceneOptions> options,
+        @Nullable Integer ticks,
+        int workers,
+        int substeps,
+        @Nullable String json,
+        @Nullable Path picture,
+        @Nullable Integer at,
+        boolean gallery) {
+
+    /** What to do. */
+    enum Mode {
+        /** Print what there is. */
+        LIST,
+        /** Run without a window. */
+        HEADLESS,
+        /** Open a window, or complain. */
+        WINDOW,
+        /** Open a window if that is possible, else run without. */
+        EITHER
+    }
+
+    static final int MOST_TICKS = 10_000_000;
+    private static final String OBJ_SCENE = "obj-drop";
+
+    /** Copies the collections. */
+    Request {
+        scenes = List.copyOf(scenes);
+        options = Map.copyOf(options);
+    }
+
+    /**
+     * Returns what the options ask for, or throws a {@link UsageException} that says what is wrong
+     * with them.
+     */
+    static Request of(Main typed) {
+        rejectContradictions(typed);
+        Integer ticks = whole("--ticks", typed.ticks, 0, MOST_TICKS);
+        Integer workers = whole("--workers", typed.workers, 1, Jobs.MAX_WORKERS);
+        Integer substeps = whole("--substeps", typed.substeps, 1, 64);
+        Integer at = whole("--at", typed.at, 0, MOST_TICKS);
+        Path obj = path("--obj", typed.obj);
+        if (obj != null && !Files.isRegularFile(obj)) {
+            throw new UsageException(
+                    "--obj %s: there is no such file; name a Wavefront .obj file".formatted(obj));
+        }
+        List<SampleScene> scenes = scenes(typed.scenes, obj);
+        Map<String, SceneOptions> options =
+                options(scenes, settings(typed.settings), seed(typed.seed), obj);
+        Path picture = path("--picture", typed.picture);
+        if (picture != null) {
+            checkPicture(picture, scenes, at, ticks);
+        }
+        if (typed.json != null && !typed.json.equals("-")) {
+            checkFolder("--json", path("--json", typed.json));
+        }
+        return new Request(
+                mode(typed),
+                scenes,
+                options,
+                ticks,
+                workers == null ? Jobs.defaultWorkers() : workers,
+                substeps == null ? PhysicsSettings.DEFAULT.substeps() : substeps,
+                typed.json,
+                picture,
+                at,
+                typed.scenes.isEmpty() && obj == null && typed.json == null);
+    }
+
+    private static Mode mode(Main typed) {
+        if (typed.list) {
+            return Mode.LIST;
+        }
+        if (typed.window) {
+            return Mode.WINDOW;
+        }
+        boolean measured = typed.json != null || typed.picture != null || typed.ticks != null;
+        return typed.headless || measured ? Mode.HEADLESS : Mode.EITHER;
+    }
+
+    private static void rejectContradictions(Main typed) {
+        if (typed.list
+                && (typed.headless
+                        || typed.window
+                        || !typed.scenes.isEmpty()
+                        || typed.json != null)) {
+            throw new UsageException("--list only prints the scenes; leave the other options out");
+        }
+        if (typed.window && typed.headless) {
+            throw new UsageException(
+                    "--window and --headless contradict each other; give one of them");
+        }
+        if (typed.window && (typed.json != null || typed.picture != null || typed.ticks != null)) {
+            throw new UsageException(
+                    "--window runs until it is closed; --ticks, --json and --picture go with"
+                            + " --headless");
+        }
+        if (typed.at != null && typed.picture == null) {
+            throw new UsageException(
+                    "--at %s: says when to draw, so it needs --picture FILE.png"
+                            .formatted(typed.at));
+        }
+    }
+
+    private static void checkPicture(
+            Path picture, List<SampleScene> scenes, @Nullable Integer at, @Nullable Integer ticks) {
+        if (scenes.size() != 1) {
+            throw new UsageException(
+                    "--picture %s: shows one scene, not %d; add --scene ID"
+                            .formatted(picture, scenes.size()));
+        }
+        if (!picture.toString().endsWith(".png")) {
+            throw new UsageException("--picture %s: the name must end in .png".formatted(picture));
+        }
+        int last = ticks == null ? scenes.get(0).ticks() : ticks;
+        if (at != null && at > last) {
+            throw new UsageException(
+                    "--at %d: the run ends after %d ticks; add --ticks %d".formatted(at, last, at));
+        }
+        checkFolder("--picture", picture);
+    }
+
+    private static void checkFolder(String option, @Nullable Path file) {
+        Path parent = file == null ? null : file.toAbsolutePath().getParent();
+        if (parent == null || !Files.isDirectory(parent) || Files.isDirectory(file)) {
+            throw new UsageException(
+                    "%s %s: cannot write there; name a file in a folder that exists"
+                            .formatted(option, file));
+        }
+    }
+
+    private static List<SampleScene> scenes(List<String> typed, @Nullable Path obj) {
+        if (typed.isEmpty()) {
+            return obj == null ? SceneRegistry.all() : List.of(SceneRegistry.get(OBJ_SCENE));
+        }
+        List<SampleScene> scenes = new ArrayList<>();
+        for (String id : new LinkedHashSet<>(typed)) {
+            scenes.add(SceneRegistry.get(id.trim()));
+        }
+        if (obj != null && scenes.stream().noneMatch(scene -> scene.id().equals(OBJ_SCENE))) {
+            throw new UsageException(
+                    "--obj %s: only scene %s takes a mesh; add --scene %s"
+                            .formatted(obj, OBJ_SCENE, OBJ_SCENE));
+        }
+        return scenes;
+    }
+
+    private static Map<String, String> settings(List<String> typed) {
+        Map<String, String> settings = new LinkedHashMap<>();
+        for (String text : typed) {
+            int equals = text.indexOf('=');
+            if (equals < 1) {
+                throw new UsageException(
+                        "--set %s: want name=value, for example --set friction=0.4"
+                                .formatted(text));
+            }
+            String name = text.substring(0, equals).trim();
+            String other = settings.put(name, text.substring(equals + 1));
+            if (other != null) {
+                throw new UsageException(
+                        "--set %s: %s was set to %s before; set it once"
+                                .formatted(text, name, other));
+            }
+        }
+        return settings;
+    }
+
+    /** Gives each scene those settings that it knows; one that no scene knows is refused. */
+    private static Map<String, SceneOptions> options(
+            List<SampleScene> scenes, Map<String, String> settings, long seed, @Nullable Path obj) {
+        LinkedHashSet<String> known = new LinkedHashSet<>();
+        Map<String, SceneOptions> options = new LinkedHashMap<>();
+        for (SampleScene scene : scenes) {
+            Map<String, String> own = new LinkedHashMap<>();
+            for (Parameter parameter : scene.parameters()) {
+                known.add(parameter.name());
+                String text = settings.get(parameter.name());
+                if (text != null) {
+                    own.put(parameter.name(), text);
+                }
+            }
+            options.put(
+                    scene.id(),
+                    SceneOptions.of(
+                            scene,
+                            scenes.size() == 1 ? settings : own,
+                            seed,
+                            scene.id().equals(OBJ_SCENE) ? obj : null));
+        }
+        for (String name : settings.keySet()) {
+            if (!known.contains(name)) {
+                throw new UsageException(
+                        "--set %s: none of the scenes has a parameter of this name%s; --list shows all"
+                                .formatted(name, Nearest.hint(name, List.copyOf(known))));
+            }
+        }
+        return options;
+    }
+
+    private static long seed(@Nullable String text) {
+        if (text == null) {
+            return SceneOptions.DEFAULT_SEED;
+        }
+        try {
+            return Long.parseLong(text.trim());
+        } catch (NumberFormatException notANumber) {
+            throw new UsageException(
+                    "--seed %s: want a whole number of 64 bits".formatted(text), notANumber);
+        }
+    }
+
+    private static @Nullable Integer whole(String option, @Nullable String text, int min, int max) {
+        if (text == null) {
+            return null;
+        }
+        try {
+            int value = Integer.parseInt(text.trim());
+            if (value >= min && value <= max) {
+                return value;
+            }
+        } catch (NumberFormatException notANumber) {
+            // Refused below, with the same words.
+        }
+        throw new UsageException(
+                "%s %s: want a whole number from %d to %d".formatted(option, text, min, max));
+    }
+
+    private static @Nullable Path path(String option, @Nullable String text) {
+        if (text == null) {
+            return null;
+        }
+        try {
+            return Path.of(text);
+        } catch (InvalidPathException malformed) {
+            throw new UsageException(
+                    "%s %s: this is no file name".formatted(option, text), malformed);
+        }
+    }
+}

@@ -1,0 +1,197 @@
+package dev.cairn.samples;
+
+import dev.cairn.render.app.Offscreen;
+
+import me.tongfei.progressbar.ConsoleProgressBarConsumer;
+import me.tongfei.progressbar.ProgressBar;
+import me.tongfei.progressbar.ProgressBarBuilder;
+import me.tongfei.progressbar.ProgressBarStyle;
+
+import org.jspecify.annotations.Nullable;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/** Does what a {@link Request} asks for. Main thread. */
+final class Runner {
+    /** Where the pictures of a run of all scenes go. */
+    static final Path GALLERY = Path.of("pictures");
+
+    private static final int BAR_WIDTH = 100;
+
+    private final Request request;
+    private final PrintStream out;
+    private final PrintStream err;
+    private final boolean display;
+
+    Runner(Request request, PrintStream out, PrintStream err, boolean display) {
+        this.request = request;
+        this.out = out;
+        this.err = err;
+        this.display = display;
+    }
+
+    /** Returns the exit code. */
+    int run() {
+        return switch (request.mode()) {
+            case LIST -> list();
+            case HEADLESS -> headless();
+            case WINDOW -> {
+                if (!display) {
+                    throw new UsageException(
+                            "--window: there is no display; set DISPLAY, or leave --window out to"
+                                    + " run without one");
+                }
+                yield window();
+            }
+            case EITHER -> display ? window() : headless();
+        };
+    }
+
+    private int list() {
+        String group = "";
+        for (SampleScene scene :
+                request.scenes().stream()
+                        .sorted(Comparator.comparing(SampleScene::group))
+                        .toList()) {
+            if (!scene.group().equals(group)) {
+                group = scene.group();
+                out.println(group);
+            }
+            out.printf("  %-11s %s%n", scene.id(), scene.description());
+            for (Parameter parameter : scene.parameters()) {
+                out.printf(
+                        "    %-12s %s; default %s, %s to %s%n",
+                        parameter.name(),
+                        parameter.meaning(),
+                        Parameter.show(parameter.defaultValue()),
+                        Parameter.show(parameter.min()),
+                        Parameter.show(parameter.max()));
+            }
+        }
+        return Main.DONE;
+    }
+
+    private int window() {
+        SampleWindow window =
+                new SampleWindow(
+                        request.scenes(),
+                        request.options(),
+                        request.workers(),
+                        request.substeps(),
+                        out);
+        try {
+            window.start();
+            return Main.DONE;
+        } catch (UsageException misuse) {
+            throw misuse;
+        } catch (RuntimeException | LinkageError failure) {
+            if (window.opened() || request.mode() == Request.Mode.WINDOW) {
+                return failed("the window", failure);
+            }
+            err.println(
+                    "No window can be opened (" + failure.getMessage() + "); running without one.");
+            return headless();
+        }
+    }
+
+    private int headless() {
+        String noPictures =
+                request.gallery() || request.picture() != null
+                        ? Offscreen.unavailableReason()
+                        : null;
+        if (noPictures != null && request.picture() != null) {
+            err.println("--picture: " + noPictures);
+            return Main.FAILED;
+        }
+        boolean draw = request.gallery() && noPictures == null;
+        List<SceneReport> reports = new ArrayList<>();
+        int code = Main.DONE;
+        try (ProgressBar bar = progress()) {
+            for (SampleScene scene : request.scenes()) {
+                try {
+                    reports.add(run(scene, draw, bar));
+                } catch (UsageException misuse) {
+                    throw misuse;
+                } catch (RuntimeException | Error failure) {
+                    code = failed("scene " + scene.id(), failure);
+                }
+            }
+        }
+        write(reports);
+        if (!"-".equals(request.json())) {
+            if (draw) {
+                out.println("Pictures: " + GALLERY.toAbsolutePath());
+            } else if (noPictures != null) {
+                out.println("No pictures: " + noPictures);
+            }
+        }
+        return code;
+    }
+
+    private SceneReport run(SampleScene scene, boolean draw, @Nullable ProgressBar bar) {
+        int ticks = request.ticks() == null ? scene.ticks() : request.ticks();
+        SceneOptions options =
+                request.options().getOrDefault(scene.id(), SceneOptions.defaults(scene));
+        SceneRun run = new SceneRun(scene, options, ticks, request.workers(), request.substeps());
+        if (request.picture() != null) {
+            run.picture(request.picture(), request.at() == null ? ticks : request.at());
+        } else if (draw) {
+            run.picture(GALLERY.resolve(scene.id() + ".png"), Math.min(scene.pictureTick(), ticks));
+        }
+        if (bar == null) {
+            return run.run(() -> {});
+        }
+        bar.setExtraMessage(" " + scene.id());
+        return run.run(bar::step);
+    }
+
+    private @Nullable ProgressBar progress() {
+        if (!Main.onTerminal()) {
+            return null;
+        }
+        long total = 0;
+        for (SampleScene scene : request.scenes()) {
+            total += request.ticks() == null ? scene.ticks() : request.ticks();
+        }
+        return new ProgressBarBuilder()
+                .setTaskName("ticks")
+                .setInitialMax(total)
+                .setStyle(ProgressBarStyle.ASCII)
+                .setUpdateIntervalMillis(100)
+                .setConsumer(new ConsoleProgressBarConsumer(err, BAR_WIDTH))
+                .build();
+    }
+
+    private void write(List<SceneReport> reports) {
+        String json = request.json();
+        if ("-".equals(json)) {
+            out.print(ReportText.json(reports));
+            out.flush();
+            return;
+        }
+        out.print(ReportText.table(reports));
+        for (SceneReport report : reports) {
+            report.remarks().forEach(line -> out.println(report.scene() + ": " + line));
+        }
+        if (json != null) {
+            try {
+                Files.writeString(Path.of(json), ReportText.json(reports));
+            } catch (IOException unwritable) {
+                throw new UncheckedIOException("cannot write " + json, unwritable);
+            }
+        }
+    }
+
+    private int failed(String what, Throwable failure) {
+        err.println(what + " failed: " + failure);
+        failure.printStackTrace(err);
+        return Main.FAILED;
+    }
+}

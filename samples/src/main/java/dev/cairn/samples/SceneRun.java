@@ -1,0 +1,231 @@
+package dev.cairn.samples;
+
+import dev.cairn.core.snapshot.SnapshotExchange;
+import dev.cairn.physics.Contacts;
+import dev.cairn.physics.PhysicsSettings;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.render.app.Offscreen;
+import dev.cairn.render.camera.Camera;
+import dev.cairn.render.camera.Light;
+
+import org.jspecify.annotations.Nullable;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * Runs one scene without a window, and measures it.
+ *
+ * <p>Only {@code world.step} is inside the clock and the allocation count; hooks, truths,
+ * penetration and pictures are outside. One thread, which becomes the simulation thread of the run.
+ */
+public final class SceneRun {
+    /**
+     * Overlaps are measured often enough to see a bounce, and seldom enough to stay cheap for
+     * thousands of bodies.
+     */
+    private static final int BODIES_PER_SKIPPED_TICK = 60;
+
+    private final SampleScene scene;
+    private final SceneOptions options;
+    private final int ticks;
+    private final int workers;
+    private final int substeps;
+    private @Nullable Path picture;
+    private int pictureTick;
+
+    /** Hears of each tick. */
+    @FunctionalInterface
+    public interface Progress {
+        /** One more tick is done. */
+        void tick();
+    }
+
+    /**
+     * Describes a run.
+     *
+     * @param scene what to run
+     * @param options values of its parameters
+     * @param ticks how many ticks, at least 0
+     * @param workers threads, at least 1
+     * @param substeps sub-steps of the solver, at least 1
+     */
+    public SceneRun(SampleScene scene, SceneOptions options, int ticks, int workers, int substeps) {
+        this.scene = scene;
+        this.options = options;
+        this.ticks = ticks;
+        this.workers = workers;
+        this.substeps = substeps;
+    }
+
+    /**
+     * Describes a run with the scene's own length, one worker and the engine's sub-steps.
+     *
+     * @param scene what to run
+     * @param options values of its parameters
+     */
+    public SceneRun(SampleScene scene, SceneOptions options) {
+        this(scene, options, scene.ticks(), 1, PhysicsSettings.DEFAULT.substeps());
+    }
+
+    /**
+     * Asks for a picture; needs GL.
+     *
+     * @param file where the .png goes
+     * @param tick after how many ticks
+     * @return this
+     */
+    public SceneRun picture(Path file, int tick) {
+        this.picture = file;
+        this.pictureTick = tick;
+        return this;
+    }
+
+    /**
+     * Runs the scene.
+     *
+     * @param progress called after each tick
+     * @return what was found
+     * @throws UsageException if the scene refuses its options (a broken mesh file)
+     */
+    public SceneReport run(Progress progress) {
+        AllocationMeter meter = new AllocationMeter();
+        try (PhysicsWorld world =
+                PhysicsWorld.builder()
+                        .gravity(0, -SampleScene.GRAVITY, 0)
+                        .workers(workers)
+                        .substeps(substeps)
+                        .seed(options.seed())
+                        .build()) {
+            SceneBuilder built = scene.build(new SceneBuilder(world, options));
+            meter.attach();
+            Measures measures =
+                    new Measures(
+                            ticks, Math.max(1, built.bodies().size() / BODIES_PER_SKIPPED_TICK));
+            SnapshotExchange exchange = picture == null ? null : new SnapshotExchange();
+            measures.depth(built);
+            for (int tick = 1; tick <= ticks; tick++) {
+                built.beforeTick();
+                measures.step(world, meter, tick);
+                built.afterTick();
+                measures.overlap(built, tick);
+                if (exchange != null && tick >= pictureTick - 1 && tick <= pictureTick) {
+                    exchange.publish(world.ecs());
+                    if (tick == pictureTick) {
+                        draw(exchange, built.view());
+                    }
+                }
+                progress.tick();
+            }
+            if (exchange != null && pictureTick == 0) {
+                exchange.publish(world.ecs());
+                draw(exchange, built.view());
+            }
+            return report(world, built, measures);
+        }
+    }
+
+    private void draw(SnapshotExchange exchange, SceneBuilder.View view) {
+        Camera camera =
+                new Camera()
+                        .lookAt(
+                                view.eyeX(),
+                                view.eyeY(),
+                                view.eyeZ(),
+                                view.targetX(),
+                                view.targetY(),
+                                view.targetZ());
+        try (Offscreen screen = Offscreen.open(1280, 720)) {
+            screen.draw(exchange.latest(), 1, camera, Light.DAYLIGHT);
+            if (picture != null) {
+                screen.savePng(picture);
+            }
+        }
+    }
+
+    private SceneReport report(PhysicsWorld world, SceneBuilder built, Measures measures) {
+        Map<String, Object> parameters = new LinkedHashMap<>(options.values());
+        parameters.put("seed", options.seed());
+        parameters.put("substeps", substeps);
+        if (options.obj() != null) {
+            parameters.put("obj", options.obj().toString());
+        }
+        Contacts contacts = world.contacts();
+        int touching = 0;
+        for (int c = 0; c < contacts.count(); c++) {
+            touching += contacts.touching(c) ? 1 : 0;
+        }
+        return new SceneReport(
+                scene.id(),
+                parameters,
+                world.bodyCount(),
+                ticks,
+                workers,
+                1,
+                measures.percentile(0.5),
+                measures.percentile(0.99),
+                touching,
+                world.kineticEnergy(),
+                measures.deepest,
+                built.errors(),
+                String.format(Locale.ROOT, "%016x", world.digest()),
+                measures.bytesPerTick(),
+                List.copyOf(built.remarks()));
+    }
+
+    /** What is noted tick by tick, without allocation inside the measured part. */
+    private static final class Measures {
+        private final long[] nanos;
+        private final int stride;
+        private final int warm;
+        private final int ticks;
+        private double deepest;
+        private long bytes;
+
+        Measures(int ticks, int stride) {
+            this.ticks = ticks;
+            this.nanos = new long[ticks];
+            this.stride = stride;
+            this.warm = ticks / 2;
+        }
+
+        void step(PhysicsWorld world, AllocationMeter meter, int tick) {
+            long allocated = meter.bytes();
+            long start = System.nanoTime();
+            world.step(SampleScene.STEP_SECONDS);
+            nanos[tick - 1] = System.nanoTime() - start;
+            if (tick > warm) {
+                bytes += meter.bytes() - allocated;
+            }
+        }
+
+        void overlap(SceneBuilder built, int tick) {
+            if (tick % stride == 0 || tick == ticks) {
+                depth(built);
+            }
+        }
+
+        void depth(SceneBuilder built) {
+            deepest = Math.max(deepest, Penetration.deepest(built.bodies()));
+        }
+
+        double bytesPerTick() {
+            return ticks == warm ? 0 : bytes / (double) (ticks - warm);
+        }
+
+        /** Nearest-rank percentile of the ticks after the first, ms; 0 if there are none. */
+        double percentile(double share) {
+            if (ticks == 0) {
+                return 0;
+            }
+            long[] sorted = Arrays.copyOfRange(nanos, Math.min(1, ticks - 1), ticks);
+            Arrays.sort(sorted);
+            int rank = (int) Math.ceil(share * sorted.length);
+            return sorted[Math.clamp(rank - 1, 0, sorted.length - 1)] / 1e6;
+        }
+    }
+}
