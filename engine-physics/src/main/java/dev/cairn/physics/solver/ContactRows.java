@@ -74,7 +74,7 @@ final class ContactRows {
     static final int STRIKE = 17;
 
     /** Ints to a contact. */
-    static final int LINK = 5;
+    static final int LINK = 6;
 
     /** Offsets of the bodies in {@link SolverBodies#state}. */
     static final int BODY_A = 0;
@@ -87,6 +87,9 @@ final class ContactRows {
 
     /** 1 while an impact took the place of the contact in this sub-step. */
     static final int STRUCK = 4;
+
+    /** 1 while the contact had no impulse to start the sub-step with. */
+    static final int COLD = 5;
 
     int count;
     double[] row = {};

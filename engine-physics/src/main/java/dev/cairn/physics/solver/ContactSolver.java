@@ -91,9 +91,9 @@ public final class ContactSolver {
                 impacts.run(rows, body, bodies, gravity, subStep, settings.restitutionThreshold());
                 jobs.run(kick, bodyBlocks);
                 RowKernels.warmStart(rows, body.state);
-                RowKernels.bias(rows, body.state, subStep, settings.pushSpeed(), settings.innerSweeps());
+                RowKernels.bias(rows, body.state, subStep, settings.pushSpeed(), settings.innerSweeps(), settings.coldSweeps());
                 jobs.run(drift, bodyBlocks);
-                RowKernels.relax(rows, body.state, subStep, settings.pushSpeed(), settings.innerSweeps());
+                RowKernels.relax(rows, body.state, subStep, settings.pushSpeed(), settings.innerSweeps(), settings.coldSweeps());
                 jobs.run(finish, bodyBlocks);
             }
         }

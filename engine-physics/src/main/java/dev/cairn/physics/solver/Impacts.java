@@ -142,6 +142,7 @@ final class Impacts {
         for (int o = first; o < end; o += POINT) {
             q[o + IMPULSE] = 0;
         }
+        uniform(rows, m, body, first, end, early);
         newton(rows, m, body, first, end, early);
         double normal = 0;
         for (int o = first; o < end; o += POINT) {
@@ -163,6 +164,41 @@ final class Impacts {
         }
         shift(body, store, a, ax, ay, az, au, av, aw, time);
         shift(body, store, b, bx, by, bz, bu, bv, bw, time);
+    }
+
+    /**
+     * First guess: the same impulse at all points that touch, such that their mean speed is right. A flat symmetric impact is
+     * solved by it, so that its symmetry does not drown in the order of the points.
+     */
+    private static void uniform(ContactRows rows, int m, double[] body, int first, int end, double early) {
+        double[] d = rows.row;
+        double[] q = rows.point;
+        int r = m * ROW;
+        int a = rows.link[m * LINK];
+        int b = rows.link[m * LINK + 1];
+        double miss = 0;
+        double response = 0;
+        int n = 0;
+        for (int o = first; o < end; o += POINT) {
+            if (q[o + STRIKE] != q[o + STRIKE]) {
+                continue;
+            }
+            n++;
+            miss += speed(d, r, q, o, body, a, b) + early - q[o + STRIKE];
+            for (int k = first; k < end; k += POINT) {
+                if (q[k + STRIKE] == q[k + STRIKE]) {
+                    response += PrepareRow.dot(q, o, q, k + 6) + PrepareRow.dot(q, o + 3, q, k + 9);
+                }
+            }
+        }
+        response += (double) n * n * (d[r + ContactRows.MASS_A] + d[r + ContactRows.MASS_B]);
+        double impulse = -miss / response;
+        for (int o = first; impulse > 0 && o < end; o += POINT) {
+            if (q[o + STRIKE] == q[o + STRIKE]) {
+                q[o + IMPULSE] = impulse;
+                push(d, r, q, o, body, a, b, impulse);
+            }
+        }
     }
 
     /** {@code v_i + early >= goal_i, l_i >= 0}, complementary, by Gauss-Seidel to convergence. */

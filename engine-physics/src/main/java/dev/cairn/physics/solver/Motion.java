@@ -24,12 +24,14 @@ final class Motion {
         double ay = gy + m * b.forceY[i];
         double az = gz + m * b.forceZ[i];
         double half = 0.5 * t * t;
-        b.positionX[i] += t * b.velocityX[i] + half * ax;
-        b.positionY[i] += t * b.velocityY[i] + half * ay;
-        b.positionZ[i] += t * b.velocityZ[i] + half * az;
-        b.velocityX[i] += t * ax;
-        b.velocityY[i] += t * ay;
-        b.velocityZ[i] += t * az;
+        double[] c = s.carry;
+        int q = 12 * i;
+        b.positionX[i] = add(c, q, b.positionX[i], t * b.velocityX[i], t * lost(c, q + 3, b.velocityX[i]) + half * ax);
+        b.positionY[i] = add(c, q + 1, b.positionY[i], t * b.velocityY[i], t * lost(c, q + 4, b.velocityY[i]) + half * ay);
+        b.positionZ[i] = add(c, q + 2, b.positionZ[i], t * b.velocityZ[i], t * lost(c, q + 5, b.velocityZ[i]) + half * az);
+        b.velocityX[i] = add(c, q + 3, b.velocityX[i], t * ax, 0);
+        b.velocityY[i] = add(c, q + 4, b.velocityY[i], t * ay, 0);
+        b.velocityZ[i] = add(c, q + 5, b.velocityZ[i], t * az, 0);
         double[] w = s.state;
         int o = i * STRIDE;
         w[o + LOADED] = 0;
@@ -54,6 +56,22 @@ final class Motion {
         b.angularVelocityX[i] = w[o + V + 3];
         b.angularVelocityY[i] = w[o + V + 4];
         b.angularVelocityZ[i] = w[o + V + 5];
+    }
+
+    /** What rounding has taken from {@code value} so far, if it is still the value of the last tick. */
+    private static double lost(double[] c, int q, double value) {
+        return c[q + 6] == value ? c[q] : 0;
+    }
+
+    /** {@code value + large + small} with compensation (Kahan 1965): a flight of hours keeps to its parabola. */
+    private static double add(double[] c, int q, double value, double large, double small) {
+        double step = large + (small + lost(c, q, value));
+        double sum = value + step;
+        // exact error of the addition (Knuth's two-sum)
+        double part = sum - value;
+        c[q] = (value - (sum - part)) + (step - part);
+        c[q + 6] = sum;
+        return sum;
     }
 
     /** {@code w += t R I^-1 R^T torque} at the present orientation. */

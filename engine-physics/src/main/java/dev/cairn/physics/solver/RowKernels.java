@@ -50,6 +50,7 @@ final class RowKernels {
                 by += impulse * q[o + 10];
                 bz += impulse * q[o + 11];
             }
+            rows.link[l + ContactRows.COLD] = sum == 0 ? 1 : 0;
             double px = sum * d[r];
             double py = sum * d[r + 1];
             double pz = sum * d[r + 2];
@@ -86,24 +87,39 @@ final class RowKernels {
     }
 
     /** The bias pass: soft normals, which push overlap out and let gaps close; no friction. */
-    static void bias(ContactRows rows, double[] body, double h, double pushSpeed, int sweeps) {
+    static void bias(
+            ContactRows rows, double[] body, double h, double pushSpeed, int sweeps, int coldSweeps) {
+        int landing = Math.max(sweeps, coldSweeps / 2);
         for (int m = 0; m < rows.count; m++) {
             if (rows.link[m * LINK + ContactRows.STRUCK] == 0) {
-                normals(rows, m, body, h, pushSpeed, true, sweeps);
+                boolean cold = rows.link[m * LINK + ContactRows.COLD] != 0;
+                normals(rows, m, body, h, pushSpeed, true, cold ? landing : sweeps);
             }
         }
     }
 
     /** The relax pass: hard normals, which take the push out of the velocities again, then friction; adds up the totals. */
-    static void relax(ContactRows rows, double[] body, double h, double pushSpeed, int sweeps) {
+    static void relax(
+            ContactRows rows, double[] body, double h, double pushSpeed, int sweeps, int coldSweeps) {
+        int landing = Math.max(sweeps, coldSweeps / 2);
         for (int m = 0; m < rows.count; m++) {
-            if (rows.link[m * LINK + ContactRows.STRUCK] == 0) {
-                double normal = normals(rows, m, body, h, pushSpeed, false, sweeps);
-                if (rows.row[m * ROW + ContactRows.FRICTION] > 0) {
+            if (rows.link[m * LINK + ContactRows.STRUCK] != 0) {
+                continue;
+            }
+            boolean rough = rows.row[m * ROW + ContactRows.FRICTION] > 0;
+            // a contact without a warm start has its normals and its friction still to agree on who stops what
+            boolean cold = rows.link[m * LINK + ContactRows.COLD] != 0;
+            int rounds = cold && rough ? coldSweeps : 1;
+            for (int round = 0; round < rounds; round++) {
+                double normal = normals(rows, m, body, h, pushSpeed, false, cold ? landing : sweeps);
+                if (normal == 0) {
+                    rounds = 1;
+                }
+                if (rough) {
                     friction(rows, m, body, normal);
                 }
-                total(rows, m);
             }
+            total(rows, m);
         }
     }
 
@@ -159,7 +175,10 @@ final class RowKernels {
                         - (ax * q[o] + ay * q[o + 1] + az * q[o + 2]);
                 double old = q[o + IMPULSE];
                 double next;
-                if (s > 0) {
+                if (s > 0 && !push && old == 0) {
+                    // an open gap is the next sub-step's matter: impacts want the speed as it is
+                    continue;
+                } else if (s > 0) {
                     next = old - q[o + ContactRows.MASS] * (speed + s / h);
                 } else {
                     double b0 = Math.max(biasRate * s, -pushSpeed);

@@ -42,6 +42,12 @@ final class SolverBodies {
     /** {@link #FREE}, {@link #BOUND}, or the only row of the body where its partner is static: the body is guided. */
     int[] guide = {};
 
+    /**
+     * Flight: what the last additions to position and velocity lost to rounding, then position and velocity as they were
+     * left; 12 to a slot. A body that something else has moved starts anew.
+     */
+    double[] carry = {};
+
     final PrincipalAxes axes = new PrincipalAxes();
 
     void ensureCapacity(int slots) {
@@ -50,6 +56,7 @@ final class SolverBodies {
             state = Arrays.copyOf(state, n * STRIDE);
             inverseInertia = Arrays.copyOf(inverseInertia, n * 6);
             glide = Arrays.copyOf(glide, n * 6);
+            carry = Arrays.copyOf(carry, n * 12);
             guide = Arrays.copyOf(guide, n);
         }
         axes.ensureCapacity(slots);

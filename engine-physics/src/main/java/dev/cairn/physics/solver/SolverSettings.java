@@ -14,9 +14,8 @@ package dev.cairn.physics.solver;
  *     body comes to rest instead of bouncing for ever smaller times.
  * @param innerSweeps sweeps over the points of one contact before the next contact, 1 to 16. More sweeps solve the tilt of
  *     a face inside the contact.
- * @param offsetGain share of a resting point's overlap that moves into its offset per tick, 0 (off) to 0.05; removes sag.
- * @param loadInertia kappa of the load-proportional inertia, 0 (off) to 4: a resting body's solver mass is up to kappa times
- *     the load that it carries.
+ * @param coldSweeps sweeps over normals and friction of a contact in a sub-step that it begins without impulses, 1 to 32.
+ *     Costs nothing where nothing lands; a landing or a slide starts with the right friction.
  */
 public record SolverSettings(
         int substeps,
@@ -27,10 +26,9 @@ public record SolverSettings(
         double pushSpeed,
         double restitutionThreshold,
         int innerSweeps,
-        double offsetGain,
-        double loadInertia) {
+        int coldSweeps) {
     /** The measured defaults. */
-    public static final SolverSettings DEFAULT = new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 1, 0, 0);
+    public static final SolverSettings DEFAULT = new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 1, 8);
 
     /** Checks every bound. */
     public SolverSettings {
@@ -42,8 +40,7 @@ public record SolverSettings(
         check("pushSpeed", pushSpeed, 1e-3, 1e3);
         check("restitutionThreshold", restitutionThreshold, 0, 1e3);
         check("innerSweeps", innerSweeps, 1, 16);
-        check("offsetGain", offsetGain, 0, 0.05);
-        check("loadInertia", loadInertia, 0, 4);
+        check("coldSweeps", coldSweeps, 1, 32);
     }
 
     private static void check(String name, double value, double low, double high) {
@@ -63,8 +60,7 @@ public record SolverSettings(
                 pushSpeed,
                 restitutionThreshold,
                 innerSweeps,
-                offsetGain,
-                loadInertia);
+                coldSweeps);
     }
 
     /** These settings with another restitution threshold, m/s. */
@@ -78,8 +74,7 @@ public record SolverSettings(
                 pushSpeed,
                 value,
                 innerSweeps,
-                offsetGain,
-                loadInertia);
+                coldSweeps);
     }
 
     /** These settings with other soft-contact numbers. */
@@ -93,12 +88,11 @@ public record SolverSettings(
                 newPushSpeed,
                 restitutionThreshold,
                 innerSweeps,
-                offsetGain,
-                loadInertia);
+                coldSweeps);
     }
 
-    /** These settings with other means against sag: sweeps inside a contact, offset gain, load-proportional inertia. */
-    public SolverSettings withStiffening(int newInnerSweeps, double newOffsetGain, double newLoadInertia) {
+    /** These settings with other numbers of sweeps inside a contact: always, and in the sub-step in which it begins. */
+    public SolverSettings withSweeps(int newInnerSweeps, int newColdSweeps) {
         return new SolverSettings(
                 substeps,
                 hertzPerRate,
@@ -108,7 +102,6 @@ public record SolverSettings(
                 pushSpeed,
                 restitutionThreshold,
                 newInnerSweeps,
-                newOffsetGain,
-                newLoadInertia);
+                newColdSweeps);
     }
 }
