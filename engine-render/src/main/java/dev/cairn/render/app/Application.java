@@ -1,11 +1,58 @@
 package dev.cairn.render.app;
 
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.render.camera.Camera;
+import dev.cairn.render.gl.GlContext;
+import dev.cairn.render.gl.GlUnavailableException;
+import dev.cairn.render.input.Bindings;
+import dev.cairn.render.input.Key;
 import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
-/** A program with a window. First form. */
+/**
+ * A program with a window onto a world. Extend it, fill the scene, start it:
+ *
+ * <pre>{@code
+ * public final class MyDemo extends Application {
+ *     @Override protected void initScene(Scene scene) {
+ *         scene.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0), Model.ground(Box.of(50, 1, 50)));
+ *         BodyRef ball = scene.add(Body.dynamic().shape(Sphere.of(0.5)).at(0, 4, 0));
+ *         scene.bindings().onKey(Key.J, "jump", () -> ball.applyImpulse(0, 2000, 0));
+ *     }
+ *     public static void main(String[] args) { new MyDemo().start(); }
+ * }
+ * }</pre>
+ *
+ * <p>Keys from the start, all of which can be rebound: W A S D fly, E and Q rise and sink, Shift is faster, the arrow keys or the mouse
+ * with its right button held turn the view, Tab keeps the mouse turning it; P or Space pauses the physics, N does one step, [ and ]
+ * slow down and speed up, \ returns to real time; F12 saves a picture, F1 lists the keys on the console, Escape quits.
+ *
+ * <p>Where there is no display, {@link #start} says so and draws one picture instead. The system properties {@code cairn.picture} (a
+ * file), {@code cairn.tick} and {@code cairn.size} ({@code 1280x720}) do what {@link #headless} and {@link #size} do.
+ *
+ * <p>Threads: {@code createPhysics}, {@code initScene}, {@code update} and bound functions run on the simulation thread; {@code start}
+ * on the main thread; the other methods say so.
+ */
 public abstract class Application {
-    /** An application with the defaults. */
+    private static final long DEFAULT_TICK = 120;
+
+    private final Camera camera = new Camera();
+    private final Bindings bindings = new Bindings();
+    private int width = 1280;
+    private int height = 720;
+    private double stepSeconds = 1.0 / 60.0;
+    private @Nullable Path picture;
+    private long pictureTick = DEFAULT_TICK;
+    private boolean started;
+    private volatile @Nullable Scene scene;
+    private volatile @Nullable Simulation simulation;
+    private volatile boolean quitting;
+    private volatile boolean screenshot;
+    private volatile boolean mouseLook;
+
+    /** An application with a window of 1280 x 720 and 60 ticks a second. */
     protected Application() {}
 
     /**
@@ -21,12 +68,12 @@ public abstract class Application {
     /**
      * Fills the scene; called once, on the simulation thread.
      *
-     * @param scene an empty scene with the default bindings
+     * @param newScene an empty scene with the default bindings
      */
-    protected abstract void initScene(Scene scene);
+    protected abstract void initScene(Scene newScene);
 
     /**
-     * Called before each tick of the physics, on the simulation thread; not while it is paused.
+     * Called before each tick, on the simulation thread; not while the physics is paused, since forces would add up.
      *
      * @param seconds the step, s
      */
@@ -35,20 +82,31 @@ public abstract class Application {
     /**
      * The scene.
      *
-     * @return the scene; simulation thread
+     * @return the scene
+     * @throws IllegalStateException before {@link #initScene}
      */
     protected final Scene scene() {
-        throw new UnsupportedOperationException();
+        Scene made = scene;
+        if (made == null) {
+            throw new IllegalStateException("there is no scene yet; it is made when start() calls initScene");
+        }
+        return made;
     }
 
     /**
      * Size of the window or of the picture; before {@link #start}.
      *
-     * @param width pixels, 16..16384
-     * @param height pixels, 16..16384
+     * @param newWidth pixels, 16..8192
+     * @param newHeight pixels, 16..8192
      * @return this
      */
-    public Application size(int width, int height) {
+    public final Application size(int newWidth, int newHeight) {
+        if (newWidth < 16 || newHeight < 16 || newWidth > Offscreen.MAX_SIZE || newHeight > Offscreen.MAX_SIZE) {
+            throw new IllegalArgumentException(
+                    "size is " + newWidth + " x " + newHeight + ", expected 16.." + Offscreen.MAX_SIZE + " each");
+        }
+        width = newWidth;
+        height = newHeight;
         return this;
     }
 
@@ -58,33 +116,301 @@ public abstract class Application {
      * @param seconds &gt; 0; 1/60 by default
      * @return this
      */
-    public Application step(double seconds) {
+    public final Application step(double seconds) {
+        if (!(seconds > 0) || Double.isInfinite(seconds)) {
+            throw new IllegalArgumentException("step is " + seconds + " s, expected > 0 and finite");
+        }
+        stepSeconds = seconds;
         return this;
     }
 
     /**
-     * Draws a picture instead of opening a window; before {@link #start}.
+     * Makes {@link #start} draw a picture instead of opening a window; before {@link #start}.
      *
-     * @param picture where the .png goes
-     * @param atTick after how many ticks
+     * @param file where the .png goes
+     * @param atTick after how many ticks, &ge; 0
      * @return this
      */
-    public Application headless(Path picture, long atTick) {
+    public final Application headless(Path file, long atTick) {
+        Objects.requireNonNull(file, "file");
+        if (atTick < 0) {
+            throw new IllegalArgumentException("atTick is " + atTick + ", expected >= 0");
+        }
+        picture = file;
+        pictureTick = atTick;
         return this;
     }
 
-    /** Runs until the window is closed or the picture is drawn. Main thread. */
+    /**
+     * Runs until the window is closed or the picture is drawn. Main thread; once.
+     *
+     * @throws IllegalStateException if it was started before, or a picture was asked for and cannot be drawn here
+     * @throws RuntimeException what {@code initScene}, {@code update}, a bound function or the world threw; the window is closed then
+     */
     public final void start() {
-        throw new UnsupportedOperationException();
+        if (started) {
+            throw new IllegalStateException("this application was started before; make a new one");
+        }
+        started = true;
+        readProperties();
+        bindDefaults();
+        Path asked = picture;
+        if (asked != null) {
+            drawPicture(asked, true);
+            return;
+        }
+        GlContext context = null;
+        String reason = "neither DISPLAY nor WAYLAND_DISPLAY is set";
+        if (hasDisplay()) {
+            try {
+                context = GlContext.window(width, height, getClass().getSimpleName());
+            } catch (GlUnavailableException e) {
+                reason = Objects.requireNonNullElse(e.getMessage(), "no reason given");
+            }
+        }
+        if (context == null) {
+            System.err.println("No window can be opened here: " + reason + ". Drawing a picture instead.");
+            drawPicture(Path.of(getClass().getSimpleName() + ".png"), false);
+            return;
+        }
+        runWindow(context);
     }
 
-    /** Ends the application after this frame; any thread. */
+    private void runWindow(GlContext context) {
+        Simulation running = newSimulation(-1);
+        try (GlContext open = context) {
+            running.start();
+            new WindowLoop(this, running, open).run();
+        } finally {
+            running.stop();
+        }
+        finish(running);
+    }
+
+    private void drawPicture(Path file, boolean required) {
+        String reason = Offscreen.unavailableReason();
+        if (reason != null && required) {
+            throw new IllegalStateException("the picture " + file + " cannot be drawn: " + reason);
+        }
+        Simulation running = newSimulation(pictureTick);
+        running.start();
+        try {
+            running.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            running.stop();
+            return;
+        }
+        finish(running);
+        if (reason != null) {
+            System.err.println("No picture can be drawn either: " + reason);
+            return;
+        }
+        try (Offscreen view = Offscreen.open(width, height)) {
+            view.draw(running.exchange().latest(), 1, camera, scene().light());
+            view.savePng(file);
+        }
+        System.out.println("Tick " + running.ticks() + " is in " + file.toAbsolutePath());
+    }
+
+    private static void finish(Simulation running) {
+        String text = running.failureText();
+        if (text != null) {
+            System.err.println(text);
+        }
+        running.rethrow();
+    }
+
+    private Simulation newSimulation(long ticks) {
+        Simulation made =
+                new Simulation(
+                        new Simulation.Host() {
+                            @Override
+                            public PhysicsWorld createPhysics() {
+                                return Application.this.createPhysics();
+                            }
+
+                            @Override
+                            public void begin(PhysicsWorld physics) {
+                                Scene filled =
+                                        new Scene(
+                                                physics, camera, bindings, Application.this.getClass().getSimpleName());
+                                scene = filled;
+                                initScene(filled);
+                            }
+
+                            @Override
+                            public void update(double seconds) {
+                                Application.this.update(seconds);
+                            }
+                        },
+                        stepSeconds,
+                        ticks);
+        simulation = made;
+        return made;
+    }
+
+    private void bindDefaults() {
+        bindings.onHold(Key.W, WindowLoop.FORWARD)
+                .onHold(Key.S, WindowLoop.BACK)
+                .onHold(Key.A, WindowLoop.LEFT)
+                .onHold(Key.D, WindowLoop.RIGHT)
+                .onHold(Key.E, WindowLoop.UP)
+                .onHold(Key.Q, WindowLoop.DOWN)
+                .onHold(Key.LEFT_SHIFT, WindowLoop.FAST)
+                .onHold(Key.LEFT, WindowLoop.TURN_LEFT)
+                .onHold(Key.RIGHT, WindowLoop.TURN_RIGHT)
+                .onHold(Key.UP, WindowLoop.TURN_UP)
+                .onHold(Key.DOWN, WindowLoop.TURN_DOWN)
+                .onKey(Key.TAB, "mouse look", () -> mouseLook = !mouseLook)
+                .onKey(Key.P, "pause", this::togglePause)
+                .onKey(Key.SPACE, "pause", this::togglePause)
+                .onKey(Key.N, "single step", this::singleStep)
+                .onKey(Key.LEFT_BRACKET, "slower", () -> timeScale(Math.max(timeScale() / 2, 1.0 / 64)))
+                .onKey(Key.RIGHT_BRACKET, "faster", () -> timeScale(Math.min(timeScale() * 2, 16)))
+                .onKey(Key.BACKSLASH, "real time", () -> timeScale(1))
+                .onKey(Key.F12, "save picture", () -> screenshot = true)
+                .onKey(Key.F1, "list keys", this::listKeys)
+                .onKey(Key.ESCAPE, "quit", this::quit);
+    }
+
+    private void listKeys() {
+        for (Bindings.Binding binding : bindings.actions()) {
+            System.out.printf(Locale.ROOT, "%-20s %s%n", binding.triggers(), binding.action());
+        }
+    }
+
+    private void readProperties() {
+        String size = System.getProperty("cairn.size");
+        if (size != null) {
+            String[] parts = size.split("x", -1);
+            if (parts.length != 2) {
+                throw new IllegalArgumentException("cairn.size is '" + size + "', expected WIDTHxHEIGHT such as 1280x720");
+            }
+            size((int) number("cairn.size", parts[0]), (int) number("cairn.size", parts[1]));
+        }
+        String tick = System.getProperty("cairn.tick");
+        if (tick != null) {
+            pictureTick = number("cairn.tick", tick);
+        }
+        String file = System.getProperty("cairn.picture");
+        if (file != null) {
+            headless(Path.of(file), pictureTick);
+        }
+    }
+
+    private static long number(String property, String text) {
+        try {
+            return Math.max(0, Long.parseLong(text.strip()));
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException(property + " holds '" + text + "', expected a whole number", e);
+        }
+    }
+
+    private static boolean hasDisplay() {
+        String system = System.getProperty("os.name", "").toLowerCase(Locale.ROOT);
+        if (system.contains("win") || system.contains("mac")) {
+            return true;
+        }
+        return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY");
+    }
+
+    private static boolean isSet(String variable) {
+        String value = System.getenv(variable);
+        return value != null && !value.isBlank();
+    }
+
+    /** Ends the application after the present frame; any thread. */
     public final void quit() {
-        throw new UnsupportedOperationException();
+        quitting = true;
     }
 
-    /** Pauses the physics, or resumes it; drawing and bindings go on. */
+    /** Pauses the physics, or resumes it; drawing, camera and bindings go on. Any thread. */
     public final void togglePause() {
-        throw new UnsupportedOperationException();
+        setPaused(!isPaused());
+    }
+
+    /**
+     * Pauses the physics, or resumes it. Other systems of the world run on. Any thread.
+     *
+     * @param value true to pause
+     */
+    public final void setPaused(boolean value) {
+        running().setPaused(value);
+    }
+
+    /**
+     * Whether the physics is paused. Any thread.
+     *
+     * @return true while it is
+     */
+    public final boolean isPaused() {
+        return running().isPaused();
+    }
+
+    /** Pauses, and does one step of the physics. Any thread. */
+    public final void singleStep() {
+        running().singleStep();
+    }
+
+    /**
+     * Slow or fast motion: simulated seconds per real second. The steps stay as they are. Any thread.
+     *
+     * @param value 0..64
+     */
+    public final void timeScale(double value) {
+        running().setTimeScale(value);
+    }
+
+    /**
+     * Simulated seconds per real second. Any thread.
+     *
+     * @return the scale, 1 = real time
+     */
+    public final double timeScale() {
+        return running().timeScale();
+    }
+
+    /**
+     * How many ticks were done. Any thread.
+     *
+     * @return the count, paused ones included
+     */
+    public final long ticks() {
+        return running().ticks();
+    }
+
+    private Simulation running() {
+        Simulation known = simulation;
+        if (known == null) {
+            throw new IllegalStateException("the application does not run yet; call this from initScene or later");
+        }
+        return known;
+    }
+
+    boolean isQuitting() {
+        return quitting;
+    }
+
+    boolean isMouseLook() {
+        return mouseLook;
+    }
+
+    boolean takeScreenshotRequest() {
+        boolean asked = screenshot;
+        screenshot = false;
+        return asked;
+    }
+
+    @Nullable Scene sceneOrNull() {
+        return scene;
+    }
+
+    Camera camera() {
+        return camera;
+    }
+
+    Bindings bindings() {
+        return bindings;
     }
 }

@@ -35,6 +35,7 @@ import static org.lwjgl.opengl.GL11.glGetString;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.lwjgl.PointerBuffer;
+import org.lwjgl.glfw.Callbacks;
 import org.lwjgl.glfw.GLFW;
 import org.lwjgl.glfw.GLFWErrorCallback;
 import org.lwjgl.opengl.GL;
@@ -229,6 +230,7 @@ public final class GlContext implements AutoCloseable {
         try {
             glfwMakeContextCurrent(MemoryUtil.NULL);
             GL.setCapabilities(null);
+            Callbacks.glfwFreeCallbacks(window);
             glfwDestroyWindow(window);
         } finally {
             glfwTerminate();

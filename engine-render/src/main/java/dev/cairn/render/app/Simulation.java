@@ -1,0 +1,177 @@
+package dev.cairn.render.app;
+
+import dev.cairn.core.snapshot.SnapshotExchange;
+import dev.cairn.core.tick.TickLoop;
+import dev.cairn.physics.PhysicsWorld;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
+
+/** The simulation thread of an application: makes the scene, steps it, publishes it, and ends with a failure or when told to. */
+final class Simulation {
+    private static final long SHORTEST_PARK_NANOS = 50_000;
+    private static final long LONGEST_PARK_NANOS = 2_000_000;
+
+    /** What the thread asks of the application. */
+    interface Host {
+        PhysicsWorld createPhysics();
+
+        /** Fills the scene. */
+        void begin(PhysicsWorld physics);
+
+        void update(double seconds);
+    }
+
+    private final Host host;
+    private final TickLoop loop;
+    private final SnapshotExchange exchange = new SnapshotExchange();
+    private final AtomicInteger singleSteps = new AtomicInteger();
+    private final Thread thread;
+    private volatile boolean paused;
+    private volatile boolean stopping;
+    private volatile long ticks;
+    private volatile @Nullable Throwable failure;
+    private @Nullable PhysicsWorld physics;
+
+    /**
+     * A thread that is not started yet.
+     *
+     * @param host whose scene it is
+     * @param stepSeconds length of a tick
+     * @param ticksInAll ends after so many as fast as it can; negative = in real time until {@link #stop}
+     */
+    Simulation(Host host, double stepSeconds, long ticksInAll) {
+        this.host = host;
+        this.loop = new TickLoop(stepSeconds, this::tick);
+        this.thread = new Thread(() -> run(stepSeconds, ticksInAll), "cairn-simulation");
+        // A scene that never returns from update must not keep the program alive once its window is gone.
+        thread.setDaemon(true);
+    }
+
+    void start() {
+        thread.start();
+    }
+
+    private void run(double stepSeconds, long ticksInAll) {
+        try (PhysicsWorld world = host.createPhysics()) {
+            physics = world;
+            host.begin(world);
+            exchange.publish(world.ecs());
+            if (ticksInAll >= 0) {
+                while (ticks < ticksInAll && !stopping) {
+                    tick(stepSeconds);
+                }
+            } else {
+                runInRealTime(stepSeconds);
+            }
+        } catch (Throwable e) {
+            failure = e;
+        }
+    }
+
+    private void runInRealTime(double stepSeconds) {
+        long before = System.nanoTime();
+        while (!stopping) {
+            long now = System.nanoTime();
+            loop.advance((now - before) * 1e-9);
+            before = now;
+            double untilDue = (1 - loop.alpha()) * stepSeconds / Math.max(loop.timeScale(), 1e-3);
+            LockSupport.parkNanos(Math.clamp((long) (untilDue * 1e9), SHORTEST_PARK_NANOS, LONGEST_PARK_NANOS));
+        }
+    }
+
+    private void tick(double seconds) {
+        PhysicsWorld world = physics;
+        if (world == null) {
+            throw new IllegalStateException("a tick before the scene was made");
+        }
+        boolean still = paused && !takeSingleStep();
+        if (world.isPaused() != still) {
+            world.setPaused(still);
+        }
+        if (!still) {
+            host.update(seconds);
+        }
+        world.step(seconds);
+        exchange.publish(world.ecs());
+        ticks = ticks + 1;
+    }
+
+    private boolean takeSingleStep() {
+        int asked = singleSteps.get();
+        return asked > 0 && singleSteps.compareAndSet(asked, asked - 1);
+    }
+
+    /** Runs an action on the simulation thread before its next tick. Any thread. */
+    void post(Runnable action) {
+        loop.post(action);
+    }
+
+    void setPaused(boolean value) {
+        singleSteps.set(0);
+        paused = value;
+    }
+
+    boolean isPaused() {
+        return paused;
+    }
+
+    void singleStep() {
+        paused = true;
+        singleSteps.incrementAndGet();
+    }
+
+    void setTimeScale(double value) {
+        loop.setTimeScale(value);
+    }
+
+    double timeScale() {
+        return loop.timeScale();
+    }
+
+    long ticks() {
+        return ticks;
+    }
+
+    SnapshotExchange exchange() {
+        return exchange;
+    }
+
+    /** Whether the thread has ended, by a failure or because all ticks are done. */
+    boolean isOver() {
+        return failure != null || !thread.isAlive();
+    }
+
+    /** Waits for the end. */
+    void await() throws InterruptedException {
+        thread.join();
+    }
+
+    /** Tells the thread to end and waits; after ten seconds the program goes on without it. */
+    void stop() {
+        stopping = true;
+        LockSupport.unpark(thread);
+        try {
+            thread.join(10_000);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Throws what the thread failed with, if it failed. */
+    void rethrow() {
+        Throwable thrown = failure;
+        switch (thrown) {
+            case null -> {}
+            case RuntimeException e -> throw e;
+            case Error e -> throw e;
+            default -> throw new IllegalStateException("the simulation failed: " + thrown, thrown);
+        }
+    }
+
+    /** The failure in words, or null. */
+    @Nullable String failureText() {
+        Throwable thrown = failure;
+        return thrown == null ? null : "The simulation stopped after " + ticks + " ticks: " + thrown;
+    }
+}
