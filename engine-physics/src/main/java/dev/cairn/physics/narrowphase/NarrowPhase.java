@@ -1,14 +1,104 @@
 package dev.cairn.physics.narrowphase;
 
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
 
 /**
- * Collides pairs of convex shapes. One instance per worker: it owns all scratch memory and is not
- * thread-safe.
+ * Collides pairs of convex shapes: axis by {@link Gjk} and {@link Epa} (or {@link Axes#boxes}),
+ * snapped to true features, then a manifold by {@link Clipper}. One instance per worker: it owns
+ * all scratch memory and is not thread-safe. Allocates nothing, except when a face has more sides
+ * than any before.
+ *
+ * <p>The warm-start word: bits 63..62 the kind (0 none, 1 face of A, 2 face of B, 3 edges or
+ * points), bits 61..47 and 46..32 the features, bits 31..0 a set of the names of the points. A
+ * stale or random word costs time, never correctness.
  */
 public final class NarrowPhase {
-    /** Creates the scratch of one worker. */
-    public NarrowPhase() {}
+    /** How the axis of a pair is found. */
+    public enum Method {
+        /** GJK and EPA for every pair, whatever the shapes. */
+        GENERAL,
+        /** The fifteen axes for two boxes, closed forms for balls, the general way for the rest. */
+        SPECIALISED
+    }
+
+    private static final long FACE_A = 1;
+    private static final long FACE_B = 2;
+    private static final long EDGES = 3;
+
+    /**
+     * Cosine of 0.1 rad: an edge axis nearer than that to the face normal is the face, seen through
+     * rounding.
+     */
+    private static final double NEARLY_PARALLEL = 0.995;
+
+    /**
+     * Of the smaller inner radius: what one kind of contact must be better by to replace another.
+     */
+    private static final double CALM = 1e-3;
+
+    private final Method method;
+    private final Pair pair = new Pair();
+    private final Gjk gjk = new Gjk();
+    private final Epa epa = new Epa();
+    private final Axes axes = new Axes();
+    private final Clipper clipper = new Clipper();
+    private final RoundQuery round = new RoundQuery();
+    private double axisX, axisY, axisZ;
+    private boolean general;
+    private double gap;
+
+    /** Creates the scratch of one worker that uses the fast paths. */
+    public NarrowPhase() {
+        this(Method.SPECIALISED);
+    }
+
+    /**
+     * Creates the scratch of one worker.
+     *
+     * @param method how axes are found; the results agree within {@link Manifold#bound}
+     */
+    public NarrowPhase(Method method) {
+        this.method = method;
+    }
+
+    /**
+     * Whether the last call met an iteration cap.
+     *
+     * @return true when a better axis may exist
+     */
+    public boolean capped() {
+        return round.capped || gjk.capped || epa.capped;
+    }
+
+    /**
+     * The axis of the last {@link #distance} call: a unit vector from A to B along which the signed
+     * distance was measured.
+     *
+     * @return the x component, world axes
+     */
+    public double axisX() {
+        return pair.w00 * axisX + pair.w01 * axisY + pair.w02 * axisZ;
+    }
+
+    /**
+     * See {@link #axisX}.
+     *
+     * @return the y component, world axes
+     */
+    public double axisY() {
+        return pair.w10 * axisX + pair.w11 * axisY + pair.w12 * axisZ;
+    }
+
+    /**
+     * See {@link #axisX}.
+     *
+     * @return the z component, world axes
+     */
+    public double axisZ() {
+        return pair.w20 * axisX + pair.w21 * axisY + pair.w22 * axisZ;
+    }
 
     /**
      * Finds the contact of a pair.
@@ -49,7 +139,13 @@ public final class NarrowPhase {
             double margin,
             long cache,
             Manifold out) {
-        throw new UnsupportedOperationException();
+        begin(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
+        out.pointCount = 0;
+        out.bound = 0;
+        boolean ball = pair.roundA || pair.roundB;
+        long word = ball ? ball(a, b, margin, out) : polyhedra(a, b, margin, cache, out);
+        out.capped = capped();
+        return word;
     }
 
     /**
@@ -85,6 +181,367 @@ public final class NarrowPhase {
             double dx,
             double dy,
             double dz) {
-        throw new UnsupportedOperationException();
+        begin(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
+        if (pair.roundA || pair.roundB) {
+            round.run(pair, a, b, method == Method.SPECIALISED, gjk, Double.MAX_VALUE);
+            setAxis(round.axisX, round.axisY, round.axisZ);
+            return round.distance - pair.radiusA - pair.radiusB;
+        }
+        findAxes(a, b, Double.MAX_VALUE);
+        double best = axes.best();
+        bestAxis();
+        if (best <= 0) {
+            return best;
+        }
+        if (!general) {
+            gjk.run(pair, pair.dx, pair.dy, pair.dz, Double.MAX_VALUE);
+        }
+        if (gjk.overlap || gjk.distance - best <= 0x1p-42 * pair.scale) {
+            return best;
+        }
+        setAxis(gjk.vx / gjk.distance, gjk.vy / gjk.distance, gjk.vz / gjk.distance);
+        return gjk.distance;
+    }
+
+    private void begin(
+            Shape a,
+            Shape b,
+            double qAx,
+            double qAy,
+            double qAz,
+            double qAw,
+            double qBx,
+            double qBy,
+            double qBz,
+            double qBw,
+            double dx,
+            double dy,
+            double dz) {
+        pair.set(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
+        round.capped = false;
+        gjk.capped = false;
+        epa.capped = false;
+        gap = 0;
+    }
+
+    private void setAxis(double x, double y, double z) {
+        axisX = x;
+        axisY = y;
+        axisZ = z;
+    }
+
+    /**
+     * A ball touches at one point, whose name never changes, so that rolling over an edge keeps the
+     * impulse.
+     */
+    private long ball(Shape a, Shape b, double margin, Manifold out) {
+        double radii = pair.radiusA + pair.radiusB;
+        round.run(pair, a, b, method == Method.SPECIALISED, gjk, margin + radii);
+        double separation = round.distance - radii;
+        if (separation <= margin) {
+            setAxis(round.axisX, round.axisY, round.axisZ);
+            double half = separation / 2;
+            double along = pair.roundA ? pair.radiusA + half : -(pair.radiusB + half);
+            double bx = pair.roundA ? 0 : pair.dx;
+            double by = pair.roundA ? 0 : pair.dy;
+            double bz = pair.roundA ? 0 : pair.dz;
+            single(
+                    bx + along * axisX,
+                    by + along * axisY,
+                    bz + along * axisZ,
+                    separation,
+                    CLOSEST,
+                    out);
+            out.bound = rounding();
+        }
+        return 0;
+    }
+
+    /** Name of a point that has no better one. */
+    private static final int CLOSEST = 3 << 30;
+
+    private double rounding() {
+        return 0x1p-48 * pair.scale;
+    }
+
+    /** Fills {@link #axes}, by iteration or by the fifteen axes. */
+    private void findAxes(Shape a, Shape b, double margin) {
+        general = method == Method.GENERAL || !(a instanceof Box && b instanceof Box);
+        if (!general) {
+            axes.boxes(pair, margin);
+            return;
+        }
+        gjk.run(pair, pair.dx, pair.dy, pair.dz, margin);
+        if (gjk.beyond) {
+            axes.clear(gjk.lower);
+        } else if (gjk.overlap) {
+            epa.run(pair, gjk);
+            axes.snap(pair, epa.axisX, epa.axisY, epa.axisZ);
+            gap = Math.max(0, -epa.lower - axes.best());
+        } else {
+            double s = 1 / gjk.distance;
+            axes.snap(pair, gjk.vx * s, gjk.vy * s, gjk.vz * s);
+        }
+    }
+
+    /** Sets the axis to the one with the largest separation. */
+    private void bestAxis() {
+        double best = axes.best();
+        if (best == axes.separationA) {
+            faceAxis(false);
+        } else if (best == axes.separationB) {
+            faceAxis(true);
+        } else if (best == axes.separationEdge) {
+            setAxis(axes.edgeX, axes.edgeY, axes.edgeZ);
+        } else {
+            setAxis(axes.rawX, axes.rawY, axes.rawZ);
+        }
+    }
+
+    private void faceAxis(boolean flip) {
+        if (flip) {
+            double x = -pair.b.normalX(axes.faceB);
+            double y = -pair.b.normalY(axes.faceB);
+            double z = -pair.b.normalZ(axes.faceB);
+            axisX = pair.r00 * x + pair.r01 * y + pair.r02 * z;
+            axisY = pair.r10 * x + pair.r11 * y + pair.r12 * z;
+            axisZ = pair.r20 * x + pair.r21 * y + pair.r22 * z;
+        } else {
+            setAxis(
+                    pair.a.normalX(axes.faceA),
+                    pair.a.normalY(axes.faceA),
+                    pair.a.normalZ(axes.faceA));
+        }
+    }
+
+    private long polyhedra(Shape a, Shape b, double margin, long cache, Manifold out) {
+        if (stillApart(cache, margin)) {
+            return cache;
+        }
+        findAxes(a, b, margin);
+        double best = axes.best();
+        if (best > margin) {
+            return word(axes.separationB > axes.separationA ? FACE_B : FACE_A, 0);
+        }
+        long before = cache >>> 62;
+        double calm = CALM * pair.inner;
+        double bias = before == FACE_A ? calm : before == FACE_B ? -calm : 0x1p-40 * pair.scale;
+        boolean flip = axes.separationB > axes.separationA + bias;
+        double face = flip ? axes.separationB : axes.separationA;
+        faceAxis(flip);
+        long kind = EDGES;
+        if (!edgesWin(face, before == EDGES, calm)) {
+            faceContact(flip, margin, (int) cache, out);
+            kind = flip ? FACE_B : FACE_A;
+        }
+        if (out.pointCount == 0) {
+            kind = EDGES;
+            pointContact(margin, best, out);
+        }
+        if (out.pointCount == 0) {
+            return word(flip ? FACE_B : FACE_A, 0);
+        }
+        int names = 0;
+        double deepest = Double.MAX_VALUE;
+        for (int i = 0; i < out.pointCount; i++) {
+            names |= 1 << Clipper.bit(out.feature[i]);
+            deepest = Math.min(deepest, out.separation[i]);
+        }
+        out.bound = Math.abs(best - deepest) + gap + rounding();
+        return word(kind, names);
+    }
+
+    private long word(long kind, int names) {
+        long i = kind == FACE_A ? axes.faceA : kind == FACE_B ? axes.faceB : 0;
+        return kind << 62 | i << 47 | (names & 0xFFFFFFFFL);
+    }
+
+    /** The face that separated or carried the pair last time separates it now. */
+    private boolean stillApart(long cache, double margin) {
+        long kind = cache >>> 62;
+        int face = (int) (cache >>> 47) & 0x7FFF;
+        if (kind == FACE_A && face < pair.a.faceCount()) {
+            return pair.faceSeparationA(face) > margin;
+        }
+        return kind == FACE_B && face < pair.b.faceCount() && pair.faceSeparationB(face) > margin;
+    }
+
+    /**
+     * Whether an edge pair, or a pair of points, is so much better than the chosen face that it
+     * replaces it.
+     */
+    private boolean edgesWin(double face, boolean before, double calm) {
+        boolean edge = axes.separationEdge >= axes.separationRaw - rounding();
+        double other = edge ? axes.separationEdge : axes.separationRaw;
+        double cosine =
+                edge
+                        ? axisX * axes.edgeX + axisY * axes.edgeY + axisZ * axes.edgeZ
+                        : axisX * axes.rawX + axisY * axes.rawY + axisZ * axes.rawZ;
+        double better =
+                before ? 0.5 * calm + 0.05 * Math.abs(face) : 1.5 * calm + 0.15 * Math.abs(face);
+        return cosine <= NEARLY_PARALLEL && other > face + better;
+    }
+
+    private void faceContact(boolean flip, double margin, int kept, Manifold out) {
+        Polyhedron reference = flip ? pair.b : pair.a;
+        int face = flip ? axes.faceB : axes.faceA;
+        double nx = reference.normalX(face);
+        double ny = reference.normalY(face);
+        double nz = reference.normalZ(face);
+        clipper.clip(pair, flip, face, incident(flip, nx, ny, nz), margin);
+        clipper.reduce(nx, ny, nz, 0.01 * CALM * pair.inner, kept);
+        for (int i = 0; i < clipper.count; i++) {
+            double half = clipper.separation[i] / 2;
+            double x = clipper.x[i] - half * nx;
+            double y = clipper.y[i] - half * ny;
+            double z = clipper.z[i] - half * nz;
+            if (flip) {
+                double ux = pair.r00 * x + pair.r01 * y + pair.r02 * z + pair.dx;
+                double uy = pair.r10 * x + pair.r11 * y + pair.r12 * z + pair.dy;
+                z = pair.r20 * x + pair.r21 * y + pair.r22 * z + pair.dz;
+                x = ux;
+                y = uy;
+            }
+            point(x, y, z, clipper.separation[i], clipper.feature[i], out);
+        }
+        writeNormal(out);
+    }
+
+    /**
+     * The face of the other shape at its deepest vertex that looks most against the reference face.
+     */
+    private int incident(boolean flip, double nx, double ny, double nz) {
+        if (flip) {
+            double x = -(pair.r00 * nx + pair.r01 * ny + pair.r02 * nz);
+            double y = -(pair.r10 * nx + pair.r11 * ny + pair.r12 * nz);
+            double z = -(pair.r20 * nx + pair.r21 * ny + pair.r22 * nz);
+            return Axes.faceToward(pair.a, pair.a.support(x, y, z), x, y, z);
+        }
+        double x = -(pair.r00 * nx + pair.r10 * ny + pair.r20 * nz);
+        double y = -(pair.r01 * nx + pair.r11 * ny + pair.r21 * nz);
+        double z = -(pair.r02 * nx + pair.r12 * ny + pair.r22 * nz);
+        return Axes.faceToward(pair.b, pair.b.support(x, y, z), x, y, z);
+    }
+
+    /**
+     * One point: two edges that cross, else the nearest points, else the deepest vertex along the
+     * best axis.
+     */
+    private void pointContact(double margin, double best, Manifold out) {
+        if (axes.separationEdge >= best - CALM * pair.inner && crossing(margin, out)) {
+            return;
+        }
+        if (!general) {
+            gjk.run(pair, pair.dx, pair.dy, pair.dz, margin);
+        }
+        if (!gjk.overlap) {
+            if (!gjk.beyond && gjk.distance <= margin) {
+                nearest(out);
+            }
+            return;
+        }
+        bestAxis();
+        int v = pair.supportB(-axisX, -axisY, -axisZ, 0);
+        pair.vertexB(v);
+        double half = best / 2;
+        single(
+                pair.px - half * axisX,
+                pair.py - half * axisY,
+                pair.pz - half * axisZ,
+                best,
+                Clipper.VERTEX_B | v,
+                out);
+    }
+
+    /**
+     * Midway between the nearest points of the lines of two edges; false when they pass beyond an
+     * end while apart.
+     */
+    private boolean crossing(double margin, Manifold out) {
+        Polyhedron a = pair.a;
+        int from = a.edgeFrom(axes.edgeA);
+        int to = a.edgeTo(axes.edgeA);
+        double ax = a.vertexX(from);
+        double ay = a.vertexY(from);
+        double az = a.vertexZ(from);
+        double ux = a.vertexX(to) - ax;
+        double uy = a.vertexY(to) - ay;
+        double uz = a.vertexZ(to) - az;
+        pair.vertexB(pair.b.edgeTo(axes.edgeB));
+        double vx = pair.px;
+        double vy = pair.py;
+        double vz = pair.pz;
+        pair.vertexB(pair.b.edgeFrom(axes.edgeB));
+        vx -= pair.px;
+        vy -= pair.py;
+        vz -= pair.pz;
+        double rx = pair.px - ax;
+        double ry = pair.py - ay;
+        double rz = pair.pz - az;
+        double uu = ux * ux + uy * uy + uz * uz;
+        double vv = vx * vx + vy * vy + vz * vz;
+        double uv = ux * vx + uy * vy + uz * vz;
+        double ur = ux * rx + uy * ry + uz * rz;
+        double vr = vx * rx + vy * ry + vz * rz;
+        double det = uu * vv - uv * uv;
+        double s = (ur * vv - vr * uv) / det;
+        double t = (ur * uv - vr * uu) / det;
+        boolean beside = !(s >= -1e-9 && s <= 1 + 1e-9 && t >= -1e-9 && t <= 1 + 1e-9);
+        if (beside || axes.separationEdge > margin) {
+            return false;
+        }
+        setAxis(axes.edgeX, axes.edgeY, axes.edgeZ);
+        single(
+                (ax + s * ux + pair.px + t * vx) / 2,
+                (ay + s * uy + pair.py + t * vy) / 2,
+                (az + s * uz + pair.pz + t * vz) / 2,
+                axes.separationEdge,
+                Clipper.CROSSING | axes.edgeA << 15 | axes.edgeB,
+                out);
+        return true;
+    }
+
+    /** The nearest points that GJK ended with. */
+    private void nearest(Manifold out) {
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        for (int i = 0; i < gjk.count; i++) {
+            x += gjk.weight[i] * pair.vertexAX(gjk.ia[i]);
+            y += gjk.weight[i] * pair.vertexAY(gjk.ia[i]);
+            z += gjk.weight[i] * pair.vertexAZ(gjk.ia[i]);
+        }
+        setAxis(gjk.vx / gjk.distance, gjk.vy / gjk.distance, gjk.vz / gjk.distance);
+        single(x + gjk.vx / 2, y + gjk.vy / 2, z + gjk.vz / 2, gjk.distance, CLOSEST, out);
+    }
+
+    private void single(double x, double y, double z, double separation, int name, Manifold out) {
+        out.pointCount = 0;
+        point(x, y, z, separation, name, out);
+        writeNormal(out);
+    }
+
+    /** Inserts a point, given in A's frame, in order of its name. */
+    private void point(double x, double y, double z, double separation, int name, Manifold out) {
+        int at = out.pointCount++;
+        while (at > 0 && Integer.compareUnsigned(out.feature[at - 1], name) > 0) {
+            out.feature[at] = out.feature[at - 1];
+            out.separation[at] = out.separation[at - 1];
+            out.pointX[at] = out.pointX[at - 1];
+            out.pointY[at] = out.pointY[at - 1];
+            out.pointZ[at] = out.pointZ[at - 1];
+            at--;
+        }
+        out.feature[at] = name;
+        out.separation[at] = separation;
+        out.pointX[at] = pair.w00 * x + pair.w01 * y + pair.w02 * z;
+        out.pointY[at] = pair.w10 * x + pair.w11 * y + pair.w12 * z;
+        out.pointZ[at] = pair.w20 * x + pair.w21 * y + pair.w22 * z;
+    }
+
+    private void writeNormal(Manifold out) {
+        out.normalX = axisX();
+        out.normalY = axisY();
+        out.normalZ = axisZ();
     }
 }

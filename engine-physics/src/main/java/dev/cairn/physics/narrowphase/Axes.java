@@ -1,0 +1,342 @@
+package dev.cairn.physics.narrowphase;
+
+import dev.cairn.physics.shape.Polyhedron;
+
+/**
+ * The best axis of each kind for two polyhedra: a face normal of A, one of B, the common
+ * perpendicular of two edges, and the axis that an iteration came with. Each separation is computed
+ * from true supports along that axis, so each is a lower bound of the signed distance and the
+ * largest is the answer.
+ */
+final class Axes {
+    /** Candidates per shape when edges are matched with a given axis. */
+    private static final int NEAREST_EDGES = 3;
+
+    static final double NEVER = -Double.MAX_VALUE;
+
+    int faceA, faceB;
+    double separationA, separationB;
+
+    /**
+     * Edges and their common unit perpendicular from A to B; {@code separationEdge} is {@link
+     * #NEVER} without.
+     */
+    int edgeA, edgeB;
+
+    double separationEdge, edgeX, edgeY, edgeZ;
+
+    /**
+     * The axis as it came from an iteration; {@code separationRaw} is {@link #NEVER} when none ran.
+     */
+    double separationRaw, rawX, rawY, rawZ;
+
+    private final int[] nearA = new int[NEAREST_EDGES], nearB = new int[NEAREST_EDGES];
+    private final double[] cosine = new double[NEAREST_EDGES];
+    private double cx, cy, cz;
+
+    double best() {
+        return Math.max(
+                Math.max(separationA, separationB), Math.max(separationEdge, separationRaw));
+    }
+
+    /** Only a bound is known. */
+    void clear(double bound) {
+        separationA = NEVER;
+        separationB = NEVER;
+        separationEdge = NEVER;
+        separationRaw = bound;
+    }
+
+    /**
+     * The fifteen axes of two boxes (Gottschalk, Lin, Manocha 1996). Stops at the first that
+     * separates by more than the margin.
+     */
+    void boxes(Pair p, double margin) {
+        separationRaw = NEVER;
+        separationEdge = NEVER;
+        separationA = NEVER;
+        separationB = NEVER;
+        double ax = p.a.vertexX(7);
+        double ay = p.a.vertexY(7);
+        double az = p.a.vertexZ(7);
+        double bx = p.b.vertexX(7);
+        double by = p.b.vertexY(7);
+        double bz = p.b.vertexZ(7);
+        boxFaceA(0, p.dx, ax + extent(p.r00, p.r01, p.r02, bx, by, bz));
+        boxFaceA(2, p.dy, ay + extent(p.r10, p.r11, p.r12, bx, by, bz));
+        boxFaceA(4, p.dz, az + extent(p.r20, p.r21, p.r22, bx, by, bz));
+        if (separationA > margin) {
+            return;
+        }
+        boxFaceB(
+                0,
+                p.dx * p.r00 + p.dy * p.r10 + p.dz * p.r20,
+                bx + extent(p.r00, p.r10, p.r20, ax, ay, az));
+        boxFaceB(
+                2,
+                p.dx * p.r01 + p.dy * p.r11 + p.dz * p.r21,
+                by + extent(p.r01, p.r11, p.r21, ax, ay, az));
+        boxFaceB(
+                4,
+                p.dx * p.r02 + p.dy * p.r12 + p.dz * p.r22,
+                bz + extent(p.r02, p.r12, p.r22, ax, ay, az));
+        if (separationB > margin) {
+            return;
+        }
+        int pair = -1;
+        pair =
+                boxEdges(
+                        p, 0, p.r00, p.r10, p.r20, ax, ay, az, by, bz, p.r01, p.r11, p.r21, p.r02,
+                        p.r12, p.r22, pair);
+        pair =
+                boxEdges(
+                        p, 1, p.r01, p.r11, p.r21, ax, ay, az, bx, bz, p.r00, p.r10, p.r20, p.r02,
+                        p.r12, p.r22, pair);
+        pair =
+                boxEdges(
+                        p, 2, p.r02, p.r12, p.r22, ax, ay, az, bx, by, p.r00, p.r10, p.r20, p.r01,
+                        p.r11, p.r21, pair);
+        if (pair >= 0) {
+            nameBoxEdges(p, pair / 3, pair % 3);
+        }
+    }
+
+    private static double extent(double x, double y, double z, double hx, double hy, double hz) {
+        return Math.abs(x) * hx + Math.abs(y) * hy + Math.abs(z) * hz;
+    }
+
+    private void boxFaceA(int face, double along, double reach) {
+        double s = Math.abs(along) - reach;
+        if (s > separationA) {
+            separationA = s;
+            faceA = along >= 0 ? face + 1 : face;
+        }
+    }
+
+    private void boxFaceB(int face, double along, double reach) {
+        double s = Math.abs(along) - reach;
+        if (s > separationB) {
+            separationB = s;
+            faceB = along >= 0 ? face : face + 1;
+        }
+    }
+
+    /**
+     * Edge direction j of B, given as (x, y, z), with the three of A; (h1, u) and (h2, v) are B's
+     * other half axes.
+     */
+    private int boxEdges(
+            Pair p,
+            int j,
+            double x,
+            double y,
+            double z,
+            double ax,
+            double ay,
+            double az,
+            double h1,
+            double h2,
+            double ux,
+            double uy,
+            double uz,
+            double vx,
+            double vy,
+            double vz,
+            int pair) {
+        int best = pair;
+        double square = y * y + z * z;
+        if (square > 0x1p-40) {
+            double s =
+                    Math.abs(p.dz * y - p.dy * z)
+                            - ay * Math.abs(z)
+                            - az * Math.abs(y)
+                            - h1 * Math.abs(uz * y - uy * z)
+                            - h2 * Math.abs(vz * y - vy * z);
+            best = boxEdge(s, Math.sqrt(square), 0, -z, y, j, best);
+        }
+        square = x * x + z * z;
+        if (square > 0x1p-40) {
+            double s =
+                    Math.abs(p.dx * z - p.dz * x)
+                            - ax * Math.abs(z)
+                            - az * Math.abs(x)
+                            - h1 * Math.abs(ux * z - uz * x)
+                            - h2 * Math.abs(vx * z - vz * x);
+            best = boxEdge(s, Math.sqrt(square), z, 0, -x, 3 + j, best);
+        }
+        square = x * x + y * y;
+        if (square > 0x1p-40) {
+            double s =
+                    Math.abs(p.dy * x - p.dx * y)
+                            - ax * Math.abs(y)
+                            - ay * Math.abs(x)
+                            - h1 * Math.abs(uy * x - ux * y)
+                            - h2 * Math.abs(vy * x - vx * y);
+            best = boxEdge(s, Math.sqrt(square), -y, x, 0, 6 + j, best);
+        }
+        return best;
+    }
+
+    private int boxEdge(
+            double s, double length, double x, double y, double z, int pair, int before) {
+        double separation = s / length;
+        if (separation <= separationEdge) {
+            return before;
+        }
+        separationEdge = separation;
+        edgeX = x / length;
+        edgeY = y / length;
+        edgeZ = z / length;
+        return pair;
+    }
+
+    /** Orients the edge axis from A to B and finds which edges of direction i and j it touches. */
+    private void nameBoxEdges(Pair p, int i, int j) {
+        if (edgeX * p.dx + edgeY * p.dy + edgeZ * p.dz < 0) {
+            edgeX = -edgeX;
+            edgeY = -edgeY;
+            edgeZ = -edgeZ;
+        }
+        int va = (edgeX >= 0 ? 1 : 0) | (edgeY >= 0 ? 2 : 0) | (edgeZ >= 0 ? 4 : 0);
+        edgeA = edge(p.a, va, va ^ (1 << i));
+        double bx = p.r00 * edgeX + p.r10 * edgeY + p.r20 * edgeZ;
+        double by = p.r01 * edgeX + p.r11 * edgeY + p.r21 * edgeZ;
+        double bz = p.r02 * edgeX + p.r12 * edgeY + p.r22 * edgeZ;
+        int vb = (bx <= 0 ? 1 : 0) | (by <= 0 ? 2 : 0) | (bz <= 0 ? 4 : 0);
+        edgeB = edge(p.b, vb, vb ^ (1 << j));
+    }
+
+    private static int edge(Polyhedron h, int from, int to) {
+        for (int s = h.spokeBegin(from); s < h.spokeBegin(from + 1); s++) {
+            if (h.spokeVertex(s) == to) {
+                return h.spokeEdge(s);
+            }
+        }
+        throw new IllegalStateException("no edge from vertex " + from + " to " + to);
+    }
+
+    /**
+     * Finds the features that a unit axis from A to B belongs to, and the exact separation along
+     * each.
+     */
+    void snap(Pair p, double x, double y, double z) {
+        rawX = x;
+        rawY = y;
+        rawZ = z;
+        int va = p.a.support(x, y, z);
+        double bx = p.r00 * x + p.r10 * y + p.r20 * z;
+        double by = p.r01 * x + p.r11 * y + p.r21 * z;
+        double bz = p.r02 * x + p.r12 * y + p.r22 * z;
+        int vb = p.b.support(-bx, -by, -bz);
+        p.vertexB(vb);
+        separationRaw =
+                (p.px - p.a.vertexX(va)) * x
+                        + (p.py - p.a.vertexY(va)) * y
+                        + (p.pz - p.a.vertexZ(va)) * z;
+        faceA = faceToward(p.a, va, x, y, z);
+        separationA = p.faceSeparationA(faceA);
+        faceB = faceToward(p.b, vb, -bx, -by, -bz);
+        separationB = p.faceSeparationB(faceB);
+        snapEdges(p, va, vb, bx, by, bz);
+    }
+
+    /**
+     * Of the faces at a vertex, the one whose normal is nearest to a direction; ties go to the
+     * lowest spoke.
+     */
+    static int faceToward(Polyhedron h, int vertex, double x, double y, double z) {
+        int best = -1;
+        double most = NEVER;
+        for (int s = h.spokeBegin(vertex); s < h.spokeBegin(vertex + 1); s++) {
+            int f = h.spokeFace(s);
+            double dot = h.normalX(f) * x + h.normalY(f) * y + h.normalZ(f) * z;
+            if (dot > most) {
+                most = dot;
+                best = f;
+            }
+        }
+        return best;
+    }
+
+    private void snapEdges(Pair p, int va, int vb, double bx, double by, double bz) {
+        separationEdge = NEVER;
+        int countA = nearestEdges(p.a, va, rawX, rawY, rawZ, nearA);
+        int countB = nearestEdges(p.b, vb, bx, by, bz, nearB);
+        double align = 0.99;
+        for (int i = 0; i < countA; i++) {
+            for (int j = 0; j < countB; j++) {
+                double dot = cross(p, nearA[i], nearB[j]);
+                if (dot > align) {
+                    align = dot;
+                    edgeA = nearA[i];
+                    edgeB = nearB[j];
+                    edgeX = cx;
+                    edgeY = cy;
+                    edgeZ = cz;
+                    separationEdge = 0;
+                }
+            }
+        }
+        if (separationEdge == 0) {
+            separationEdge = p.separation(edgeX, edgeY, edgeZ);
+        }
+    }
+
+    /** The edges at a vertex that are nearest to being perpendicular to an axis. */
+    private int nearestEdges(Polyhedron h, int vertex, double x, double y, double z, int[] near) {
+        int count = 0;
+        for (int s = h.spokeBegin(vertex); s < h.spokeBegin(vertex + 1); s++) {
+            int to = h.spokeVertex(s);
+            double ex = h.vertexX(to) - h.vertexX(vertex);
+            double ey = h.vertexY(to) - h.vertexY(vertex);
+            double ez = h.vertexZ(to) - h.vertexZ(vertex);
+            double c = Math.abs(ex * x + ey * y + ez * z) / Math.sqrt(ex * ex + ey * ey + ez * ez);
+            int at = count;
+            while (at > 0 && cosine[at - 1] > c) {
+                at--;
+            }
+            if (at < NEAREST_EDGES) {
+                count = Math.min(count + 1, NEAREST_EDGES);
+                for (int k = count - 1; k > at; k--) {
+                    near[k] = near[k - 1];
+                    cosine[k] = cosine[k - 1];
+                }
+                near[at] = h.spokeEdge(s);
+                cosine[at] = c;
+            }
+        }
+        return count;
+    }
+
+    /**
+     * Unit cross product of two edges, oriented along the raw axis, in cx, cy, cz; returns its
+     * cosine with that axis.
+     */
+    private double cross(Pair p, int ea, int eb) {
+        Polyhedron a = p.a;
+        Polyhedron b = p.b;
+        double ux = a.vertexX(a.edgeTo(ea)) - a.vertexX(a.edgeFrom(ea));
+        double uy = a.vertexY(a.edgeTo(ea)) - a.vertexY(a.edgeFrom(ea));
+        double uz = a.vertexZ(a.edgeTo(ea)) - a.vertexZ(a.edgeFrom(ea));
+        double lx = b.vertexX(b.edgeTo(eb)) - b.vertexX(b.edgeFrom(eb));
+        double ly = b.vertexY(b.edgeTo(eb)) - b.vertexY(b.edgeFrom(eb));
+        double lz = b.vertexZ(b.edgeTo(eb)) - b.vertexZ(b.edgeFrom(eb));
+        double vx = p.r00 * lx + p.r01 * ly + p.r02 * lz;
+        double vy = p.r10 * lx + p.r11 * ly + p.r12 * lz;
+        double vz = p.r20 * lx + p.r21 * ly + p.r22 * lz;
+        double nx = uy * vz - uz * vy;
+        double ny = uz * vx - ux * vz;
+        double nz = ux * vy - uy * vx;
+        double square = nx * nx + ny * ny + nz * nz;
+        double lengths = (ux * ux + uy * uy + uz * uz) * (lx * lx + ly * ly + lz * lz);
+        if (square <= 0x1p-60 * lengths) {
+            return 0;
+        }
+        double dot = nx * rawX + ny * rawY + nz * rawZ;
+        double scale = (dot < 0 ? -1 : 1) / Math.sqrt(square);
+        cx = nx * scale;
+        cy = ny * scale;
+        cz = nz * scale;
+        return Math.abs(dot * scale);
+    }
+}

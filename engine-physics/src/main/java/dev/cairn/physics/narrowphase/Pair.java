@@ -1,0 +1,193 @@
+package dev.cairn.physics.narrowphase;
+
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Polyhedron;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
+
+/**
+ * Two shapes in the frame of the first: its centre of mass is the origin, its axes are the axes. A
+ * shape is a core (a point or a polyhedron) and a radius around it. {@code r} turns B's axes into
+ * A's, {@code d} is B's centre in A's frame, {@code w} turns A's axes into the world's.
+ */
+final class Pair {
+    private static final Polyhedron NONE = Box.cube(1).polyhedron();
+
+    Polyhedron a = NONE, b = NONE;
+
+    /** The core is a point; {@link #a} or {@link #b} is then meaningless. */
+    boolean roundA, roundB;
+
+    double radiusA, radiusB;
+    double r00, r01, r02, r10, r11, r12, r20, r21, r22;
+    double w00, w01, w02, w10, w11, w12, w20, w21, w22;
+    double dx, dy, dz;
+
+    /**
+     * Sum of the outer radii and of the distance of the centres: what rounding errors are
+     * proportional to.
+     */
+    double scale;
+
+    /** The smaller inner radius: what a tolerance of a contact may be proportional to. */
+    double inner;
+
+    /** A support point of B in A's frame, see {@link #vertexB}. */
+    double px, py, pz;
+
+    void set(
+            Shape shapeA,
+            Shape shapeB,
+            double ax,
+            double ay,
+            double az,
+            double aw,
+            double bx,
+            double by,
+            double bz,
+            double bw,
+            double wx,
+            double wy,
+            double wz) {
+        roundA = shapeA instanceof Sphere;
+        roundB = shapeB instanceof Sphere;
+        radiusA = roundA ? shapeA.outerRadius() : 0;
+        radiusB = roundB ? shapeB.outerRadius() : 0;
+        a = core(shapeA);
+        b = core(shapeB);
+        inner = Math.min(shapeA.innerRadius(), shapeB.innerRadius());
+        world(ax, ay, az, aw);
+        dx = w00 * wx + w10 * wy + w20 * wz;
+        dy = w01 * wx + w11 * wy + w21 * wz;
+        dz = w02 * wx + w12 * wy + w22 * wz;
+        relative(
+                aw * bx - ax * bw - ay * bz + az * by,
+                aw * by + ax * bz - ay * bw - az * bx,
+                aw * bz - ax * by + ay * bx - az * bw,
+                aw * bw + ax * bx + ay * by + az * bz);
+        scale =
+                shapeA.outerRadius()
+                        + shapeB.outerRadius()
+                        + Math.max(Math.abs(dx), Math.max(Math.abs(dy), Math.abs(dz)));
+    }
+
+    private static Polyhedron core(Shape shape) {
+        return switch (shape) {
+            case Box box -> box.polyhedron();
+            case ConvexHull hull -> hull.polyhedron();
+            case Sphere sphere -> NONE;
+        };
+    }
+
+    /**
+     * Rotation matrix of a quaternion that is unit up to rounding; the division removes what
+     * rounding left.
+     */
+    private void world(double x, double y, double z, double w) {
+        double s = 2 / (x * x + y * y + z * z + w * w);
+        w00 = 1 - s * (y * y + z * z);
+        w01 = s * (x * y - z * w);
+        w02 = s * (x * z + y * w);
+        w10 = s * (x * y + z * w);
+        w11 = 1 - s * (x * x + z * z);
+        w12 = s * (y * z - x * w);
+        w20 = s * (x * z - y * w);
+        w21 = s * (y * z + x * w);
+        w22 = 1 - s * (x * x + y * y);
+    }
+
+    private void relative(double x, double y, double z, double w) {
+        double s = 2 / (x * x + y * y + z * z + w * w);
+        r00 = 1 - s * (y * y + z * z);
+        r01 = s * (x * y - z * w);
+        r02 = s * (x * z + y * w);
+        r10 = s * (x * y + z * w);
+        r11 = 1 - s * (x * x + z * z);
+        r12 = s * (y * z - x * w);
+        r20 = s * (x * z - y * w);
+        r21 = s * (y * z + x * w);
+        r22 = 1 - s * (x * x + y * y);
+    }
+
+    /**
+     * The vertex of A's core farthest in a direction; {@code hint} is any vertex, better a near
+     * one.
+     */
+    int supportA(double x, double y, double z, int hint) {
+        return roundA ? 0 : a.support(x, y, z, hint);
+    }
+
+    /** The vertex of B's core farthest in a direction of A's frame. */
+    int supportB(double x, double y, double z, int hint) {
+        return roundB
+                ? 0
+                : b.support(
+                        r00 * x + r10 * y + r20 * z,
+                        r01 * x + r11 * y + r21 * z,
+                        r02 * x + r12 * y + r22 * z,
+                        hint);
+    }
+
+    double vertexAX(int vertex) {
+        return roundA ? 0 : a.vertexX(vertex);
+    }
+
+    double vertexAY(int vertex) {
+        return roundA ? 0 : a.vertexY(vertex);
+    }
+
+    double vertexAZ(int vertex) {
+        return roundA ? 0 : a.vertexZ(vertex);
+    }
+
+    /** Puts a vertex of B's core, in A's frame, into {@link #px}, {@link #py}, {@link #pz}. */
+    void vertexB(int vertex) {
+        if (roundB) {
+            px = dx;
+            py = dy;
+            pz = dz;
+            return;
+        }
+        double x = b.vertexX(vertex);
+        double y = b.vertexY(vertex);
+        double z = b.vertexZ(vertex);
+        px = r00 * x + r01 * y + r02 * z + dx;
+        py = r10 * x + r11 * y + r12 * z + dy;
+        pz = r20 * x + r21 * y + r22 * z + dz;
+    }
+
+    /**
+     * Signed distance of the cores along a unit axis of A's frame that points from A to B; a lower
+     * bound of their distance.
+     */
+    double separation(double x, double y, double z) {
+        int va = supportA(x, y, z, 0);
+        vertexB(supportB(-x, -y, -z, 0));
+        return (px - vertexAX(va)) * x + (py - vertexAY(va)) * y + (pz - vertexAZ(va)) * z;
+    }
+
+    /** Signed distance along the outward normal of a face of A. */
+    double faceSeparationA(int face) {
+        double x = a.normalX(face);
+        double y = a.normalY(face);
+        double z = a.normalZ(face);
+        vertexB(supportB(-x, -y, -z, 0));
+        return px * x + py * y + pz * z - a.offset(face);
+    }
+
+    /** Signed distance along the outward normal of a face of B. */
+    double faceSeparationB(int face) {
+        double x = b.normalX(face);
+        double y = b.normalY(face);
+        double z = b.normalZ(face);
+        double ax = r00 * x + r01 * y + r02 * z;
+        double ay = r10 * x + r11 * y + r12 * z;
+        double az = r20 * x + r21 * y + r22 * z;
+        int v = supportA(-ax, -ay, -az, 0);
+        double ux = vertexAX(v) - dx;
+        double uy = vertexAY(v) - dy;
+        double uz = vertexAZ(v) - dz;
+        return ux * ax + uy * ay + uz * az - b.offset(face);
+    }
+}
