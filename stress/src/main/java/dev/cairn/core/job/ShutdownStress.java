@@ -3,6 +3,7 @@ package dev.cairn.core.job;
 import static org.openjdk.jcstress.annotations.Expect.ACCEPTABLE;
 import static org.openjdk.jcstress.annotations.Expect.FORBIDDEN;
 
+import org.jspecify.annotations.Nullable;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.JCStressTest;
 import org.openjdk.jcstress.annotations.Outcome;
@@ -19,7 +20,7 @@ import java.util.concurrent.locks.LockSupport;
 public class ShutdownStress {
 
     private final TickGate gate = new TickGate(2);
-    private volatile Thread sleeper;
+    private volatile @Nullable Thread sleeper;
 
     /** Whoever closes. */
     @Actor
