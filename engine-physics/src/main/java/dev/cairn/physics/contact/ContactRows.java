@@ -112,6 +112,7 @@ public final class ContactRows {
         for (int p = 0; p < c.pointCount[from]; p++) {
             c.feature[m * to + p] = c.feature[m * from + p];
             c.normalImpulse[m * to + p] = c.normalImpulse[m * from + p];
+            c.preload[m * to + p] = c.preload[m * from + p];
         }
     }
 
@@ -164,6 +165,11 @@ public final class ContactRows {
             c.twistImpulse[row] = 0;
             Arrays.fill(
                     c.normalImpulse,
+                    ContactStore.POINTS * row,
+                    ContactStore.POINTS * row + ContactStore.POINTS,
+                    0);
+            Arrays.fill(
+                    c.preload,
                     ContactStore.POINTS * row,
                     ContactStore.POINTS * row + ContactStore.POINTS,
                     0);

@@ -120,6 +120,7 @@ public final class ManifoldStage {
         int before = c.pointCount[row];
         System.arraycopy(c.feature, first, own.feature, 0, before);
         System.arraycopy(c.normalImpulse, first, own.impulse, 0, before);
+        System.arraycopy(c.preload, first, own.preload, 0, before);
         int points = m.pointCount;
         boolean persists = false;
         c.pointCount[row] = points;
@@ -138,14 +139,17 @@ public final class ManifoldStage {
             c.feature[at] = m.feature[p];
             c.totalNormalImpulse[at] = 0;
             double impulse = 0;
+            double preload = 0;
             for (int q = 0; q < before; q++) {
                 if (own.feature[q] == m.feature[p]) {
                     impulse = own.impulse[q];
+                    preload = own.preload[q];
                     persists = true;
                     break;
                 }
             }
             c.normalImpulse[at] = impulse;
+            c.preload[at] = preload;
         }
         if (!persists) {
             c.frictionImpulseX[row] = 0;
@@ -161,5 +165,6 @@ public final class ManifoldStage {
         final Manifold manifold = new Manifold();
         final int[] feature = new int[ContactStore.POINTS];
         final double[] impulse = new double[ContactStore.POINTS];
+        final double[] preload = new double[ContactStore.POINTS];
     }
 }

@@ -70,6 +70,12 @@ public final class ContactStore {
     public double[] normalImpulse = {};
 
     /**
+     * Per point: the resting load that the solver has learnt, N s over a sub-step, never negative;
+     * carried with the point like {@link #normalImpulse}, 0 for a new one.
+     */
+    public double[] preload = {};
+
+    /**
      * Per point: sum of the normal impulses over the tick, N s; what users read as the contact's
      * impulse.
      */
@@ -105,6 +111,7 @@ public final class ContactStore {
         separation = Arrays.copyOf(separation, m);
         feature = Arrays.copyOf(feature, m);
         normalImpulse = Arrays.copyOf(normalImpulse, m);
+        preload = Arrays.copyOf(preload, m);
         totalNormalImpulse = Arrays.copyOf(totalNormalImpulse, m);
     }
 }

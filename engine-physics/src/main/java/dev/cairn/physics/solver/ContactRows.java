@@ -47,7 +47,7 @@ final class ContactRows {
     static final int RADIUS = 56;
 
     /** Doubles to a point. */
-    static final int POINT = 18;
+    static final int POINT = 19;
 
     /** {@code rA x n, rB x n}. */
     static final int ARM = 0;
@@ -72,6 +72,9 @@ final class ContactRows {
 
     /** Impulse within one impact, N s. */
     static final int STRIKE = 17;
+
+    /** Impulse of a sub-step that a metre of overlap holds at rest, N s/m. */
+    static final int STIFFNESS = 18;
 
     /** Ints to a contact. */
     static final int LINK = 6;

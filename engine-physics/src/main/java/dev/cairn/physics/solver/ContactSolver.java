@@ -19,6 +19,9 @@ public final class ContactSolver {
     private static final int BODIES_PER_BLOCK = 128;
     private static final int ROWS_PER_BLOCK = 64;
 
+    /** A point rests while it moves slower than gravity makes a body fall in this share of a tick. */
+    private static final double STILL = 0.125;
+
     private final SolverSettings settings;
     private final SolverBodies body = new SolverBodies();
     private final ContactRows rows = new ContactRows();
@@ -215,6 +218,8 @@ public final class ContactSolver {
                 body.store(bodies, i);
             }
         }
+        double g = Math.sqrt(gravity[0] * gravity[0] + gravity[1] * gravity[1] + gravity[2] * gravity[2]);
+        double still = STILL * g * step;
         int m = 0;
         for (int c = 0; c < contacts.count; c++) {
             contacts.frictionImpulseX[c] = 0;
@@ -222,7 +227,11 @@ public final class ContactSolver {
             contacts.frictionImpulseZ[c] = 0;
             contacts.twistImpulse[c] = 0;
             if (contacts.pointCount[c] > 0) {
-                storeRow(contacts, c, m++);
+                storeRow(contacts, c, m);
+                if (settings.offsetGain() > 0) {
+                    Offsets.update(rows, body, contacts, c, m, settings.offsetGain(), still);
+                }
+                m++;
             }
         }
     }

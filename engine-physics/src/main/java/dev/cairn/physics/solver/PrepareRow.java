@@ -152,9 +152,11 @@ final class PrepareRow {
         double cy = d[r + ContactRows.LEVER + 1];
         double cz = d[r + ContactRows.LEVER + 2];
         double radius = 0;
-        for (int k = 0; k < c.pointCount[source]; k++) {
-            int p = ContactStore.POINTS * source + k;
-            int o = (ContactStore.POINTS * m + k) * ContactRows.POINT;
+        // k = m_eff biasRate massScale / impulseScale
+        double stiffness = d[r + ContactRows.BIAS_RATE] * d[r + ContactRows.MASS_SCALE] / d[r + ContactRows.IMPULSE_SCALE];
+        for (int i = 0; i < c.pointCount[source]; i++) {
+            int p = ContactStore.POINTS * source + i;
+            int o = (ContactStore.POINTS * m + i) * ContactRows.POINT;
             double x = c.anchorAX[p];
             double y = c.anchorAY[p];
             double z = c.anchorAZ[p];
@@ -165,7 +167,10 @@ final class PrepareRow {
             // 1/m_eff = 1/mA + 1/mB + (rA x n).IA^-1(rA x n) + (rB x n).IB^-1(rB x n)
             double w = sum + dot(q, o, q, o + 6) + dot(q, o + 3, q, o + 9);
             q[o + ContactRows.MASS] = w > 0 ? 1 / w : 0;
-            q[o + ContactRows.GAP] = c.separation[p];
+            // at rest the soft step holds the load l with the overlap l / k; the offset stands for the load that it knows
+            double k = q[o + ContactRows.MASS] * stiffness;
+            q[o + ContactRows.STIFFNESS] = k;
+            q[o + ContactRows.GAP] = c.separation[p] - (k > 0 ? c.preload[p] * impulseScale / k : 0);
             q[o + ContactRows.IMPULSE] = c.normalImpulse[p] * impulseScale;
             q[o + ContactRows.SUM] = 0;
             double dx = x - cx;

@@ -281,12 +281,14 @@ final class SolverScene {
     }
 
     private final double[] oldImpulse = new double[8];
-    private boolean[] had = new boolean[0];
+    private final double[] oldPreload = new double[8];
 
     private void start(ContactStore c, int row, double nx, double ny, double nz) {
         java.util.Arrays.fill(oldImpulse, 0);
+        java.util.Arrays.fill(oldPreload, 0);
         for (int k = 0; k < c.pointCount[row]; k++) {
             oldImpulse[c.feature[4 * row + k]] = c.normalImpulse[4 * row + k];
+            oldPreload[c.feature[4 * row + k]] = c.preload[4 * row + k];
         }
         c.pointCount[row] = 0;
         c.normalX[row] = nx;
@@ -307,6 +309,7 @@ final class SolverScene {
         c.separation[p] = s;
         c.feature[p] = feature;
         c.normalImpulse[p] = oldImpulse[feature];
+        c.preload[p] = oldPreload[feature];
     }
 
     /** Row-major rotation matrix worldFromBody. */
