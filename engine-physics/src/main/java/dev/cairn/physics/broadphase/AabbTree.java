@@ -15,6 +15,9 @@ public final class AabbTree {
     /** No node. */
     public static final int NONE = -1;
 
+    /** How much higher one child may be than the other for the sake of area. */
+    private static final int MAX_LEAN = 16;
+
     /** Six numbers to a node: minX, minY, minZ, maxX, maxY, maxZ; world, m. */
     double[] bounds = new double[6 * 16];
 
@@ -209,7 +212,8 @@ public final class AabbTree {
 
     /**
      * Greedy descent. With the leaf as sibling of a node, the cost is the new inner box plus what all ancestors grow by; a
-     * subtree cannot cost less than that growth plus the leaf's own area.
+     * subtree cannot cost less than that growth plus the leaf's own area. Never beside a subtree that is so high
+     * that the new node would lean.
      */
     private int bestSibling(int leaf) {
         double own = area(leaf);
@@ -217,18 +221,18 @@ public final class AabbTree {
         double direct = unionArea(node, leaf);
         double inherited = 0;
         int best = node;
-        double bestCost = direct;
+        double bestCost = height[node] > MAX_LEAN ? Double.POSITIVE_INFINITY : direct;
         while (left[node] != NONE) {
             inherited += direct - area(node);
             int a = left[node];
             int b = right[node];
             double directA = unionArea(a, leaf);
             double directB = unionArea(b, leaf);
-            if (directA + inherited < bestCost) {
+            if (directA + inherited < bestCost && height[a] <= MAX_LEAN) {
                 best = a;
                 bestCost = directA + inherited;
             }
-            if (directB + inherited < bestCost) {
+            if (directB + inherited < bestCost && height[b] <= MAX_LEAN) {
                 best = b;
                 bestCost = directB + inherited;
             }
@@ -247,7 +251,7 @@ public final class AabbTree {
             node = toA ? a : b;
             direct = toA ? directA : directB;
             // On equal cost the deeper place wins: that keeps a heap of equal boxes balanced.
-            if (direct + inherited <= bestCost) {
+            if (direct + inherited <= bestCost && height[node] <= MAX_LEAN) {
                 best = node;
                 bestCost = direct + inherited;
             }
@@ -279,11 +283,18 @@ public final class AabbTree {
 
     /**
      * Swaps a child with a grandchild on the other side, if that shrinks the other child's box the most of the four ways; or if
-     * it shrinks nothing but makes a lopsided pair of equal cost more even.
+     * it shrinks nothing but makes a lopsided pair of equal cost more even. A node that leans too much is set
+     * upright whatever its area: boxes one in another would otherwise make a list.
      */
     private void rotate(int node) {
         int b = left[node];
         int c = right[node];
+        if (Math.abs(height[b] - height[c]) > MAX_LEAN) {
+            int tall = height[b] > height[c] ? b : c;
+            boolean first = height[left[tall]] >= height[right[tall]];
+            swap(node, tall == b ? c : b, first ? left[tall] : right[tall]);
+            return;
+        }
         double bestGain = 0;
         int low = NONE;
         int high = NONE;
