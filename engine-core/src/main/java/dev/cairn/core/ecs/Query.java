@@ -51,7 +51,7 @@ public final class Query {
      * @throws IndexOutOfBoundsException if there is no such chunk
      */
     public Chunk chunk(int index) {
-        return chunks.get(Objects.checkIndex(index, chunks.count()));
+        return chunks.get(Objects.checkIndex(index, chunks.refresh()));
     }
 
     /**
