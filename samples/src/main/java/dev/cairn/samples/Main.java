@@ -193,6 +193,8 @@ public final class Main {
     }
 
     /** Says whether a person watches: standard input and output are a terminal. */
+    @SuppressWarnings(
+            "SystemConsoleNull") // The JDK promises a console but declares that it may be null.
     static boolean onTerminal() {
         Console console = System.console();
         return console != null && console.isTerminal();
@@ -202,6 +204,8 @@ public final class Main {
      * Ends this process when the launcher that started it is killed, so that no orphan keeps
      * computing.
      */
+    @SuppressWarnings(
+            "FutureReturnValueIgnored") // It ends the process; nobody is left to look at a result.
     private static void endWithLauncher() {
         Long launcher = Long.getLong("cairn.launcher");
         if (launcher != null) {

@@ -22,7 +22,7 @@ final class Nearest {
         int bestDistance = Integer.MAX_VALUE;
         for (String word : known) {
             int distance =
-                    word.startsWith(wanted) || word.contains(wanted) && wanted.length() > 2
+                    word.startsWith(wanted) || (word.contains(wanted) && wanted.length() > 2)
                             ? 1
                             : distance(wanted, word);
             if (distance < bestDistance) {

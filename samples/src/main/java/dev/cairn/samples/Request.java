@@ -85,7 +85,10 @@ record Request(
             checkPicture(picture, scenes, at, ticks);
         }
         if (typed.json != null && !typed.json.equals("-")) {
-            checkFolder("--json", path("--json", typed.json));
+            Path json = path("--json", typed.json);
+            if (json != null) {
+                checkFolder("--json", json);
+            }
         }
         return new Request(
                 mode(typed),
@@ -153,8 +156,8 @@ record Request(
         checkFolder("--picture", picture);
     }
 
-    private static void checkFolder(String option, @Nullable Path file) {
-        Path parent = file == null ? null : file.toAbsolutePath().getParent();
+    private static void checkFolder(String option, Path file) {
+        Path parent = file.toAbsolutePath().getParent();
         if (parent == null || !Files.isDirectory(parent) || Files.isDirectory(file)) {
             throw new UsageException(
                     "%s %s: cannot write there; name a file in a folder that exists"

@@ -50,7 +50,7 @@ public final class SceneBuilder {
     private final List<Hook> after = new ArrayList<>();
     private final Map<String, DoubleSupplier> errors = new LinkedHashMap<>();
     private final List<String> remarks = new ArrayList<>();
-    private final Map<Shape, Model> models = new IdentityHashMap<>();
+    private final IdentityHashMap<Shape, Model> models = new IdentityHashMap<>();
     private View view = new View(0, 4, 14, 0, 1, 0);
     private long tick;
 

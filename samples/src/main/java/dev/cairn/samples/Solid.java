@@ -131,7 +131,7 @@ final class Solid {
                 low[axis] = Math.min(low[axis], vertices[i]);
                 high[axis] = Math.max(high[axis], vertices[i]);
             }
-            centre[axis] = sum / (vertices.length / 3);
+            centre[axis] = 3 * sum / vertices.length;
         }
     }
 

@@ -58,6 +58,7 @@ public final class CubesOnPlane {
         List<BodyRef> cubes = new ArrayList<>();
         for (int layer = 0; layer < LAYERS; layer++) {
             for (int i = 0; i < SIDE * SIDE; i++) {
+                int row = i / SIDE;
                 cubes.add(
                         scene.add(
                                 cube,
@@ -66,7 +67,7 @@ public final class CubesOnPlane {
                                         .at(
                                                 spacing * (i % SIDE - (SIDE - 1) / 2.0),
                                                 HALF + layer + (layer + 1) * drop,
-                                                spacing * (i / SIDE - (SIDE - 1) / 2.0))
+                                                spacing * (row - (SIDE - 1) / 2.0))
                                         .mass(mass)
                                         .material(Palette.material(friction, 0))
                                         .name("cube " + cubes.size())));
@@ -89,7 +90,8 @@ public final class CubesOnPlane {
                 () -> {
                     double worst = 0;
                     for (int i = 0; i < cubes.size(); i++) {
-                        double height = HALF + i / (SIDE * SIDE);
+                        int layer = i / (SIDE * SIDE);
+                        double height = HALF + layer;
                         worst = Math.max(worst, Math.abs(cubes.get(i).position().y - height));
                     }
                     return rest.isEmpty() ? Double.NaN : worst;

@@ -48,7 +48,7 @@ public final class StackOfBoxes {
                         Parameter.real("mass", 1, 1e-3, 1e6, "mass of each box, kg"),
                         Parameter.real(
                                 "gap",
-                                0.5,
+                                0.25,
                                 0,
                                 10,
                                 "free fall of each box relative to the one below, m")),
@@ -181,8 +181,8 @@ public final class StackOfBoxes {
             for (int c = 0; c < contacts.count(); c++) {
                 long a = contacts.bodyA(c).entity();
                 long b = contacts.bodyB(c).entity();
-                if (a == lower.entity() && b == upper.entity()
-                        || a == upper.entity() && b == lower.entity()) {
+                if ((a == lower.entity() && b == upper.entity())
+                        || (a == upper.entity() && b == lower.entity())) {
                     for (int p = 0; p < contacts.pointCount(c); p++) {
                         impulse +=
                                 contacts.normalImpulse(c, p) * Math.abs(contacts.normal(c, at).y);

@@ -46,8 +46,9 @@ public final class StaticCubes {
         List<BodyRef> cubes = new ArrayList<>();
         List<Vector3d> starts = new ArrayList<>();
         for (int i = 0; i < SIDE * SIDE; i++) {
+            int row = i / SIDE;
             double x = spacing * (i % SIDE - (SIDE - 1) / 2.0);
-            double z = spacing * (i / SIDE - (SIDE - 1) / 2.0);
+            double z = spacing * (row - (SIDE - 1) / 2.0);
             cubes.add(
                     scene.add(
                             cube,
