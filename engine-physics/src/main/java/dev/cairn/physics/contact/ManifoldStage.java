@@ -17,6 +17,9 @@ import java.util.Arrays;
  * <p>Simulation thread; allocates only when the number of workers grows.
  */
 public final class ManifoldStage {
+    /** A point whose features are new is an old one within this share of the smaller inner radius. */
+    private static final double NEAR = 0.1;
+
     /** A pair costs from some hundred nanoseconds to some microseconds. */
     private static final int ROWS_PER_BLOCK = 32;
 
@@ -121,6 +124,9 @@ public final class ManifoldStage {
         System.arraycopy(c.feature, first, own.feature, 0, before);
         System.arraycopy(c.normalImpulse, first, own.impulse, 0, before);
         System.arraycopy(c.preload, first, own.preload, 0, before);
+        System.arraycopy(c.anchorAX, first, own.x, 0, before);
+        System.arraycopy(c.anchorAY, first, own.y, 0, before);
+        System.arraycopy(c.anchorAZ, first, own.z, 0, before);
         int points = m.pointCount;
         boolean persists = false;
         c.pointCount[row] = points;
@@ -138,18 +144,24 @@ public final class ManifoldStage {
             c.separation[at] = m.separation[p];
             c.feature[at] = m.feature[p];
             c.totalNormalImpulse[at] = 0;
-            double impulse = 0;
-            double preload = 0;
+            c.normalImpulse[at] = 0;
+            c.preload[at] = 0;
+            own.unmatched[p] = true;
             for (int q = 0; q < before; q++) {
-                if (own.feature[q] == m.feature[p]) {
-                    impulse = own.impulse[q];
-                    preload = own.preload[q];
+                if (own.feature[q] == m.feature[p] && own.x[q] == own.x[q]) {
+                    inherit(own, first, p, q);
                     persists = true;
                     break;
                 }
             }
-            c.normalImpulse[at] = impulse;
-            c.preload[at] = preload;
+        }
+        if (before > 0) {
+            double near = NEAR * Math.min(bodies.innerRadius[c.bodyA[row]], bodies.innerRadius[c.bodyB[row]]);
+            for (int p = 0; p < points; p++) {
+                if (own.unmatched[p]) {
+                    persists |= inheritNearest(own, first, p, before, near * near);
+                }
+            }
         }
         if (!persists) {
             c.frictionImpulseX[row] = 0;
@@ -159,6 +171,36 @@ public final class ManifoldStage {
         }
     }
 
+    private void inherit(Scratch own, int first, int p, int q) {
+        contacts.normalImpulse[first + p] = own.impulse[q];
+        contacts.preload[first + p] = own.preload[q];
+        own.unmatched[p] = false;
+        own.x[q] = Double.NaN;
+    }
+
+    /**
+     * Features swap where faces are equally good; the point is the same while it stays where it was.
+     */
+    private boolean inheritNearest(Scratch own, int first, int p, int before, double limit) {
+        int best = -1;
+        double least = limit;
+        for (int q = 0; q < before; q++) {
+            double x = contacts.anchorAX[first + p] - own.x[q];
+            double y = contacts.anchorAY[first + p] - own.y[q];
+            double z = contacts.anchorAZ[first + p] - own.z[q];
+            double square = x * x + y * y + z * z;
+            if (square < least) {
+                least = square;
+                best = q;
+            }
+        }
+        if (best < 0) {
+            return false;
+        }
+        inherit(own, first, p, best);
+        return true;
+    }
+
     /** What one worker needs. */
     private static final class Scratch {
         final NarrowPhase narrowPhase = new NarrowPhase();
@@ -166,5 +208,9 @@ public final class ManifoldStage {
         final int[] feature = new int[ContactStore.POINTS];
         final double[] impulse = new double[ContactStore.POINTS];
         final double[] preload = new double[ContactStore.POINTS];
+        final double[] x = new double[ContactStore.POINTS];
+        final double[] y = new double[ContactStore.POINTS];
+        final double[] z = new double[ContactStore.POINTS];
+        final boolean[] unmatched = new boolean[ContactStore.POINTS];
     }
 }

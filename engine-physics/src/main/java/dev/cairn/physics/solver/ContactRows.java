@@ -77,7 +77,7 @@ final class ContactRows {
     static final int STIFFNESS = 18;
 
     /** Ints to a contact. */
-    static final int LINK = 6;
+    static final int LINK = 5;
 
     /** Offsets of the bodies in {@link SolverBodies#state}. */
     static final int BODY_A = 0;
@@ -88,11 +88,8 @@ final class ContactRows {
     /** Row in the contact store. */
     static final int SOURCE = 3;
 
-    /** 1 while an impact took the place of the contact in this sub-step. */
-    static final int STRUCK = 4;
-
     /** 1 while the contact had no impulse to start the sub-step with. */
-    static final int COLD = 5;
+    static final int COLD = 4;
 
     int count;
     double[] row = {};

@@ -7,7 +7,6 @@ import static dev.cairn.physics.solver.ContactRows.LINK;
 import static dev.cairn.physics.solver.ContactRows.POINT;
 import static dev.cairn.physics.solver.ContactRows.ROW;
 import static dev.cairn.physics.solver.ContactRows.STRIKE;
-import static dev.cairn.physics.solver.ContactRows.STRUCK;
 import static dev.cairn.physics.solver.ContactRows.TOTAL;
 
 import dev.cairn.physics.internal.BodyStore;
@@ -21,7 +20,8 @@ import dev.cairn.physics.internal.ContactStore;
  * v_i}, solved to convergence, and then friction bounded by that impulse. The speed is the one at the impact, {@code v_i =
  * -sqrt(v² - 2 a s)}, so gravity within the sub-step neither adds nor takes energy. A velocity change {@code dv} at time t
  * is the same path as a change now and a shift of the start by {@code -t dv}: so the rest of the sub-step is flown without
- * a loss of time, and impacts may follow each other in any order. The contact takes no other part in this sub-step.
+ * a loss of time, and impacts may follow each other in any order. The contact solver then finds the contact parting, and adds
+ * only what other bodies press onto it; so it does with what still closes after the last round, without a bounce.
  *
  * <p>With one restitution for a manifold, the law never adds energy: {@code dE = (1 - e)/2 l.v <= 0}.
  */
@@ -37,21 +37,11 @@ final class Impacts {
     /** Handles all impacts of one sub-step, in row order, until none is left. */
     void run(ContactRows rows, SolverBodies bodies, BodyStore store, double[] g, double h, double threshold) {
         int n = rows.bouncing;
-        for (int k = 0; k < n; k++) {
-            rows.link[rows.bouncer[k] * LINK + STRUCK] = 0;
-        }
         boolean again = n > 0;
         for (int round = 0; again && round < ROUNDS; round++) {
             again = false;
             for (int k = 0; k < n; k++) {
                 again |= impact(rows, rows.bouncer[k], bodies, store, g, h, threshold);
-            }
-        }
-        for (int k = 0; again && k < n; k++) {
-            // Rounds ran out: what still closes is left to the contact solver, without a bounce.
-            int m = rows.bouncer[k];
-            if (closing(rows, m, bodies.state)) {
-                rows.link[m * LINK + STRUCK] = 0;
             }
         }
     }
@@ -85,7 +75,6 @@ final class Impacts {
             q[o + STRIKE] = at <= flush ? Math.max(0, -d[r + ContactRows.RESTITUTION] * (v + time * an)) : Double.NaN;
         }
         strike(rows, m, body, store, time, time * an);
-        rows.link[m * LINK + STRUCK] = 1;
         return true;
     }
 
@@ -267,17 +256,6 @@ final class Impacts {
         body[o + SolverBodies.P + 4] += tv;
         body[o + SolverBodies.P + 5] += tw;
         Rotation.turn(store, o / SolverBodies.STRIDE, tu, tv, tw);
-    }
-
-    private static boolean closing(ContactRows rows, int m, double[] body) {
-        int first = ContactStore.POINTS * m * POINT;
-        int end = first + rows.link[m * LINK + ContactRows.COUNT] * POINT;
-        for (int o = first; o < end; o += POINT) {
-            if (speed(rows.row, m * ROW, rows.point, o, body, rows.link[m * LINK], rows.link[m * LINK + 1]) < 0) {
-                return true;
-            }
-        }
-        return false;
     }
 
     private static double gap(double[] d, int r, double[] q, int o, double[] body, int a, int b) {

@@ -29,7 +29,6 @@ final class PrepareRow {
         int source = link[l + ContactRows.SOURCE];
         int a = c.bodyA[source];
         int b = c.bodyB[source];
-        link[l + ContactRows.STRUCK] = 0;
         double ma = bodies.state[a * SolverBodies.STRIDE + SolverBodies.MASS];
         double mb = bodies.state[b * SolverBodies.STRIDE + SolverBodies.MASS];
         Softness s = ma == 0 || mb == 0 ? staticSoft : soft;

@@ -91,10 +91,8 @@ final class RowKernels {
             ContactRows rows, double[] body, double h, double pushSpeed, int sweeps, int coldSweeps) {
         int landing = Math.max(sweeps, coldSweeps / 2);
         for (int m = 0; m < rows.count; m++) {
-            if (rows.link[m * LINK + ContactRows.STRUCK] == 0) {
-                boolean cold = rows.link[m * LINK + ContactRows.COLD] != 0;
-                normals(rows, m, body, h, pushSpeed, true, cold ? landing : sweeps);
-            }
+            boolean cold = rows.link[m * LINK + ContactRows.COLD] != 0;
+            normals(rows, m, body, h, pushSpeed, true, cold ? landing : sweeps);
         }
     }
 
@@ -103,9 +101,6 @@ final class RowKernels {
             ContactRows rows, double[] body, double h, double pushSpeed, int sweeps, int coldSweeps) {
         int landing = Math.max(sweeps, coldSweeps / 2);
         for (int m = 0; m < rows.count; m++) {
-            if (rows.link[m * LINK + ContactRows.STRUCK] != 0) {
-                continue;
-            }
             boolean rough = rows.row[m * ROW + ContactRows.FRICTION] > 0;
             // a contact without a warm start has its normals and its friction still to agree on who stops what
             boolean cold = rows.link[m * LINK + ContactRows.COLD] != 0;
