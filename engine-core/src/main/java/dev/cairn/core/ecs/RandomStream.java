@@ -40,7 +40,7 @@ public final class RandomStream {
         return this;
     }
 
-    private static long mix(long word) {
+    static long mix(long word) {
         long z = word;
         z = (z ^ z >>> 30) * 0xBF58476D1CE4E5B9L;
         z = (z ^ z >>> 27) * 0x94D049BB133111EBL;
