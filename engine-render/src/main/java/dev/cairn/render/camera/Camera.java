@@ -119,9 +119,15 @@ public final class Camera {
             double sinYaw = Math.sin(yaw);
             double cosYaw = Math.cos(yaw);
             double level = Math.cos(pitch);
-            x += forward * level * sinYaw + right * cosYaw;
-            y += forward * Math.sin(pitch) + up;
-            z += -forward * level * cosYaw + right * sinYaw;
+            double dx = forward * level * sinYaw + right * cosYaw;
+            double dy = forward * Math.sin(pitch) + up;
+            double dz = -forward * level * cosYaw + right * sinYaw;
+            x += dx;
+            y += dy;
+            z += dz;
+            followX += dx;
+            followY += dy;
+            followZ += dz;
         } finally {
             lock.unlock();
         }
