@@ -104,7 +104,7 @@ final class ArchitectureTest {
                     .callMethod(System.class, "currentTimeMillis");
 
     @ArchTest
-    static final ArchRule theSimulationUsesNoPlatformMathNorStreams =
+    static final ArchRule theSimulationUsesNoPlatformMath =
             noClasses()
                     .that()
                     .resideInAnyPackage("dev.cairn.physics..", "dev.cairn.core..")
@@ -117,8 +117,21 @@ final class ArchitectureTest {
                                     return call.getTargetOwner().isEquivalentTo(Math.class)
                                             && PLATFORM_MATH.contains(call.getName());
                                 }
-                            })
-                    .orShould()
+                            });
+
+    @ArchTest
+    static final ArchRule stepsUseNoStreams =
+            noClasses()
+                    .that()
+                    .resideInAnyPackage(
+                            "dev.cairn.core.job..",
+                            "dev.cairn.core.snapshot..",
+                            "dev.cairn.physics.broadphase..",
+                            "dev.cairn.physics.narrowphase..",
+                            "dev.cairn.physics.contact..",
+                            "dev.cairn.physics.solver..",
+                            "dev.cairn.physics.internal..")
+                    .should()
                     .dependOnClassesThat()
                     .resideInAPackage("java.util.stream..");
 

@@ -1,0 +1,92 @@
+package dev.cairn.system;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.google.gson.JsonParser;
+import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.samples.SampleScene;
+import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneOptions;
+import dev.cairn.samples.SceneRegistry;
+import dev.cairn.samples.SceneReport;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The first promise: the same bits for any number of workers, any schedule, any JVM run, compiled or not. */
+final class DeterminismTest {
+    private static final int MAX_WORKERS = 4;
+    private static final double SECONDS = 2;
+    private static final int PERTURBED_SEEDS = 5;
+
+    static List<String> scenes() {
+        return SceneRegistry.ids();
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void anyNumberOfWorkersGivesTheSameBits(String id) {
+        String alone = Scenes.run(id, SECONDS, 1, Map.of()).digest();
+
+        for (int workers = 2; workers <= MAX_WORKERS; workers++) {
+            SceneReport report = Scenes.run(id, SECONDS, workers, Map.of());
+            assertEquals(alone, report.digest(), () -> report.workers() + " workers");
+        }
+    }
+
+    @Test
+    void aPerturbedScheduleGivesTheSameBitsInEveryTick() {
+        List<Long> alone = digests(Jobs.of(1));
+        for (int seed = 1; seed <= PERTURBED_SEEDS; seed++) {
+            assertEquals(alone, digests(Jobs.perturbed(3, seed)), "perturber's seed " + seed);
+        }
+    }
+
+    private static List<Long> digests(Jobs jobs) {
+        SampleScene scene = SceneRegistry.get("pyramid");
+        SceneOptions options =
+                SceneOptions.of(scene, Map.of("base", "8"), SceneOptions.DEFAULT_SEED, null);
+        List<Long> digests = new ArrayList<>();
+        try (jobs;
+                PhysicsWorld world = PhysicsWorld.builder().jobs(jobs).build()) {
+            SceneBuilder built = scene.build(new SceneBuilder(world, options));
+            for (int tick = 0; tick < 60; tick++) {
+                built.beforeTick();
+                world.step(SampleScene.STEP_SECONDS);
+                built.afterTick();
+                digests.add(world.digest());
+            }
+        }
+        return digests;
+    }
+
+    @Test
+    void anotherRunOfTheJvmAndTheInterpreterGiveTheSameBits(@TempDir Path directory)
+            throws IOException, InterruptedException {
+        List<String> run =
+                List.of(
+                        "--headless", "--scene", "room", "--ticks", "120", "--workers", "2", "--json", "-");
+
+        String compiled = digestOf(Jvm.samples(directory, List.of(), run));
+        String again = digestOf(Jvm.samples(directory, List.of(), run));
+        String interpreted = digestOf(Jvm.samples(directory, List.of("-Xint"), run));
+
+        assertEquals(compiled, again);
+        assertEquals(compiled, interpreted);
+        assertEquals(Scenes.run("room", 2, 1, Map.of()).digest(), compiled);
+    }
+
+    private static String digestOf(String json) {
+        String digest = JsonParser.parseString(json).getAsJsonObject().get("digest").getAsString();
+        assertTrue(digest.matches("[0-9a-f]{16}"), digest);
+        return digest;
+    }
+}

@@ -1,0 +1,51 @@
+package dev.cairn.system;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/** Starts the samples in a JVM of their own, with this JVM's class path and Java. */
+final class Jvm {
+    private static final long LIMIT_SECONDS = 180;
+
+    private Jvm() {}
+
+    /** Standard output of a run that must end with exit code 0. */
+    static String samples(Path directory, List<String> flags, List<String> arguments)
+            throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.addAll(
+                List.of(
+                        "--add-modules=jdk.incubator.vector",
+                        "--enable-native-access=ALL-UNNAMED",
+                        "--sun-misc-unsafe-memory-access=allow",
+                        "-cp",
+                        System.getProperty("java.class.path")));
+        command.addAll(flags);
+        command.add("dev.cairn.samples.Main");
+        command.addAll(arguments);
+        Path out = Files.createTempFile(directory, "out", ".txt");
+        Path err = Files.createTempFile(directory, "err", ".txt");
+        Process process =
+                new ProcessBuilder(command)
+                        .redirectOutput(out.toFile())
+                        .redirectError(err.toFile())
+                        .start();
+        boolean ended = process.waitFor(LIMIT_SECONDS, TimeUnit.SECONDS);
+        if (!ended) {
+            process.destroyForcibly();
+        }
+        String errors = Files.readString(err, StandardCharsets.UTF_8);
+        assertTrue(ended, () -> "still running after " + LIMIT_SECONDS + " s: " + errors);
+        assertEquals(0, process.exitValue(), errors);
+        return Files.readString(out, StandardCharsets.UTF_8);
+    }
+}
