@@ -7,6 +7,7 @@ import static org.lwjgl.glfw.GLFW.GLFW_PRESS;
 import static org.lwjgl.glfw.GLFW.GLFW_RAW_MOUSE_MOTION;
 import static org.lwjgl.glfw.GLFW.GLFW_RELEASE;
 import static org.lwjgl.glfw.GLFW.GLFW_TRUE;
+import static org.lwjgl.glfw.GLFW.glfwGetCursorPos;
 import static org.lwjgl.glfw.GLFW.glfwGetFramebufferSize;
 import static org.lwjgl.glfw.GLFW.glfwPollEvents;
 import static org.lwjgl.glfw.GLFW.glfwRawMouseMotionSupported;
@@ -33,6 +34,7 @@ import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Key;
 import dev.cairn.render.input.MouseButton;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 
@@ -66,7 +68,9 @@ final class WindowLoop {
     private final int[] framebufferHeight = new int[1];
     private boolean lookButton;
     private boolean captured;
-    private double cursorX = Double.NaN;
+    private final double[] startX = new double[1];
+    private final double[] startY = new double[1];
+    private double cursorX;
     private double cursorY;
     private @Nullable FrameTarget target;
     private long frames;
@@ -181,7 +185,7 @@ final class WindowLoop {
                 window,
                 (w, focused) -> {
                     if (!focused) {
-                        java.util.Arrays.fill(held, false);
+                        Arrays.fill(held, false);
                         lookButton = false;
                         post(bindings::releaseAll);
                     }
@@ -201,16 +205,19 @@ final class WindowLoop {
         boolean wanted = lookButton || application.isMouseLook();
         if (wanted != captured) {
             captured = wanted;
-            cursorX = Double.NaN;
             glfwSetInputMode(window, GLFW_CURSOR, wanted ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
             if (glfwRawMouseMotionSupported()) {
                 glfwSetInputMode(window, GLFW_RAW_MOUSE_MOTION, wanted ? GLFW_TRUE : 0);
             }
+            // From here on, moves count from where the cursor is now.
+            glfwGetCursorPos(window, startX, startY);
+            cursorX = startX[0];
+            cursorY = startY[0];
         }
     }
 
     private void look(double x, double y) {
-        if (captured && !Double.isNaN(cursorX)) {
+        if (captured) {
             camera.turn((x - cursorX) * LOOK_RADIANS_PER_PIXEL, (cursorY - y) * LOOK_RADIANS_PER_PIXEL);
         }
         cursorX = x;

@@ -43,7 +43,7 @@ public record Light(
     /** A clear day, the sun high on the left behind the usual camera. */
     public static final Light DAYLIGHT =
             new Light(
-                    0.45, 1.0, 0.55, 0.86, 0.80, 0.70, 0.25, 0.30, 0.38, 0.13, 0.12, 0.11, 0x4F7FB5, 0xD5E0EA, 400,
+                    -0.65, 1.0, 0.50, 0.88, 0.82, 0.72, 0.30, 0.35, 0.42, 0.19, 0.18, 0.17, 0x4F7FB5, 0xD5E0EA, 400,
                     true);
 
     /** Checks the ranges. */
