@@ -1,0 +1,74 @@
+package dev.cairn.benchmarks;
+
+import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.FloatField;
+
+/**
+ * The two components of the ECS suites, for each engine: three {@code float} each. Immutable
+ * records for Cairn; mutable objects for Dominion and Artemis-odb, as their manuals show.
+ */
+final class EcsModel {
+
+    /** Velocity lost per tick. */
+    static final float DRAG = 0.999f;
+
+    /** Seconds per tick. */
+    static final float STEP = 1.0f / 60.0f;
+
+    /** Cairn's position, metres. */
+    record Position(float x, float y, float z) {}
+
+    /** Cairn's velocity, metres per second. */
+    record Velocity(float x, float y, float z) {}
+
+    static final Component<Position> POSITION = Component.of(Position.class);
+    static final FloatField PX = POSITION.floatField("x");
+    static final FloatField PY = POSITION.floatField("y");
+    static final FloatField PZ = POSITION.floatField("z");
+    static final Component<Velocity> VELOCITY = Component.of(Velocity.class);
+    static final FloatField VX = VELOCITY.floatField("x");
+    static final FloatField VY = VELOCITY.floatField("y");
+    static final FloatField VZ = VELOCITY.floatField("z");
+
+    /** Dominion's position. */
+    static final class MutablePosition {
+        float x;
+        float y;
+        float z;
+
+        MutablePosition(float x, float y, float z) {
+            this.x = x;
+            this.y = y;
+            this.z = z;
+        }
+    }
+
+    /** Dominion's velocity. */
+    static final class MutableVelocity {
+        float x;
+        float y;
+        float z;
+
+        MutableVelocity(float x, float y, float z) {
+            this.x = x;
+            this.y = y;
+            this.z = z;
+        }
+    }
+
+    /** Artemis-odb's position; it makes components by their public constructor. */
+    public static final class ArtemisPosition extends com.artemis.Component {
+        float x;
+        float y;
+        float z;
+    }
+
+    /** Artemis-odb's velocity. */
+    public static final class ArtemisVelocity extends com.artemis.Component {
+        float x;
+        float y;
+        float z;
+    }
+
+    private EcsModel() {}
+}
