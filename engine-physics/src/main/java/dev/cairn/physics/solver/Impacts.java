@@ -32,6 +32,9 @@ final class Impacts {
     /** Points within this share of the patch's radius of the surface at the time of impact take part in it. */
     private static final double FLUSH = 0.005;
 
+    /** Share of a gap that is rounding. */
+    private static final double SOON = 1e-9;
+
     private final double[] acceleration = new double[6];
 
     /** Handles all impacts of one sub-step, in row order, until none is left. */
@@ -62,29 +65,38 @@ final class Impacts {
         int end = first + rows.link[m * LINK + ContactRows.COUNT] * POINT;
         double time = Double.POSITIVE_INFINITY;
         for (int o = first; o < end; o += POINT) {
-            time = Math.min(time, timeOfImpact(gap(d, r, q, o, body, a, b), speed(d, r, q, o, body, a, b), an, threshold));
+            time = Math.min(time, timeOfImpact(gap(d, r, q, o, body, a, b), speed(d, r, q, o, body, a, b), an, h, threshold));
         }
-        if (!(time <= h)) {
+        if (time == Double.POSITIVE_INFINITY) {
             return false;
         }
         double flush = FLUSH * d[r + ContactRows.RADIUS];
         for (int o = first; o < end; o += POINT) {
             double v = speed(d, r, q, o, body, a, b);
-            double at = gap(d, r, q, o, body, a, b) + time * (v + 0.5 * time * an);
+            double now = gap(d, r, q, o, body, a, b);
+            double at = now + time * (v + 0.5 * time * an);
             // the wanted speed after the impact; NaN for points that do not touch then
-            q[o + STRIKE] = at <= flush ? Math.max(0, -d[r + ContactRows.RESTITUTION] * (v + time * an)) : Double.NaN;
+            q[o + STRIKE] = at <= flush + SOON * now ? Math.max(0, -d[r + ContactRows.RESTITUTION] * (v + time * an)) : Double.NaN;
         }
         strike(rows, m, body, store, time, time * an);
         return true;
     }
 
-    /** Root of {@code s + v t + a t²/2}, or infinity where the surfaces do not meet faster than the threshold. */
-    private static double timeOfImpact(double s, double v, double a, double threshold) {
+    /**
+     * Root of {@code s + v t + a t²/2}, or infinity where the surfaces do not meet faster than the threshold.
+     *
+     * <p>The contact solver foresees the movement {@code h (v + h a)}, a little more than the path itself; what it would stop
+     * is an impact of this sub-step, though the root may lie a little beyond its end.
+     */
+    private static double timeOfImpact(double s, double v, double a, double h, double threshold) {
         if (v >= 0) {
             return Double.POSITIVE_INFINITY;
         }
         if (s <= 0) {
             return v < -threshold ? 0 : Double.POSITIVE_INFINITY;
+        }
+        if (s + h * (v + h * a) > SOON * s) {
+            return Double.POSITIVE_INFINITY;
         }
         double square = v * v - 2 * a * s;
         if (!(square > threshold * threshold)) {

@@ -97,10 +97,15 @@ final class PrepareRow {
     /**
      * Centre of the friction patch, into the first three and second three lever slots as rA and rB: the mean of the anchors,
      * with points that have left fading out so that the centre moves without jumps.
+     *
+     * <p>The anchors lie midway between the surfaces; here each goes back to its own body's surface, because that is where
+     * the bodies will touch when the gap has closed. Overlap between two moving bodies keeps the common point, so that their
+     * friction makes no angular momentum.
      */
     private static void centre(double[] d, int r, ContactStore c, int source) {
         int first = ContactStore.POINTS * source;
         int n = c.pointCount[source];
+        boolean still = d[r + ContactRows.MASS_A] == 0 || d[r + ContactRows.MASS_B] == 0;
         double spread = 0;
         for (int p = first + 1; p < first + n; p++) {
             double x = c.anchorAX[p] - c.anchorAX[first];
@@ -119,13 +124,14 @@ final class PrepareRow {
         for (int p = first; p < first + n; p++) {
             double gap = c.separation[p];
             double w = gap <= fade || fade == 0 ? 1 : Math.max(2 - gap / fade, 1e-10);
+            double half = 0.5 * (still ? gap : Math.max(gap, 0));
             sum += w;
-            ax += w * c.anchorAX[p];
-            ay += w * c.anchorAY[p];
-            az += w * c.anchorAZ[p];
-            bx += w * c.anchorBX[p];
-            by += w * c.anchorBY[p];
-            bz += w * c.anchorBZ[p];
+            ax += w * (c.anchorAX[p] - half * d[r]);
+            ay += w * (c.anchorAY[p] - half * d[r + 1]);
+            az += w * (c.anchorAZ[p] - half * d[r + 2]);
+            bx += w * (c.anchorBX[p] + half * d[r]);
+            by += w * (c.anchorBY[p] + half * d[r + 1]);
+            bz += w * (c.anchorBZ[p] + half * d[r + 2]);
         }
         double k = 1 / sum;
         int o = r + ContactRows.LEVER;
