@@ -284,6 +284,8 @@ public final class Chunk {
         int right = rights[slot];
         if ((right & Access.DIRECT) != 0) {
             slab.versions[slot] = store.tick;
+        } else if ((right & Access.IN_PLACE) != 0) {
+            slab.versions[slot] = store.tick + 1; // the tick that is being computed
         } else if (!slab.isWritten(slot)) {
             slab.open(slot, (right & Access.ALL) == 0, checked);
         }

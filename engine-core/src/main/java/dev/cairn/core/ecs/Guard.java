@@ -65,7 +65,8 @@ final class Guard {
         long[] nowNext = hashNext(chunk);
         for (int slot = 0; slot < nowPublished.length; slot++) {
             Field field = slab.archetype.fields[slot];
-            if (nowPublished[slot] != published[index][slot]) {
+            boolean inPlace = (chunk.rights()[slot] & Access.IN_PLACE) != 0;
+            if (!inPlace && nowPublished[slot] != published[index][slot]) {
                 throw new AccessException(
                         "system '"
                                 + system
@@ -84,7 +85,7 @@ final class Guard {
                                 + " through next, which is for reading what another system wrote;"
                                 + " a column has one writer per tick");
             }
-            boolean written = slab.isWritten(slot);
+            boolean written = inPlace || slab.isWritten(slot);
             if (written && (chunk.rights()[slot] & Access.WRITE) != 0) {
                 scan(slab, slot, field);
             }

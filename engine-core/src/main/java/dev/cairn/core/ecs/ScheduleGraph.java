@@ -24,6 +24,7 @@ final class ScheduleGraph {
             }
         }
         for (Schedule.Entry entry : entries) {
+            checkInPlace(entry, entries);
             connect(entry, entries);
         }
         return layer(entries);
@@ -48,6 +49,25 @@ final class ScheduleGraph {
                                 + " write a component of its own and the other read that with"
                                 + " next(..), or keep their entities apart: exclude in one a"
                                 + " component that the other requires");
+            }
+        }
+    }
+
+    private static void checkInPlace(Schedule.Entry writer, List<Schedule.Entry> entries) {
+        for (Component<?> component : writer.access().writtenInPlace()) {
+            for (Schedule.Entry reader : entries) {
+                if (reader.access().readsPublished(component)
+                        && !reader.access().isDisjoint(writer.access())) {
+                    throw new SchedulingException(
+                            "component "
+                                    + component
+                                    + " is written inPlace by "
+                                    + writer
+                                    + " and read as published by "
+                                    + reader
+                                    + ", which would see half of the tick; declare out in the"
+                                    + " first, or next in the second");
+                }
             }
         }
     }

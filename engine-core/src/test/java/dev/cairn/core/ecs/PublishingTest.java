@@ -125,6 +125,57 @@ class PublishingTest {
     }
 
     @Test
+    void inPlaceWritesThePublishedArrayItself() {
+        ChunkSystem system =
+                chunks(
+                        "s",
+                        a -> a.inPlace(POSITION),
+                        (chunk, tick) -> {
+                            double[] x = chunk.out(X);
+                            x[0] += tick.number();
+                        });
+        List<Double> seen = new ArrayList<>();
+        ChunkSystem reader =
+                chunks("r", a -> a.next(POSITION), (chunk, tick) -> seen.add(chunk.next(X)[0]));
+        for (boolean checked : new boolean[] {false, true}) {
+            try (World world =
+                    World.builder().systems(system, reader).workers(1).checked(checked).build()) {
+                seen.clear();
+                long entity = world.spawn(new Position(0, 0));
+                Chunk chunk = world.query(POSITION).chunk(0);
+                double[] before = chunk.in(X);
+                world.step(1);
+                world.step(1);
+                assertSame(before, chunk.in(X));
+                assertEquals(3, world.get(entity, POSITION).x());
+                assertEquals(2, chunk.version(X));
+                assertEquals(0, chunk.version(Y));
+                assertEquals(List.of(1.0, 3.0), seen);
+            }
+        }
+        assertFails(true, a -> a.inPlace(POSITION), c -> c.out(X)[0] = Double.NaN, "NaN");
+        assertTeaches(
+                SchedulingException.class,
+                () -> World.builder().systems(system, publishedReader()).build(),
+                "Position",
+                "'s'",
+                "'reader'",
+                "next in the second");
+        assertTeaches(
+                SchedulingException.class,
+                () ->
+                        World.builder()
+                                .systems(chunks("x", a -> a.inPlace(FORCE).in(FORCE), (c, t) -> {}))
+                                .build(),
+                "'x'",
+                "Force");
+    }
+
+    private static ChunkSystem publishedReader() {
+        return chunks("reader", a -> a.in(POSITION), (chunk, tick) -> {});
+    }
+
+    @Test
     void whatWasNotDeclaredIsRefusedByName() {
         assertFails(false, a -> a.in(POSITION), c -> c.out(X), "'s'", "Position.x", "access.out(");
         assertFails(false, a -> a.with(POSITION), c -> c.in(X), "'s'", "Position.x", "access.in(");
