@@ -4,10 +4,7 @@ import dev.cairn.physics.Material;
 
 /** The colours of the scenes, 0xRRGGBB, and the materials that go with them. Stateless. */
 public final class Palette {
-    /** Floors and ramps. */
-    public static final int GROUND = 0x8A9199;
-
-    /** Walls and pedestals. */
+    /** Walls. */
     public static final int STONE = 0xB8B2A7;
 
     /** The bodies that a scene is about, in turn; see {@link #body}. */

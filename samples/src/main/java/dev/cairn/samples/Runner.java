@@ -88,17 +88,21 @@ final class Runner {
                         out);
         try {
             window.start();
-            return Main.DONE;
         } catch (UsageException misuse) {
             throw misuse;
         } catch (RuntimeException | LinkageError failure) {
-            if (window.opened() || request.mode() == Request.Mode.WINDOW) {
-                return failed("the window", failure);
-            }
-            err.println(
-                    "No window can be opened (" + failure.getMessage() + "); running without one.");
-            return headless();
+            return failed("the window", failure);
         }
+        String reason = window.noWindow();
+        if (reason == null) {
+            return Main.DONE;
+        }
+        if (request.mode() == Request.Mode.WINDOW) {
+            err.println("--window: no window can be opened: " + reason);
+            return Main.FAILED;
+        }
+        err.println("No window can be opened (" + reason + "); running without one.");
+        return headless();
     }
 
     private int headless() {

@@ -42,7 +42,7 @@ final class SampleWindow extends Application {
     private @Nullable SceneBuilder built;
     private boolean inTick;
     private int remarksShown;
-    private volatile boolean opened;
+    private @Nullable String noWindow;
 
     /**
      * @param scenes what can be chosen, at least one
@@ -64,9 +64,14 @@ final class SampleWindow extends Application {
         this.out = out;
     }
 
-    /** Says whether the window came up at all; any thread. */
-    boolean opened() {
-        return opened;
+    /** Returns why there was no window, or null if there was one; after {@link #start}. */
+    @Nullable String noWindow() {
+        return noWindow;
+    }
+
+    @Override
+    protected void withoutWindow(String reason) {
+        noWindow = reason;
     }
 
     @Override
@@ -126,7 +131,6 @@ final class SampleWindow extends Application {
     /** Called before each tick: ends the scene's last tick and begins the next. */
     @Override
     protected void update(double seconds) {
-        opened = true;
         SceneBuilder now = built;
         if (now == null) {
             return;

@@ -195,9 +195,10 @@ public final class SceneBuilder {
      */
     public BodyRef floor(double halfX, double halfZ, double friction, double restitution) {
         double halfY = 0.5;
+        Box plate = Box.of(halfX, halfY, halfZ);
         return add(
-                Box.of(halfX, halfY, halfZ),
-                Palette.GROUND,
+                plate,
+                Model.ground(plate),
                 Body.fixed()
                         .at(0, -halfY, 0)
                         .material(Palette.material(friction, restitution))

@@ -169,11 +169,21 @@ public abstract class Application {
             }
         }
         if (context == null) {
-            System.err.println("No window can be opened here: " + reason + ". Drawing a picture instead.");
-            drawPicture(Path.of(getClass().getSimpleName() + ".png"), false);
+            withoutWindow(reason);
             return;
         }
         runWindow(context);
+    }
+
+    /**
+     * What {@link #start} does where no window can be opened: it says so and draws one picture. Override to do something else; main
+     * thread, before {@link #initScene}.
+     *
+     * @param reason why there is no window, a few words
+     */
+    protected void withoutWindow(String reason) {
+        System.err.println("No window can be opened here: " + reason + ". Drawing a picture instead.");
+        drawPicture(Path.of(getClass().getSimpleName() + ".png"), false);
     }
 
     private void runWindow(GlContext context) {

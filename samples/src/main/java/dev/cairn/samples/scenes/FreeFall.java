@@ -44,7 +44,7 @@ public final class FreeFall {
     }
 
     private static void build(SceneBuilder scene) {
-        scene.floor(8, 4, 0.6, 0);
+        scene.floor(12, 8, 0.6, 0);
         Shape box = Box.of(0.5, 0.2, 0.3);
         Shape ball = Sphere.of(0.3);
         double speed = scene.get("speed");

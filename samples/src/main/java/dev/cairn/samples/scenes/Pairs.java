@@ -79,7 +79,7 @@ public final class Pairs {
                                     "upper box")
                             .rotationAbout(0, 0, 1, Math.PI / 4)),
         };
-        scene.floor(6, 2, 0.6, 0);
+        scene.floor(12, 8, 0.6, 0);
         scene.view(new SceneBuilder.View(0.3, 3, 9, 0.3, 1.8, 0));
 
         scene.beforeTick((tick, seconds) -> {

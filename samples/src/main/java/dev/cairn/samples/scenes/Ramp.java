@@ -3,6 +3,7 @@ package dev.cairn.samples.scenes;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.render.mesh.Model;
 import dev.cairn.samples.Palette;
 import dev.cairn.samples.SceneBuilder;
 
@@ -44,9 +45,10 @@ final class Ramp {
         this.cos = StrictMath.cos(radians);
         this.length = length;
         double middle = (length - BEHIND) / 2;
+        Box slab = Box.of((length + BEHIND) / 2, HALF_THICKNESS, halfWidth);
         scene.add(
-                Box.of((length + BEHIND) / 2, HALF_THICKNESS, halfWidth),
-                Palette.GROUND,
+                slab,
+                Model.ground(slab),
                 Body.fixed()
                         .at(x(middle, -HALF_THICKNESS), y(middle, -HALF_THICKNESS), 0)
                         .rotationAbout(0, 0, 1, -radians)

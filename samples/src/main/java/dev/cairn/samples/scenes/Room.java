@@ -6,6 +6,7 @@ import dev.cairn.physics.Material;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.render.mesh.Model;
 import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
@@ -56,9 +57,9 @@ public final class Room {
         Material material = Palette.material(friction, restitution);
         Box side = Box.of(WALL, HEIGHT, HALF);
         Box front = Box.of(HALF + 2 * WALL, HEIGHT, WALL);
-        scene.add(side, Palette.STONE, wall(-HALF - WALL, 0, material));
-        scene.add(side, Palette.STONE, wall(HALF + WALL, 0, material));
-        scene.add(front, Palette.STONE, wall(0, -HALF - WALL, material));
+        scene.add(side, Model.ground(side).color(Palette.STONE), wall(-HALF - WALL, 0, material));
+        scene.add(side, Model.ground(side).color(Palette.STONE), wall(HALF + WALL, 0, material));
+        scene.add(front, Model.ground(front).color(Palette.STONE), wall(0, -HALF - WALL, material));
         scene.addUnseen(front, wall(0, HALF + WALL, material));
 
         Shape ball = Sphere.of(0.35);

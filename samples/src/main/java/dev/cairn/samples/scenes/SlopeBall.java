@@ -63,7 +63,7 @@ public final class SlopeBall {
                                 .mass(scene.get("mass"))
                                 .material(Palette.material(friction, restitution))
                                 .name("ball"));
-        ramp.look(scene, 1.8, 4.5);
+        ramp.look(scene, 1.4, 3.2);
 
         boolean rolls = friction >= 2.0 / 7 * ramp.sin() / ramp.cos();
         double acceleration =

@@ -78,7 +78,7 @@ public final class StackOfBoxes {
                                     .material(Palette.material(friction, restitution))
                                     .name("box " + k)));
         }
-        double distance = 4 + 1.8 * boxes;
+        double distance = 4 + 1.4 * boxes;
         scene.view(
                 new SceneBuilder.View(
                         0.5 * distance, 0.35 * distance + 1, 0.9 * distance, 0, 0.5 * boxes, 0));

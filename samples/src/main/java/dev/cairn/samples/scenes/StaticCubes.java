@@ -58,7 +58,7 @@ public final class StaticCubes {
         }
         double reach = spacing * SIDE;
         scene.view(
-                new SceneBuilder.View(0.45 * reach, 0.6 * reach, 0.85 * reach, 0, 0, 0.06 * reach));
+                new SceneBuilder.View(0.5 * reach, 0.75 * reach, 1.1 * reach, 0, 0, 0.1 * reach));
         scene.error(
                 "movedMetres",
                 () -> {
