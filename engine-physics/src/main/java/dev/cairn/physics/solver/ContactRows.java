@@ -3,8 +3,9 @@ package dev.cairn.physics.solver;
 import java.util.Arrays;
 
 /**
- * The contacts of a tick as constraint rows, flat: {@link #ROW} doubles per contact and {@link #POINT} doubles per point,
- * four points to a contact. Kernels loop over rows; what a row holds is all that a sweep needs besides the two bodies.
+ * The contacts of a tick as constraint rows, flat: {@link #ROW} doubles per contact and {@link
+ * #POINT} doubles per point, four points to a contact. Kernels loop over rows; what a row holds is
+ * all that a sweep needs besides the two bodies.
  */
 final class ContactRows {
     /** Doubles to a contact. */

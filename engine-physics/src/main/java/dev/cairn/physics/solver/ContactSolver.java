@@ -5,21 +5,26 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
-import java.util.Arrays;
+
 import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
 
 /**
  * Solves one tick of motion and contact: a sub-stepped, sequential, soft contact solver in double.
  *
- * <p>Loops over bodies run as blocks on the job system, sweeps over contacts in row order on the calling thread, so the
- * result does not depend on the number of workers. Simulation thread only; allocates only when a store has grown. The package's
- * documentation tells the method and its sources.
+ * <p>Loops over bodies run as blocks on the job system, sweeps over contacts in row order on the
+ * calling thread, so the result does not depend on the number of workers. Simulation thread only;
+ * allocates only when a store has grown. The package's documentation tells the method and its
+ * sources.
  */
 public final class ContactSolver {
     private static final int BODIES_PER_BLOCK = 128;
     private static final int ROWS_PER_BLOCK = 64;
 
-    /** A point rests while it moves slower than gravity makes a body fall in this share of a tick. */
+    /**
+     * A point rests while it moves slower than gravity makes a body fall in this share of a tick.
+     */
     private static final double STILL = 0.125;
 
     private final SolverSettings settings;
@@ -94,9 +99,21 @@ public final class ContactSolver {
                 impacts.run(rows, body, bodies, gravity, subStep, settings.restitutionThreshold());
                 jobs.run(kick, bodyBlocks);
                 RowKernels.warmStart(rows, body.state);
-                RowKernels.bias(rows, body.state, subStep, settings.pushSpeed(), settings.innerSweeps(), settings.coldSweeps());
+                RowKernels.bias(
+                        rows,
+                        body.state,
+                        subStep,
+                        settings.pushSpeed(),
+                        settings.innerSweeps(),
+                        settings.coldSweeps());
                 jobs.run(drift, bodyBlocks);
-                RowKernels.relax(rows, body.state, subStep, settings.pushSpeed(), settings.innerSweeps(), settings.coldSweeps());
+                RowKernels.relax(
+                        rows,
+                        body.state,
+                        subStep,
+                        settings.pushSpeed(),
+                        settings.innerSweeps(),
+                        settings.coldSweeps());
                 jobs.run(finish, bodyBlocks);
             }
         }
@@ -105,7 +122,9 @@ public final class ContactSolver {
         contactStore = null;
     }
 
-    /** Coefficients that depend on the length of the step; the impulses of a sub-step scale with it. */
+    /**
+     * Coefficients that depend on the length of the step; the impulses of a sub-step scale with it.
+     */
     private void timing(double stepSeconds) {
         if (stepSeconds == step) {
             impulseScale = 1;
@@ -115,8 +134,11 @@ public final class ContactSolver {
         impulseScale = step == 0 ? 1 : stepSeconds / step;
         double hertz = settings.hertzPerRate() / h;
         soft = Softness.of(hertz, settings.dampingRatio(), h);
-        staticSoft = Softness.of(
-                hertz * settings.staticHertzScale(), settings.dampingRatio() * settings.staticDampingScale(), h);
+        staticSoft =
+                Softness.of(
+                        hertz * settings.staticHertzScale(),
+                        settings.dampingRatio() * settings.staticDampingScale(),
+                        h);
         step = stepSeconds;
         subStep = h;
     }
@@ -140,7 +162,8 @@ public final class ContactSolver {
             rows.link[l + ContactRows.BODY_B] = b * SolverBodies.STRIDE;
             rows.link[l + ContactRows.COUNT] = contacts.pointCount[c];
             rows.link[l + ContactRows.SOURCE] = c;
-            boolean still = bodies.kind[a] != BodyStore.DYNAMIC || bodies.kind[b] != BodyStore.DYNAMIC;
+            boolean still =
+                    bodies.kind[a] != BodyStore.DYNAMIC || bodies.kind[b] != BodyStore.DYNAMIC;
             guide[a] = guide[a] == SolverBodies.FREE && still ? n : SolverBodies.BOUND;
             guide[b] = guide[b] == SolverBodies.FREE && still ? n : SolverBodies.BOUND;
             if (contacts.restitution[c] > 0) {
@@ -163,7 +186,15 @@ public final class ContactSolver {
             }
             if (body.guide[i] == SolverBodies.FREE) {
                 if (dynamic) {
-                    Motion.fly(b, body, i, gravity[0], gravity[1], gravity[2], step, settings.substeps());
+                    Motion.fly(
+                            b,
+                            body,
+                            i,
+                            gravity[0],
+                            gravity[1],
+                            gravity[2],
+                            step,
+                            settings.substeps());
                 }
             } else if (dynamic) {
                 body.loadBound(b, i, 1);
@@ -218,7 +249,11 @@ public final class ContactSolver {
                 body.store(bodies, i);
             }
         }
-        double g = Math.sqrt(gravity[0] * gravity[0] + gravity[1] * gravity[1] + gravity[2] * gravity[2]);
+        double g =
+                Math.sqrt(
+                        gravity[0] * gravity[0]
+                                + gravity[1] * gravity[1]
+                                + gravity[2] * gravity[2]);
         double still = STILL * g * step;
         int m = 0;
         for (int c = 0; c < contacts.count; c++) {
@@ -249,8 +284,10 @@ public final class ContactSolver {
         contacts.twistImpulse[c] = d[r + ContactRows.LAMBDA + 2];
         for (int k = 0; k < contacts.pointCount[c]; k++) {
             int o = (ContactStore.POINTS * m + k) * ContactRows.POINT;
-            contacts.normalImpulse[ContactStore.POINTS * c + k] = rows.point[o + ContactRows.IMPULSE];
-            contacts.totalNormalImpulse[ContactStore.POINTS * c + k] = rows.point[o + ContactRows.SUM];
+            contacts.normalImpulse[ContactStore.POINTS * c + k] =
+                    rows.point[o + ContactRows.IMPULSE];
+            contacts.totalNormalImpulse[ContactStore.POINTS * c + k] =
+                    rows.point[o + ContactRows.SUM];
         }
     }
 

@@ -15,21 +15,27 @@ import dev.cairn.physics.internal.ContactStore;
 /**
  * Impacts that bounce, before the contacts of a sub-step are solved.
  *
- * <p>A contact with restitution {@code e > 0} whose surfaces meet within the sub-step at time {@code t}, faster than the
- * threshold, takes its impulse at that time: Newton's law for all points of the manifold that touch then, {@code v'_i >= -e
- * v_i}, solved to convergence, and then friction bounded by that impulse. The speed is the one at the impact, {@code v_i =
- * -sqrt(v² - 2 a s)}, so gravity within the sub-step neither adds nor takes energy. A velocity change {@code dv} at time t
- * is the same path as a change now and a shift of the start by {@code -t dv}: so the rest of the sub-step is flown without
- * a loss of time, and impacts may follow each other in any order. The contact solver then finds the contact parting, and adds
- * only what other bodies press onto it; so it does with what still closes after the last round, without a bounce.
+ * <p>A contact with restitution {@code e > 0} whose surfaces meet within the sub-step at time
+ * {@code t}, faster than the threshold, takes its impulse at that time: Newton's law for all points
+ * of the manifold that touch then, {@code v'_i >= -e v_i}, solved to convergence, and then friction
+ * bounded by that impulse. The speed is the one at the impact, {@code v_i = -sqrt(v² - 2 a s)}, so
+ * gravity within the sub-step neither adds nor takes energy. A velocity change {@code dv} at time t
+ * is the same path as a change now and a shift of the start by {@code -t dv}: so the rest of the
+ * sub-step is flown without a loss of time, and impacts may follow each other in any order. The
+ * contact solver then finds the contact parting, and adds only what other bodies press onto it; so
+ * it does with what still closes after the last round, without a bounce.
  *
- * <p>With one restitution for a manifold, the law never adds energy: {@code dE = (1 - e)/2 l.v <= 0}.
+ * <p>With one restitution for a manifold, the law never adds energy: {@code dE = (1 - e)/2 l.v <=
+ * 0}.
  */
 final class Impacts {
     private static final int ROUNDS = 16;
     private static final int SWEEPS = 64;
 
-    /** Points within this share of the patch's radius of the surface at the time of impact take part in it. */
+    /**
+     * Points within this share of the patch's radius of the surface at the time of impact take part
+     * in it.
+     */
     private static final double FLUSH = 0.005;
 
     /** Share of a gap that is rounding. */
@@ -38,7 +44,13 @@ final class Impacts {
     private final double[] acceleration = new double[6];
 
     /** Handles all impacts of one sub-step, in row order, until none is left. */
-    void run(ContactRows rows, SolverBodies bodies, BodyStore store, double[] g, double h, double threshold) {
+    void run(
+            ContactRows rows,
+            SolverBodies bodies,
+            BodyStore store,
+            double[] g,
+            double h,
+            double threshold) {
         int n = rows.bouncing;
         boolean again = n > 0;
         for (int round = 0; again && round < ROUNDS; round++) {
@@ -50,7 +62,13 @@ final class Impacts {
     }
 
     private boolean impact(
-            ContactRows rows, int m, SolverBodies bodies, BodyStore store, double[] g, double h, double threshold) {
+            ContactRows rows,
+            int m,
+            SolverBodies bodies,
+            BodyStore store,
+            double[] g,
+            double h,
+            double threshold) {
         double[] d = rows.row;
         double[] q = rows.point;
         double[] body = bodies.state;
@@ -65,7 +83,15 @@ final class Impacts {
         int end = first + rows.link[m * LINK + ContactRows.COUNT] * POINT;
         double time = Double.POSITIVE_INFINITY;
         for (int o = first; o < end; o += POINT) {
-            time = Math.min(time, timeOfImpact(gap(d, r, q, o, body, a, b), speed(d, r, q, o, body, a, b), an, h, threshold));
+            time =
+                    Math.min(
+                            time,
+                            timeOfImpact(
+                                    gap(d, r, q, o, body, a, b),
+                                    speed(d, r, q, o, body, a, b),
+                                    an,
+                                    h,
+                                    threshold));
         }
         if (time == Double.POSITIVE_INFINITY) {
             return false;
@@ -76,17 +102,22 @@ final class Impacts {
             double now = gap(d, r, q, o, body, a, b);
             double at = now + time * (v + 0.5 * time * an);
             // the wanted speed after the impact; NaN for points that do not touch then
-            q[o + STRIKE] = at <= flush + SOON * now ? Math.max(0, -d[r + ContactRows.RESTITUTION] * (v + time * an)) : Double.NaN;
+            q[o + STRIKE] =
+                    at <= flush + SOON * now
+                            ? Math.max(0, -d[r + ContactRows.RESTITUTION] * (v + time * an))
+                            : Double.NaN;
         }
         strike(rows, m, body, store, time, time * an);
         return true;
     }
 
     /**
-     * Root of {@code s + v t + a t²/2}, or infinity where the surfaces do not meet faster than the threshold.
+     * Root of {@code s + v t + a t²/2}, or infinity where the surfaces do not meet faster than the
+     * threshold.
      *
-     * <p>The contact solver foresees the movement {@code h (v + h a)}, a little more than the path itself; what it would stop
-     * is an impact of this sub-step, though the root may lie a little beyond its end.
+     * <p>The contact solver foresees the movement {@code h (v + h a)}, a little more than the path
+     * itself; what it would stop is an impact of this sub-step, though the root may lie a little
+     * beyond its end.
      */
     private static double timeOfImpact(double s, double v, double a, double h, double threshold) {
         if (v >= 0) {
@@ -105,7 +136,9 @@ final class Impacts {
         return 2 * s / (Math.sqrt(square) - v);
     }
 
-    /** Acceleration of a body between impacts: its own when it flies, none while contacts carry it. */
+    /**
+     * Acceleration of a body between impacts: its own when it flies, none while contacts carry it.
+     */
     private void accelerate(double[] body, BodyStore store, int o, double[] g, int out) {
         boolean flies = body[o + SolverBodies.MASS] > 0 && body[o + SolverBodies.LOADED] == 0;
         double m = flies ? body[o + SolverBodies.MASS] : 0;
@@ -117,7 +150,8 @@ final class Impacts {
     }
 
     /**
-     * The impulses of one impact, {@code early} the speed that acceleration adds until then, and the shift of the start.
+     * The impulses of one impact, {@code early} the speed that acceleration adds until then, and
+     * the shift of the start.
      */
     private static void strike(
             ContactRows rows, int m, double[] body, BodyStore store, double time, double early) {
@@ -168,10 +202,12 @@ final class Impacts {
     }
 
     /**
-     * First guess: the same impulse at all points that touch, such that their mean speed is right. A flat symmetric impact is
-     * solved by it, so that its symmetry does not drown in the order of the points.
+     * First guess: the same impulse at all points that touch, such that their mean speed is right.
+     * A flat symmetric impact is solved by it, so that its symmetry does not drown in the order of
+     * the points.
      */
-    private static void uniform(ContactRows rows, int m, double[] body, int first, int end, double early) {
+    private static void uniform(
+            ContactRows rows, int m, double[] body, int first, int end, double early) {
         double[] d = rows.row;
         double[] q = rows.point;
         int r = m * ROW;
@@ -203,7 +239,8 @@ final class Impacts {
     }
 
     /** {@code v_i + early >= goal_i, l_i >= 0}, complementary, by Gauss-Seidel to convergence. */
-    private static void newton(ContactRows rows, int m, double[] body, int first, int end, double early) {
+    private static void newton(
+            ContactRows rows, int m, double[] body, int first, int end, double early) {
         double[] d = rows.row;
         double[] q = rows.point;
         int r = m * ROW;
@@ -232,7 +269,8 @@ final class Impacts {
         }
     }
 
-    private static void push(double[] d, int r, double[] q, int o, double[] body, int a, int b, double impulse) {
+    private static void push(
+            double[] d, int r, double[] q, int o, double[] body, int a, int b, double impulse) {
         double ma = impulse * d[r + ContactRows.MASS_A];
         double mb = impulse * d[r + ContactRows.MASS_B];
         for (int k = 0; k < 3; k++) {
@@ -271,15 +309,17 @@ final class Impacts {
     }
 
     private static double gap(double[] d, int r, double[] q, int o, double[] body, int a, int b) {
-        return q[o + GAP]
-                + along(d, r, q, o, body, a + SolverBodies.P, b + SolverBodies.P);
+        return q[o + GAP] + along(d, r, q, o, body, a + SolverBodies.P, b + SolverBodies.P);
     }
 
     private static double speed(double[] d, int r, double[] q, int o, double[] body, int a, int b) {
         return along(d, r, q, o, body, a, b);
     }
 
-    /** {@code n.(yB - yA) + uB.(rB x n) - uA.(rA x n)} of the pairs (y, u) at {@code a} and {@code b}. */
+    /**
+     * {@code n.(yB - yA) + uB.(rB x n) - uA.(rA x n)} of the pairs (y, u) at {@code a} and {@code
+     * b}.
+     */
     private static double along(double[] d, int r, double[] q, int o, double[] body, int a, int b) {
         return d[r] * (body[b] - body[a])
                 + d[r + 1] * (body[b + 1] - body[a + 1])
@@ -287,5 +327,4 @@ final class Impacts {
                 + PrepareRow.dot(body, b + 3, q, o + 3)
                 - PrepareRow.dot(body, a + 3, q, o);
     }
-
 }

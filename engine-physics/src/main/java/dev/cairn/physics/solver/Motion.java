@@ -9,16 +9,26 @@ import static dev.cairn.physics.solver.SolverBodies.V;
 
 import dev.cairn.physics.internal.BodyStore;
 
-/** Integrators of one body: flight, kick, drift, and the correction of bodies that glide on one contact. */
+/**
+ * Integrators of one body: flight, kick, drift, and the correction of bodies that glide on one
+ * contact.
+ */
 final class Motion {
     private Motion() {}
 
     /**
-     * A tick without contacts: {@code x += t v + t²/2 a, v += t a}, the parabola itself; rotation in {@code substeps}
-     * Strang steps between half kicks of the torque.
+     * A tick without contacts: {@code x += t v + t²/2 a, v += t a}, the parabola itself; rotation
+     * in {@code substeps} Strang steps between half kicks of the torque.
      */
     static void fly(
-            BodyStore b, SolverBodies s, int i, double gx, double gy, double gz, double t, int substeps) {
+            BodyStore b,
+            SolverBodies s,
+            int i,
+            double gx,
+            double gy,
+            double gz,
+            double t,
+            int substeps) {
         double m = b.inverseMass[i];
         double ax = gx + m * b.forceX[i];
         double ay = gy + m * b.forceY[i];
@@ -26,9 +36,27 @@ final class Motion {
         double half = 0.5 * t * t;
         double[] c = s.carry;
         int q = 12 * i;
-        b.positionX[i] = add(c, q, b.positionX[i], t * b.velocityX[i], t * lost(c, q + 3, b.velocityX[i]) + half * ax);
-        b.positionY[i] = add(c, q + 1, b.positionY[i], t * b.velocityY[i], t * lost(c, q + 4, b.velocityY[i]) + half * ay);
-        b.positionZ[i] = add(c, q + 2, b.positionZ[i], t * b.velocityZ[i], t * lost(c, q + 5, b.velocityZ[i]) + half * az);
+        b.positionX[i] =
+                add(
+                        c,
+                        q,
+                        b.positionX[i],
+                        t * b.velocityX[i],
+                        t * lost(c, q + 3, b.velocityX[i]) + half * ax);
+        b.positionY[i] =
+                add(
+                        c,
+                        q + 1,
+                        b.positionY[i],
+                        t * b.velocityY[i],
+                        t * lost(c, q + 4, b.velocityY[i]) + half * ay);
+        b.positionZ[i] =
+                add(
+                        c,
+                        q + 2,
+                        b.positionZ[i],
+                        t * b.velocityZ[i],
+                        t * lost(c, q + 5, b.velocityZ[i]) + half * az);
         b.velocityX[i] = add(c, q + 3, b.velocityX[i], t * ax, 0);
         b.velocityY[i] = add(c, q + 4, b.velocityY[i], t * ay, 0);
         b.velocityZ[i] = add(c, q + 5, b.velocityZ[i], t * az, 0);
@@ -58,12 +86,17 @@ final class Motion {
         b.angularVelocityZ[i] = w[o + V + 5];
     }
 
-    /** What rounding has taken from {@code value} so far, if it is still the value of the last tick. */
+    /**
+     * What rounding has taken from {@code value} so far, if it is still the value of the last tick.
+     */
     private static double lost(double[] c, int q, double value) {
         return c[q + 6] == value ? c[q] : 0;
     }
 
-    /** {@code value + large + small} with compensation (Kahan 1965): a flight of hours keeps to its parabola. */
+    /**
+     * {@code value + large + small} with compensation (Kahan 1965): a flight of hours keeps to its
+     * parabola.
+     */
     private static double add(double[] c, int q, double value, double large, double small) {
         double step = large + (small + lost(c, q, value));
         double sum = value + step;
@@ -115,8 +148,11 @@ final class Motion {
         }
     }
 
-    /** Start of a sub-step of a body with contacts: {@code v += h (g + f/m), w += h I^-1 torque}. */
-    static void kick(BodyStore b, SolverBodies s, int i, double gx, double gy, double gz, double h) {
+    /**
+     * Start of a sub-step of a body with contacts: {@code v += h (g + f/m), w += h I^-1 torque}.
+     */
+    static void kick(
+            BodyStore b, SolverBodies s, int i, double gx, double gy, double gz, double h) {
         double[] v = s.state;
         int o = i * STRIDE;
         if (s.guide[i] >= 0) {
@@ -144,10 +180,12 @@ final class Motion {
     }
 
     /**
-     * Moves a body with contacts. Under load {@code x += h v}: the velocity holds at the end of the sub-step, which is what
-     * the contacts were solved for. Without load {@code x += h v - h²/2 a}: the parabola.
+     * Moves a body with contacts. Under load {@code x += h v}: the velocity holds at the end of the
+     * sub-step, which is what the contacts were solved for. Without load {@code x += h v - h²/2 a}:
+     * the parabola.
      */
-    static void drift(BodyStore b, SolverBodies s, int i, double gx, double gy, double gz, double h) {
+    static void drift(
+            BodyStore b, SolverBodies s, int i, double gx, double gy, double gz, double h) {
         double[] v = s.state;
         int o = i * STRIDE;
         double vx = v[o + V];
@@ -176,9 +214,9 @@ final class Motion {
     }
 
     /**
-     * End of a sub-step of a guided body: along the contact plane it moves by the mean of the velocities before and after,
-     * {@code x += h ((v0 + v1)/2 - v)} without its part along the normal. So a slide follows the parabola, and a body that
-     * friction holds does not move at all.
+     * End of a sub-step of a guided body: along the contact plane it moves by the mean of the
+     * velocities before and after, {@code x += h ((v0 + v1)/2 - v)} without its part along the
+     * normal. So a slide follows the parabola, and a body that friction holds does not move at all.
      */
     static void glide(SolverBodies s, int i, double[] rows, double h) {
         double[] v = s.state;

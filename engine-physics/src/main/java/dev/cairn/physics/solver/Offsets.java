@@ -5,10 +5,11 @@ import dev.cairn.physics.internal.ContactStore;
 /**
  * The offset that removes sag: the outer loop of an augmented Lagrangian, once a tick.
  *
- * <p>A soft contact holds the load {@code l} only with the overlap {@code l / k}. While a point rests, a small share of
- * its overlap moves into an offset of its separation, kept as the load {@code k offset} that it stands for, so that it
- * stays right when the effective mass changes. The point ends with no overlap and an offset that holds its whole load.
- * One-sided: it never pulls. While a point moves, the offset fades; when it opens, fast.
+ * <p>A soft contact holds the load {@code l} only with the overlap {@code l / k}. While a point
+ * rests, a small share of its overlap moves into an offset of its separation, kept as the load
+ * {@code k offset} that it stands for, so that it stays right when the effective mass changes. The
+ * point ends with no overlap and an offset that holds its whole load. One-sided: it never pulls.
+ * While a point moves, the offset fades; when it opens, fast.
  *
  * <p>Source: own study; the idea is Powell's and Hestenes' method of multipliers (1969).
  */
@@ -25,7 +26,13 @@ final class Offsets {
      * @param still speed below which a point rests, m/s
      */
     static void update(
-            ContactRows rows, SolverBodies bodies, ContactStore contacts, int c, int m, double gain, double still) {
+            ContactRows rows,
+            SolverBodies bodies,
+            ContactStore contacts,
+            int c,
+            int m,
+            double gain,
+            double still) {
         double[] d = rows.row;
         double[] q = rows.point;
         double[] body = bodies.state;
@@ -40,11 +47,12 @@ final class Offsets {
             double impulse = q[o + ContactRows.IMPULSE];
             double gap = contacts.separation[p];
             double known = q[o + ContactRows.STIFFNESS] * (gap - q[o + ContactRows.GAP]);
-            double speed = d[r] * (body[b] - body[a])
-                    + d[r + 1] * (body[b + 1] - body[a + 1])
-                    + d[r + 2] * (body[b + 2] - body[a + 2])
-                    + PrepareRow.dot(body, b + 3, q, o + 3)
-                    - PrepareRow.dot(body, a + 3, q, o);
+            double speed =
+                    d[r] * (body[b] - body[a])
+                            + d[r + 1] * (body[b + 1] - body[a + 1])
+                            + d[r + 2] * (body[b + 2] - body[a + 2])
+                            + PrepareRow.dot(body, b + 3, q, o + 3)
+                            - PrepareRow.dot(body, a + 3, q, o);
             if (impulse > 0 && rests && Math.abs(speed) < still) {
                 known -= q[o + ContactRows.STIFFNESS] * gain * Math.min(0, gap);
             } else {
@@ -63,12 +71,18 @@ final class Offsets {
         double z = body[b + 2] - body[a + 2];
         int t = r + ContactRows.TANGENT1;
         int v = r + ContactRows.LEVER;
-        double s1 = x * d[t] + y * d[t + 1] + z * d[t + 2]
-                + PrepareRow.dot(body, b + 3, d, v + 6)
-                - PrepareRow.dot(body, a + 3, d, v);
-        double s2 = x * d[t + 3] + y * d[t + 4] + z * d[t + 5]
-                + PrepareRow.dot(body, b + 3, d, v + 9)
-                - PrepareRow.dot(body, a + 3, d, v + 3);
+        double s1 =
+                x * d[t]
+                        + y * d[t + 1]
+                        + z * d[t + 2]
+                        + PrepareRow.dot(body, b + 3, d, v + 6)
+                        - PrepareRow.dot(body, a + 3, d, v);
+        double s2 =
+                x * d[t + 3]
+                        + y * d[t + 4]
+                        + z * d[t + 5]
+                        + PrepareRow.dot(body, b + 3, d, v + 9)
+                        - PrepareRow.dot(body, a + 3, d, v + 3);
         return Math.sqrt(s1 * s1 + s2 * s2);
     }
 }

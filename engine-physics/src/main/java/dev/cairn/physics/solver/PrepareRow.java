@@ -2,9 +2,14 @@ package dev.cairn.physics.solver;
 
 import dev.cairn.physics.internal.ContactStore;
 
-/** Fills one constraint row from a contact and its two bodies; blocks of rows may run in parallel. */
+/**
+ * Fills one constraint row from a contact and its two bodies; blocks of rows may run in parallel.
+ */
 final class PrepareRow {
-    /** Share of the patch's radius over which a point that leaves fades out of the friction's centre. */
+    /**
+     * Share of the patch's radius over which a point that leaves fades out of the friction's
+     * centre.
+     */
     private static final double FADE = 0.02;
 
     private PrepareRow() {}
@@ -95,12 +100,13 @@ final class PrepareRow {
     }
 
     /**
-     * Centre of the friction patch, into the first three and second three lever slots as rA and rB: the mean of the anchors,
-     * with points that have left fading out so that the centre moves without jumps.
+     * Centre of the friction patch, into the first three and second three lever slots as rA and rB:
+     * the mean of the anchors, with points that have left fading out so that the centre moves
+     * without jumps.
      *
-     * <p>The anchors lie midway between the surfaces; here each goes back to its own body's surface, because that is where
-     * the bodies will touch when the gap has closed. Overlap between two moving bodies keeps the common point, so that their
-     * friction makes no angular momentum.
+     * <p>The anchors lie midway between the surfaces; here each goes back to its own body's
+     * surface, because that is where the bodies will touch when the gap has closed. Overlap between
+     * two moving bodies keeps the common point, so that their friction makes no angular momentum.
      */
     private static void centre(double[] d, int r, ContactStore c, int source) {
         int first = ContactStore.POINTS * source;
@@ -144,7 +150,13 @@ final class PrepareRow {
     }
 
     private static void points(
-            ContactRows rows, SolverBodies bodies, ContactStore c, int m, int a, int b, double impulseScale) {
+            ContactRows rows,
+            SolverBodies bodies,
+            ContactStore c,
+            int m,
+            int a,
+            int b,
+            double impulseScale) {
         double[] d = rows.row;
         double[] q = rows.point;
         int r = m * ContactRows.ROW;
@@ -158,7 +170,10 @@ final class PrepareRow {
         double cz = d[r + ContactRows.LEVER + 2];
         double radius = 0;
         // k = m_eff biasRate massScale / impulseScale
-        double stiffness = d[r + ContactRows.BIAS_RATE] * d[r + ContactRows.MASS_SCALE] / d[r + ContactRows.IMPULSE_SCALE];
+        double stiffness =
+                d[r + ContactRows.BIAS_RATE]
+                        * d[r + ContactRows.MASS_SCALE]
+                        / d[r + ContactRows.IMPULSE_SCALE];
         for (int i = 0; i < c.pointCount[source]; i++) {
             int p = ContactStore.POINTS * source + i;
             int o = (ContactStore.POINTS * m + i) * ContactRows.POINT;
@@ -172,10 +187,12 @@ final class PrepareRow {
             // 1/m_eff = 1/mA + 1/mB + (rA x n).IA^-1(rA x n) + (rB x n).IB^-1(rB x n)
             double w = sum + dot(q, o, q, o + 6) + dot(q, o + 3, q, o + 9);
             q[o + ContactRows.MASS] = w > 0 ? 1 / w : 0;
-            // at rest the soft step holds the load l with the overlap l / k; the offset stands for the load that it knows
+            // at rest the soft step holds the load l with the overlap l / k; the offset stands for
+            // the load that it knows
             double k = q[o + ContactRows.MASS] * stiffness;
             q[o + ContactRows.STIFFNESS] = k;
-            q[o + ContactRows.GAP] = c.separation[p] - (k > 0 ? c.preload[p] * impulseScale / k : 0);
+            q[o + ContactRows.GAP] =
+                    c.separation[p] - (k > 0 ? c.preload[p] * impulseScale / k : 0);
             q[o + ContactRows.IMPULSE] = c.normalImpulse[p] * impulseScale;
             q[o + ContactRows.SUM] = 0;
             double dx = x - cx;
@@ -189,7 +206,14 @@ final class PrepareRow {
     }
 
     private static void friction(
-            double[] d, int r, SolverBodies bodies, ContactStore c, int source, int a, int b, double impulseScale) {
+            double[] d,
+            int r,
+            SolverBodies bodies,
+            ContactStore c,
+            int source,
+            int a,
+            int b,
+            double impulseScale) {
         double[] inertia = bodies.inverseInertia;
         int lever = r + ContactRows.LEVER;
         int turn = r + ContactRows.TURN;

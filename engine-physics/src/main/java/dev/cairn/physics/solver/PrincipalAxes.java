@@ -1,14 +1,16 @@
 package dev.cairn.physics.solver;
 
 import dev.cairn.physics.internal.BodyStore;
+
 import java.util.Arrays;
 
 /**
- * Principal moments and axes of each body's inertia, kept from tick to tick and made anew when the inertia of a slot
- * changes.
+ * Principal moments and axes of each body's inertia, kept from tick to tick and made anew when the
+ * inertia of a slot changes.
  *
- * <p>Method: cyclic Jacobi rotations of the symmetric 3 x 3 matrix (Golub and Van Loan, section 8.5); arithmetic and square
- * roots only. A box is already diagonal and keeps its own axes to the bit.
+ * <p>Method: cyclic Jacobi rotations of the symmetric 3 x 3 matrix (Golub and Van Loan, section
+ * 8.5); arithmetic and square roots only. A box is already diagonal and keeps its own axes to the
+ * bit.
  */
 final class PrincipalAxes {
     /** Doubles to a slot. */
@@ -101,7 +103,8 @@ final class PrincipalAxes {
             a[3 * r + k] = cos * rk - sin * ck;
             a[3 * c + k] = sin * rk + cos * ck;
         }
-        // J is a turn by phi, cos(phi) = cos, about the third axis; its sign from the handedness of (r, c)
+        // J is a turn by phi, cos(phi) = cos, about the third axis; its sign from the handedness of
+        // (r, c)
         int axis = 3 - r - c;
         double sign = axis == 1 ? 1 : -1;
         double half = Math.sqrt(0.5 * (1 + cos));

@@ -5,14 +5,16 @@ import dev.cairn.physics.internal.BodyStore;
 /**
  * Free rotation of one body, in place in a {@link BodyStore}.
  *
- * <p>Sphere-like bodies turn by the exact exponential. Others take one Strang step: with body momentum {@code m = I R^T w}
- * the energy is {@code sum m_i^2 / 2 I_i}, each term of which turns the body about a principal axis at constant rate; the
- * flows are composed 1 2 3 2 1 with half steps outside. Each flow turns body and momentum by opposite angles, so the world
- * momentum {@code R m} is exact, energy stays bounded, and the order is two. Sines and cosines are polynomials: the same
- * bits on every machine.
+ * <p>Sphere-like bodies turn by the exact exponential. Others take one Strang step: with body
+ * momentum {@code m = I R^T w} the energy is {@code sum m_i^2 / 2 I_i}, each term of which turns
+ * the body about a principal axis at constant rate; the flows are composed 1 2 3 2 1 with half
+ * steps outside. Each flow turns body and momentum by opposite angles, so the world momentum {@code
+ * R m} is exact, energy stays bounded, and the order is two. Sines and cosines are polynomials: the
+ * same bits on every machine.
  *
- * <p>Source: McLachlan, "Explicit Lie-Poisson integration and the Euler equations" (1993); Dullweber, Leimkuhler,
- * McLachlan, "Symplectic splitting methods for rigid body molecular dynamics" (1997).
+ * <p>Source: McLachlan, "Explicit Lie-Poisson integration and the Euler equations" (1993);
+ * Dullweber, Leimkuhler, McLachlan, "Symplectic splitting methods for rigid body molecular
+ * dynamics" (1997).
  */
 final class Rotation {
     private static final double SMALL = 0.25;
@@ -51,7 +53,10 @@ final class Rotation {
         return 1 - 2 * s * s;
     }
 
-    /** Turns the orientation of body {@code i} by the world rotation vector {@code (x, y, z)}, rad; exact exponential. */
+    /**
+     * Turns the orientation of body {@code i} by the world rotation vector {@code (x, y, z)}, rad;
+     * exact exponential.
+     */
     static void turn(BodyStore bodies, int i, double x, double y, double z) {
         double angle = Math.sqrt(x * x + y * y + z * z);
         if (!(angle > 0)) {

@@ -16,13 +16,15 @@ import static dev.cairn.physics.solver.ContactRows.TURN;
 import dev.cairn.physics.internal.ContactStore;
 
 /**
- * The sweeps over constraint rows: Gauss-Seidel in row order, scalar, in double. The impulse on A is the exact negative of
- * the impulse on B: both come from one number.
+ * The sweeps over constraint rows: Gauss-Seidel in row order, scalar, in double. The impulse on A
+ * is the exact negative of the impulse on B: both come from one number.
  */
 final class RowKernels {
     private RowKernels() {}
 
-    /** Applies the impulses of the sub-step before as a first guess: {@code v += M^-1 J^T lambda}. */
+    /**
+     * Applies the impulses of the sub-step before as a first guess: {@code v += M^-1 J^T lambda}.
+     */
     static void warmStart(ContactRows rows, double[] body) {
         double[] d = rows.row;
         double[] q = rows.point;
@@ -88,7 +90,12 @@ final class RowKernels {
 
     /** The bias pass: soft normals, which push overlap out and let gaps close; no friction. */
     static void bias(
-            ContactRows rows, double[] body, double h, double pushSpeed, int sweeps, int coldSweeps) {
+            ContactRows rows,
+            double[] body,
+            double h,
+            double pushSpeed,
+            int sweeps,
+            int coldSweeps) {
         int landing = Math.max(sweeps, coldSweeps / 2);
         for (int m = 0; m < rows.count; m++) {
             boolean cold = rows.link[m * LINK + ContactRows.COLD] != 0;
@@ -96,17 +103,27 @@ final class RowKernels {
         }
     }
 
-    /** The relax pass: hard normals, which take the push out of the velocities again, then friction; adds up the totals. */
+    /**
+     * The relax pass: hard normals, which take the push out of the velocities again, then friction;
+     * adds up the totals.
+     */
     static void relax(
-            ContactRows rows, double[] body, double h, double pushSpeed, int sweeps, int coldSweeps) {
+            ContactRows rows,
+            double[] body,
+            double h,
+            double pushSpeed,
+            int sweeps,
+            int coldSweeps) {
         int landing = Math.max(sweeps, coldSweeps / 2);
         for (int m = 0; m < rows.count; m++) {
             boolean rough = rows.row[m * ROW + ContactRows.FRICTION] > 0;
-            // a contact without a warm start has its normals and its friction still to agree on who stops what
+            // a contact without a warm start has its normals and its friction still to agree on who
+            // stops what
             boolean cold = rows.link[m * LINK + ContactRows.COLD] != 0;
             int rounds = cold && rough ? coldSweeps : 1;
             for (int round = 0; round < rounds; round++) {
-                double normal = normals(rows, m, body, h, pushSpeed, false, cold ? landing : sweeps);
+                double normal =
+                        normals(rows, m, body, h, pushSpeed, false, cold ? landing : sweeps);
                 if (normal == 0) {
                     rounds = 1;
                 }
@@ -121,15 +138,22 @@ final class RowKernels {
     /**
      * Normals of one contact.
      *
-     * <p>With {@code s} the separation now, {@code vn} the speed of separation, {@code m} the effective mass: {@code dl = -m
-     * (massScale vn + b) - impulseScale l; l' = max(l + dl, 0)}. A gap closes at most to zero ({@code b = s/h}, hard); overlap
-     * is soft with {@code b = max(massScale biasRate s, -pushSpeed)} in the bias pass, and {@code b = 0}, hard, in the relax
-     * pass.
+     * <p>With {@code s} the separation now, {@code vn} the speed of separation, {@code m} the
+     * effective mass: {@code dl = -m (massScale vn + b) - impulseScale l; l' = max(l + dl, 0)}. A
+     * gap closes at most to zero ({@code b = s/h}, hard); overlap is soft with {@code b =
+     * max(massScale biasRate s, -pushSpeed)} in the bias pass, and {@code b = 0}, hard, in the
+     * relax pass.
      *
      * @return sum of the impulses
      */
     private static double normals(
-            ContactRows rows, int m, double[] body, double h, double pushSpeed, boolean push, int sweeps) {
+            ContactRows rows,
+            int m,
+            double[] body,
+            double h,
+            double pushSpeed,
+            boolean push,
+            int sweeps) {
         double[] d = rows.row;
         double[] q = rows.point;
         int r = m * ROW;
@@ -143,9 +167,14 @@ final class RowKernels {
         double massScale = push ? d[r + ContactRows.MASS_SCALE] : 1;
         double impulseScale = push ? d[r + ContactRows.IMPULSE_SCALE] : 0;
         double biasRate = push ? d[r + ContactRows.BIAS_RATE] * massScale : 0;
-        double vn = nx * (body[b] - body[a]) + ny * (body[b + 1] - body[a + 1]) + nz * (body[b + 2] - body[a + 2]);
+        double vn =
+                nx * (body[b] - body[a])
+                        + ny * (body[b + 1] - body[a + 1])
+                        + nz * (body[b + 2] - body[a + 2]);
         double moved =
-                nx * (body[b + 6] - body[a + 6]) + ny * (body[b + 7] - body[a + 7]) + nz * (body[b + 8] - body[a + 8]);
+                nx * (body[b + 6] - body[a + 6])
+                        + ny * (body[b + 7] - body[a + 7])
+                        + nz * (body[b + 8] - body[a + 8]);
         double ax = body[a + 3];
         double ay = body[a + 4];
         double az = body[a + 5];
@@ -159,15 +188,22 @@ final class RowKernels {
         for (int sweep = 0; sweep < sweeps; sweep++) {
             sum = 0;
             for (int o = first; o < end; o += POINT) {
-                // s = s0 + n.(dpB - dpA) + thB.(rB x n) - thA.(rA x n): linear in the movement of the tick
-                double s = q[o + ContactRows.GAP]
-                        + moved
-                        + (body[b + 9] * q[o + 3] + body[b + 10] * q[o + 4] + body[b + 11] * q[o + 5])
-                        - (body[a + 9] * q[o] + body[a + 10] * q[o + 1] + body[a + 11] * q[o + 2]);
-                double speed = vn
-                        + change * (ma + mb)
-                        + (bx * q[o + 3] + by * q[o + 4] + bz * q[o + 5])
-                        - (ax * q[o] + ay * q[o + 1] + az * q[o + 2]);
+                // s = s0 + n.(dpB - dpA) + thB.(rB x n) - thA.(rA x n): linear in the movement of
+                // the tick
+                double s =
+                        q[o + ContactRows.GAP]
+                                + moved
+                                + (body[b + 9] * q[o + 3]
+                                        + body[b + 10] * q[o + 4]
+                                        + body[b + 11] * q[o + 5])
+                                - (body[a + 9] * q[o]
+                                        + body[a + 10] * q[o + 1]
+                                        + body[a + 11] * q[o + 2]);
+                double speed =
+                        vn
+                                + change * (ma + mb)
+                                + (bx * q[o + 3] + by * q[o + 4] + bz * q[o + 5])
+                                - (ax * q[o] + ay * q[o + 1] + az * q[o + 2]);
                 double old = q[o + IMPULSE];
                 double next;
                 if (s > 0 && !push && old == 0) {
@@ -177,7 +213,10 @@ final class RowKernels {
                     next = old - q[o + ContactRows.MASS] * (speed + s / h);
                 } else {
                     double b0 = Math.max(biasRate * s, -pushSpeed);
-                    next = old - q[o + ContactRows.MASS] * (massScale * speed + b0) - impulseScale * old;
+                    next =
+                            old
+                                    - q[o + ContactRows.MASS] * (massScale * speed + b0)
+                                    - impulseScale * old;
                 }
                 next = Math.max(next, 0);
                 double delta = next - old;
@@ -212,8 +251,9 @@ final class RowKernels {
     }
 
     /**
-     * Friction of one contact at the patch's centre: twist first, {@code |twist| <= mu sum(reach_i l_i)}, then the 2 x 2
-     * tangent block, {@code l' = l - K^-1 vt} drawn back to the circle {@code |l'| <= mu sum(l_i)}.
+     * Friction of one contact at the patch's centre: twist first, {@code |twist| <= mu sum(reach_i
+     * l_i)}, then the 2 x 2 tangent block, {@code l' = l - K^-1 vt} drawn back to the circle {@code
+     * |l'| <= mu sum(l_i)}.
      */
     static void friction(ContactRows rows, int m, double[] body, double normal) {
         double[] d = rows.row;
@@ -230,12 +270,18 @@ final class RowKernels {
         double dy = body[b + 1] - body[a + 1];
         double dz = body[b + 2] - body[a + 2];
         // vt = (vB + wB x rB - vA - wA x rA).t, with (w x r).t = w.(r x t)
-        double v1 = dx * d[r + TANGENT1] + dy * d[r + TANGENT1 + 1] + dz * d[r + TANGENT1 + 2]
-                + PrepareRow.dot(body, b + 3, d, v + 6)
-                - PrepareRow.dot(body, a + 3, d, v);
-        double v2 = dx * d[r + TANGENT2] + dy * d[r + TANGENT2 + 1] + dz * d[r + TANGENT2 + 2]
-                + PrepareRow.dot(body, b + 3, d, v + 9)
-                - PrepareRow.dot(body, a + 3, d, v + 3);
+        double v1 =
+                dx * d[r + TANGENT1]
+                        + dy * d[r + TANGENT1 + 1]
+                        + dz * d[r + TANGENT1 + 2]
+                        + PrepareRow.dot(body, b + 3, d, v + 6)
+                        - PrepareRow.dot(body, a + 3, d, v);
+        double v2 =
+                dx * d[r + TANGENT2]
+                        + dy * d[r + TANGENT2 + 1]
+                        + dz * d[r + TANGENT2 + 2]
+                        + PrepareRow.dot(body, b + 3, d, v + 9)
+                        - PrepareRow.dot(body, a + 3, d, v + 3);
         int k = r + ContactRows.BLOCK;
         double f1 = d[r + LAMBDA] - (d[k] * v1 + d[k + 1] * v2);
         double f2 = d[r + LAMBDA + 1] - (d[k + 1] * v1 + d[k + 2] * v2);
@@ -284,7 +330,8 @@ final class RowKernels {
         bound *= d[r + ContactRows.FRICTION];
         double speed = PrepareRow.dot(d, r, body, b + 3) - PrepareRow.dot(d, r, body, a + 3);
         double old = d[r + LAMBDA + 2];
-        double next = Math.max(-bound, Math.min(bound, old - d[r + ContactRows.TWIST_MASS] * speed));
+        double next =
+                Math.max(-bound, Math.min(bound, old - d[r + ContactRows.TWIST_MASS] * speed));
         double delta = next - old;
         d[r + LAMBDA + 2] = next;
         body[a + 3] -= delta * d[t];

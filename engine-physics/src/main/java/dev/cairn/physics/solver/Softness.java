@@ -1,10 +1,12 @@
 package dev.cairn.physics.solver;
 
 /**
- * Coefficients of a soft constraint over one sub-step: an implicit spring and damper, written so that mass does not appear.
+ * Coefficients of a soft constraint over one sub-step: an implicit spring and damper, written so
+ * that mass does not appear.
  *
- * <p>With {@code w = 2 pi hertz, a1 = 2 zeta + h w, a2 = h w a1, a3 = 1/(1 + a2)}: bias rate {@code w/a1}, mass scale {@code
- * a2 a3}, impulse scale {@code a3}. Source: E. Catto, "Soft Constraints", GDC 2011, and his Soft Step solver of 2023.
+ * <p>With {@code w = 2 pi hertz, a1 = 2 zeta + h w, a2 = h w a1, a3 = 1/(1 + a2)}: bias rate {@code
+ * w/a1}, mass scale {@code a2 a3}, impulse scale {@code a3}. Source: E. Catto, "Soft Constraints",
+ * GDC 2011, and his Soft Step solver of 2023.
  *
  * @param biasRate 1/s
  * @param massScale share of the effective mass

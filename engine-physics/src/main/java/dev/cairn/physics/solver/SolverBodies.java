@@ -1,10 +1,12 @@
 package dev.cairn.physics.solver;
 
 import dev.cairn.physics.internal.BodyStore;
+
 import java.util.Arrays;
 
 /**
- * What the solver holds of each body, by slot: 16 doubles in a row, so that a contact gathers a body from two cache lines.
+ * What the solver holds of each body, by slot: 16 doubles in a row, so that a contact gathers a
+ * body from two cache lines.
  */
 final class SolverBodies {
     /** Doubles to a slot of {@link #state}. */
@@ -36,15 +38,21 @@ final class SolverBodies {
     /** World inverse inertia in the solver, 6 to a slot: xx yy zz xy xz yz. */
     double[] inverseInertia = {};
 
-    /** For guided bodies: velocity at the start of the sub-step, and velocity that moved it. 6 to a slot. */
+    /**
+     * For guided bodies: velocity at the start of the sub-step, and velocity that moved it. 6 to a
+     * slot.
+     */
     double[] glide = {};
 
-    /** {@link #FREE}, {@link #BOUND}, or the only row of the body where its partner is static: the body is guided. */
+    /**
+     * {@link #FREE}, {@link #BOUND}, or the only row of the body where its partner is static: the
+     * body is guided.
+     */
     int[] guide = {};
 
     /**
-     * Flight: what the last additions to position and velocity lost to rounding, then position and velocity as they were
-     * left; 12 to a slot. A body that something else has moved starts anew.
+     * Flight: what the last additions to position and velocity lost to rounding, then position and
+     * velocity as they were left; 12 to a slot. A body that something else has moved starts anew.
      */
     double[] carry = {};
 

@@ -1,23 +1,31 @@
 package dev.cairn.physics.solver;
 
 /**
- * Tunables of the contact solver; immutable. Every number is here once, with what it buys and what it costs.
+ * Tunables of the contact solver; immutable. Every number is here once, with what it buys and what
+ * it costs.
  *
- * @param substeps sub-steps per tick, 1 to 64. Cost grows linearly; stiffness, and with it sag, with the square.
- * @param hertzPerRate natural frequency of a soft contact times the sub-step, 0.001 to 0.5. 0.125 is 30 Hz at 240
- *     sub-steps per second; there is no cap, so sag falls with the square of the sub-step.
- * @param dampingRatio damping ratio of a soft contact, at least 0. 10 recovers overlap slowly and never pops.
- * @param staticHertzScale factor on the frequency of contacts with static bodies, at least 1: the ground is the last word.
+ * @param substeps sub-steps per tick, 1 to 64. Cost grows linearly; stiffness, and with it sag,
+ *     with the square.
+ * @param hertzPerRate natural frequency of a soft contact times the sub-step, 0.001 to 0.5. 0.125
+ *     is 30 Hz at 240 sub-steps per second; there is no cap, so sag falls with the square of the
+ *     sub-step.
+ * @param dampingRatio damping ratio of a soft contact, at least 0. 10 recovers overlap slowly and
+ *     never pops.
+ * @param staticHertzScale factor on the frequency of contacts with static bodies, at least 1: the
+ *     ground is the last word.
  * @param staticDampingScale factor on the damping ratio of those contacts, above 0.
- * @param pushSpeed fastest speed at which overlap is pushed out, m/s, above 0; bounds the energy of bad starts.
- * @param restitutionThreshold slowest impact that bounces, m/s, at least 0; slower ones are inelastic, so that a bouncing
- *     body comes to rest instead of bouncing for ever smaller times.
- * @param innerSweeps sweeps over the points of one contact before the next contact, 1 to 16. More sweeps solve the tilt of
- *     a face inside the contact.
- * @param coldSweeps sweeps over normals and friction of a contact in a sub-step that it begins without impulses, 1 to 32.
- *     Costs nothing where nothing lands; a landing or a slide starts with the right friction.
- * @param offsetGain share of a resting point's overlap that goes into its offset each tick, 0 (off) to 0.05. The sag of
- *     soft contacts fades within a second; above 0.02 tall stacks grow restless.
+ * @param pushSpeed fastest speed at which overlap is pushed out, m/s, above 0; bounds the energy of
+ *     bad starts.
+ * @param restitutionThreshold slowest impact that bounces, m/s, at least 0; slower ones are
+ *     inelastic, so that a bouncing body comes to rest instead of bouncing for ever smaller times.
+ * @param innerSweeps sweeps over the points of one contact before the next contact, 1 to 16. More
+ *     sweeps solve the tilt of a face inside the contact.
+ * @param coldSweeps sweeps over normals and friction of a contact in a sub-step that it begins
+ *     without impulses, 1 to 32. Costs nothing where nothing lands; a landing or a slide starts
+ *     with the right friction.
+ * @param offsetGain share of a resting point's overlap that goes into its offset each tick, 0 (off)
+ *     to 0.05. The sag of soft contacts fades within a second; above 0.02 tall stacks grow
+ *     restless.
  */
 public record SolverSettings(
         int substeps,
@@ -31,7 +39,8 @@ public record SolverSettings(
         int coldSweeps,
         double offsetGain) {
     /** The measured defaults. */
-    public static final SolverSettings DEFAULT = new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 2, 8, 0.02);
+    public static final SolverSettings DEFAULT =
+            new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 2, 8, 0.02);
 
     /** Checks every bound. */
     public SolverSettings {
@@ -49,7 +58,8 @@ public record SolverSettings(
 
     private static void check(String name, double value, double low, double high) {
         if (!(value >= low && value <= high)) {
-            throw new IllegalArgumentException(name + " must be in [" + low + ", " + high + "], but is " + value);
+            throw new IllegalArgumentException(
+                    name + " must be in [" + low + ", " + high + "], but is " + value);
         }
     }
 
@@ -84,7 +94,8 @@ public record SolverSettings(
     }
 
     /** These settings with other soft-contact numbers. */
-    public SolverSettings withSoftness(double newHertzPerRate, double newDampingRatio, double newPushSpeed) {
+    public SolverSettings withSoftness(
+            double newHertzPerRate, double newDampingRatio, double newPushSpeed) {
         return new SolverSettings(
                 substeps,
                 newHertzPerRate,
@@ -98,7 +109,10 @@ public record SolverSettings(
                 offsetGain);
     }
 
-    /** These settings with other numbers of sweeps inside a contact: always, and in the sub-step in which it begins. */
+    /**
+     * These settings with other numbers of sweeps inside a contact: always, and in the sub-step in
+     * which it begins.
+     */
     public SolverSettings withSweeps(int newInnerSweeps, int newColdSweeps) {
         return new SolverSettings(
                 substeps,

@@ -7,11 +7,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
-import java.lang.management.ManagementFactory;
-import java.util.Random;
+
 import org.junit.jupiter.api.Test;
 
-/** Truths of resting and sliding contact: catalogue B1, B14, C2, C3, C4, C6, C12, E1; symmetry, determinism, allocation. */
+import java.lang.management.ManagementFactory;
+import java.util.Random;
+
+/**
+ * Truths of resting and sliding contact: catalogue B1, B14, C2, C3, C4, C6, C12, E1; symmetry,
+ * determinism, allocation.
+ */
 class ContactSolverTest {
     private static final double DEGREE = Math.PI / 180;
 
@@ -69,7 +74,8 @@ class ContactSolverTest {
                 double dx = s.bodies.positionX[box] - x0;
                 double dz = s.bodies.positionZ[box] - z0;
                 double truth = 4 / (2 * mu * 9.81);
-                assertEquals(truth, dx * x + dz * z, 2e-3 * truth, "mu " + mu + ", heading " + heading);
+                assertEquals(
+                        truth, dx * x + dz * z, 2e-3 * truth, "mu " + mu + ", heading " + heading);
                 assertEquals(0, dx * z - dz * x, 2e-3 * truth, "off the line, heading " + heading);
             }
         }
@@ -113,7 +119,11 @@ class ContactSolverTest {
             s.run(10);
             double weight = mass * 9.81 * SolverScene.TICK;
             for (int p = 0; p < 4; p++) {
-                assertEquals(weight / 4, s.contacts.totalNormalImpulse[4 * row + p], 1e-6 * weight, "point " + p);
+                assertEquals(
+                        weight / 4,
+                        s.contacts.totalNormalImpulse[4 * row + p],
+                        1e-6 * weight,
+                        "point " + p);
             }
             assertEquals(0, s.bodies.velocityY[box], 1e-9);
             assertTrue(s.deepest() < 1e-6, "penetration " + s.deepest());
@@ -164,7 +174,8 @@ class ContactSolverTest {
 
     @Test
     void withoutTheOffsetAStackSagsAsItsSpringsSay() {
-        // s = W / (m_eff w²): two cubes meet at a corner with m_eff = 1/8 kg, w = 2 pi 30 Hz; the ground is twice as stiff
+        // s = W / (m_eff w²): two cubes meet at a corner with m_eff = 1/8 kg, w = 2 pi 30 Hz; the
+        // ground is twice as stiff
         try (Jobs jobs = Jobs.of(1)) {
             SolverScene s = stack(4, 0, jobs, SolverSettings.DEFAULT.withOffsetGain(0));
             s.run(10);
@@ -204,7 +215,9 @@ class ContactSolverTest {
                     for (int p = 0; p < s.contacts.pointCount[c]; p++) {
                         normal += s.contacts.totalNormalImpulse[4 * c + p];
                     }
-                    double[] n = {s.contacts.normalX[c], s.contacts.normalY[c], s.contacts.normalZ[c]};
+                    double[] n = {
+                        s.contacts.normalX[c], s.contacts.normalY[c], s.contacts.normalZ[c]
+                    };
                     for (int k = 0; k < 3; k++) {
                         double j = normal * n[k] + s.solver.totalFriction(row, k);
                         impulse[3 * s.contacts.bodyA[c] + k] -= j;
@@ -234,7 +247,13 @@ class ContactSolverTest {
         Random random = new Random(11);
         int[] ball = new int[6];
         for (int i = 0; i < 6; i++) {
-            ball[i] = s.sphere(1 + i, 0.3, i * 0.5, 0.1 * random.nextDouble(), 0.1 * random.nextDouble());
+            ball[i] =
+                    s.sphere(
+                            1 + i,
+                            0.3,
+                            i * 0.5,
+                            0.1 * random.nextDouble(),
+                            0.1 * random.nextDouble());
             s.velocity(ball[i], 2 - i, random.nextDouble(), random.nextDouble());
             s.spin(ball[i], random.nextDouble(), random.nextDouble(), random.nextDouble());
         }
@@ -271,7 +290,10 @@ class ContactSolverTest {
             assertEquals(s.bodies.positionY[i], t.bodies.positionY[i], "y of " + i);
             assertEquals(s.bodies.velocityZ[i], t.bodies.velocityZ[i], "vz of " + i);
             assertEquals(s.bodies.angularVelocityX[i], t.bodies.angularVelocityX[i], "wx of " + i);
-            assertEquals(s.bodies.angularVelocityY[i], -t.bodies.angularVelocityY[i] + 0.0, "wy of " + i);
+            assertEquals(
+                    s.bodies.angularVelocityY[i],
+                    -t.bodies.angularVelocityY[i] + 0.0,
+                    "wy of " + i);
             assertEquals(s.bodies.orientationZ[i], -t.bodies.orientationZ[i] + 0.0, "qz of " + i);
         }
     }
@@ -343,9 +365,17 @@ class ContactSolverTest {
 
     @Test
     void settingsTeachTheirBounds() {
-        var tooMany = assertThrows(IllegalArgumentException.class, () -> SolverSettings.DEFAULT.withSubsteps(65));
-        assertTrue(tooMany.getMessage().contains("substeps") && tooMany.getMessage().contains("65"));
-        assertThrows(IllegalArgumentException.class, () -> SolverSettings.DEFAULT.withOffsetGain(Double.NaN));
-        assertThrows(IllegalArgumentException.class, () -> SolverSettings.DEFAULT.withSoftness(0.125, 10, -1));
+        var tooMany =
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () -> SolverSettings.DEFAULT.withSubsteps(65));
+        assertTrue(
+                tooMany.getMessage().contains("substeps") && tooMany.getMessage().contains("65"));
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> SolverSettings.DEFAULT.withOffsetGain(Double.NaN));
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> SolverSettings.DEFAULT.withSoftness(0.125, 10, -1));
     }
 }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
+
 import org.junit.jupiter.api.Test;
 
 /** Truths of free motion: catalogue A1 to A4, A6, A7, A8. */
@@ -52,7 +53,10 @@ class FreeMotionTest {
             s.tick(SolverScene.TICK);
             double t = k / 60.0;
             worst = Math.max(worst, Math.abs(s.bodies.positionX[b] - (-10000 * t + 2 * t * t)));
-            worst = Math.max(worst, Math.abs(s.bodies.positionY[b] - (7000.123 * t - 0.5 * 9.81 * t * t)));
+            worst =
+                    Math.max(
+                            worst,
+                            Math.abs(s.bodies.positionY[b] - (7000.123 * t - 0.5 * 9.81 * t * t)));
             worst = Math.max(worst, Math.abs(s.bodies.positionZ[b] - 8000.77 * t));
         }
         assertTrue(worst < 1e-9, "off the parabola by " + worst + " m");
@@ -88,7 +92,8 @@ class FreeMotionTest {
         s.spin(b, 0.1, 5, 0.1);
         double[] before = s.spinMomentum(b);
         double energy = s.kinetic(b);
-        double size = Math.sqrt(before[0] * before[0] + before[1] * before[1] + before[2] * before[2]);
+        double size =
+                Math.sqrt(before[0] * before[0] + before[1] * before[1] + before[2] * before[2]);
         for (int k = 0; k < 600; k++) {
             s.tick(SolverScene.TICK);
             double[] now = s.spinMomentum(b);
@@ -113,9 +118,10 @@ class FreeMotionTest {
         for (int k = 1; k <= 60 * 20; k++) {
             s.tick(SolverScene.TICK);
             double[] r = s.rotation(b);
-            double w2 = r[1] * s.bodies.angularVelocityX[b]
-                    + r[4] * s.bodies.angularVelocityY[b]
-                    + r[7] * s.bodies.angularVelocityZ[b];
+            double w2 =
+                    r[1] * s.bodies.angularVelocityX[b]
+                            + r[4] * s.bodies.angularVelocityY[b]
+                            + r[7] * s.bodies.angularVelocityZ[b];
             double t = k * SolverScene.TICK;
             if (w2 * last < 0) {
                 flips++;
@@ -149,7 +155,10 @@ class FreeMotionTest {
         s.spin(b, 1, 2, 3);
         s.run(10);
         return new double[] {
-            s.bodies.orientationX[b], s.bodies.orientationY[b], s.bodies.orientationZ[b], s.bodies.orientationW[b]
+            s.bodies.orientationX[b],
+            s.bodies.orientationY[b],
+            s.bodies.orientationZ[b],
+            s.bodies.orientationW[b]
         };
     }
 
@@ -179,7 +188,8 @@ class FreeMotionTest {
 
     @Test
     void aBodyWithSkewInertiaTumblesLikeItsTurnedTwin() {
-        // the same tensor, given in axes turned by 0.7 rad about (1, 2, 3): the motion in the world is the same
+        // the same tensor, given in axes turned by 0.7 rad about (1, 2, 3): the motion in the world
+        // is the same
         SolverScene s = space();
         int plain = s.body(1, 1, 1.5, 2);
         s.spin(plain, 1, 2, 3);

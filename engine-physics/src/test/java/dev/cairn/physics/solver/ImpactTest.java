@@ -21,7 +21,8 @@ class ImpactTest {
             boolean rising = false;
             for (int k = 0; k < 600 && bounces < wanted; k++) {
                 s.tick(SolverScene.TICK);
-                assertTrue(s.energy() <= start * (1 + 1e-12), "energy rose at tick " + k + ", e " + e);
+                assertTrue(
+                        s.energy() <= start * (1 + 1e-12), "energy rose at tick " + k + ", e " + e);
                 double v = s.bodies.velocityY[ball];
                 if (!rising && v > 0) {
                     rising = true;
@@ -39,7 +40,8 @@ class ImpactTest {
 
     @Test
     void aBallMeetsTheGroundInTime() {
-        // impacts at t0 (1 + 2 sum e^j): after the third, at a time in flight, the path is the analytic one
+        // impacts at t0 (1 + 2 sum e^j): after the third, at a time in flight, the path is the
+        // analytic one
         SolverScene s = new SolverScene();
         int ground = s.fixed();
         int ball = s.sphere(1, 0.1, 0, 1.1, 0);
@@ -52,7 +54,8 @@ class ImpactTest {
         }
         double flown = ticks / 60.0 - third;
         double up = 0.9 * 0.9 * 0.9 * 9.81 * t0;
-        assertEquals(0.1 + up * flown - 0.5 * 9.81 * flown * flown, s.bodies.positionY[ball], 1e-10);
+        assertEquals(
+                0.1 + up * flown - 0.5 * 9.81 * flown * flown, s.bodies.positionY[ball], 1e-10);
     }
 
     @Test
@@ -132,7 +135,11 @@ class ImpactTest {
             double after = grip >= 2.0 / 7 * vt ? 5.0 / 7 * vt : vt - grip;
             assertEquals(0.8, s.bodies.velocityY[ball], 1e-10);
             assertEquals(after, s.bodies.velocityX[ball], 1e-10 * vt, "vt " + vt);
-            assertEquals(-2.5 * (vt - after) / 0.1, s.bodies.angularVelocityZ[ball], 1e-8, "spin, vt " + vt);
+            assertEquals(
+                    -2.5 * (vt - after) / 0.1,
+                    s.bodies.angularVelocityZ[ball],
+                    1e-8,
+                    "spin, vt " + vt);
         }
     }
 

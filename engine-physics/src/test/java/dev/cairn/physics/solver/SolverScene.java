@@ -3,12 +3,13 @@ package dev.cairn.physics.solver;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+
 import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Bodies and contacts filled by hand, so that the solver is tested without any collision code: half spaces, boxes and
- * spheres on them, boxes on boxes' tops, spheres on spheres.
+ * Bodies and contacts filled by hand, so that the solver is tested without any collision code: half
+ * spaces, boxes and spheres on them, boxes on boxes' tops, spheres on spheres.
  */
 final class SolverScene {
     static final double TICK = 1.0 / 60;
@@ -61,7 +62,12 @@ final class SolverScene {
 
     int box(double mass, double hx, double hy, double hz, double x, double y, double z) {
         double k = mass / 3;
-        int i = body(mass, k * (hy * hy + hz * hz), k * (hx * hx + hz * hz), k * (hx * hx + hy * hy));
+        int i =
+                body(
+                        mass,
+                        k * (hy * hy + hz * hz),
+                        k * (hx * hx + hz * hz),
+                        k * (hx * hx + hy * hy));
         half.set(i, new double[] {hx, hy, hz});
         return at(i, x, y, z);
     }
@@ -117,8 +123,19 @@ final class SolverScene {
         return row;
     }
 
-    /** The half space n.x <= offset of static body {@code plane}, under box {@code i}: its lowest four corners. */
-    int boxOnPlane(int plane, int i, double nx, double ny, double nz, double offset, double friction, double e) {
+    /**
+     * The half space n.x <= offset of static body {@code plane}, under box {@code i}: its lowest
+     * four corners.
+     */
+    int boxOnPlane(
+            int plane,
+            int i,
+            double nx,
+            double ny,
+            double nz,
+            double offset,
+            double friction,
+            double e) {
         return add(
                 (c, row) -> {
                     double[] r = rotation(i);
@@ -130,12 +147,14 @@ final class SolverScene {
                         double ly = (k & 2) == 0 ? -h[1] : h[1];
                         double lz = (k & 4) == 0 ? -h[2] : h[2];
                         for (int j = 0; j < 3; j++) {
-                            corner[3 * k + j] = r[3 * j] * lx + r[3 * j + 1] * ly + r[3 * j + 2] * lz;
+                            corner[3 * k + j] =
+                                    r[3 * j] * lx + r[3 * j + 1] * ly + r[3 * j + 2] * lz;
                         }
-                        s[k] = nx * (corner[3 * k] + bodies.positionX[i])
-                                + ny * (corner[3 * k + 1] + bodies.positionY[i])
-                                + nz * (corner[3 * k + 2] + bodies.positionZ[i])
-                                - offset;
+                        s[k] =
+                                nx * (corner[3 * k] + bodies.positionX[i])
+                                        + ny * (corner[3 * k + 1] + bodies.positionY[i])
+                                        + nz * (corner[3 * k + 2] + bodies.positionZ[i])
+                                        - offset;
                     }
                     // the face most against the normal
                     int axis = 0;
@@ -171,14 +190,23 @@ final class SolverScene {
                 e);
     }
 
-    int sphereOnPlane(int plane, int i, double nx, double ny, double nz, double offset, double friction, double e) {
+    int sphereOnPlane(
+            int plane,
+            int i,
+            double nx,
+            double ny,
+            double nz,
+            double offset,
+            double friction,
+            double e) {
         return add(
                 (c, row) -> {
-                    double s = nx * bodies.positionX[i]
-                            + ny * bodies.positionY[i]
-                            + nz * bodies.positionZ[i]
-                            - offset
-                            - half.get(i)[0];
+                    double s =
+                            nx * bodies.positionX[i]
+                                    + ny * bodies.positionY[i]
+                                    + nz * bodies.positionZ[i]
+                                    - offset
+                                    - half.get(i)[0];
                     start(c, row, nx, ny, nz);
                     if (s < margin) {
                         double m = half.get(i)[0] + 0.5 * s;
@@ -242,9 +270,24 @@ final class SolverScene {
                         double ly = -hb[1];
                         double lz = (k & 2) == 0 ? -hb[2] : hb[2];
                         double[] p = new double[3];
-                        p[0] = bodies.positionX[b] - bodies.positionX[a] + rb[0] * lx + rb[1] * ly + rb[2] * lz;
-                        p[1] = bodies.positionY[b] - bodies.positionY[a] + rb[3] * lx + rb[4] * ly + rb[5] * lz;
-                        p[2] = bodies.positionZ[b] - bodies.positionZ[a] + rb[6] * lx + rb[7] * ly + rb[8] * lz;
+                        p[0] =
+                                bodies.positionX[b]
+                                        - bodies.positionX[a]
+                                        + rb[0] * lx
+                                        + rb[1] * ly
+                                        + rb[2] * lz;
+                        p[1] =
+                                bodies.positionY[b]
+                                        - bodies.positionY[a]
+                                        + rb[3] * lx
+                                        + rb[4] * ly
+                                        + rb[5] * lz;
+                        p[2] =
+                                bodies.positionZ[b]
+                                        - bodies.positionZ[a]
+                                        + rb[6] * lx
+                                        + rb[7] * ly
+                                        + rb[8] * lz;
                         double u = clamp(ra[0] * p[0] + ra[3] * p[1] + ra[6] * p[2], ha[0]);
                         double w = clamp(ra[2] * p[0] + ra[5] * p[1] + ra[8] * p[2], ha[2]);
                         // the point of b's bottom face at (u, w) of a's frame, along a's normal
@@ -254,8 +297,9 @@ final class SolverScene {
                         double fx = rb[1];
                         double fy = rb[4];
                         double fz = rb[7];
-                        double t = (fx * (p[0] - bx) + fy * (p[1] - by) + fz * (p[2] - bz))
-                                / (fx * nx + fy * ny + fz * nz);
+                        double t =
+                                (fx * (p[0] - bx) + fy * (p[1] - by) + fz * (p[2] - bz))
+                                        / (fx * nx + fy * ny + fz * nz);
                         double s = t - ha[1];
                         if (s < margin) {
                             double m = ha[1] + 0.5 * s;
@@ -296,7 +340,8 @@ final class SolverScene {
         c.normalZ[row] = nz;
     }
 
-    private void point(ContactStore c, int row, int feature, double x, double y, double z, double s) {
+    private void point(
+            ContactStore c, int row, int feature, double x, double y, double z, double s) {
         int p = 4 * row + c.pointCount[row]++;
         int a = c.bodyA[row];
         int b = c.bodyB[row];
@@ -319,9 +364,15 @@ final class SolverScene {
         double z = bodies.orientationZ[i];
         double w = bodies.orientationW[i];
         return new double[] {
-            1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
-            2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
-            2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)
+            1 - 2 * (y * y + z * z),
+            2 * (x * y - w * z),
+            2 * (x * z + w * y),
+            2 * (x * y + w * z),
+            1 - 2 * (x * x + z * z),
+            2 * (y * z - w * x),
+            2 * (x * z - w * y),
+            2 * (y * z + w * x),
+            1 - 2 * (x * x + y * y)
         };
     }
 
@@ -357,7 +408,9 @@ final class SolverScene {
     /** World angular momentum about the body's own centre. */
     double[] spinMomentum(int i) {
         double[] r = rotation(i);
-        double[] w = {bodies.angularVelocityX[i], bodies.angularVelocityY[i], bodies.angularVelocityZ[i]};
+        double[] w = {
+            bodies.angularVelocityX[i], bodies.angularVelocityY[i], bodies.angularVelocityZ[i]
+        };
         double[] l = new double[3];
         for (int k = 0; k < 3; k++) {
             l[k] = r[k] * w[0] + r[3 + k] * w[1] + r[6 + k] * w[2];
@@ -376,9 +429,10 @@ final class SolverScene {
 
     double kinetic(int i) {
         double[] l = spinMomentum(i);
-        double v2 = bodies.velocityX[i] * bodies.velocityX[i]
-                + bodies.velocityY[i] * bodies.velocityY[i]
-                + bodies.velocityZ[i] * bodies.velocityZ[i];
+        double v2 =
+                bodies.velocityX[i] * bodies.velocityX[i]
+                        + bodies.velocityY[i] * bodies.velocityY[i]
+                        + bodies.velocityZ[i] * bodies.velocityZ[i];
         return 0.5
                 * (v2 / bodies.inverseMass[i]
                         + l[0] * bodies.angularVelocityX[i]
@@ -390,9 +444,12 @@ final class SolverScene {
         double e = 0;
         for (int i = 0; i < bodies.slotCount; i++) {
             if (bodies.kind[i] == BodyStore.DYNAMIC) {
-                e += kinetic(i)
-                        - (gx * bodies.positionX[i] + gy * bodies.positionY[i] + gz * bodies.positionZ[i])
-                                / bodies.inverseMass[i];
+                e +=
+                        kinetic(i)
+                                - (gx * bodies.positionX[i]
+                                                + gy * bodies.positionY[i]
+                                                + gz * bodies.positionZ[i])
+                                        / bodies.inverseMass[i];
             }
         }
         return e;
