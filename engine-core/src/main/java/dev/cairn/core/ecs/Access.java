@@ -80,8 +80,9 @@ public final class Access {
     /**
      * As {@link #out}, but the arrays are the published ones themselves: no second array, no copy,
      * half the memory traffic. For components that no other system reads with {@code in} or {@code
-     * optional} in the same tick, which is checked when the schedule is built; {@code next} is fine.
-     * The price: a tick that fails has no way back, so these columns may then be half updated.
+     * optional} in the same tick, which is checked when the schedule is built; {@code next} is
+     * fine. The price: a tick that fails has no way back, so these columns may then be half
+     * updated.
      *
      * @param components the components
      * @return this

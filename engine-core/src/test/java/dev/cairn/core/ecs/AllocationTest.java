@@ -1,18 +1,22 @@
 package dev.cairn.core.ecs;
 
 import static dev.cairn.core.ecs.Fixtures.*;
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import com.sun.management.ThreadMXBean;
+
 import dev.cairn.core.job.Jobs;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.SnapshotExchange;
 import dev.cairn.core.snapshot.Visual;
-import java.lang.management.ManagementFactory;
-import java.util.concurrent.CountDownLatch;
+
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+
+import java.lang.management.ManagementFactory;
+import java.util.concurrent.CountDownLatch;
 
 /** A steady tick, its snapshot included, allocates nothing, on no thread. */
 @Timeout(120)

@@ -2,25 +2,31 @@ package dev.cairn.core.ecs;
 
 import static dev.cairn.core.ecs.Fixtures.*;
 import static dev.cairn.core.ecs.WorldTest.assertTeaches;
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
+
+import org.junit.jupiter.api.Test;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import org.junit.jupiter.api.Test;
 
 /** Commands: recorded per (system, chunk), made at commit in (system, chunk, sequence) order. */
 class CommandsTest {
     private static WorldSystem once(String name, Consumer<Tick> body) {
-        return world(name, a -> {}, tick -> {
-            if (tick.number() == 1) {
-                body.accept(tick);
-            }
-        });
+        return world(
+                name,
+                a -> {},
+                tick -> {
+                    if (tick.number() == 1) {
+                        body.accept(tick);
+                    }
+                });
     }
 
     @Test

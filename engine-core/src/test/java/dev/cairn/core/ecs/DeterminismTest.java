@@ -1,18 +1,21 @@
 package dev.cairn.core.ecs;
 
 import static dev.cairn.core.ecs.Fixtures.*;
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
+
+import org.junit.jupiter.api.Test;
+
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
-import org.junit.jupiter.api.Test;
 
 /** The same bits for any number of workers, any timing and any order of registration. */
 class DeterminismTest {
@@ -158,8 +161,7 @@ class DeterminismTest {
     @Test
     void allNansAreOne() {
         double odd = Double.longBitsToDouble(0xFFF8_0000_0000_0001L);
-        assertEquals(
-                Hash.of(new double[] {Double.NaN}, 1), Hash.of(new double[] {odd}, 1));
+        assertEquals(Hash.of(new double[] {Double.NaN}, 1), Hash.of(new double[] {odd}, 1));
         assertNotEquals(Hash.of(new int[] {1, 2}, 2), Hash.of(new int[] {2, 1}, 2));
         assertNotEquals(Hash.of(new int[] {0}, 1), Hash.of(new int[] {0, 0}, 2));
         Object[] texts = {"a", null, Kind.INT, 1, 'c', true, new Object()};

@@ -2,17 +2,20 @@ package dev.cairn.core.ecs;
 
 import static dev.cairn.core.ecs.Fixtures.*;
 import static dev.cairn.core.ecs.WorldTest.assertTeaches;
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
-import java.util.concurrent.atomic.AtomicInteger;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+
+import java.util.concurrent.atomic.AtomicInteger;
 
 /** A system that throws ends the tick, not the process. */
 @Timeout(60)
@@ -52,8 +55,7 @@ class FailureTest {
                                 throw new Broken("b");
                             }
                         });
-        EcsSystem c =
-                world("c", access -> access.next(POSITION), tick -> later.incrementAndGet());
+        EcsSystem c = world("c", access -> access.next(POSITION), tick -> later.incrementAndGet());
         try (Jobs jobs = Jobs.of(workers);
                 World world = World.builder().systems(c, b, a).jobs(jobs).build()) {
             for (int i = 0; i < 3 * Chunk.CAPACITY; i++) {
@@ -128,14 +130,13 @@ class FailureTest {
                             Commands commands = tick.commands();
                             Throwable[] thrown = new Throwable[1];
                             Thread other =
-                                    new Thread(
-                                            () -> {
-                                                try {
-                                                    commands.spawn();
-                                                } catch (IllegalStateException expected) {
-                                                    thrown[0] = expected;
-                                                }
-                                            });
+                                    new Thread(() -> {
+                                        try {
+                                            commands.spawn();
+                                        } catch (IllegalStateException expected) {
+                                            thrown[0] = expected;
+                                        }
+                                    });
                             other.start();
                             try {
                                 other.join();

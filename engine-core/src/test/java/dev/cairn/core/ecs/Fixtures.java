@@ -37,8 +37,7 @@ final class Fixtures {
     private Fixtures() {}
 
     /** A chunk system from lambdas. */
-    static ChunkSystem chunks(
-            String name, Consumer<Access> access, BiConsumer<Chunk, Tick> body) {
+    static ChunkSystem chunks(String name, Consumer<Access> access, BiConsumer<Chunk, Tick> body) {
         return new ChunkSystem() {
             @Override
             public String name() {

@@ -2,15 +2,17 @@ package dev.cairn.core.ecs;
 
 import static dev.cairn.core.ecs.Fixtures.*;
 import static dev.cairn.core.ecs.WorldTest.assertTeaches;
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.junit.jupiter.api.Test;
+
 import java.util.ArrayList;
 import java.util.List;
-import org.junit.jupiter.api.Test;
 
 /** What in, out and next show, what a commit exchanges, and what checked mode notices. */
 class PublishingTest {
@@ -186,9 +188,13 @@ class PublishingTest {
     @Test
     void checkedModeNoticesWhatIsWrittenThroughIn() {
         assertFails(
-                true, a -> a.in(POSITION), c -> c.in(X)[0] = 3, "'s'", "Position.x", "out(Position)");
-        assertFails(
-                true, a -> a.next(POSITION), c -> c.next(X)[0] = 3, "'s'", "Position.x");
+                true,
+                a -> a.in(POSITION),
+                c -> c.in(X)[0] = 3,
+                "'s'",
+                "Position.x",
+                "out(Position)");
+        assertFails(true, a -> a.next(POSITION), c -> c.next(X)[0] = 3, "'s'", "Position.x");
         assertFails(
                 true, a -> a.out(POSITION), c -> c.in(X)[0] = 3, "'s'", "Position.x", "published");
     }

@@ -1,15 +1,18 @@
 package dev.cairn.core.ecs;
 
 import static dev.cairn.core.ecs.WorldTest.assertTeaches;
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.HashSet;
-import java.util.Set;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
+
 import org.junit.jupiter.api.Test;
+
+import java.util.HashSet;
+import java.util.Set;
 
 /** Random streams: fixed numbers, independence of the four words, uniformity. */
 class RandomStreamTest {
@@ -92,6 +95,7 @@ class RandomStreamTest {
         RandomStream stream = new RandomStream();
         assertTeaches(IllegalArgumentException.class, () -> stream.nextInt(0), "0", "at least 1");
         assertTeaches(IllegalArgumentException.class, () -> stream.nextDouble(1, 1), "[1.0, 1.0)");
-        assertTeaches(IllegalArgumentException.class, () -> stream.nextDouble(0, Double.NaN), "NaN");
+        assertTeaches(
+                IllegalArgumentException.class, () -> stream.nextDouble(0, Double.NaN), "NaN");
     }
 }

@@ -2,16 +2,18 @@ package dev.cairn.core.ecs;
 
 import static dev.cairn.core.ecs.Fixtures.*;
 import static dev.cairn.core.ecs.WorldTest.assertTeaches;
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Consumer;
-import org.junit.jupiter.api.Test;
 
 /** The graph that follows from declarations, its messages, and its switches. */
 class ScheduleTest {

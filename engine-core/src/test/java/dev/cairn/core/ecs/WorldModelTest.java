@@ -1,10 +1,14 @@
 package dev.cairn.core.ecs;
 
 import static dev.cairn.core.ecs.Fixtures.*;
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -13,8 +17,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.Set;
-import net.jqwik.api.ForAll;
-import net.jqwik.api.Property;
 
 /** Random structural changes, beside a naive model that is a map of maps. */
 class WorldModelTest {
@@ -195,15 +197,14 @@ class WorldModelTest {
 
     private void compare(World world) {
         compareTotals(world);
-        model.forEach(
-                (entity, has) -> {
-                    for (Component<?> kind : KINDS) {
-                        assertEquals(has.containsKey(kind), world.has(entity, kind));
-                        if (has.containsKey(kind)) {
-                            assertEquals(has.get(kind), world.get(entity, kind));
-                        }
-                    }
-                });
+        model.forEach((entity, has) -> {
+            for (Component<?> kind : KINDS) {
+                assertEquals(has.containsKey(kind), world.has(entity, kind));
+                if (has.containsKey(kind)) {
+                    assertEquals(has.get(kind), world.get(entity, kind));
+                }
+            }
+        });
         for (long entity : dead) {
             assertFalse(world.isAlive(entity));
             assertThrows(DeadEntityException.class, () -> world.delete(entity));
@@ -217,12 +218,11 @@ class WorldModelTest {
                 }
             }
             Set<Long> expected = new HashSet<>();
-            model.forEach(
-                    (entity, has) -> {
-                        if (has.containsKey(kind)) {
-                            expected.add(entity);
-                        }
-                    });
+            model.forEach((entity, has) -> {
+                if (has.containsKey(kind)) {
+                    expected.add(entity);
+                }
+            });
             assertEquals(expected, found);
         }
     }

@@ -1,6 +1,7 @@
 package dev.cairn.core.ecs;
 
 import static dev.cairn.core.ecs.Fixtures.*;
+
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -10,11 +11,13 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
-import java.lang.invoke.MethodHandles;
+
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+
+import java.lang.invoke.MethodHandles;
 
 /** What a user may do with a world between steps, and what is refused. */
 class WorldTest {
@@ -159,8 +162,7 @@ class WorldTest {
         assertTeaches(DeadEntityException.class, () -> world.remove(dead, TAG), "1v1");
         assertTeaches(DeadEntityException.class, () -> world.delete(Long.MAX_VALUE), "alive");
         assertTeaches(DeadEntityException.class, () -> world.resolve(entity), "handle");
-        assertTeaches(
-                ComponentException.class, () -> world.add(entity, new Position(3, 4)), "set");
+        assertTeaches(ComponentException.class, () -> world.add(entity, new Position(3, 4)), "set");
         assertTeaches(ComponentException.class, () -> world.set(entity, new Tag()), "Tag", "add");
         assertTeaches(ComponentException.class, () -> world.get(entity, TAG), "Tag", "has");
         assertTeaches(ComponentException.class, () -> world.remove(entity, TAG), "Tag");
@@ -184,8 +186,7 @@ class WorldTest {
 
     @Test
     void unknownFieldsTeach() {
-        assertTeaches(
-                ComponentException.class, () -> POSITION.doubleField("z"), "'z'", "x, y");
+        assertTeaches(ComponentException.class, () -> POSITION.doubleField("z"), "'z'", "x, y");
         assertTeaches(
                 ComponentException.class, () -> POSITION.floatField("x"), "Position.x", "double");
         assertTeaches(

@@ -9,11 +9,13 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.ecs.World;
-import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.AtomicReference;
+
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
 
 /** Which two poses a reader gets for each entity, and that they are whole and never go back. */
 @Timeout(60)
@@ -170,24 +172,23 @@ class SnapshotExchangeTest {
         AtomicReference<String> wrong = new AtomicReference<>();
         long[] seen = new long[1];
         Thread reader =
-                new Thread(
-                        () -> {
-                            long last = -1;
-                            boolean end;
-                            do {
-                                end = done.get();
-                                PoseSnapshot s = exchange.latest();
-                                if (s.tick() < last) {
-                                    wrong.set(last + " was followed by " + s.tick());
-                                }
-                                seen[0] += s.tick() == last ? 0 : 1;
-                                last = s.tick();
-                                check(s, wrong);
-                            } while (!end && wrong.get() == null);
-                            if (last != ticks && wrong.get() == null) {
-                                wrong.set("the last seen was " + last);
-                            }
-                        });
+                new Thread(() -> {
+                    long last = -1;
+                    boolean end;
+                    do {
+                        end = done.get();
+                        PoseSnapshot s = exchange.latest();
+                        if (s.tick() < last) {
+                            wrong.set(last + " was followed by " + s.tick());
+                        }
+                        seen[0] += s.tick() == last ? 0 : 1;
+                        last = s.tick();
+                        check(s, wrong);
+                    } while (!end && wrong.get() == null);
+                    if (last != ticks && wrong.get() == null) {
+                        wrong.set("the last seen was " + last);
+                    }
+                });
         reader.start();
         for (int tick = 1; tick <= ticks; tick++) {
             for (long id : ids) {
