@@ -14,8 +14,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The window with the scenes: keys 1 to 9, page up and page down choose one, R starts it again, P
- * pauses the physics.
+ * The window with the scenes: keys 1 to 9 and 0, page up and page down choose one, R starts it
+ * again, P pauses the physics.
  *
  * <p>One world serves all scenes in turn: a change of scene removes the bodies of the last and
  * builds the next. All methods but {@link #start} run on the simulation thread.
@@ -30,7 +30,8 @@ final class SampleWindow extends Application {
         Key.DIGIT_6,
         Key.DIGIT_7,
         Key.DIGIT_8,
-        Key.DIGIT_9
+        Key.DIGIT_9,
+        Key.DIGIT_0
     };
 
     private final List<SampleScene> scenes;
@@ -124,7 +125,7 @@ final class SampleWindow extends Application {
                         view.targetY(),
                         view.targetZ());
         screen.title(
-                "Cairn: %s (%d of %d: %s) | 1-9, PageUp/PageDown: scene, R: restart, P: pause"
+                "Cairn: %s (%d of %d: %s) | 1-9, 0, PageUp/PageDown: scene, R: restart, P: pause"
                         .formatted(chosen.title(), current + 1, scenes.size(), chosen.id()));
     }
 

@@ -86,7 +86,7 @@ public final class ObjDrop {
                             .material(Palette.material(friction, restitution))
                             .name("copy " + i));
         }
-        scene.view(new SceneBuilder.View(2.2 * size, 2.4 * size, 5.5 * size, 0, 0.5 * size, 0));
+        scene.view(new SceneBuilder.View(1.9 * size, 2.1 * size, 4.7 * size, 0, 0.5 * size, 0));
     }
 
     private static Mesh read(Path file) {

@@ -42,7 +42,7 @@ public final class SlopeBall {
                         Parameter.real(
                                 "length", 12, 4, 1000, "length of the slope below the start, m")),
                 150,
-                110,
+                90,
                 SlopeBall::build);
     }
 
@@ -63,7 +63,7 @@ public final class SlopeBall {
                                 .mass(scene.get("mass"))
                                 .material(Palette.material(friction, restitution))
                                 .name("ball"));
-        ramp.look(scene, 1.4, 3.2);
+        ramp.look(scene, 1.4, 3.4);
 
         boolean rolls = friction >= 2.0 / 7 * ramp.sin() / ramp.cos();
         double acceleration =
