@@ -1,5 +1,6 @@
 /**
- * Draws snapshots with OpenGL: window, input, camera, meshes, and the {@code Application} that users extend.
+ * Draws snapshots with OpenGL: window, input, camera, meshes, and the {@code Application} that
+ * users extend.
  */
 module dev.cairn.render {
     requires static org.jspecify;

@@ -6,10 +6,12 @@ import dev.cairn.render.gl.GlContext;
 import dev.cairn.render.gl.GlUnavailableException;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Key;
+
+import org.jspecify.annotations.Nullable;
+
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 
 /**
  * A program with a window onto a world. Extend it, fill the scene, start it:
@@ -25,15 +27,17 @@ import org.jspecify.annotations.Nullable;
  * }
  * }</pre>
  *
- * <p>Keys from the start, all of which can be rebound: W A S D fly, E and Q rise and sink, Shift is faster, the arrow keys or the mouse
- * with its right button held turn the view, Tab keeps the mouse turning it; P or Space pauses the physics, N does one step, [ and ]
- * slow down and speed up, \ returns to real time; F12 saves a picture, F1 lists the keys on the console, Escape quits.
+ * <p>Keys from the start, all of which can be rebound: W A S D fly, E and Q rise and sink, Shift is
+ * faster, the arrow keys or the mouse with its right button held turn the view, Tab keeps the mouse
+ * turning it; P or Space pauses the physics, N does one step, [ and ] slow down and speed up, \
+ * returns to real time; F12 saves a picture, F1 lists the keys on the console, Escape quits.
  *
- * <p>Where there is no display, {@link #start} says so and draws one picture instead. The system properties {@code cairn.picture} (a
- * file), {@code cairn.tick} and {@code cairn.size} ({@code 1280x720}) do what {@link #headless} and {@link #size} do.
+ * <p>Where there is no display, {@link #start} says so and draws one picture instead. The system
+ * properties {@code cairn.picture} (a file), {@code cairn.tick} and {@code cairn.size} ({@code
+ * 1280x720}) do what {@link #headless} and {@link #size} do.
  *
- * <p>Threads: {@code createPhysics}, {@code initScene}, {@code update} and bound functions run on the simulation thread; {@code start}
- * on the main thread; the other methods say so.
+ * <p>Threads: {@code createPhysics}, {@code initScene}, {@code update} and bound functions run on
+ * the simulation thread; {@code start} on the main thread; the other methods say so.
  */
 public abstract class Application {
     private static final long DEFAULT_TICK = 120;
@@ -56,8 +60,8 @@ public abstract class Application {
     protected Application() {}
 
     /**
-     * Makes the world that the scene is filled into; called once, on the simulation thread, before {@link #initScene}. Override to
-     * choose gravity, workers, settings or systems.
+     * Makes the world that the scene is filled into; called once, on the simulation thread, before
+     * {@link #initScene}. Override to choose gravity, workers, settings or systems.
      *
      * @return a new world; the application closes it
      */
@@ -73,7 +77,8 @@ public abstract class Application {
     protected abstract void initScene(Scene newScene);
 
     /**
-     * Called before each tick, on the simulation thread; not while the physics is paused, since forces would add up.
+     * Called before each tick, on the simulation thread; not while the physics is paused, since
+     * forces would add up.
      *
      * @param seconds the step, s
      */
@@ -88,7 +93,8 @@ public abstract class Application {
     protected final Scene scene() {
         Scene made = scene;
         if (made == null) {
-            throw new IllegalStateException("there is no scene yet; it is made when start() calls initScene");
+            throw new IllegalStateException(
+                    "there is no scene yet; it is made when start() calls initScene");
         }
         return made;
     }
@@ -101,9 +107,18 @@ public abstract class Application {
      * @return this
      */
     public final Application size(int newWidth, int newHeight) {
-        if (newWidth < 16 || newHeight < 16 || newWidth > Offscreen.MAX_SIZE || newHeight > Offscreen.MAX_SIZE) {
+        if (newWidth < 16
+                || newHeight < 16
+                || newWidth > Offscreen.MAX_SIZE
+                || newHeight > Offscreen.MAX_SIZE) {
             throw new IllegalArgumentException(
-                    "size is " + newWidth + " x " + newHeight + ", expected 16.." + Offscreen.MAX_SIZE + " each");
+                    "size is "
+                            + newWidth
+                            + " x "
+                            + newHeight
+                            + ", expected 16.."
+                            + Offscreen.MAX_SIZE
+                            + " each");
         }
         width = newWidth;
         height = newHeight;
@@ -118,7 +133,8 @@ public abstract class Application {
      */
     public final Application step(double seconds) {
         if (!(seconds > 0) || Double.isInfinite(seconds)) {
-            throw new IllegalArgumentException("step is " + seconds + " s, expected > 0 and finite");
+            throw new IllegalArgumentException(
+                    "step is " + seconds + " s, expected > 0 and finite");
         }
         stepSeconds = seconds;
         return this;
@@ -144,8 +160,10 @@ public abstract class Application {
     /**
      * Runs until the window is closed or the picture is drawn. Main thread; once.
      *
-     * @throws IllegalStateException if it was started before, or a picture was asked for and cannot be drawn here
-     * @throws RuntimeException what {@code initScene}, {@code update}, a bound function or the world threw; the window is closed then
+     * @throws IllegalStateException if it was started before, or a picture was asked for and cannot
+     *     be drawn here
+     * @throws RuntimeException what {@code initScene}, {@code update}, a bound function or the
+     *     world threw; the window is closed then
      */
     public final void start() {
         if (started) {
@@ -176,13 +194,14 @@ public abstract class Application {
     }
 
     /**
-     * What {@link #start} does where no window can be opened: it says so and draws one picture. Override to do something else; main
-     * thread, before {@link #initScene}.
+     * What {@link #start} does where no window can be opened: it says so and draws one picture.
+     * Override to do something else; main thread, before {@link #initScene}.
      *
      * @param reason why there is no window, a few words
      */
     protected void withoutWindow(String reason) {
-        System.err.println("No window can be opened here: " + reason + ". Drawing a picture instead.");
+        System.err.println(
+                "No window can be opened here: " + reason + ". Drawing a picture instead.");
         drawPicture(Path.of(getClass().getSimpleName() + ".png"), false);
     }
 
@@ -244,7 +263,10 @@ public abstract class Application {
                             public void begin(PhysicsWorld physics) {
                                 Scene filled =
                                         new Scene(
-                                                physics, camera, bindings, Application.this.getClass().getSimpleName());
+                                                physics,
+                                                camera,
+                                                bindings,
+                                                Application.this.getClass().getSimpleName());
                                 scene = filled;
                                 initScene(filled);
                             }
@@ -276,7 +298,10 @@ public abstract class Application {
                 .onKey(Key.P, "pause", this::togglePause)
                 .onKey(Key.SPACE, "pause", this::togglePause)
                 .onKey(Key.N, "single step", this::singleStep)
-                .onKey(Key.LEFT_BRACKET, "slower", () -> timeScale(Math.max(timeScale() / 2, 1.0 / 64)))
+                .onKey(
+                        Key.LEFT_BRACKET,
+                        "slower",
+                        () -> timeScale(Math.max(timeScale() / 2, 1.0 / 64)))
                 .onKey(Key.RIGHT_BRACKET, "faster", () -> timeScale(Math.min(timeScale() * 2, 16)))
                 .onKey(Key.BACKSLASH, "real time", () -> timeScale(1))
                 .onKey(Key.F12, "save picture", () -> screenshot = true)
@@ -295,7 +320,8 @@ public abstract class Application {
         if (size != null) {
             String[] parts = size.split("x", -1);
             if (parts.length != 2) {
-                throw new IllegalArgumentException("cairn.size is '" + size + "', expected WIDTHxHEIGHT such as 1280x720");
+                throw new IllegalArgumentException(
+                        "cairn.size is '" + size + "', expected WIDTHxHEIGHT such as 1280x720");
             }
             size((int) number("cairn.size", parts[0]), (int) number("cairn.size", parts[1]));
         }
@@ -313,7 +339,8 @@ public abstract class Application {
         try {
             return Math.max(0, Long.parseLong(text.strip()));
         } catch (NumberFormatException e) {
-            throw new IllegalArgumentException(property + " holds '" + text + "', expected a whole number", e);
+            throw new IllegalArgumentException(
+                    property + " holds '" + text + "', expected a whole number", e);
         }
     }
 
@@ -364,7 +391,8 @@ public abstract class Application {
     }
 
     /**
-     * Slow or fast motion: simulated seconds per real second. The steps stay as they are. Any thread.
+     * Slow or fast motion: simulated seconds per real second. The steps stay as they are. Any
+     * thread.
      *
      * @param value 0..64
      */
@@ -393,7 +421,8 @@ public abstract class Application {
     private Simulation running() {
         Simulation known = simulation;
         if (known == null) {
-            throw new IllegalStateException("the application does not run yet; call this from initScene or later");
+            throw new IllegalStateException(
+                    "the application does not run yet; call this from initScene or later");
         }
         return known;
     }

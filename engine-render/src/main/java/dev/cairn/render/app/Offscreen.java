@@ -7,15 +7,19 @@ import dev.cairn.render.gl.FrameTarget;
 import dev.cairn.render.gl.GlContext;
 import dev.cairn.render.gl.GlUnavailableException;
 import dev.cairn.render.gl.SceneRenderer;
-import java.nio.file.Path;
+
 import org.jspecify.annotations.Nullable;
 
+import java.nio.file.Path;
+
 /**
- * Draws snapshots into pictures without a display, by the same code that draws into a window. It needs EGL: on Debian the packages
- * {@code libegl1} and {@code libgl1-mesa-dri}; a graphics processor is used where there is one, unless the environment says
- * {@code LIBGL_ALWAYS_SOFTWARE=1}.
+ * Draws snapshots into pictures without a display, by the same code that draws into a window. It
+ * needs EGL: on Debian the packages {@code libegl1} and {@code libgl1-mesa-dri}; a graphics
+ * processor is used where there is one, unless the environment says {@code
+ * LIBGL_ALWAYS_SOFTWARE=1}.
  *
- * <p>One at a time, and not while a window is open. Open, use and close it on one thread (on macOS the main thread).
+ * <p>One at a time, and not while a window is open. Open, use and close it on one thread (on macOS
+ * the main thread).
  *
  * <pre>{@code
  * try (Offscreen view = Offscreen.open(1280, 720)) {
@@ -45,8 +49,8 @@ public final class Offscreen implements AutoCloseable {
     }
 
     /**
-     * Whether pictures can be drawn on this machine. The first call opens and closes a context, which takes some tenths of a second;
-     * a success is remembered.
+     * Whether pictures can be drawn on this machine. The first call opens and closes a context,
+     * which takes some tenths of a second; a success is remembered.
      *
      * @return null if they can, otherwise one sentence that says why not and what to install
      */
@@ -70,12 +74,19 @@ public final class Offscreen implements AutoCloseable {
      * @param height pixels, 1..{@value #MAX_SIZE}
      * @return the place
      * @throws IllegalArgumentException if a size is out of range
-     * @throws IllegalStateException if there is no OpenGL (the message is the {@link #unavailableReason}), or a view is open already
+     * @throws IllegalStateException if there is no OpenGL (the message is the {@link
+     *     #unavailableReason}), or a view is open already
      */
     public static Offscreen open(int width, int height) {
         if (width < 1 || height < 1 || width > MAX_SIZE || height > MAX_SIZE) {
             throw new IllegalArgumentException(
-                    "picture is " + width + " x " + height + " pixels, expected 1.." + MAX_SIZE + " each");
+                    "picture is "
+                            + width
+                            + " x "
+                            + height
+                            + " pixels, expected 1.."
+                            + MAX_SIZE
+                            + " each");
         }
         GlContext context;
         try {
@@ -99,11 +110,13 @@ public final class Offscreen implements AutoCloseable {
      * Draws a snapshot.
      *
      * @param snapshot what
-     * @param alpha 0 = the poses of the previous tick, 1 = those of the current one, between them the way from one to the other
+     * @param alpha 0 = the poses of the previous tick, 1 = those of the current one, between them
+     *     the way from one to the other
      * @param camera from where; one that follows an entity is moved to it
      * @param light in which light
      * @throws IllegalArgumentException if alpha is not within 0..1
-     * @throws IllegalStateException if the view is closed, belongs to another thread, or OpenGL reports an error
+     * @throws IllegalStateException if the view is closed, belongs to another thread, or OpenGL
+     *     reports an error
      */
     public void draw(PoseSnapshot snapshot, double alpha, Camera camera, Light light) {
         context.check();

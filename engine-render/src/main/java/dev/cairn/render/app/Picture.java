@@ -1,13 +1,14 @@
 package dev.cairn.render.app;
 
+import org.lwjgl.stb.STBImageWrite;
+import org.lwjgl.system.MemoryUtil;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Objects;
-import org.lwjgl.stb.STBImageWrite;
-import org.lwjgl.system.MemoryUtil;
 
 /**
  * Pixels that were drawn, in sRGB.
@@ -16,14 +17,22 @@ import org.lwjgl.system.MemoryUtil;
  * @param height pixels, &gt; 0
  * @param argb {@code width * height} pixels, top row first, 0xAARRGGBB; shared, not copied
  */
-@SuppressWarnings("ArrayRecordComponent") // Pixels are data to look at, and nobody compares pictures by equals.
+@SuppressWarnings(
+        "ArrayRecordComponent") // Pixels are data to look at, and nobody compares pictures by
+// equals.
 public record Picture(int width, int height, int[] argb) {
     /** Checks the sizes. */
     public Picture {
         Objects.requireNonNull(argb, "argb");
         if (width < 1 || height < 1 || argb.length != width * height) {
             throw new IllegalArgumentException(
-                    "picture of " + width + " x " + height + " with " + argb.length + " pixels, expected width * height");
+                    "picture of "
+                            + width
+                            + " x "
+                            + height
+                            + " with "
+                            + argb.length
+                            + " pixels, expected width * height");
         }
     }
 
@@ -55,11 +64,13 @@ public record Picture(int width, int height, int[] argb) {
                 Files.createDirectories(parent);
             }
             STBImageWrite.stbi_flip_vertically_on_write(false);
-            if (!STBImageWrite.stbi_write_png(file.toString(), width, height, 3, bytes.flip(), 3 * width)) {
+            if (!STBImageWrite.stbi_write_png(
+                    file.toString(), width, height, 3, bytes.flip(), 3 * width)) {
                 throw new IOException("the file cannot be written");
             }
         } catch (IOException e) {
-            throw new UncheckedIOException("the picture " + file + " was not saved: " + e.getMessage(), e);
+            throw new UncheckedIOException(
+                    "the picture " + file + " was not saved: " + e.getMessage(), e);
         } finally {
             MemoryUtil.memFree(bytes);
         }

@@ -9,11 +9,13 @@ import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.Light;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.mesh.Model;
+
 import java.util.Objects;
 
 /**
- * What an application shows: a world of bodies, how they look, the camera, the light and the key bindings. All methods belong to
- * the simulation thread, which is the thread of {@code initScene}, of {@code update} and of bound functions.
+ * What an application shows: a world of bodies, how they look, the camera, the light and the key
+ * bindings. All methods belong to the simulation thread, which is the thread of {@code initScene},
+ * of {@code update} and of bound functions.
  */
 public final class Scene {
     private final PhysicsWorld physics;
@@ -65,7 +67,8 @@ public final class Scene {
     }
 
     /**
-     * Adds something that is drawn but has no part in the physics. Move it by {@code physics().ecs().set(entity, pose)}.
+     * Adds something that is drawn but has no part in the physics. Move it by {@code
+     * physics().ecs().set(entity, pose)}.
      *
      * @param pose where
      * @param model how it looks

@@ -3,11 +3,16 @@ package dev.cairn.render.app;
 import dev.cairn.core.snapshot.SnapshotExchange;
 import dev.cairn.core.tick.TickLoop;
 import dev.cairn.physics.PhysicsWorld;
-import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.locks.LockSupport;
+
 import org.jspecify.annotations.Nullable;
 
-/** The simulation thread of an application: makes the scene, steps it, publishes it, and ends with a failure or when told to. */
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
+
+/**
+ * The simulation thread of an application: makes the scene, steps it, publishes it, and ends with a
+ * failure or when told to.
+ */
 final class Simulation {
     private static final long SHORTEST_PARK_NANOS = 50_000;
     private static final long LONGEST_PARK_NANOS = 2_000_000;
@@ -38,13 +43,15 @@ final class Simulation {
      *
      * @param host whose scene it is
      * @param stepSeconds length of a tick
-     * @param ticksInAll ends after so many as fast as it can; negative = in real time until {@link #stop}
+     * @param ticksInAll ends after so many as fast as it can; negative = in real time until {@link
+     *     #stop}
      */
     Simulation(Host host, double stepSeconds, long ticksInAll) {
         this.host = host;
         this.loop = new TickLoop(stepSeconds, this::tick);
         this.thread = new Thread(() -> run(stepSeconds, ticksInAll), "cairn-simulation");
-        // A scene that never returns from update must not keep the program alive once its window is gone.
+        // A scene that never returns from update must not keep the program alive once its window is
+        // gone.
         thread.setDaemon(true);
     }
 
@@ -76,7 +83,8 @@ final class Simulation {
             loop.advance((now - before) * 1e-9);
             before = now;
             double untilDue = (1 - loop.alpha()) * stepSeconds / Math.max(loop.timeScale(), 1e-3);
-            LockSupport.parkNanos(Math.clamp((long) (untilDue * 1e9), SHORTEST_PARK_NANOS, LONGEST_PARK_NANOS));
+            LockSupport.parkNanos(
+                    Math.clamp((long) (untilDue * 1e9), SHORTEST_PARK_NANOS, LONGEST_PARK_NANOS));
         }
     }
 
@@ -172,6 +180,8 @@ final class Simulation {
     /** The failure in words, or null. */
     @Nullable String failureText() {
         Throwable thrown = failure;
-        return thrown == null ? null : "The simulation stopped after " + ticks + " ticks: " + thrown;
+        return thrown == null
+                ? null
+                : "The simulation stopped after " + ticks + " ticks: " + thrown;
     }
 }

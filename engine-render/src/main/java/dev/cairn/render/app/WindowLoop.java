@@ -33,10 +33,12 @@ import dev.cairn.render.gl.SceneRenderer;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Key;
 import dev.cairn.render.input.MouseButton;
+
+import org.jspecify.annotations.Nullable;
+
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
-import org.jspecify.annotations.Nullable;
 
 /** The main thread of an application with a window: events, camera, frames. */
 final class WindowLoop {
@@ -93,7 +95,9 @@ final class WindowLoop {
         glfwShowWindow(window);
         try (SceneRenderer renderer = new SceneRenderer(context.isSoftware())) {
             long before = System.nanoTime();
-            while (!glfwWindowShouldClose(window) && !application.isQuitting() && !simulation.isOver()) {
+            while (!glfwWindowShouldClose(window)
+                    && !application.isQuitting()
+                    && !simulation.isOver()) {
                 glfwPollEvents();
                 long now = System.nanoTime();
                 double elapsed = Math.min((now - before) * 1e-9, 0.1);
@@ -125,7 +129,12 @@ final class WindowLoop {
         into.show();
         GlContext.checkErrors("a frame of the window");
         if (application.takeScreenshotRequest()) {
-            Path file = Path.of(application.getClass().getSimpleName() + "-" + snapshot.tick() + ".png");
+            Path file =
+                    Path.of(
+                            application.getClass().getSimpleName()
+                                    + "-"
+                                    + snapshot.tick()
+                                    + ".png");
             new Picture(into.width(), into.height(), into.read()).savePng(file);
             System.out.println("Saved " + file.toAbsolutePath());
         }
@@ -138,7 +147,8 @@ final class WindowLoop {
         if (!(step > 0)) {
             return 1;
         }
-        double age = (System.nanoTime() - snapshot.publishedNanos()) * 1e-9 * simulation.timeScale();
+        double age =
+                (System.nanoTime() - snapshot.publishedNanos()) * 1e-9 * simulation.timeScale();
         return Math.clamp(age / step, 0.0, 1.0);
     }
 
@@ -196,7 +206,8 @@ final class WindowLoop {
         try {
             simulation.post(action);
         } catch (IllegalStateException full) {
-            // 65 536 events wait: the scene hangs in update. An exception would leave through GLFW's C code, so the event is let go.
+            // 65 536 events wait: the scene hangs in update. An exception would leave through
+            // GLFW's C code, so the event is let go.
             return;
         }
     }
@@ -205,7 +216,8 @@ final class WindowLoop {
         boolean wanted = lookButton || application.isMouseLook();
         if (wanted != captured) {
             captured = wanted;
-            glfwSetInputMode(window, GLFW_CURSOR, wanted ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+            glfwSetInputMode(
+                    window, GLFW_CURSOR, wanted ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
             if (glfwRawMouseMotionSupported()) {
                 glfwSetInputMode(window, GLFW_RAW_MOUSE_MOTION, wanted ? GLFW_TRUE : 0);
             }
@@ -218,7 +230,8 @@ final class WindowLoop {
 
     private void look(double x, double y) {
         if (captured) {
-            camera.turn((x - cursorX) * LOOK_RADIANS_PER_PIXEL, (cursorY - y) * LOOK_RADIANS_PER_PIXEL);
+            camera.turn(
+                    (x - cursorX) * LOOK_RADIANS_PER_PIXEL, (cursorY - y) * LOOK_RADIANS_PER_PIXEL);
         }
         cursorX = x;
         cursorY = y;

@@ -1,16 +1,20 @@
 package dev.cairn.render.camera;
 
-import java.util.concurrent.locks.ReentrantLock;
 import org.joml.Vector3d;
 
+import java.util.concurrent.locks.ReentrantLock;
+
 /**
- * Where the picture is taken from: a position in double (so that scenes far from the origin are seen as sharply as at it), a heading
- * and a lens. It stays upright: yaw turns about the world's y axis, pitch lifts the view.
+ * Where the picture is taken from: a position in double (so that scenes far from the origin are
+ * seen as sharply as at it), a heading and a lens. It stays upright: yaw turns about the world's y
+ * axis, pitch lifts the view.
  *
- * <p>Yaw 0 looks along -z, yaw grows to the right (towards +x); pitch grows upwards and is kept within +-89.9 degrees.
+ * <p>Yaw 0 looks along -z, yaw grows to the right (towards +x); pitch grows upwards and is kept
+ * within +-89.9 degrees.
  *
- * <p>All methods may be called from any thread: the window's keys move the camera on the GL thread while {@code update} places it on
- * the simulation thread; each call is atomic, the later one wins. No method allocates.
+ * <p>All methods may be called from any thread: the window's keys move the camera on the GL thread
+ * while {@code update} places it on the simulation thread; each call is atomic, the later one wins.
+ * No method allocates.
  */
 public final class Camera {
     private static final double MAX_PITCH = Math.toRadians(89.9);
@@ -45,12 +49,14 @@ public final class Camera {
      * @param eyeX position, world frame, metres
      * @param eyeY same
      * @param eyeZ same
-     * @param targetX point to look at, world frame, metres; if it is the position itself, the heading stays
+     * @param targetX point to look at, world frame, metres; if it is the position itself, the
+     *     heading stays
      * @param targetY same
      * @param targetZ same
      * @return this
      */
-    public Camera lookAt(double eyeX, double eyeY, double eyeZ, double targetX, double targetY, double targetZ) {
+    public Camera lookAt(
+            double eyeX, double eyeY, double eyeZ, double targetX, double targetY, double targetZ) {
         checkFinite("eye", eyeX, eyeY, eyeZ);
         checkFinite("target", targetX, targetY, targetZ);
         lock.lock();
@@ -151,8 +157,9 @@ public final class Camera {
     }
 
     /**
-     * Makes the camera ride beside an entity that has a pose and a visual, from now until {@link #release()} or until the entity is
-     * gone. While it follows, the movement keys shift the offset.
+     * Makes the camera ride beside an entity that has a pose and a visual, from now until {@link
+     * #release()} or until the entity is gone. While it follows, the movement keys shift the
+     * offset.
      *
      * @param entity which one
      * @param offsetX where the camera is, seen from the entity's position, world axes, metres
@@ -161,7 +168,8 @@ public final class Camera {
      * @param lookAtIt whether the camera also keeps turned to the entity
      * @return this
      */
-    public Camera follow(long entity, double offsetX, double offsetY, double offsetZ, boolean lookAtIt) {
+    public Camera follow(
+            long entity, double offsetX, double offsetY, double offsetZ, boolean lookAtIt) {
         checkFinite("offset", offsetX, offsetY, offsetZ);
         lock.lock();
         try {
@@ -206,7 +214,8 @@ public final class Camera {
     }
 
     /**
-     * Called by the renderer before each frame with the interpolated position of the followed entity.
+     * Called by the renderer before each frame with the interpolated position of the followed
+     * entity.
      *
      * @param entityX world frame, metres
      * @param entityY same
@@ -236,7 +245,8 @@ public final class Camera {
      */
     public Camera fieldOfView(double verticalRadians) {
         if (!(verticalRadians >= 0.02 && verticalRadians <= 3.0)) {
-            throw new IllegalArgumentException("field of view is " + verticalRadians + " rad, expected 0.02..3.0");
+            throw new IllegalArgumentException(
+                    "field of view is " + verticalRadians + " rad, expected 0.02..3.0");
         }
         lock.lock();
         try {
@@ -248,7 +258,8 @@ public final class Camera {
     }
 
     /**
-     * Chooses what is drawn by its distance along the view direction. The depth buffer's precision falls with {@code far / near}.
+     * Chooses what is drawn by its distance along the view direction. The depth buffer's precision
+     * falls with {@code far / near}.
      *
      * @param nearMetres &gt; 0
      * @param farMetres &gt; {@code nearMetres}
@@ -257,7 +268,11 @@ public final class Camera {
     public Camera range(double nearMetres, double farMetres) {
         if (!(nearMetres > 0 && farMetres > nearMetres) || Double.isInfinite(farMetres)) {
             throw new IllegalArgumentException(
-                    "range is " + nearMetres + ".." + farMetres + " m, expected 0 < near < far, finite");
+                    "range is "
+                            + nearMetres
+                            + ".."
+                            + farMetres
+                            + " m, expected 0 < near < far, finite");
         }
         lock.lock();
         try {
@@ -277,7 +292,8 @@ public final class Camera {
      */
     public Camera speed(double metresPerSecond) {
         if (!(metresPerSecond >= 0) || Double.isInfinite(metresPerSecond)) {
-            throw new IllegalArgumentException("speed is " + metresPerSecond + " m/s, expected >= 0 and finite");
+            throw new IllegalArgumentException(
+                    "speed is " + metresPerSecond + " m/s, expected >= 0 and finite");
         }
         lock.lock();
         try {
@@ -357,8 +373,18 @@ public final class Camera {
         try {
             state =
                     new double[] {
-                        other.x, other.y, other.z, other.yaw, other.pitch, other.fieldOfView, other.near, other.far,
-                        other.speed, other.followX, other.followY, other.followZ
+                        other.x,
+                        other.y,
+                        other.z,
+                        other.yaw,
+                        other.pitch,
+                        other.fieldOfView,
+                        other.near,
+                        other.far,
+                        other.speed,
+                        other.followX,
+                        other.followY,
+                        other.followZ
                     };
             target = other.followed;
             looks = other.followLooks;

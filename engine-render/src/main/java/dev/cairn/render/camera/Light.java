@@ -1,9 +1,10 @@
 package dev.cairn.render.camera;
 
 /**
- * The light of a scene: one sun and a sky. The colour that a surface of colour {@code a} and unit normal {@code n} sends out is
- * {@code a * (ambient(n) + sun * max(0, n . s) * visible)}, with {@code s} the unit direction to the sun and {@code ambient} going
- * from {@code ground} (n down) to {@code sky} (n up) with {@code (1 + n.y) / 2}: Lambert's law and a hemisphere light. All light
+ * The light of a scene: one sun and a sky. The colour that a surface of colour {@code a} and unit
+ * normal {@code n} sends out is {@code a * (ambient(n) + sun * max(0, n . s) * visible)}, with
+ * {@code s} the unit direction to the sun and {@code ambient} going from {@code ground} (n down) to
+ * {@code sky} (n up) with {@code (1 + n.y) / 2}: Lambert's law and a hemisphere light. All light
  * values are linear, 1 = a white surface facing it shows as white. Immutable.
  *
  * @param sunX direction to the sun, world frame, any length &gt; 0, x
@@ -19,7 +20,8 @@ package dev.cairn.render.camera;
  * @param groundGreen green
  * @param groundBlue blue
  * @param zenithRgb colour of the background straight up, 0xRRGGBB in sRGB
- * @param horizonRgb colour of the background at the horizon, into which distance fades, 0xRRGGBB in sRGB
+ * @param horizonRgb colour of the background at the horizon, into which distance fades, 0xRRGGBB in
+ *     sRGB
  * @param hazeMetres distance at which a surface has faded to the horizon by 63 %; 0 = no haze
  * @param shadows whether the sun casts shadows
  */
@@ -43,15 +45,21 @@ public record Light(
     /** A clear day, the sun high on the left behind the usual camera. */
     public static final Light DAYLIGHT =
             new Light(
-                    -0.65, 1.0, 0.50, 0.88, 0.82, 0.72, 0.30, 0.35, 0.42, 0.19, 0.18, 0.17, 0x4F7FB5, 0xD5E0EA, 400,
-                    true);
+                    -0.65, 1.0, 0.50, 0.88, 0.82, 0.72, 0.30, 0.35, 0.42, 0.19, 0.18, 0.17,
+                    0x4F7FB5, 0xD5E0EA, 400, true);
 
     /** Checks the ranges. */
     public Light {
         double length = Math.sqrt(sunX * sunX + sunY * sunY + sunZ * sunZ);
         if (!(length > 0) || Double.isInfinite(length)) {
             throw new IllegalArgumentException(
-                    "sun direction is (" + sunX + ", " + sunY + ", " + sunZ + "), expected a finite vector that is not zero");
+                    "sun direction is ("
+                            + sunX
+                            + ", "
+                            + sunY
+                            + ", "
+                            + sunZ
+                            + "), expected a finite vector that is not zero");
         }
         checkLight("sunRed", sunRed);
         checkLight("sunGreen", sunGreen);
@@ -75,8 +83,22 @@ public record Light(
      */
     public Light from(double x, double y, double z) {
         return new Light(
-                x, y, z, sunRed, sunGreen, sunBlue, skyRed, skyGreen, skyBlue, groundRed, groundGreen, groundBlue,
-                zenithRgb, horizonRgb, hazeMetres, shadows);
+                x,
+                y,
+                z,
+                sunRed,
+                sunGreen,
+                sunBlue,
+                skyRed,
+                skyGreen,
+                skyBlue,
+                groundRed,
+                groundGreen,
+                groundBlue,
+                zenithRgb,
+                horizonRgb,
+                hazeMetres,
+                shadows);
     }
 
     /**
@@ -87,8 +109,22 @@ public record Light(
      */
     public Light shadows(boolean cast) {
         return new Light(
-                sunX, sunY, sunZ, sunRed, sunGreen, sunBlue, skyRed, skyGreen, skyBlue, groundRed, groundGreen,
-                groundBlue, zenithRgb, horizonRgb, hazeMetres, cast);
+                sunX,
+                sunY,
+                sunZ,
+                sunRed,
+                sunGreen,
+                sunBlue,
+                skyRed,
+                skyGreen,
+                skyBlue,
+                groundRed,
+                groundGreen,
+                groundBlue,
+                zenithRgb,
+                horizonRgb,
+                hazeMetres,
+                cast);
     }
 
     /**
@@ -99,8 +135,22 @@ public record Light(
      */
     public Light haze(double metres) {
         return new Light(
-                sunX, sunY, sunZ, sunRed, sunGreen, sunBlue, skyRed, skyGreen, skyBlue, groundRed, groundGreen,
-                groundBlue, zenithRgb, horizonRgb, metres, shadows);
+                sunX,
+                sunY,
+                sunZ,
+                sunRed,
+                sunGreen,
+                sunBlue,
+                skyRed,
+                skyGreen,
+                skyBlue,
+                groundRed,
+                groundGreen,
+                groundBlue,
+                zenithRgb,
+                horizonRgb,
+                metres,
+                shadows);
     }
 
     /**
@@ -112,8 +162,22 @@ public record Light(
      */
     public Light strengths(double sun, double ambient) {
         return new Light(
-                sunX, sunY, sunZ, sun, sun, sun, ambient, ambient, ambient, ambient, ambient, ambient, zenithRgb,
-                horizonRgb, hazeMetres, shadows);
+                sunX,
+                sunY,
+                sunZ,
+                sun,
+                sun,
+                sun,
+                ambient,
+                ambient,
+                ambient,
+                ambient,
+                ambient,
+                ambient,
+                zenithRgb,
+                horizonRgb,
+                hazeMetres,
+                shadows);
     }
 
     /**
@@ -125,13 +189,28 @@ public record Light(
      */
     public Light background(int zenith, int horizon) {
         return new Light(
-                sunX, sunY, sunZ, sunRed, sunGreen, sunBlue, skyRed, skyGreen, skyBlue, groundRed, groundGreen,
-                groundBlue, zenith, horizon, hazeMetres, shadows);
+                sunX,
+                sunY,
+                sunZ,
+                sunRed,
+                sunGreen,
+                sunBlue,
+                skyRed,
+                skyGreen,
+                skyBlue,
+                groundRed,
+                groundGreen,
+                groundBlue,
+                zenith,
+                horizon,
+                hazeMetres,
+                shadows);
     }
 
     private static void checkLight(String name, double value) {
         if (!(value >= 0) || Double.isInfinite(value)) {
-            throw new IllegalArgumentException(name + " is " + value + ", expected >= 0 and finite");
+            throw new IllegalArgumentException(
+                    name + " is " + value + ", expected >= 0 and finite");
         }
     }
 }

@@ -29,8 +29,9 @@ import static org.lwjgl.opengl.GL30.glGenFramebuffers;
 import static org.lwjgl.opengl.GL30.glGenRenderbuffers;
 import static org.lwjgl.opengl.GL30.glRenderbufferStorageMultisample;
 
-import java.nio.IntBuffer;
 import org.lwjgl.system.MemoryUtil;
+
+import java.nio.IntBuffer;
 
 /** What is drawn into: colour and depth of some samples per pixel, and the same resolved to one. */
 public final class FrameTarget implements AutoCloseable {
@@ -76,8 +77,13 @@ public final class FrameTarget implements AutoCloseable {
         int status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
         if (status != GL_FRAMEBUFFER_COMPLETE) {
             throw new IllegalStateException(
-                    "a picture of " + width + " x " + height + " pixels cannot be drawn here: framebuffer status 0x"
-                            + Integer.toHexString(status) + "; choose a smaller size");
+                    "a picture of "
+                            + width
+                            + " x "
+                            + height
+                            + " pixels cannot be drawn here: framebuffer status 0x"
+                            + Integer.toHexString(status)
+                            + "; choose a smaller size");
         }
     }
 
@@ -108,14 +114,16 @@ public final class FrameTarget implements AutoCloseable {
     void resolve() {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved);
-        glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        glBlitFramebuffer(
+                0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     }
 
     /** Copies the resolved picture to the window. */
     public void show() {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved);
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-        glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        glBlitFramebuffer(
+                0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     }
 
     /**

@@ -32,8 +32,6 @@ import static org.lwjgl.opengl.GL11.GL_VERSION;
 import static org.lwjgl.opengl.GL11.glGetError;
 import static org.lwjgl.opengl.GL11.glGetString;
 
-import java.util.Locale;
-import java.util.concurrent.atomic.AtomicBoolean;
 import org.lwjgl.PointerBuffer;
 import org.lwjgl.glfw.Callbacks;
 import org.lwjgl.glfw.GLFW;
@@ -43,15 +41,20 @@ import org.lwjgl.system.Configuration;
 import org.lwjgl.system.MemoryStack;
 import org.lwjgl.system.MemoryUtil;
 
+import java.util.Locale;
+import java.util.concurrent.atomic.AtomicBoolean;
+
 /**
- * GLFW's window with an OpenGL 3.3 core context: a real one, or one of the null platform whose context comes from EGL and needs no
- * display. One at a time. Open, use and close it on one thread; for a real window that is the main thread. A failed opening leaves
- * GLFW terminated, as if nothing had been tried.
+ * GLFW's window with an OpenGL 3.3 core context: a real one, or one of the null platform whose
+ * context comes from EGL and needs no display. One at a time. Open, use and close it on one thread;
+ * for a real window that is the main thread. A failed opening leaves GLFW terminated, as if nothing
+ * had been tried.
  */
 public final class GlContext implements AutoCloseable {
     private static final AtomicBoolean OPEN = new AtomicBoolean();
 
-    private static final String INSTALL = "; on Debian or Ubuntu: apt-get install libegl1 libgl1-mesa-dri";
+    private static final String INSTALL =
+            "; on Debian or Ubuntu: apt-get install libegl1 libgl1-mesa-dri";
 
     private final long window;
     private final Thread owner = Thread.currentThread();
@@ -91,7 +94,8 @@ public final class GlContext implements AutoCloseable {
     private static GlContext open(boolean visible, int width, int height, String title) {
         if (!OPEN.compareAndSet(false, true)) {
             throw new IllegalStateException(
-                    "a window or an offscreen view is open already; close it before another one is opened");
+                    "a window or an offscreen view is open already; close it before another one is"
+                            + " opened");
         }
         boolean done = false;
         try {
@@ -100,9 +104,10 @@ public final class GlContext implements AutoCloseable {
             return context;
         } catch (LinkageError e) {
             throw new GlUnavailableException(
-                    "LWJGL's native libraries cannot be loaded (" + e.getMessage()
-                            + "); add the artifacts lwjgl, lwjgl-glfw, lwjgl-opengl and lwjgl-stb with the classifier"
-                            + " natives-<your system> to the class path");
+                    "LWJGL's native libraries cannot be loaded ("
+                            + e.getMessage()
+                            + "); add the artifacts lwjgl, lwjgl-glfw, lwjgl-opengl and lwjgl-stb"
+                            + " with the classifier natives-<your system> to the class path");
         } finally {
             if (!done) {
                 OPEN.set(false);
@@ -111,7 +116,8 @@ public final class GlContext implements AutoCloseable {
     }
 
     private static GlContext create(boolean visible, int width, int height, String title) {
-        // GLFW's own printing would come between the application's lines; its words come back by glfwGetError.
+        // GLFW's own printing would come between the application's lines; its words come back by
+        // glfwGetError.
         GLFWErrorCallback previous = GLFW.glfwSetErrorCallback(null);
         if (previous != null) {
             previous.free();
@@ -128,22 +134,27 @@ public final class GlContext implements AutoCloseable {
             glfwDefaultWindowHints();
             glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
             glfwWindowHint(GLFW_CLIENT_API, GLFW_OPENGL_API);
-            glfwWindowHint(GLFW_CONTEXT_CREATION_API, visible ? GLFW_NATIVE_CONTEXT_API : GLFW_EGL_CONTEXT_API);
+            glfwWindowHint(
+                    GLFW_CONTEXT_CREATION_API,
+                    visible ? GLFW_NATIVE_CONTEXT_API : GLFW_EGL_CONTEXT_API);
             glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
             glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
             glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
             glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
             long window = glfwCreateWindow(width, height, title, MemoryUtil.NULL, MemoryUtil.NULL);
             if (window == MemoryUtil.NULL) {
-                String what = visible ? "no window with OpenGL 3.3 (" : "no OpenGL 3.3 through EGL (";
-                throw new GlUnavailableException(what + lastError() + ")" + (visible ? "" : INSTALL));
+                String what =
+                        visible ? "no window with OpenGL 3.3 (" : "no OpenGL 3.3 through EGL (";
+                throw new GlUnavailableException(
+                        what + lastError() + ")" + (visible ? "" : INSTALL));
             }
             glfwMakeContextCurrent(window);
             Configuration.OPENGL_CONTEXT_API.set(visible ? "native" : "EGL");
             try {
                 GL.createCapabilities();
             } catch (IllegalStateException e) {
-                throw new GlUnavailableException("OpenGL cannot be used (" + e.getMessage() + ")" + INSTALL);
+                throw new GlUnavailableException(
+                        "OpenGL cannot be used (" + e.getMessage() + ")" + INSTALL);
             }
             String renderer = glGetString(GL_RENDERER) + ", OpenGL " + glGetString(GL_VERSION);
             done = true;
@@ -188,7 +199,9 @@ public final class GlContext implements AutoCloseable {
      */
     public boolean isSoftware() {
         String name = renderer.toLowerCase(Locale.ROOT);
-        return name.contains("llvmpipe") || name.contains("softpipe") || name.contains("swiftshader");
+        return name.contains("llvmpipe")
+                || name.contains("softpipe")
+                || name.contains("swiftshader");
     }
 
     /**
@@ -202,7 +215,10 @@ public final class GlContext implements AutoCloseable {
         }
         if (Thread.currentThread() != owner) {
             throw new IllegalStateException(
-                    "this view belongs to the thread '" + owner.getName() + "', but '" + Thread.currentThread().getName()
+                    "this view belongs to the thread '"
+                            + owner.getName()
+                            + "', but '"
+                            + Thread.currentThread().getName()
                             + "' called; draw on the thread that opened it");
         }
     }
@@ -215,7 +231,8 @@ public final class GlContext implements AutoCloseable {
     public static void checkErrors(String where) {
         int error = glGetError();
         if (error != GL_NO_ERROR) {
-            throw new IllegalStateException("OpenGL error 0x" + Integer.toHexString(error) + " in " + where);
+            throw new IllegalStateException(
+                    "OpenGL error 0x" + Integer.toHexString(error) + " in " + where);
         }
     }
 

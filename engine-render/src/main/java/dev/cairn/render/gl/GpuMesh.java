@@ -18,7 +18,8 @@ final class GpuMesh implements AutoCloseable {
     private final int indexCount;
 
     GpuMesh(Mesh mesh) {
-        // The index buffer's binding belongs to the bound vertex array, which must not be a batch's here.
+        // The index buffer's binding belongs to the bound vertex array, which must not be a batch's
+        // here.
         glBindVertexArray(0);
         vertexBuffer = glGenBuffers();
         glBindBuffer(GL_ARRAY_BUFFER, vertexBuffer);
@@ -26,7 +27,8 @@ final class GpuMesh implements AutoCloseable {
         indexBuffer = glGenBuffers();
         int[] indices = mesh.indices();
         indexCount = indices.length;
-        // Through the array target: without a vertex array a core profile refuses the element target.
+        // Through the array target: without a vertex array a core profile refuses the element
+        // target.
         glBindBuffer(GL_ARRAY_BUFFER, indexBuffer);
         glBufferData(GL_ARRAY_BUFFER, indices, GL_STATIC_DRAW);
         glBindBuffer(GL_ARRAY_BUFFER, 0);

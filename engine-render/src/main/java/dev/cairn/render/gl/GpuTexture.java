@@ -22,10 +22,12 @@ import static org.lwjgl.opengl.GL21.GL_SRGB8_ALPHA8;
 import static org.lwjgl.opengl.GL30.glGenerateMipmap;
 
 import dev.cairn.render.mesh.Texture;
-import java.nio.IntBuffer;
+
 import org.lwjgl.opengl.EXTTextureFilterAnisotropic;
 import org.lwjgl.opengl.GL;
 import org.lwjgl.system.MemoryUtil;
+
+import java.nio.IntBuffer;
 
 /** A texture in graphics memory, with mipmaps; sampled in linear light. */
 final class GpuTexture implements AutoCloseable {
@@ -39,7 +41,10 @@ final class GpuTexture implements AutoCloseable {
         int height = texture.height();
         if (width > limit || height > limit) {
             throw new IllegalArgumentException(
-                    texture + " is too large for this graphics processor, whose limit is " + limit + " pixels a side");
+                    texture
+                            + " is too large for this graphics processor, whose limit is "
+                            + limit
+                            + " pixels a side");
         }
         id = glGenTextures();
         glBindTexture(GL_TEXTURE_2D, id);
@@ -51,7 +56,14 @@ final class GpuTexture implements AutoCloseable {
                 pixels.put(argb, y * width, width);
             }
             glTexImage2D(
-                    GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, width, height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
+                    GL_TEXTURE_2D,
+                    0,
+                    GL_SRGB8_ALPHA8,
+                    width,
+                    height,
+                    0,
+                    GL_BGRA,
+                    GL_UNSIGNED_INT_8_8_8_8_REV,
                     pixels.flip());
         } finally {
             MemoryUtil.memFree(pixels);
@@ -62,7 +74,10 @@ final class GpuTexture implements AutoCloseable {
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
         if (GL.getCapabilities().GL_EXT_texture_filter_anisotropic) {
-            glTexParameterf(GL_TEXTURE_2D, EXTTextureFilterAnisotropic.GL_TEXTURE_MAX_ANISOTROPY_EXT, ANISOTROPY);
+            glTexParameterf(
+                    GL_TEXTURE_2D,
+                    EXTTextureFilterAnisotropic.GL_TEXTURE_MAX_ANISOTROPY_EXT,
+                    ANISOTROPY);
         }
     }
 

@@ -24,8 +24,12 @@ import dev.cairn.render.mesh.Mesh;
 import dev.cairn.render.mesh.Meshes;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.mesh.Texture;
+
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+import org.lwjgl.system.MemoryUtil;
+
 import java.nio.FloatBuffer;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
@@ -33,13 +37,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.joml.Vector3d;
-import org.jspecify.annotations.Nullable;
-import org.lwjgl.system.MemoryUtil;
 
 /**
- * The visible entities in graphics memory. Two buffers: the <em>motion</em>, 16 floats per instance, written once per snapshot; the
- * <em>look</em>, 9 floats, written when the list of models changes. Instances are sorted by batch (one mesh and one texture).
+ * The visible entities in graphics memory. Two buffers: the <em>motion</em>, 16 floats per
+ * instance, written once per snapshot; the <em>look</em>, 9 floats, written when the list of models
+ * changes. Instances are sorted by batch (one mesh and one texture).
  */
 final class Instances implements AutoCloseable {
     /** Grid of the anchor: a float keeps a hundredth of a millimetre over this distance. */
@@ -48,7 +50,9 @@ final class Instances implements AutoCloseable {
     private static final int MOTION_FLOATS = 16;
     private static final int LOOK_FLOATS = 9;
 
-    /** Drawn where {@code Visual.model} is nothing that can be drawn, so that the mistake is seen. */
+    /**
+     * Drawn where {@code Visual.model} is nothing that can be drawn, so that the mistake is seen.
+     */
     private static final Model PLACEHOLDER = Model.of(Meshes.CUBE).scale(0.5).color(0xFF00FF);
 
     /** Instances that one call draws. */
@@ -79,7 +83,8 @@ final class Instances implements AutoCloseable {
         void draw() {
             if (gpuMesh != null) {
                 glBindVertexArray(vertexArray);
-                glDrawElementsInstanced(GL_TRIANGLES, gpuMesh.indexCount(), GL_UNSIGNED_INT, 0, count);
+                glDrawElementsInstanced(
+                        GL_TRIANGLES, gpuMesh.indexCount(), GL_UNSIGNED_INT, 0, count);
             }
         }
     }
@@ -140,7 +145,10 @@ final class Instances implements AutoCloseable {
         return anchor;
     }
 
-    /** Lower corner of a box around all small models, anchored; above {@link #castersMax} if there are none. */
+    /**
+     * Lower corner of a box around all small models, anchored; above {@link #castersMax} if there
+     * are none.
+     */
     Vector3d castersMin() {
         return castersMin;
     }
@@ -164,7 +172,9 @@ final class Instances implements AutoCloseable {
         return moved;
     }
 
-    @SuppressWarnings("ReferenceEquality") // The same object means the same look; equal ones are drawn alike anyway.
+    @SuppressWarnings(
+            "ReferenceEquality") // The same object means the same look; equal ones are drawn alike
+    // anyway.
     private boolean layoutChanged(PoseSnapshot snapshot) {
         int size = snapshot.size();
         if (size != layoutSize) {
@@ -195,7 +205,8 @@ final class Instances implements AutoCloseable {
             radiusOfRow[row] = model.radius();
             batchOfRow[row] =
                     found.computeIfAbsent(
-                            new Key(model.mesh(), model.texture()), key -> new Batch(key.mesh(), key.texture()));
+                            new Key(model.mesh(), model.texture()),
+                            key -> new Batch(key.mesh(), key.texture()));
             batchOfRow[row].count++;
         }
         int next = 0;
@@ -268,12 +279,20 @@ final class Instances implements AutoCloseable {
         }
         glBindVertexArray(0);
         dropUnused(meshes, wanted.stream().map(batch -> batch.mesh).collect(Collectors.toSet()));
-        dropUnused(textures, wanted.stream().map(batch -> batch.texture).collect(Collectors.toSet()));
+        dropUnused(
+                textures, wanted.stream().map(batch -> batch.texture).collect(Collectors.toSet()));
     }
 
-    private static void attribute(int index, int size, int strideFloats, long offsetFloats, int divisor) {
+    private static void attribute(
+            int index, int size, int strideFloats, long offsetFloats, int divisor) {
         glEnableVertexAttribArray(index);
-        glVertexAttribPointer(index, size, GL_FLOAT, false, strideFloats * Float.BYTES, offsetFloats * Float.BYTES);
+        glVertexAttribPointer(
+                index,
+                size,
+                GL_FLOAT,
+                false,
+                strideFloats * Float.BYTES,
+                offsetFloats * Float.BYTES);
         glVertexAttribDivisor(index, divisor);
     }
 
@@ -328,7 +347,8 @@ final class Instances implements AutoCloseable {
         }
         staging.position(0).limit(floats);
         glBindBuffer(GL_ARRAY_BUFFER, motionBuffer);
-        // A whole new store each time: the driver need not wait for frames that still read the old one.
+        // A whole new store each time: the driver need not wait for frames that still read the old
+        // one.
         glBufferData(GL_ARRAY_BUFFER, staging, GL_STREAM_DRAW);
         staging.clear();
         uploads++;

@@ -24,12 +24,17 @@ import static org.lwjgl.opengl.GL30.glGenVertexArrays;
 import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.Light;
-import java.util.List;
+
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
-/** Draws a snapshot into a target: shadows, then the scene, then the sky behind it. On the thread of the context. */
+import java.util.List;
+
+/**
+ * Draws a snapshot into a target: shadows, then the scene, then the sky behind it. On the thread of
+ * the context.
+ */
 public final class SceneRenderer implements AutoCloseable {
     private static final int MIN_SHADOW_SIZE = 512;
     private static final int MAX_SHADOW_SIZE = 2048;
@@ -68,7 +73,12 @@ public final class SceneRenderer implements AutoCloseable {
                         new String[] {"instance.glsl", "scene.vert"},
                         new String[] {"encode.glsl", "scene.frag"});
         uniforms = new SceneUniforms(scene);
-        sky = new ShaderProgram("sky", "", new String[] {"sky.vert"}, new String[] {"encode.glsl", "sky.frag"});
+        sky =
+                new ShaderProgram(
+                        "sky",
+                        "",
+                        new String[] {"sky.vert"},
+                        new String[] {"encode.glsl", "sky.frag"});
         skyForward = sky.uniform("rayForward");
         skyRight = sky.uniform("rayRight");
         skyUp = sky.uniform("rayUp");
@@ -90,7 +100,8 @@ public final class SceneRenderer implements AutoCloseable {
      * @param light in which light
      * @param target into what
      */
-    public void draw(PoseSnapshot snapshot, double alpha, Camera camera, Light light, FrameTarget target) {
+    public void draw(
+            PoseSnapshot snapshot, double alpha, Camera camera, Light light, FrameTarget target) {
         ride(snapshot, alpha, camera);
         camera.position(eye);
         camera.forward(forward);
@@ -173,7 +184,8 @@ public final class SceneRenderer implements AutoCloseable {
         up.set(right).cross(forward);
         sky.use();
         ShaderProgram.set(skyForward, forward.x, forward.y, forward.z);
-        ShaderProgram.set(skyRight, right.x * tan * aspect, right.y * tan * aspect, right.z * tan * aspect);
+        ShaderProgram.set(
+                skyRight, right.x * tan * aspect, right.y * tan * aspect, right.z * tan * aspect);
         ShaderProgram.set(skyUp, up.x * tan, up.y * tan, up.z * tan);
         SceneUniforms.setColour(skyZenith, light.zenithRgb());
         SceneUniforms.setColour(skyHorizon, light.horizonRgb());

@@ -1,6 +1,7 @@
 package dev.cairn.render.gl;
 
 import dev.cairn.render.camera.Light;
+
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -41,7 +42,12 @@ final class SceneUniforms {
         shadowBias = program.uniform("shadowBias");
     }
 
-    void set(Light light, double interpolation, Matrix4d matrix, Vector3d anchoredEye, Vector3d sun) {
+    void set(
+            Light light,
+            double interpolation,
+            Matrix4d matrix,
+            Vector3d anchoredEye,
+            Vector3d sun) {
         ShaderProgram.set(clipFromAnchored, matrix);
         ShaderProgram.set(alpha, interpolation);
         ShaderProgram.set(surface, 0);

@@ -24,13 +24,14 @@ import static org.lwjgl.opengl.GL20.glUniform3f;
 import static org.lwjgl.opengl.GL20.glUniformMatrix4fv;
 import static org.lwjgl.opengl.GL20.glUseProgram;
 
+import org.joml.Matrix4d;
+import org.lwjgl.system.MemoryStack;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.FloatBuffer;
 import java.nio.charset.StandardCharsets;
-import org.joml.Matrix4d;
-import org.lwjgl.system.MemoryStack;
 
 /** A vertex and a fragment shader, from the resources beside this class. */
 final class ShaderProgram implements AutoCloseable {
@@ -60,7 +61,8 @@ final class ShaderProgram implements AutoCloseable {
             if (glGetProgrami(program, GL_LINK_STATUS) == GL_FALSE) {
                 String log = glGetProgramInfoLog(program);
                 glDeleteProgram(program);
-                throw new IllegalStateException("shader program '" + name + "' does not link: " + log);
+                throw new IllegalStateException(
+                        "shader program '" + name + "' does not link: " + log);
             }
         } finally {
             glDeleteShader(first);
@@ -81,7 +83,12 @@ final class ShaderProgram implements AutoCloseable {
             String log = glGetShaderInfoLog(shader);
             glDeleteShader(shader);
             throw new IllegalStateException(
-                    "shader of '" + name + "' (" + String.join(", ", files) + ") does not compile: " + log);
+                    "shader of '"
+                            + name
+                            + "' ("
+                            + String.join(", ", files)
+                            + ") does not compile: "
+                            + log);
         }
         return shader;
     }
@@ -89,11 +96,13 @@ final class ShaderProgram implements AutoCloseable {
     private static String resource(String file) {
         try (InputStream in = ShaderProgram.class.getResourceAsStream(file)) {
             if (in == null) {
-                throw new IllegalStateException("the resource " + file + " is missing from the engine-render jar");
+                throw new IllegalStateException(
+                        "the resource " + file + " is missing from the engine-render jar");
             }
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException e) {
-            throw new UncheckedIOException("the resource " + file + " of the engine-render jar cannot be read", e);
+            throw new UncheckedIOException(
+                    "the resource " + file + " of the engine-render jar cannot be read", e);
         }
     }
 
@@ -105,7 +114,8 @@ final class ShaderProgram implements AutoCloseable {
     int uniform(String uniform) {
         int location = glGetUniformLocation(id, uniform);
         if (location < 0) {
-            throw new IllegalStateException("shader program '" + name + "' does not use a uniform '" + uniform + "'");
+            throw new IllegalStateException(
+                    "shader program '" + name + "' does not use a uniform '" + uniform + "'");
         }
         return location;
     }

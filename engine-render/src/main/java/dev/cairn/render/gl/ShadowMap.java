@@ -37,17 +37,22 @@ import static org.lwjgl.opengl.GL30.glFramebufferTexture2D;
 import static org.lwjgl.opengl.GL30.glGenFramebuffers;
 import static org.lwjgl.opengl.GL32.GL_DEPTH_CLAMP;
 
-import java.util.List;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.lwjgl.system.MemoryUtil;
 
+import java.util.List;
+
 /**
- * Depth as the sun sees it, over a square region that holds all small models, or the part of them near the view where they are spread
- * wide. The region's size goes in steps and its place in whole texels of the world, so that shadows of resting things stand still.
+ * Depth as the sun sees it, over a square region that holds all small models, or the part of them
+ * near the view where they are spread wide. The region's size goes in steps and its place in whole
+ * texels of the world, so that shadows of resting things stand still.
  */
 final class ShadowMap implements AutoCloseable {
-    /** Models with a greater radius do not make the region larger (floors, walls); they cast and receive all the same. */
+    /**
+     * Models with a greater radius do not make the region larger (floors, walls); they cast and
+     * receive all the same.
+     */
     static final double CASTER_LIMIT = 20;
 
     private static final double MAX_RADIUS = 60;
@@ -70,7 +75,14 @@ final class ShadowMap implements AutoCloseable {
         texture = glGenTextures();
         glBindTexture(GL_TEXTURE_2D, texture);
         glTexImage2D(
-                GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
+                GL_TEXTURE_2D,
+                0,
+                GL_DEPTH_COMPONENT24,
+                size,
+                size,
+                0,
+                GL_DEPTH_COMPONENT,
+                GL_UNSIGNED_INT,
                 MemoryUtil.NULL);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -86,7 +98,10 @@ final class ShadowMap implements AutoCloseable {
         glReadBuffer(GL_NONE);
         program =
                 new ShaderProgram(
-                        "shadow", "", new String[] {"instance.glsl", "shadow.vert"}, new String[] {"shadow.frag"});
+                        "shadow",
+                        "",
+                        new String[] {"instance.glsl", "shadow.vert"},
+                        new String[] {"shadow.frag"});
         matrixUniform = program.uniform("shadowFromAnchored");
         alphaUniform = program.uniform("alpha");
     }
@@ -144,7 +159,8 @@ final class ShadowMap implements AutoCloseable {
             right.fma(-right.dot(sun), sun).normalize();
         }
         up.set(sun).cross(right);
-        // Whole texels of the world: the anchor is added for the rounding, so that it may jump unseen.
+        // Whole texels of the world: the anchor is added for the rounding, so that it may jump
+        // unseen.
         double texel = texelMetres();
         Vector3d anchor = instances.anchor();
         double across = right.dot(centre) + right.dot(anchor);
@@ -155,8 +171,22 @@ final class ShadowMap implements AutoCloseable {
         matrix.setOrtho(-radius, radius, -radius, radius, -depth, depth)
                 .mul(
                         new Matrix4d(
-                                right.x, up.x, sun.x, 0, right.y, up.y, sun.y, 0, right.z, up.z, sun.z, 0,
-                                -right.dot(centre), -up.dot(centre), -sun.dot(centre), 1));
+                                right.x,
+                                up.x,
+                                sun.x,
+                                0,
+                                right.y,
+                                up.y,
+                                sun.y,
+                                0,
+                                right.z,
+                                up.z,
+                                sun.z,
+                                0,
+                                -right.dot(centre),
+                                -up.dot(centre),
+                                -sun.dot(centre),
+                                1));
     }
 
     Matrix4d matrix() {

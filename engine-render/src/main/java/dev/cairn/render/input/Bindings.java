@@ -1,5 +1,7 @@
 package dev.cairn.render.input;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -9,16 +11,17 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.DoubleConsumer;
-import org.jspecify.annotations.Nullable;
 
 /**
- * Which function runs for which key or mouse button. A function has a name, the <em>action</em>; triggers are bound to actions and
- * can be rebound while the program runs. One trigger fires one action (a later binding takes the trigger away from an earlier one);
- * one action may have several triggers.
+ * Which function runs for which key or mouse button. A function has a name, the <em>action</em>;
+ * triggers are bound to actions and can be rebound while the program runs. One trigger fires one
+ * action (a later binding takes the trigger away from an earlier one); one action may have several
+ * triggers.
  *
- * <p>Functions run on the simulation thread, before the tick that follows the press, also while the physics is paused; so they may
- * touch the world freely. Bind and rebind there too (in {@code initScene}, {@code update}, or a bound function), or before the
- * application starts. The look-ups {@link #keys} and {@link #actions} may be called from any thread.
+ * <p>Functions run on the simulation thread, before the tick that follows the press, also while the
+ * physics is paused; so they may touch the world freely. Bind and rebind there too (in {@code
+ * initScene}, {@code update}, or a bound function), or before the application starts. The look-ups
+ * {@link #keys} and {@link #actions} may be called from any thread.
  */
 public final class Bindings {
     private final Map<String, Runnable> functions = new LinkedHashMap<>();
@@ -45,7 +48,8 @@ public final class Bindings {
      * Binds a key: the function runs once for each press (not for repeats while it is held).
      *
      * @param key which key
-     * @param action name of the action; if it exists, it gets this function and the key is added to its triggers
+     * @param action name of the action; if it exists, it gets this function and the key is added to
+     *     its triggers
      * @param function what to run, on the simulation thread
      * @return this
      */
@@ -61,7 +65,8 @@ public final class Bindings {
      * Binds a mouse button: the function runs once for each press.
      *
      * @param button which button
-     * @param action name of the action; if it exists, it gets this function and the button is added to its triggers
+     * @param action name of the action; if it exists, it gets this function and the button is added
+     *     to its triggers
      * @param function what to run, on the simulation thread
      * @return this
      */
@@ -74,7 +79,8 @@ public final class Bindings {
     }
 
     /**
-     * Names an action that is held rather than pressed, such as a movement: nothing runs, {@link #isHeld} tells.
+     * Names an action that is held rather than pressed, such as a movement: nothing runs, {@link
+     * #isHeld} tells.
      *
      * @param key which key
      * @param action name of the action
@@ -208,7 +214,8 @@ public final class Bindings {
     }
 
     /**
-     * What the window does when a key goes down; scripts and tests may call it in its place. Runs the bound function.
+     * What the window does when a key goes down; scripts and tests may call it in its place. Runs
+     * the bound function.
      *
      * @param key which key
      */
@@ -227,7 +234,8 @@ public final class Bindings {
     }
 
     /**
-     * What the window does when a mouse button goes down; scripts and tests may call it in its place. Runs the bound function.
+     * What the window does when a mouse button goes down; scripts and tests may call it in its
+     * place. Runs the bound function.
      *
      * @param button which button
      */
@@ -272,7 +280,10 @@ public final class Bindings {
     private void clearTriggers(String action) {
         if (!functions.containsKey(action)) {
             throw new IllegalArgumentException(
-                    "there is no action '" + action + "' to rebind; the actions are " + functions.keySet());
+                    "there is no action '"
+                            + action
+                            + "' to rebind; the actions are "
+                            + functions.keySet());
         }
         actionOfKey.values().removeIf(action::equals);
         actionOfButton.values().removeIf(action::equals);
@@ -291,19 +302,17 @@ public final class Bindings {
         for (String action : functions.keySet()) {
             List<Key> own = new ArrayList<>();
             List<String> names = new ArrayList<>();
-            actionOfKey.forEach(
-                    (key, bound) -> {
-                        if (bound.equals(action)) {
-                            own.add(key);
-                            names.add(key.name());
-                        }
-                    });
-            actionOfButton.forEach(
-                    (button, bound) -> {
-                        if (bound.equals(action)) {
-                            names.add("mouse " + button.name());
-                        }
-                    });
+            actionOfKey.forEach((key, bound) -> {
+                if (bound.equals(action)) {
+                    own.add(key);
+                    names.add(key.name());
+                }
+            });
+            actionOfButton.forEach((button, bound) -> {
+                if (bound.equals(action)) {
+                    names.add("mouse " + button.name());
+                }
+            });
             keys.put(action, own.toArray(Key[]::new));
             list.add(new Binding(action, String.join(", ", names)));
         }

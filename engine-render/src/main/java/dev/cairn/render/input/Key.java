@@ -3,8 +3,8 @@ package dev.cairn.render.input;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A key that a function can be bound to, by its place on a US keyboard, so that W A S D keep their places on other layouts. The
- * codes are GLFW's ("Keyboard key tokens" of its manual).
+ * A key that a function can be bound to, by its place on a US keyboard, so that W A S D keep their
+ * places on other layouts. The codes are GLFW's ("Keyboard key tokens" of its manual).
  */
 public enum Key {
     /** The key space. */

@@ -29,7 +29,8 @@ public enum MouseButton {
      */
     public static MouseButton ofCode(int code) {
         if (code < 0 || code >= ALL.length) {
-            throw new IllegalArgumentException("mouse button code is " + code + ", expected 0.." + (ALL.length - 1));
+            throw new IllegalArgumentException(
+                    "mouse button code is " + code + ", expected 0.." + (ALL.length - 1));
         }
         return ALL[code];
     }

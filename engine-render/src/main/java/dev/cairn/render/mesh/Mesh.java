@@ -1,12 +1,14 @@
 package dev.cairn.render.mesh;
 
-import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
+import java.util.Objects;
+
 /**
- * Triangles to draw: vertices with position, normal and texture coordinate, and an index list, in the frame of the model that uses
- * them (metres, right-handed, counter-clockwise seen from outside). Immutable and free of OpenGL, so it can be made on any thread
- * and read without a display; the renderer uploads it when it first draws it.
+ * Triangles to draw: vertices with position, normal and texture coordinate, and an index list, in
+ * the frame of the model that uses them (metres, right-handed, counter-clockwise seen from
+ * outside). Immutable and free of OpenGL, so it can be made on any thread and read without a
+ * display; the renderer uploads it when it first draws it.
  */
 public final class Mesh {
     /** Floats per vertex of {@link #vertices()}: position x y z, normal x y z, texture u v. */
@@ -37,10 +39,12 @@ public final class Mesh {
      * A mesh from interleaved vertices.
      *
      * @param name what it is called in messages
-     * @param vertices {@value #FLOATS_PER_VERTEX} floats per vertex: position, unit normal, texture coordinate (v upwards); copied
+     * @param vertices {@value #FLOATS_PER_VERTEX} floats per vertex: position, unit normal, texture
+     *     coordinate (v upwards); copied
      * @param indices three per triangle, counter-clockwise seen from outside; copied
      * @return the mesh; its {@link #points()} are the positions of all vertices
-     * @throws IllegalArgumentException if a length does not divide, a number is not finite, or an index is out of range
+     * @throws IllegalArgumentException if a length does not divide, a number is not finite, or an
+     *     index is out of range
      */
     public static Mesh of(String name, float[] vertices, int[] indices) {
         return of(name, vertices, indices, null);
@@ -50,23 +54,45 @@ public final class Mesh {
         Objects.requireNonNull(name, "name");
         if (vertices.length % FLOATS_PER_VERTEX != 0) {
             throw new IllegalArgumentException(
-                    "mesh '" + name + "': vertices.length is " + vertices.length + ", expected a multiple of " + FLOATS_PER_VERTEX);
+                    "mesh '"
+                            + name
+                            + "': vertices.length is "
+                            + vertices.length
+                            + ", expected a multiple of "
+                            + FLOATS_PER_VERTEX);
         }
         if (indices.length % 3 != 0) {
             throw new IllegalArgumentException(
-                    "mesh '" + name + "': indices.length is " + indices.length + ", expected three per triangle");
+                    "mesh '"
+                            + name
+                            + "': indices.length is "
+                            + indices.length
+                            + ", expected three per triangle");
         }
         for (int i = 0; i < vertices.length; i++) {
             if (!Float.isFinite(vertices[i])) {
                 throw new IllegalArgumentException(
-                        "mesh '" + name + "': vertices[" + i + "] is " + vertices[i] + ", expected a finite number");
+                        "mesh '"
+                                + name
+                                + "': vertices["
+                                + i
+                                + "] is "
+                                + vertices[i]
+                                + ", expected a finite number");
             }
         }
         int count = vertices.length / FLOATS_PER_VERTEX;
         for (int i = 0; i < indices.length; i++) {
             if (indices[i] < 0 || indices[i] >= count) {
                 throw new IllegalArgumentException(
-                        "mesh '" + name + "': indices[" + i + "] is " + indices[i] + ", expected 0.." + (count - 1));
+                        "mesh '"
+                                + name
+                                + "': indices["
+                                + i
+                                + "] is "
+                                + indices[i]
+                                + ", expected 0.."
+                                + (count - 1));
             }
         }
         double[] kept = points != null ? points.clone() : positions(vertices);
@@ -93,7 +119,8 @@ public final class Mesh {
     }
 
     /**
-     * How many vertices there are; corners with different normals or texture coordinates count apart.
+     * How many vertices there are; corners with different normals or texture coordinates count
+     * apart.
      *
      * @return the count
      */
@@ -129,8 +156,8 @@ public final class Mesh {
     }
 
     /**
-     * The points that the mesh was made from, three coordinates each, in double: for a file its {@code v} lines in order. This is
-     * what a convex hull is built from.
+     * The points that the mesh was made from, three coordinates each, in double: for a file its
+     * {@code v} lines in order. This is what a convex hull is built from.
      *
      * @return a copy
      */
@@ -165,6 +192,12 @@ public final class Mesh {
 
     @Override
     public String toString() {
-        return "Mesh[" + name + ", " + vertexCount() + " vertices, " + triangleCount() + " triangles]";
+        return "Mesh["
+                + name
+                + ", "
+                + vertexCount()
+                + " vertices, "
+                + triangleCount()
+                + " triangles]";
     }
 }

@@ -1,7 +1,8 @@
 package dev.cairn.render.mesh;
 
-import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
 
 /** Collects vertices and triangles. One thread. */
 final class MeshBuilder {

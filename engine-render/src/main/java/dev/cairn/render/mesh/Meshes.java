@@ -4,19 +4,27 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+
 import java.util.Collections;
 import java.util.Map;
 import java.util.WeakHashMap;
 
 /** Meshes made by arithmetic: the primitives, and one for each shape of the physics. Any thread. */
 public final class Meshes {
-    /** The cube from (-1, -1, -1) to (1, 1, 1); each face shows a texture once. All boxes are drawn as this mesh, scaled. */
+    /**
+     * The cube from (-1, -1, -1) to (1, 1, 1); each face shows a texture once. All boxes are drawn
+     * as this mesh, scaled.
+     */
     public static final Mesh CUBE = cuboid("cube", 1, 1, 1);
 
-    /** The ball of radius 1, in 48 sectors and 24 stacks; a texture goes once around it, its upper edge at +y. */
+    /**
+     * The ball of radius 1, in 48 sectors and 24 stacks; a texture goes once around it, its upper
+     * edge at +y.
+     */
     public static final Mesh BALL = ball("ball", 48, 24);
 
-    private static final Map<ConvexHull, Mesh> HULLS = Collections.synchronizedMap(new WeakHashMap<>());
+    private static final Map<ConvexHull, Mesh> HULLS =
+            Collections.synchronizedMap(new WeakHashMap<>());
 
     private Meshes() {}
 
@@ -35,7 +43,8 @@ public final class Meshes {
     }
 
     /**
-     * A block around the origin. For many blocks of different sizes use {@link Model#of(Shape)}, which scales one mesh.
+     * A block around the origin. For many blocks of different sizes use {@link Model#of(Shape)},
+     * which scales one mesh.
      *
      * @param halfX half the width, m, &gt; 0
      * @param halfY half the height, m, &gt; 0
@@ -83,7 +92,11 @@ public final class Meshes {
         int d = builder.vertex(-halfX, 0, -halfZ, 0, 1, 0, 0, 1);
         builder.triangle(a, b, c);
         builder.triangle(a, c, d);
-        return builder.build("plane", new double[] {-halfX, 0, halfZ, halfX, 0, halfZ, halfX, 0, -halfZ, -halfX, 0, -halfZ});
+        return builder.build(
+                "plane",
+                new double[] {
+                    -halfX, 0, halfZ, halfX, 0, halfZ, halfX, 0, -halfZ, -halfX, 0, -halfZ
+                });
     }
 
     /**
@@ -117,7 +130,8 @@ public final class Meshes {
             int[] corners = new int[3 * (loop.length - 2)];
             Polygons.triangulate(points, loop, loop.length, normal, corners);
             for (int i = 0; i < corners.length; i += 3) {
-                builder.triangle(first + corners[i], first + corners[i + 1], first + corners[i + 2]);
+                builder.triangle(
+                        first + corners[i], first + corners[i + 1], first + corners[i + 2]);
             }
         }
         return builder.build(name, points);
@@ -131,7 +145,8 @@ public final class Meshes {
             points[3 * i + 1] = (i & 2) == 0 ? -hy : hy;
             points[3 * i + 2] = (i & 4) == 0 ? -hz : hz;
         }
-        // Normal, and the corners as seen from outside: lower left, lower right, upper right, upper left.
+        // Normal, and the corners as seen from outside: lower left, lower right, upper right, upper
+        // left.
         side(builder, points, 1, 0, 0, 5, 1, 3, 7);
         side(builder, points, -1, 0, 0, 0, 4, 6, 2);
         side(builder, points, 0, 1, 0, 6, 7, 3, 2);
@@ -141,7 +156,8 @@ public final class Meshes {
         return builder.build(name, points);
     }
 
-    private static void side(MeshBuilder builder, double[] p, int nx, int ny, int nz, int a, int b, int c, int d) {
+    private static void side(
+            MeshBuilder builder, double[] p, int nx, int ny, int nz, int a, int b, int c, int d) {
         int first = builder.vertex(p[3 * a], p[3 * a + 1], p[3 * a + 2], nx, ny, nz, 0, 0);
         builder.vertex(p[3 * b], p[3 * b + 1], p[3 * b + 2], nx, ny, nz, 1, 0);
         builder.vertex(p[3 * c], p[3 * c + 1], p[3 * c + 2], nx, ny, nz, 1, 1);
@@ -181,7 +197,8 @@ public final class Meshes {
 
     private static void checkLength(String name, double value) {
         if (!(value > 0) || Double.isInfinite(value)) {
-            throw new IllegalArgumentException(name + " is " + value + " m, expected > 0 and finite");
+            throw new IllegalArgumentException(
+                    name + " is " + value + " m, expected > 0 and finite");
         }
     }
 }

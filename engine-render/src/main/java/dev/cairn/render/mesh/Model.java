@@ -4,12 +4,13 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+
 import java.util.Objects;
 
 /**
- * How an entity looks: a mesh, scaled and shifted, with a texture and a colour. It is what {@code Visual.model} holds. Immutable;
- * the {@code with}-like methods return changed copies. Entities that share mesh and texture are drawn in one call, whatever their
- * colours and scales.
+ * How an entity looks: a mesh, scaled and shifted, with a texture and a colour. It is what {@code
+ * Visual.model} holds. Immutable; the {@code with}-like methods return changed copies. Entities
+ * that share mesh and texture are drawn in one call, whatever their colours and scales.
  *
  * @param mesh triangles, in the mesh's frame
  * @param texture picture; its colour is multiplied by {@code rgb}
@@ -32,7 +33,8 @@ public record Model(
         double originY,
         double originZ) {
     private static final int[] PALETTE = {
-        0xE07A5F, 0x3D8BBD, 0xF2B84B, 0x5FA777, 0xB76BA3, 0x4E5D8C, 0xD9573F, 0x6BBFB0, 0xC9A66B, 0x8F6BC2, 0x9DBF4F, 0xE29BB1
+        0xE07A5F, 0x3D8BBD, 0xF2B84B, 0x5FA777, 0xB76BA3, 0x4E5D8C, 0xD9573F, 0x6BBFB0, 0xC9A66B,
+        0x8F6BC2, 0x9DBF4F, 0xE29BB1
     };
 
     /** Checks the ranges. */
@@ -66,8 +68,11 @@ public record Model(
     public static Model of(Shape shape) {
         return switch (shape) {
             case Box box ->
-                    of(Meshes.CUBE).texture(Texture.panel()).scale(box.halfX(), box.halfY(), box.halfZ());
-            case Sphere sphere -> of(Meshes.BALL).texture(Texture.beachBall()).scale(sphere.radius());
+                    of(Meshes.CUBE)
+                            .texture(Texture.panel())
+                            .scale(box.halfX(), box.halfY(), box.halfZ());
+            case Sphere sphere ->
+                    of(Meshes.BALL).texture(Texture.beachBall()).scale(sphere.radius());
             case ConvexHull hull -> of(Meshes.hull(hull));
         };
     }
@@ -132,7 +137,15 @@ public record Model(
      */
     public Model scale(double x, double y, double z) {
         return new Model(
-                mesh, texture, rgb, scaleX * x, scaleY * y, scaleZ * z, originX * x, originY * y, originZ * z);
+                mesh,
+                texture,
+                rgb,
+                scaleX * x,
+                scaleY * y,
+                scaleZ * z,
+                originX * x,
+                originY * y,
+                originZ * z);
     }
 
     /**
@@ -165,7 +178,8 @@ public record Model(
 
     private static void checkFinite(String name, double value) {
         if (!Double.isFinite(value)) {
-            throw new IllegalArgumentException(name + " is " + value + ", expected a finite number");
+            throw new IllegalArgumentException(
+                    name + " is " + value + ", expected a finite number");
         }
     }
 }

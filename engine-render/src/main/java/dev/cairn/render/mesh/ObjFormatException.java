@@ -1,9 +1,13 @@
 package dev.cairn.render.mesh;
 
-import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
-/** A {@code .obj} file that cannot be used. The message is one line: {@code file:line: expected ..., found ...}. */
+import java.nio.file.Path;
+
+/**
+ * A {@code .obj} file that cannot be used. The message is one line: {@code file:line: expected ...,
+ * found ...}.
+ */
 public final class ObjFormatException extends IllegalArgumentException {
     private static final long serialVersionUID = 1L;
 

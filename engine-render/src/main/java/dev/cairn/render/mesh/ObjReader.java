@@ -1,5 +1,7 @@
 package dev.cairn.render.mesh;
 
+import org.jspecify.annotations.Nullable;
+
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -7,14 +9,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Set;
-import org.jspecify.annotations.Nullable;
 
 /**
- * Reads triangles from Wavefront {@code .obj} files. Read are {@code v}, {@code vt}, {@code vn} and {@code f} with every form of
- * index ({@code 1}, {@code 1/2}, {@code 1//3}, {@code 1/2/3}, negative ones count back from the newest); polygons are cut into
- * triangles; corners without a normal get that of their flat face. Groups, smoothing, materials, lines, points and free-form
- * statements are passed over. Anything else is an error that names the file, the line, what was expected and what stands there. Any
- * thread; no OpenGL.
+ * Reads triangles from Wavefront {@code .obj} files. Read are {@code v}, {@code vt}, {@code vn} and
+ * {@code f} with every form of index ({@code 1}, {@code 1/2}, {@code 1//3}, {@code 1/2/3}, negative
+ * ones count back from the newest); polygons are cut into triangles; corners without a normal get
+ * that of their flat face. Groups, smoothing, materials, lines, points and free-form statements are
+ * passed over. Anything else is an error that names the file, the line, what was expected and what
+ * stands there. Any thread; no OpenGL.
  */
 public final class ObjReader {
     /** The greatest number of {@code v}, {@code vt} or {@code vn} lines, and of triangles. */
@@ -22,9 +24,42 @@ public final class ObjReader {
 
     private static final Set<String> PASSED_OVER =
             Set.of(
-                    "o", "g", "s", "mg", "mtllib", "usemtl", "usemap", "maplib", "l", "p", "vp", "cstype", "deg", "bmat",
-                    "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con", "bevel",
-                    "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech", "stech", "call", "scmp", "csh");
+                    "o",
+                    "g",
+                    "s",
+                    "mg",
+                    "mtllib",
+                    "usemtl",
+                    "usemap",
+                    "maplib",
+                    "l",
+                    "p",
+                    "vp",
+                    "cstype",
+                    "deg",
+                    "bmat",
+                    "step",
+                    "curv",
+                    "curv2",
+                    "surf",
+                    "parm",
+                    "trim",
+                    "hole",
+                    "scrv",
+                    "sp",
+                    "end",
+                    "con",
+                    "bevel",
+                    "c_interp",
+                    "d_interp",
+                    "lod",
+                    "shadow_obj",
+                    "trace_obj",
+                    "ctech",
+                    "stech",
+                    "call",
+                    "scmp",
+                    "csh");
 
     private final Path file;
     private final Numbers positions = new Numbers(3);
@@ -32,7 +67,10 @@ public final class ObjReader {
     private final Numbers normals = new Numbers(3);
     private final MeshBuilder builder = new MeshBuilder();
 
-    /** Per position the newest vertex made from it, and per vertex the one before, its coordinate and its normal or face. */
+    /**
+     * Per position the newest vertex made from it, and per vertex the one before, its coordinate
+     * and its normal or face.
+     */
     private int[] newest = new int[0];
 
     private int[] older = new int[64];
@@ -53,9 +91,10 @@ public final class ObjReader {
      * Reads a file.
      *
      * @param file where it is
-     * @return a mesh with at least one triangle; its {@link Mesh#points()} are all {@code v} lines in order
-     * @throws ObjFormatException if the file is missing, cannot be read, is broken, has no face, or has more than
-     *     {@value #MAX_ELEMENTS} elements of a kind
+     * @return a mesh with at least one triangle; its {@link Mesh#points()} are all {@code v} lines
+     *     in order
+     * @throws ObjFormatException if the file is missing, cannot be read, is broken, has no face, or
+     *     has more than {@value #MAX_ELEMENTS} elements of a kind
      */
     public static Mesh read(Path file) {
         return new ObjReader(file).run();
@@ -63,7 +102,8 @@ public final class ObjReader {
 
     private Mesh run() {
         if (!Files.exists(file)) {
-            throw new ObjFormatException(file, 0, "expected an .obj file, found nothing there", null);
+            throw new ObjFormatException(
+                    file, 0, "expected an .obj file, found nothing there", null);
         }
         if (Files.isDirectory(file)) {
             throw new ObjFormatException(file, 0, "expected an .obj file, found a folder", null);
@@ -85,11 +125,20 @@ public final class ObjReader {
             throw new ObjFormatException(file, line, "expected a readable file, found: " + e, e);
         } catch (OutOfMemoryError e) {
             throw new ObjFormatException(
-                    file, line, "expected a mesh that fits into memory, found too many elements; simplify it or raise -Xmx", e);
+                    file,
+                    line,
+                    "expected a mesh that fits into memory, found too many elements; simplify it or"
+                            + " raise -Xmx",
+                    e);
         }
         if (builder.triangleCount() == 0) {
             throw new ObjFormatException(
-                    file, 0, "expected at least one face (f), found " + positions.count + " vertices (v) and no face", null);
+                    file,
+                    0,
+                    "expected at least one face (f), found "
+                            + positions.count
+                            + " vertices (v) and no face",
+                    null);
         }
         return builder.build(file.toString(), positions.toArray());
     }
@@ -105,26 +154,38 @@ public final class ObjReader {
             case "v" -> {
                 // After x y z may come a weight or a colour.
                 if (words.length < 4 || words.length > 8) {
-                    throw error(at, "3 coordinates after v", words.length - 1 + " numbers in '" + shown(text) + "'");
+                    throw error(
+                            at,
+                            "3 coordinates after v",
+                            words.length - 1 + " numbers in '" + shown(text) + "'");
                 }
                 numbers(positions, words, 3, at);
             }
             case "vt" -> {
                 if (words.length < 2 || words.length > 4) {
-                    throw error(at, "1 to 3 numbers after vt", words.length - 1 + " numbers in '" + shown(text) + "'");
+                    throw error(
+                            at,
+                            "1 to 3 numbers after vt",
+                            words.length - 1 + " numbers in '" + shown(text) + "'");
                 }
                 numbers(coordinates, words, Math.min(2, words.length - 1), at);
             }
             case "vn" -> {
                 if (words.length != 4) {
-                    throw error(at, "3 numbers after vn", words.length - 1 + " numbers in '" + shown(text) + "'");
+                    throw error(
+                            at,
+                            "3 numbers after vn",
+                            words.length - 1 + " numbers in '" + shown(text) + "'");
                 }
                 numbers(normals, words, 3, at);
             }
             case "f", "fo" -> face(words, at);
             default -> {
                 if (!PASSED_OVER.contains(words[0])) {
-                    throw error(at, "an .obj statement (v, vt, vn, f, g, usemtl, ...)", "'" + shown(words[0]) + "'");
+                    throw error(
+                            at,
+                            "an .obj statement (v, vt, vn, f, g, usemtl, ...)",
+                            "'" + shown(words[0]) + "'");
                 }
             }
         }
@@ -132,7 +193,10 @@ public final class ObjReader {
 
     private void numbers(Numbers into, String[] words, int count, int at) {
         if (into.count >= MAX_ELEMENTS) {
-            throw error(at, "at most " + MAX_ELEMENTS + " lines of " + words[0], "more; simplify the mesh");
+            throw error(
+                    at,
+                    "at most " + MAX_ELEMENTS + " lines of " + words[0],
+                    "more; simplify the mesh");
         }
         int base = into.grow();
         for (int i = 0; i < count; i++) {
@@ -148,7 +212,8 @@ public final class ObjReader {
                 if (Math.abs(value) <= Float.MAX_VALUE) {
                     return value;
                 }
-                throw error(at, "numbers within +-3.4e38 after " + statement, "'" + shown(word) + "'");
+                throw error(
+                        at, "numbers within +-3.4e38 after " + statement, "'" + shown(word) + "'");
             } catch (NumberFormatException e) {
                 // Told below, like a word that does not end in a digit ("1.0f", "NaN").
             }
@@ -182,7 +247,8 @@ public final class ObjReader {
         int[] corners = new int[3 * (count - 2)];
         Polygons.triangulate(positions.values, loop, count, normal, corners);
         for (int i = 0; i < corners.length; i += 3) {
-            builder.triangle(vertices[corners[i]], vertices[corners[i + 1]], vertices[corners[i + 2]]);
+            builder.triangle(
+                    vertices[corners[i]], vertices[corners[i + 1]], vertices[corners[i + 2]]);
         }
     }
 
@@ -190,10 +256,18 @@ public final class ObjReader {
         int slash = word.indexOf('/');
         int second = slash < 0 ? -1 : word.indexOf('/', slash + 1);
         String v = slash < 0 ? word : word.substring(0, slash);
-        String vt = slash < 0 ? "" : second < 0 ? word.substring(slash + 1) : word.substring(slash + 1, second);
+        String vt =
+                slash < 0
+                        ? ""
+                        : second < 0
+                                ? word.substring(slash + 1)
+                                : word.substring(slash + 1, second);
         String vn = second < 0 ? "" : word.substring(second + 1);
         loop[i] = index(v, word, "vertex (v)", positions.count, at);
-        loopCoordinates[i] = vt.isEmpty() ? -1 : index(vt, word, "texture coordinate (vt)", coordinates.count, at);
+        loopCoordinates[i] =
+                vt.isEmpty()
+                        ? -1
+                        : index(vt, word, "texture coordinate (vt)", coordinates.count, at);
         loopNormals[i] = vn.isEmpty() ? -1 : index(vn, word, "normal (vn)", normals.count, at);
     }
 
@@ -202,17 +276,27 @@ public final class ObjReader {
         try {
             value = Integer.parseInt(digits);
         } catch (NumberFormatException e) {
-            throw error(at, "a corner as v, v/vt, v//vn or v/vt/vn after f", "'" + shown(word) + "'");
+            throw error(
+                    at, "a corner as v, v/vt, v//vn or v/vt/vn after f", "'" + shown(word) + "'");
         }
         int index = value < 0 ? count + value : value - 1;
         if (value == 0 || index < 0 || index >= count) {
-            String range = count == 0 ? "none was defined before this line" : "1.." + count + " or -" + count + "..-1";
-            throw error(at, "the number of a " + what + " defined before this line (" + range + ")", value + " in '" + shown(word) + "'");
+            String range =
+                    count == 0
+                            ? "none was defined before this line"
+                            : "1.." + count + " or -" + count + "..-1";
+            throw error(
+                    at,
+                    "the number of a " + what + " defined before this line (" + range + ")",
+                    value + " in '" + shown(word) + "'");
         }
         return index;
     }
 
-    /** The vertex with this position, coordinate and normal; faces without normals share vertices only within themselves. */
+    /**
+     * The vertex with this position, coordinate and normal; faces without normals share vertices
+     * only within themselves.
+     */
     private int vertexOf(int position, int coordinate, int normal, double[] flat) {
         if (newest.length <= position) {
             int old = newest.length;
@@ -257,11 +341,13 @@ public final class ObjReader {
         double u = coordinate < 0 ? 0 : coordinates.values[2 * coordinate];
         double v = coordinate < 0 ? 0 : coordinates.values[2 * coordinate + 1];
         double[] p = positions.values;
-        return builder.vertex(p[3 * position], p[3 * position + 1], p[3 * position + 2], nx, ny, nz, u, v);
+        return builder.vertex(
+                p[3 * position], p[3 * position + 1], p[3 * position + 2], nx, ny, nz, u, v);
     }
 
     private ObjFormatException error(int at, String expected, String found) {
-        return new ObjFormatException(file, at, "expected " + expected + ", found " + found, (@Nullable Throwable) null);
+        return new ObjFormatException(
+                file, at, "expected " + expected + ", found " + found, (@Nullable Throwable) null);
     }
 
     /** At most 40 printable characters of what stands in the file, since it may be anything. */

@@ -44,13 +44,15 @@ final class Polygons {
     }
 
     /**
-     * Cuts a polygon into {@code count - 2} triangles by ear clipping, so that concave ones come out right too.
+     * Cuts a polygon into {@code count - 2} triangles by ear clipping, so that concave ones come
+     * out right too.
      *
      * @param xyz coordinates of all points
      * @param loop point numbers of the corners
      * @param count how many of them are used, at least 3
      * @param normal the polygon's normal
-     * @param dest receives corner positions within the loop, three per triangle; length at least {@code 3 * (count - 2)}
+     * @param dest receives corner positions within the loop, three per triangle; length at least
+     *     {@code 3 * (count - 2)}
      */
     static void triangulate(double[] xyz, int[] loop, int count, double[] normal, int[] dest) {
         int[] left = new int[count];
@@ -65,8 +67,10 @@ final class Polygons {
             int before = left[(at + remaining - 1) % remaining];
             int corner = left[at % remaining];
             int after = left[(at + 1) % remaining];
-            // A polygon that crosses itself may have no ear left; then any corner is cut, so that the loop ends.
-            if (tried >= remaining || isEar(xyz, loop, left, remaining, before, corner, after, normal)) {
+            // A polygon that crosses itself may have no ear left; then any corner is cut, so that
+            // the loop ends.
+            if (tried >= remaining
+                    || isEar(xyz, loop, left, remaining, before, corner, after, normal)) {
                 dest[written++] = before;
                 dest[written++] = corner;
                 dest[written++] = after;
@@ -86,7 +90,14 @@ final class Polygons {
     }
 
     private static boolean isEar(
-            double[] xyz, int[] loop, int[] left, int remaining, int before, int corner, int after, double[] normal) {
+            double[] xyz,
+            int[] loop,
+            int[] left,
+            int remaining,
+            int before,
+            int corner,
+            int after,
+            double[] normal) {
         int a = 3 * loop[before];
         int b = 3 * loop[corner];
         int c = 3 * loop[after];
@@ -99,14 +110,18 @@ final class Polygons {
                 continue;
             }
             int p = 3 * loop[other];
-            if (turn(xyz, a, b, p, normal) >= 0 && turn(xyz, b, c, p, normal) >= 0 && turn(xyz, c, a, p, normal) >= 0) {
+            if (turn(xyz, a, b, p, normal) >= 0
+                    && turn(xyz, b, c, p, normal) >= 0
+                    && turn(xyz, c, a, p, normal) >= 0) {
                 return false;
             }
         }
         return true;
     }
 
-    /** Twice the area of the triangle a b c, positive if it turns left seen from the normal's tip. */
+    /**
+     * Twice the area of the triangle a b c, positive if it turns left seen from the normal's tip.
+     */
     private static double turn(double[] xyz, int a, int b, int c, double[] normal) {
         double ux = xyz[b] - xyz[a];
         double uy = xyz[b + 1] - xyz[a + 1];
@@ -114,6 +129,8 @@ final class Polygons {
         double vx = xyz[c] - xyz[a];
         double vy = xyz[c + 1] - xyz[a + 1];
         double vz = xyz[c + 2] - xyz[a + 2];
-        return (uy * vz - uz * vy) * normal[0] + (uz * vx - ux * vz) * normal[1] + (ux * vy - uy * vx) * normal[2];
+        return (uy * vz - uz * vy) * normal[0]
+                + (uz * vx - ux * vz) * normal[1]
+                + (ux * vy - uy * vx) * normal[2];
     }
 }

@@ -1,19 +1,20 @@
 package dev.cairn.render.mesh;
 
+import org.jspecify.annotations.Nullable;
+import org.lwjgl.stb.STBImage;
+import org.lwjgl.system.MemoryStack;
+import org.lwjgl.system.MemoryUtil;
+
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.IntBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
-import org.lwjgl.stb.STBImage;
-import org.lwjgl.system.MemoryStack;
-import org.lwjgl.system.MemoryUtil;
 
 /**
- * A picture that is drawn on surfaces: sRGB colours, rows from top to bottom. Immutable and free of OpenGL; the renderer uploads it
- * with mipmaps when it first draws it.
+ * A picture that is drawn on surfaces: sRGB colours, rows from top to bottom. Immutable and free of
+ * OpenGL; the renderer uploads it with mipmaps when it first draws it.
  */
 public final class Texture {
     /** One white pixel: the colour of the model shows as it is. */
@@ -39,18 +40,32 @@ public final class Texture {
      * @param name what it is called in messages
      * @param width pixels, 1..16384
      * @param height pixels, 1..16384
-     * @param argb {@code width * height} pixels, top row first, 0xAARRGGBB in sRGB; copied; alpha is ignored
+     * @param argb {@code width * height} pixels, top row first, 0xAARRGGBB in sRGB; copied; alpha
+     *     is ignored
      * @return the texture
      */
     public static Texture of(String name, int width, int height, int[] argb) {
         Objects.requireNonNull(name, "name");
         if (width < 1 || height < 1 || width > 16384 || height > 16384) {
             throw new IllegalArgumentException(
-                    "texture '" + name + "' is " + width + " x " + height + " pixels, expected 1..16384 each");
+                    "texture '"
+                            + name
+                            + "' is "
+                            + width
+                            + " x "
+                            + height
+                            + " pixels, expected 1..16384 each");
         }
         if (argb.length != width * height) {
             throw new IllegalArgumentException(
-                    "texture '" + name + "' has " + argb.length + " pixels, expected " + width + " * " + height);
+                    "texture '"
+                            + name
+                            + "' has "
+                            + argb.length
+                            + " pixels, expected "
+                            + width
+                            + " * "
+                            + height);
         }
         return new Texture(name, width, height, argb.clone(), 0);
     }
@@ -64,13 +79,15 @@ public final class Texture {
      */
     public static Texture read(Path file) {
         if (!Files.isRegularFile(file)) {
-            throw new IllegalArgumentException(file + ": expected a picture file (.png), found nothing there");
+            throw new IllegalArgumentException(
+                    file + ": expected a picture file (.png), found nothing there");
         }
         byte[] bytes;
         try {
             bytes = Files.readAllBytes(file);
         } catch (IOException e) {
-            throw new IllegalArgumentException(file + ": expected a readable picture file (.png), found: " + e, e);
+            throw new IllegalArgumentException(
+                    file + ": expected a readable picture file (.png), found: " + e, e);
         }
         ByteBuffer encoded = MemoryUtil.memAlloc(Math.max(1, bytes.length));
         try (MemoryStack stack = MemoryStack.stackPush()) {
@@ -81,7 +98,10 @@ public final class Texture {
             ByteBuffer pixels = STBImage.stbi_load_from_memory(encoded, width, height, channels, 4);
             if (pixels == null) {
                 throw new IllegalArgumentException(
-                        file + ": expected a picture (.png), found " + bytes.length + " bytes that are none: "
+                        file
+                                + ": expected a picture (.png), found "
+                                + bytes.length
+                                + " bytes that are none: "
                                 + STBImage.stbi_failure_reason());
             }
             try {
@@ -103,8 +123,8 @@ public final class Texture {
     }
 
     /**
-     * A quiet floor: squares of two greys, fine lines between them. Lay it with {@link #tiledEvery}: {@code grid().tiledEvery(2)}
-     * makes squares of one metre.
+     * A quiet floor: squares of two greys, fine lines between them. Lay it with {@link
+     * #tiledEvery}: {@code grid().tiledEvery(2)} makes squares of one metre.
      *
      * @return the texture, 256 x 256, with two by two squares
      */
@@ -113,7 +133,8 @@ public final class Texture {
     }
 
     /**
-     * A face of a crate: plain, with a soft darker rim, so that the edges of stacked boxes can be told apart.
+     * A face of a crate: plain, with a soft darker rim, so that the edges of stacked boxes can be
+     * told apart.
      *
      * @return the texture, 128 x 128
      */
@@ -122,7 +143,8 @@ public final class Texture {
     }
 
     /**
-     * The skin of a ball: eight sectors, light and slightly darker, and a band, so that its turning shows.
+     * The skin of a ball: eight sectors, light and slightly darker, and a band, so that its turning
+     * shows.
      *
      * @return the texture, 256 x 128
      */
@@ -131,15 +153,17 @@ public final class Texture {
     }
 
     /**
-     * The same picture laid over the model by its coordinates in metres instead of by the mesh's texture coordinates: each face
-     * takes the two axes that it lies in. A floor of any size keeps its pattern's size so.
+     * The same picture laid over the model by its coordinates in metres instead of by the mesh's
+     * texture coordinates: each face takes the two axes that it lies in. A floor of any size keeps
+     * its pattern's size so.
      *
      * @param metres length of one repetition, &gt; 0; 0 returns to the mesh's own coordinates
      * @return a new texture that shares the pixels
      */
     public Texture tiledEvery(double metres) {
         if (!(metres >= 0) || Double.isInfinite(metres)) {
-            throw new IllegalArgumentException("texture '" + name + "': tile is " + metres + " m, expected >= 0 and finite");
+            throw new IllegalArgumentException(
+                    "texture '" + name + "': tile is " + metres + " m, expected >= 0 and finite");
         }
         return new Texture(name, width, height, argb, metres);
     }
@@ -189,7 +213,10 @@ public final class Texture {
         return tileMetres;
     }
 
-    /** Textures are equal if they share their pixels, not if they merely look alike, and are tiled alike. */
+    /**
+     * Textures are equal if they share their pixels, not if they merely look alike, and are tiled
+     * alike.
+     */
     @Override
     public boolean equals(@Nullable Object other) {
         return other instanceof Texture that && that.argb == argb && that.tileMetres == tileMetres;

@@ -3,20 +3,31 @@ package dev.cairn.render.app;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.Light;
-import java.util.List;
-import java.util.SplittableRandom;
+
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
+import java.util.List;
+import java.util.SplittableRandom;
+
 /**
- * The oracle of the drawing tests: what a pixel must show, by tracing rays through turned blocks on the CPU. A statement is made only
- * where it also holds up to a pixel farther in all directions, so that edges, which a rasteriser may round, are left out.
+ * The oracle of the drawing tests: what a pixel must show, by tracing rays through turned blocks on
+ * the CPU. A statement is made only where it also holds up to a pixel farther in all directions, so
+ * that edges, which a rasteriser may round, are left out.
  */
 final class Blocks {
     private Blocks() {}
 
-    record Block(double x, double y, double z, Quaterniond turn, double hx, double hy, double hz, int rgb) {
+    record Block(
+            double x,
+            double y,
+            double z,
+            Quaterniond turn,
+            double hx,
+            double hy,
+            double hz,
+            int rgb) {
         Pose pose() {
             return new Pose(x, y, z, turn.x, turn.y, turn.z, turn.w, 0);
         }
@@ -34,7 +45,10 @@ final class Blocks {
                 .normalize();
     }
 
-    /** Direction through a place in the picture, in pixels from its upper left, by the camera's own axes and no matrix. */
+    /**
+     * Direction through a place in the picture, in pixels from its upper left, by the camera's own
+     * axes and no matrix.
+     */
     static Vector3d ray(Camera camera, double px, double py, int width, int height) {
         Vector3d forward = camera.forward(new Vector3d());
         Vector3d right = new Vector3d(forward).cross(0, 1, 0).normalize();
@@ -70,7 +84,8 @@ final class Blocks {
         return new Hit(b, enter, b.turn().transform(normal));
     }
 
-    static @Nullable Hit nearest(List<Block> blocks, Vector3d from, Vector3d direction, double grow) {
+    static @Nullable Hit nearest(
+            List<Block> blocks, Vector3d from, Vector3d direction, double grow) {
         Hit best = null;
         for (Block block : blocks) {
             Hit hit = hit(block, from, direction, grow);
@@ -82,7 +97,8 @@ final class Blocks {
     }
 
     /** Whether something stands between a point on a block and the sun. */
-    static boolean shaded(List<Block> blocks, Block own, Vector3d point, Vector3d sun, double grow) {
+    static boolean shaded(
+            List<Block> blocks, Block own, Vector3d point, Vector3d sun, double grow) {
         for (Block block : blocks) {
             if (block != own && hit(block, point, sun, grow) != null) {
                 return true;
@@ -98,7 +114,9 @@ final class Blocks {
 
     static int encoded(double light) {
         double c = Math.clamp(light, 0.0, 1.0);
-        return (int) Math.round(255 * (c <= 0.0031308 ? 12.92 * c : 1.055 * Math.pow(c, 1 / 2.4) - 0.055));
+        return (int)
+                Math.round(
+                        255 * (c <= 0.0031308 ? 12.92 * c : 1.055 * Math.pow(c, 1 / 2.4) - 0.055));
     }
 
     /** Lambert's law with the hemisphere light, as the javadoc of Light states it. */
@@ -109,7 +127,9 @@ final class Blocks {
         int r =
                 encoded(
                         linear(rgb >> 16)
-                                * (light.groundRed() * (1 - up) + light.skyRed() * up + light.sunRed() * facing));
+                                * (light.groundRed() * (1 - up)
+                                        + light.skyRed() * up
+                                        + light.sunRed() * facing));
         int g =
                 encoded(
                         linear(rgb >> 8)

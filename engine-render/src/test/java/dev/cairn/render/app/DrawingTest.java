@@ -14,10 +14,7 @@ import dev.cairn.render.camera.Light;
 import dev.cairn.render.mesh.Meshes;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.mesh.Texture;
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.List;
-import java.util.SplittableRandom;
+
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterAll;
@@ -26,7 +23,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What is drawn is where geometry says, in the order, orientation and brightness that geometry says. */
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+
+/**
+ * What is drawn is where geometry says, in the order, orientation and brightness that geometry
+ * says.
+ */
 class DrawingTest {
     private static final int WIDTH = 320;
     private static final int HEIGHT = 180;
@@ -58,7 +63,10 @@ class DrawingTest {
         return view.picture();
     }
 
-    /** What a place in the picture shows: -1 if the oracle is not sure, else a colour; and what kind of place it is. */
+    /**
+     * What a place in the picture shows: -1 if the oracle is not sure, else a colour; and what kind
+     * of place it is.
+     */
     private record Seen(int kind, int rgb) {
         private static final int SKY_KIND = 0;
         private static final int AWAY = 1;
@@ -67,7 +75,8 @@ class DrawingTest {
         private static final int UNSURE = 4;
     }
 
-    private static Seen trace(Camera camera, double px, double py, List<Block> blocks, Light light, double softness) {
+    private static Seen trace(
+            Camera camera, double px, double py, List<Block> blocks, Light light, double softness) {
         Vector3d eye = camera.position(new Vector3d());
         Vector3d sun = new Vector3d(light.sunX(), light.sunY(), light.sunZ()).normalize();
         Vector3d ray = Blocks.ray(camera, px, py, WIDTH, HEIGHT);
@@ -78,7 +87,9 @@ class DrawingTest {
         int rgb = hit.block().rgb();
         double facing = hit.normal().dot(sun);
         if (facing <= 0 || !light.shadows()) {
-            return new Seen(facing <= 0 ? Seen.AWAY : Seen.SUNNY_KIND, Blocks.lit(rgb, hit.normal(), light, facing > 0));
+            return new Seen(
+                    facing <= 0 ? Seen.AWAY : Seen.SUNNY_KIND,
+                    Blocks.lit(rgb, hit.normal(), light, facing > 0));
         }
         // A shadow's edge is as wide as some texels of the map.
         Vector3d point = new Vector3d(eye).fma(hit.distance(), ray);
@@ -87,7 +98,9 @@ class DrawingTest {
         if (surely != maybe || facing < 0.05) {
             return new Seen(Seen.UNSURE, 0);
         }
-        return new Seen(surely ? Seen.SHADED : Seen.SUNNY_KIND, Blocks.lit(rgb, hit.normal(), light, !surely));
+        return new Seen(
+                surely ? Seen.SHADED : Seen.SUNNY_KIND,
+                Blocks.lit(rgb, hit.normal(), light, !surely));
     }
 
     /** Compares each pixel that the oracle is sure of; returns how many there are of each kind. */
@@ -119,7 +132,12 @@ class DrawingTest {
                     if (first.isEmpty()) {
                         first =
                                 "pixel %d,%d shows %06x, expected %s %06x"
-                                        .formatted(x, y, picture.at(x, y) & 0xFFFFFF, seen.kind(), seen.rgb());
+                                        .formatted(
+                                                x,
+                                                y,
+                                                picture.at(x, y) & 0xFFFFFF,
+                                                seen.kind(),
+                                                seen.rgb());
                     }
                 }
             }
@@ -134,8 +152,14 @@ class DrawingTest {
 
     private static Block random(SplittableRandom random, double x, double y, double z, int rgb) {
         return new Block(
-                x, y, z, Blocks.randomTurn(random), random.nextDouble(0.3, 1), random.nextDouble(0.3, 1),
-                random.nextDouble(0.3, 1), rgb);
+                x,
+                y,
+                z,
+                Blocks.randomTurn(random),
+                random.nextDouble(0.3, 1),
+                random.nextDouble(0.3, 1),
+                random.nextDouble(0.3, 1),
+                rgb);
     }
 
     @ParameterizedTest
@@ -145,12 +169,15 @@ class DrawingTest {
         // From the origin to a quarter of the way to the Moon.
         double far = seed <= 2 ? 0 : Math.pow(10, seed + 3) * random.nextDouble(0.5, 1);
         Block block = random(random, far, -far, 0.5 * far, 0xE08040);
-        Camera camera = new Camera().lookAt(far + 2, -far + 1.5, 0.5 * far + 4, far + 0.2, -far, 0.5 * far);
+        Camera camera =
+                new Camera().lookAt(far + 2, -far + 1.5, 0.5 * far + 4, far + 0.2, -far, 0.5 * far);
         try (Stage stage = new Stage()) {
             stage.add(block, block.rgb());
             Picture picture = draw(stage.publish(), 1, camera, FLAT);
             int[] counts = compare(picture, camera, List.of(block), FLAT);
-            assertTrue(blockPixels(counts) > 500 && counts[0] > 20_000, "seed " + seed + ": " + Arrays.toString(counts));
+            assertTrue(
+                    blockPixels(counts) > 500 && counts[0] > 20_000,
+                    "seed " + seed + ": " + Arrays.toString(counts));
         }
     }
 
@@ -162,16 +189,25 @@ class DrawingTest {
             Picture picture = draw(stage.publish(), 1, camera, FLAT);
             // The tangent cone: sin = r / d, tan gives the radius at distance 1.
             double sine = 1.5 / 6;
-            double radius = sine / Math.sqrt(1 - sine * sine) / Math.tan(camera.fieldOfView() / 2) * HEIGHT / 2;
+            double radius =
+                    sine
+                            / Math.sqrt(1 - sine * sine)
+                            / Math.tan(camera.fieldOfView() / 2)
+                            * HEIGHT
+                            / 2;
             int inside = 0;
             for (int y = 0; y < HEIGHT; y++) {
                 for (int x = 0; x < WIDTH; x++) {
                     double r = Math.hypot(x + 0.5 - WIDTH / 2.0, y + 0.5 - HEIGHT / 2.0);
                     if (r < radius - 1.2) {
                         inside++;
-                        assertTrue(Blocks.difference(picture.at(x, y), 0xFFFFFF) <= 1, "hole at " + x + "," + y);
+                        assertTrue(
+                                Blocks.difference(picture.at(x, y), 0xFFFFFF) <= 1,
+                                "hole at " + x + "," + y);
                     } else if (r > radius + 1.2) {
-                        assertTrue(Blocks.difference(picture.at(x, y), SKY) <= 1, "spill at " + x + "," + y);
+                        assertTrue(
+                                Blocks.difference(picture.at(x, y), SKY) <= 1,
+                                "spill at " + x + "," + y);
                     }
                 }
             }
@@ -187,7 +223,10 @@ class DrawingTest {
         for (int i = 0; i < 12; i++) {
             blocks.add(
                     random(
-                            random, random.nextDouble(-3, 3), random.nextDouble(-2, 2), random.nextDouble(-4, 2),
+                            random,
+                            random.nextDouble(-3, 3),
+                            random.nextDouble(-2, 2),
+                            random.nextDouble(-4, 2),
                             random.nextInt(0x1000000) | 0x202020));
         }
         Camera camera = new Camera().lookAt(0.5, 1, 9, 0, 0, 0);
@@ -209,12 +248,18 @@ class DrawingTest {
         SplittableRandom random = new SplittableRandom(seed);
         Block block = random(random, 0, 0, 0, 0xC0A080);
         Light light =
-                SUNNY.shadows(false).from(random.nextDouble(-1, 1), random.nextDouble(0.2, 1), random.nextDouble(0, 1));
+                SUNNY.shadows(false)
+                        .from(
+                                random.nextDouble(-1, 1),
+                                random.nextDouble(0.2, 1),
+                                random.nextDouble(0, 1));
         Camera camera = new Camera().lookAt(1.5, 1.5, 3, 0, 0, 0);
         try (Stage stage = new Stage()) {
             stage.add(block, block.rgb());
-            int[] counts = compare(draw(stage.publish(), 1, camera, light), camera, List.of(block), light);
-            assertTrue(counts[3] > 300, "seed " + seed + ", sunny pixels " + Arrays.toString(counts));
+            int[] counts =
+                    compare(draw(stage.publish(), 1, camera, light), camera, List.of(block), light);
+            assertTrue(
+                    counts[3] > 300, "seed " + seed + ", sunny pixels " + Arrays.toString(counts));
         }
     }
 
@@ -227,7 +272,10 @@ class DrawingTest {
         for (int i = 0; i < 6; i++) {
             blocks.add(
                     random(
-                            random, 2.2 * (i % 3) - 2.2, random.nextDouble(1, 2.5), 2.5 * (i / 3) - 1.2,
+                            random,
+                            2.2 * (i % 3) - 2.2,
+                            random.nextDouble(1, 2.5),
+                            2.5 * (i / 3) - 1.2,
                             random.nextInt(0x1000000) | 0x606060));
         }
         Light light = SUNNY.from(random.nextDouble(-1, 1), 1, random.nextDouble(-1, 1));
@@ -253,7 +301,10 @@ class DrawingTest {
             boolean top = i / 64 < 32;
             pixels[i] = top ? (left ? red : green) : (left ? blue : white);
         }
-        Model model = Model.of(Meshes.CUBE).texture(Texture.of("corners", 64, 64, pixels)).color(0xFFFFFF);
+        Model model =
+                Model.of(Meshes.CUBE)
+                        .texture(Texture.of("corners", 64, 64, pixels))
+                        .color(0xFFFFFF);
         double[][] sides = {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}};
         try (Stage stage = new Stage()) {
             stage.add(Pose.at(0, 0, 0), model);
@@ -262,10 +313,18 @@ class DrawingTest {
                 Camera camera = new Camera().lookAt(5 * side[0], 5 * side[1], 5 * side[2], 0, 0, 0);
                 Picture picture = draw(snapshot, 1, camera, FLAT);
                 String where = "seen from " + Arrays.toString(side);
-                assertTrue(Blocks.difference(picture.at(WIDTH / 2 - 20, HEIGHT / 2 - 20), red) < 4, where);
-                assertTrue(Blocks.difference(picture.at(WIDTH / 2 + 20, HEIGHT / 2 - 20), green) < 4, where);
-                assertTrue(Blocks.difference(picture.at(WIDTH / 2 - 20, HEIGHT / 2 + 20), blue) < 4, where);
-                assertTrue(Blocks.difference(picture.at(WIDTH / 2 + 20, HEIGHT / 2 + 20), white) < 4, where);
+                assertTrue(
+                        Blocks.difference(picture.at(WIDTH / 2 - 20, HEIGHT / 2 - 20), red) < 4,
+                        where);
+                assertTrue(
+                        Blocks.difference(picture.at(WIDTH / 2 + 20, HEIGHT / 2 - 20), green) < 4,
+                        where);
+                assertTrue(
+                        Blocks.difference(picture.at(WIDTH / 2 - 20, HEIGHT / 2 + 20), blue) < 4,
+                        where);
+                assertTrue(
+                        Blocks.difference(picture.at(WIDTH / 2 + 20, HEIGHT / 2 + 20), white) < 4,
+                        where);
             }
         }
     }
@@ -279,7 +338,9 @@ class DrawingTest {
         Texture stripes = Texture.of("stripes", 64, 64, pixels).tiledEvery(1);
         Camera camera = new Camera().lookAt(0, 0, 8, 0, 0, 0);
         try (Stage stage = new Stage()) {
-            stage.add(Pose.at(0, 0, -0.5), Model.of(Meshes.CUBE).scale(10, 10, 0.5).texture(stripes).color(0xFFFFFF));
+            stage.add(
+                    Pose.at(0, 0, -0.5),
+                    Model.of(Meshes.CUBE).scale(10, 10, 0.5).texture(stripes).color(0xFFFFFF));
             Picture picture = draw(stage.publish(), 1, camera, FLAT);
             double metresPerPixel = 2 * 8 * Math.tan(camera.fieldOfView() / 2) / HEIGHT;
             int checked = 0;
@@ -288,7 +349,9 @@ class DrawingTest {
                 double phase = metres - Math.floor(metres);
                 if (Math.abs(phase - 0.25) < 0.12 || Math.abs(phase - 0.75) < 0.12) {
                     int expected = phase < 0.5 ? 0 : 0xFFFFFF;
-                    assertTrue(Blocks.difference(expected, picture.at(x, HEIGHT / 2)) < 60, "metre " + metres);
+                    assertTrue(
+                            Blocks.difference(expected, picture.at(x, HEIGHT / 2)) < 60,
+                            "metre " + metres);
                     checked++;
                 }
             }
@@ -303,19 +366,52 @@ class DrawingTest {
         Quaterniond to = new Quaterniond().rotateXYZ(0.9, -0.3, 0.5);
         Block start = new Block(-1.2, 0.2, 0, from, 0.9, 0.6, 0.4, 0x40C0F0);
         Block end = new Block(1.0, -0.4, 0.6, to, 0.9, 0.6, 0.4, 0x40C0F0);
-        Quaterniond middle = new Quaterniond(from.x + to.x, from.y + to.y, from.z + to.z, from.w + to.w).normalize();
+        Quaterniond middle =
+                new Quaterniond(from.x + to.x, from.y + to.y, from.z + to.z, from.w + to.w)
+                        .normalize();
         Block between = new Block(-0.1, -0.1, 0.3, middle, 0.9, 0.6, 0.4, 0x40C0F0);
         double sign = flipSign ? -1 : 1;
         Camera camera = new Camera().lookAt(0.5, 1, 5, 0, 0, 0);
         try (Stage stage = new Stage()) {
             long entity = stage.add(start, start.rgb());
             stage.publish();
-            stage.set(entity, new Pose(end.x(), end.y(), end.z(), sign * to.x, sign * to.y, sign * to.z, sign * to.w, 0));
+            stage.set(
+                    entity,
+                    new Pose(
+                            end.x(),
+                            end.y(),
+                            end.z(),
+                            sign * to.x,
+                            sign * to.y,
+                            sign * to.z,
+                            sign * to.w,
+                            0));
             PoseSnapshot snapshot = stage.step();
-            assertTrue(blockPixels(compare(draw(snapshot, 0, camera, FLAT), camera, List.of(start), FLAT)) > 500);
-            assertTrue(blockPixels(compare(draw(snapshot, 0.5, camera, FLAT), camera, List.of(between), FLAT)) > 500);
+            assertTrue(
+                    blockPixels(
+                                    compare(
+                                            draw(snapshot, 0, camera, FLAT),
+                                            camera,
+                                            List.of(start),
+                                            FLAT))
+                            > 500);
+            assertTrue(
+                    blockPixels(
+                                    compare(
+                                            draw(snapshot, 0.5, camera, FLAT),
+                                            camera,
+                                            List.of(between),
+                                            FLAT))
+                            > 500);
             Picture last = draw(snapshot, 1, camera, SUNNY);
-            assertTrue(blockPixels(compare(draw(snapshot, 1, camera, FLAT), camera, List.of(end), FLAT)) > 500);
+            assertTrue(
+                    blockPixels(
+                                    compare(
+                                            draw(snapshot, 1, camera, FLAT),
+                                            camera,
+                                            List.of(end),
+                                            FLAT))
+                            > 500);
             // The end of one tick is the beginning of the next, bit for bit.
             PoseSnapshot next = stage.step();
             assertArrayEquals(last.argb(), draw(next, 0, camera, SUNNY).argb());
@@ -327,10 +423,18 @@ class DrawingTest {
         Block there = new Block(1, 0, 0, new Quaterniond(), 0.5, 0.5, 0.5, 0x40C0F0);
         Camera camera = new Camera().lookAt(0, 1, 5, 0, 0, 0);
         try (Stage stage = new Stage()) {
-            long entity = stage.add(Pose.at(-2, 0, 0), Model.of(Meshes.CUBE).scale(0.5).color(0x40C0F0));
+            long entity =
+                    stage.add(Pose.at(-2, 0, 0), Model.of(Meshes.CUBE).scale(0.5).color(0x40C0F0));
             stage.publish();
             stage.set(entity, new Pose(1, 0, 0, 0, 0, 0, 1, 1));
-            assertTrue(blockPixels(compare(draw(stage.step(), 0.5, camera, FLAT), camera, List.of(there), FLAT)) > 500);
+            assertTrue(
+                    blockPixels(
+                                    compare(
+                                            draw(stage.step(), 0.5, camera, FLAT),
+                                            camera,
+                                            List.of(there),
+                                            FLAT))
+                            > 500);
         }
     }
 
@@ -354,7 +458,8 @@ class DrawingTest {
         Camera camera = new Camera().lookAt(0, 0, 5, 0, 0, 0);
         try (Stage stage = new Stage()) {
             stage.add(Pose.at(0, 0, 0), "no model");
-            assertEquals(0xFFFF00FF, draw(stage.publish(), 1, camera, FLAT).at(WIDTH / 2, HEIGHT / 2));
+            assertEquals(
+                    0xFFFF00FF, draw(stage.publish(), 1, camera, FLAT).at(WIDTH / 2, HEIGHT / 2));
         }
     }
 
@@ -363,12 +468,18 @@ class DrawingTest {
         Camera camera = new Camera().lookAt(0, 0, 5, 0, 0, 0);
         try (Stage empty = new Stage();
                 Stage stage = new Stage()) {
-            assertEquals(0xFF000000 | SKY, draw(empty.publish(), 1, camera, FLAT).at(WIDTH / 2, HEIGHT / 2));
+            assertEquals(
+                    0xFF000000 | SKY,
+                    draw(empty.publish(), 1, camera, FLAT).at(WIDTH / 2, HEIGHT / 2));
             stage.add(Pose.at(0, 0, 0), Model.of(Meshes.CUBE).color(0x00FF00));
-            assertEquals(0xFF00FF00, draw(stage.publish(), 1, camera, FLAT).at(WIDTH / 2, HEIGHT / 2));
+            assertEquals(
+                    0xFF00FF00, draw(stage.publish(), 1, camera, FLAT).at(WIDTH / 2, HEIGHT / 2));
             stage.add(Pose.at(0, 0, 2), Model.of(Meshes.BALL).scale(0.5).color(0xFF0000));
-            assertEquals(0xFFFF0000, draw(stage.publish(), 1, camera, FLAT).at(WIDTH / 2, HEIGHT / 2));
-            assertEquals(0xFF000000 | SKY, draw(empty.publish(), 1, camera, FLAT).at(WIDTH / 2, HEIGHT / 2));
+            assertEquals(
+                    0xFFFF0000, draw(stage.publish(), 1, camera, FLAT).at(WIDTH / 2, HEIGHT / 2));
+            assertEquals(
+                    0xFF000000 | SKY,
+                    draw(empty.publish(), 1, camera, FLAT).at(WIDTH / 2, HEIGHT / 2));
         }
     }
 

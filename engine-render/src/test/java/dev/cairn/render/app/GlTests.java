@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import org.opentest4j.TestAbortedException;
 
-/** Whether tests that draw run: property {@code gl.tests} = auto (skip without EGL, with a notice), required (fail), off. */
+/**
+ * Whether tests that draw run: property {@code gl.tests} = auto (skip without EGL, with a notice),
+ * required (fail), off.
+ */
 final class GlTests {
     private GlTests() {}
 

@@ -7,9 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.Light;
-import java.util.concurrent.atomic.AtomicReference;
+
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+
+import java.util.concurrent.atomic.AtomicReference;
 
 class OffscreenTest {
     @BeforeAll
@@ -22,7 +24,8 @@ class OffscreenTest {
         for (int i = 0; i < 3; i++) {
             try (Offscreen view = Offscreen.open(40 + i, 30)) {
                 assertNull(Offscreen.unavailableReason());
-                IllegalStateException e = assertThrows(IllegalStateException.class, () -> Offscreen.open(8, 8));
+                IllegalStateException e =
+                        assertThrows(IllegalStateException.class, () -> Offscreen.open(8, 8));
                 assertTrue(e.getMessage().contains("close it"), e.getMessage());
                 try (Stage stage = new Stage()) {
                     view.draw(stage.publish(), 0, new Camera(), Light.DAYLIGHT);
@@ -35,7 +38,8 @@ class OffscreenTest {
     @Test
     void badUseIsRefused() throws InterruptedException {
         assertThrows(IllegalArgumentException.class, () -> Offscreen.open(0, 10));
-        assertThrows(IllegalArgumentException.class, () -> Offscreen.open(10, Offscreen.MAX_SIZE + 1));
+        assertThrows(
+                IllegalArgumentException.class, () -> Offscreen.open(10, Offscreen.MAX_SIZE + 1));
         Offscreen view = Offscreen.open(16, 16);
         try (Stage stage = new Stage()) {
             assertThrows(IllegalStateException.class, view::picture);
@@ -44,22 +48,26 @@ class OffscreenTest {
                     () -> view.draw(stage.publish(), 1.5, new Camera(), Light.DAYLIGHT));
             AtomicReference<Throwable> thrown = new AtomicReference<>();
             Thread other =
-                    new Thread(
-                            () ->
-                                    thrown.set(
-                                            assertThrows(
-                                                    IllegalStateException.class,
-                                                    () ->
-                                                            view.draw(
-                                                                    stage.publish(), 0, new Camera(),
-                                                                    Light.DAYLIGHT))));
+                    new Thread(() ->
+                            thrown.set(
+                                    assertThrows(
+                                            IllegalStateException.class,
+                                            () ->
+                                                    view.draw(
+                                                            stage.publish(),
+                                                            0,
+                                                            new Camera(),
+                                                            Light.DAYLIGHT))));
             other.start();
             other.join();
-            assertTrue(thrown.get().getMessage().contains("belongs to the thread"), () -> "" + thrown.get());
+            assertTrue(
+                    thrown.get().getMessage().contains("belongs to the thread"),
+                    () -> "" + thrown.get());
             view.close();
             view.close();
             assertThrows(
-                    IllegalStateException.class, () -> view.draw(stage.publish(), 0, new Camera(), Light.DAYLIGHT));
+                    IllegalStateException.class,
+                    () -> view.draw(stage.publish(), 0, new Camera(), Light.DAYLIGHT));
         }
     }
 }

@@ -18,14 +18,16 @@ import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.Light;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.mesh.Texture;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
-import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 
 /** The two threads of an application. Every wait is for a condition. */
 @Timeout(60)
@@ -42,7 +44,8 @@ class SimulationTest {
         @Override
         public void begin(PhysicsWorld physics) {
             Sphere ball = Sphere.of(0.5);
-            physics.add(Body.dynamic().shape(ball).velocity(0, 2, 0).with(new Visual(Model.of(ball))));
+            physics.add(
+                    Body.dynamic().shape(ball).velocity(0, 2, 0).with(new Visual(Model.of(ball))));
         }
 
         @Override
@@ -136,7 +139,8 @@ class SimulationTest {
         assertEquals(90, simulation.ticks());
         assertEquals(90, flight.updates.get());
         // The parabola of a body without contacts, at t = 1.5 s.
-        assertEquals(2 * 1.5 - 0.5 * 9.81 * 2.25, simulation.exchange().latest().current()[1], 1e-9);
+        assertEquals(
+                2 * 1.5 - 0.5 * 9.81 * 2.25, simulation.exchange().latest().current()[1], 1e-9);
     }
 
     /** A demo whose ball is at a known place at a known tick. */
@@ -205,11 +209,15 @@ class SimulationTest {
         IllegalArgumentException init = new IllegalArgumentException("in initScene");
         assertSame(
                 init,
-                assertThrows(IllegalArgumentException.class, () -> new Demo(init, null).headless(file, 10).start()));
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () -> new Demo(init, null).headless(file, 10).start()));
         IllegalArgumentException update = new IllegalArgumentException("in update");
         assertSame(
                 update,
-                assertThrows(IllegalArgumentException.class, () -> new Demo(null, update).headless(file, 10).start()));
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () -> new Demo(null, update).headless(file, 10).start()));
         assertFalse(Files.exists(file));
     }
 
@@ -218,7 +226,8 @@ class SimulationTest {
         Demo demo = new Demo(null, null);
         assertThrows(IllegalArgumentException.class, () -> demo.size(1, 1));
         assertThrows(IllegalArgumentException.class, () -> demo.step(0));
-        assertThrows(IllegalArgumentException.class, () -> demo.headless(folder.resolve("x.png"), -1));
+        assertThrows(
+                IllegalArgumentException.class, () -> demo.headless(folder.resolve("x.png"), -1));
         assertThrows(IllegalStateException.class, demo::isPaused);
         assertThrows(IllegalStateException.class, demo::scene);
     }

@@ -19,7 +19,9 @@ final class Stage implements AutoCloseable {
     long add(Blocks.Block block, int rgb) {
         return add(
                 block.pose(),
-                Model.of(dev.cairn.render.mesh.Meshes.CUBE).scale(block.hx(), block.hy(), block.hz()).color(rgb));
+                Model.of(dev.cairn.render.mesh.Meshes.CUBE)
+                        .scale(block.hx(), block.hy(), block.hz())
+                        .color(rgb));
     }
 
     void set(long entity, Pose pose) {

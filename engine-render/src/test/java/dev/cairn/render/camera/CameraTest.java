@@ -9,7 +9,11 @@ import org.junit.jupiter.api.Test;
 
 class CameraTest {
     private static void assertNear(double x, double y, double z, Vector3d v) {
-        assertEquals(0, v.distance(x, y, z), 1e-12, () -> v + " instead of (" + x + ", " + y + ", " + z + ")");
+        assertEquals(
+                0,
+                v.distance(x, y, z),
+                1e-12,
+                () -> v + " instead of (" + x + ", " + y + ", " + z + ")");
     }
 
     @Test
@@ -52,7 +56,9 @@ class CameraTest {
         Camera camera = new Camera().lookAt(0, 0, 0, 0, 0, -1).follow(7, 0, 1, 4, true);
         camera.rideOn(10, 0, 0);
         assertNear(10, 1, 4, camera.position(new Vector3d()));
-        assertTrue(camera.forward(new Vector3d()).dot(new Vector3d(0, -1, -4).normalize()) > 1 - 1e-12);
+        assertTrue(
+                camera.forward(new Vector3d()).dot(new Vector3d(0, -1, -4).normalize())
+                        > 1 - 1e-12);
         camera.fly(0, 0, 2);
         camera.rideOn(20, 0, 0);
         assertNear(20, 3, 4, camera.position(new Vector3d()));

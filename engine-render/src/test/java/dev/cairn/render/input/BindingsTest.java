@@ -8,9 +8,10 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.junit.jupiter.api.Test;
+
 import java.util.ArrayList;
 import java.util.List;
-import org.junit.jupiter.api.Test;
 
 class BindingsTest {
     private final Bindings bindings = new Bindings();
@@ -39,7 +40,8 @@ class BindingsTest {
 
     @Test
     void rebindingMovesTheActionToItsNewKey() {
-        bindings.onKey(Key.P, "pause", () -> ran.add("pause")).onKey(Key.SPACE, "pause", () -> ran.add("pause"));
+        bindings.onKey(Key.P, "pause", () -> ran.add("pause"))
+                .onKey(Key.SPACE, "pause", () -> ran.add("pause"));
         bindings.press(Key.P);
         bindings.press(Key.SPACE);
         assertEquals(List.of("pause", "pause"), ran);
@@ -58,7 +60,8 @@ class BindingsTest {
 
     @Test
     void laterBindingTakesTheKey() {
-        bindings.onKey(Key.P, "pause", () -> ran.add("pause")).onKey(Key.P, "punch", () -> ran.add("punch"));
+        bindings.onKey(Key.P, "pause", () -> ran.add("pause"))
+                .onKey(Key.P, "punch", () -> ran.add("punch"));
         bindings.press(Key.P);
         assertEquals(List.of("punch"), ran);
         bindings.onKey(Key.P, "punch", () -> ran.add("kick"));
@@ -72,7 +75,8 @@ class BindingsTest {
 
     @Test
     void actionsMayBindWhileTheyRun() {
-        bindings.onKey(Key.A, "first", () -> bindings.onKey(Key.A, "second", () -> ran.add("second")));
+        bindings.onKey(
+                Key.A, "first", () -> bindings.onKey(Key.A, "second", () -> ran.add("second")));
         bindings.press(Key.A);
         bindings.press(Key.A);
         assertEquals(List.of("second"), ran);
@@ -100,8 +104,11 @@ class BindingsTest {
     @Test
     void unknownActionIsNamed() {
         bindings.onKey(Key.P, "pause", () -> {});
-        IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> bindings.rebind("paus", Key.A));
-        assertTrue(e.getMessage().contains("'paus'") && e.getMessage().contains("[pause]"), e.getMessage());
+        IllegalArgumentException e =
+                assertThrows(IllegalArgumentException.class, () -> bindings.rebind("paus", Key.A));
+        assertTrue(
+                e.getMessage().contains("'paus'") && e.getMessage().contains("[pause]"),
+                e.getMessage());
         assertThrows(IllegalArgumentException.class, () -> bindings.onKey(Key.A, " ", () -> {}));
     }
 }

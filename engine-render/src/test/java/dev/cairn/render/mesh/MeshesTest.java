@@ -11,11 +11,13 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.render.app.Picture;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.SplittableRandom;
-import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 class MeshesTest {
     /** Volume by the divergence theorem: positive only if the triangles are wound outwards. */
@@ -38,9 +40,12 @@ class MeshesTest {
     private static void assertNormalsPointOutwards(Mesh mesh) {
         float[] v = mesh.vertices();
         for (int i = 0; i < v.length; i += 8) {
-            double length = Math.sqrt(v[i + 3] * v[i + 3] + v[i + 4] * v[i + 4] + v[i + 5] * v[i + 5]);
+            double length =
+                    Math.sqrt(v[i + 3] * v[i + 3] + v[i + 4] * v[i + 4] + v[i + 5] * v[i + 5]);
             assertEquals(1, length, 1e-5, mesh + " vertex " + i / 8);
-            assertTrue(v[i] * v[i + 3] + v[i + 1] * v[i + 4] + v[i + 2] * v[i + 5] > 0, mesh + " vertex " + i / 8);
+            assertTrue(
+                    v[i] * v[i + 3] + v[i + 1] * v[i + 4] + v[i + 2] * v[i + 5] > 0,
+                    mesh + " vertex " + i / 8);
         }
     }
 
@@ -75,12 +80,19 @@ class MeshesTest {
 
     @Test
     void badValuesAreNamed() {
-        assertTrue(assertThrows(IllegalArgumentException.class, () -> Meshes.box(1, 0, 1)).getMessage().contains("halfY is 0.0"));
+        assertTrue(
+                assertThrows(IllegalArgumentException.class, () -> Meshes.box(1, 0, 1))
+                        .getMessage()
+                        .contains("halfY is 0.0"));
         assertThrows(IllegalArgumentException.class, () -> Meshes.sphere(Double.NaN));
         assertThrows(IllegalArgumentException.class, () -> Model.of(Meshes.CUBE).scale(-1));
-        assertThrows(IllegalArgumentException.class, () -> Model.of(Meshes.CUBE).origin(Double.NaN, 0, 0));
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> Model.of(Meshes.CUBE).origin(Double.NaN, 0, 0));
         assertThrows(IllegalArgumentException.class, () -> Mesh.of("m", new float[7], new int[0]));
-        assertThrows(IllegalArgumentException.class, () -> Mesh.of("m", new float[8], new int[] {0, 0, 1}));
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> Mesh.of("m", new float[8], new int[] {0, 0, 1}));
         assertThrows(IllegalArgumentException.class, () -> Texture.of("t", 2, 2, new int[3]));
         assertThrows(IllegalArgumentException.class, () -> Texture.grid().tiledEvery(-1));
     }
@@ -100,7 +112,15 @@ class MeshesTest {
         assertArrayEquals(argb, back.argb());
         Path broken = folder.resolve("broken.png");
         Files.write(broken, new byte[] {1, 2, 3});
-        assertTrue(assertThrows(IllegalArgumentException.class, () -> Texture.read(broken)).getMessage().contains("broken.png"));
-        assertTrue(assertThrows(IllegalArgumentException.class, () -> Texture.read(folder.resolve("no.png"))).getMessage().contains("found nothing"));
+        assertTrue(
+                assertThrows(IllegalArgumentException.class, () -> Texture.read(broken))
+                        .getMessage()
+                        .contains("broken.png"));
+        assertTrue(
+                assertThrows(
+                                IllegalArgumentException.class,
+                                () -> Texture.read(folder.resolve("no.png")))
+                        .getMessage()
+                        .contains("found nothing"));
     }
 }

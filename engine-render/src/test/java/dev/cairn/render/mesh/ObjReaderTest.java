@@ -5,16 +5,17 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.SplittableRandom;
 
 class ObjReaderTest {
     @TempDir Path folder;
@@ -50,12 +51,30 @@ class ObjReaderTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//1 3//1", "f 1/1/1 2/2/1 3/3/1", "f -3 -2 -1", "f -3/-3/-1 -2/-2/-1 -1/-1/-1",
-                "  f\t1 2 3  # a comment", "f 1 \\\n 2 3", "usemtl red\ns off\ng part\nl 1 2\nf 1 2 3"
+                "f 1 2 3",
+                "f 1/1 2/2 3/3",
+                "f 1//1 2//1 3//1",
+                "f 1/1/1 2/2/1 3/3/1",
+                "f -3 -2 -1",
+                "f -3/-3/-1 -2/-2/-1 -1/-1/-1",
+                "  f\t1 2 3  # a comment",
+                "f 1 \\\n 2 3",
+                "usemtl red\ns off\ng part\nl 1 2\nf 1 2 3"
             })
     void everyFormOfIndexGivesTheSameTriangle(String face) throws IOException {
         Mesh mesh =
-                read("# w\u00fcrfel\nmtllib x.mtl\no thing\nv 0 0 0\nv 2 0 0 1.0\nv 0 3 0 0.1 0.2 0.3\nvt 0 0\nvt 1 0\nvt 0 1 0\nvn 0 0 2\n" + face);
+                read(
+                        "# w\u00fcrfel\n"
+                                + "mtllib x.mtl\n"
+                                + "o thing\n"
+                                + "v 0 0 0\n"
+                                + "v 2 0 0 1.0\n"
+                                + "v 0 3 0 0.1 0.2 0.3\n"
+                                + "vt 0 0\n"
+                                + "vt 1 0\n"
+                                + "vt 0 1 0\n"
+                                + "vn 0 0 2\n"
+                                + face);
         assertEquals(1, mesh.triangleCount());
         assertEquals(3, mesh.vertexCount());
         assertEquals(3, area(mesh), 1e-6);
@@ -63,13 +82,25 @@ class ObjReaderTest {
         float[] v = mesh.vertices();
         for (int i = 0; i < 3; i++) {
             assertEquals(1, v[8 * i + 5], 1e-6, "normal of vertex " + i);
-            assertEquals(face.contains("/") && !face.contains("//") ? (i == 1 ? 1 : 0) : 0, v[8 * i + 6], "u of " + i);
+            assertEquals(
+                    face.contains("/") && !face.contains("//") ? (i == 1 ? 1 : 0) : 0,
+                    v[8 * i + 6],
+                    "u of " + i);
         }
     }
 
     @Test
     void negativeIndexCountsBackFromTheLineOfTheFace() throws IOException {
-        Mesh mesh = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf -3 -2 -1\n");
+        Mesh mesh =
+                read(
+                        "v 0 0 0\n"
+                                + "v 1 0 0\n"
+                                + "v 0 1 0\n"
+                                + "f -3 -2 -1\n"
+                                + "v 5 0 0\n"
+                                + "v 6 0 0\n"
+                                + "v 5 1 0\n"
+                                + "f -3 -2 -1\n");
         assertEquals(2, mesh.triangleCount());
         assertEquals(5, mesh.vertices()[3 * 8], 0);
     }
@@ -87,7 +118,13 @@ class ObjReaderTest {
             double radius = random.nextDouble(0.4, 2);
             x[i] = radius * Math.cos(2 * Math.PI * i / corners);
             y[i] = radius * Math.sin(2 * Math.PI * i / corners);
-            text.append("v ").append(10 + x[i]).append(' ').append(0.6 * y[i]).append(' ').append(0.8 * y[i]).append('\n');
+            text.append("v ")
+                    .append(10 + x[i])
+                    .append(' ')
+                    .append(0.6 * y[i])
+                    .append(' ')
+                    .append(0.8 * y[i])
+                    .append('\n');
         }
         text.append('f');
         double twice = 0;
@@ -127,24 +164,37 @@ class ObjReaderTest {
                     "#"              | 0 | at least one face
                     """)
     void brokenFileIsRefusedWithFileAndLine(String text, int line, String words) {
-        ObjFormatException e = assertThrows(ObjFormatException.class, () -> read(text.replace(";", "\n")));
+        ObjFormatException e =
+                assertThrows(ObjFormatException.class, () -> read(text.replace(";", "\n")));
         assertEquals(line, e.line());
         assertTrue(e.file().endsWith("mesh.obj"), e.file());
         assertTrue(e.getMessage().contains(words), e.getMessage());
-        assertTrue(e.getMessage().contains("mesh.obj:" + (line > 0 ? line + ": " : " ")), e.getMessage());
+        assertTrue(
+                e.getMessage().contains("mesh.obj:" + (line > 0 ? line + ": " : " ")),
+                e.getMessage());
         assertEquals(1, e.getMessage().lines().count());
     }
 
     @Test
     void missingFileFolderAndBinaryAreRefused() throws IOException {
-        assertTrue(assertThrows(ObjFormatException.class, () -> ObjReader.read(folder.resolve("no.obj"))).getMessage().contains("found nothing"));
-        assertTrue(assertThrows(ObjFormatException.class, () -> ObjReader.read(folder)).getMessage().contains("found a folder"));
+        assertTrue(
+                assertThrows(
+                                ObjFormatException.class,
+                                () -> ObjReader.read(folder.resolve("no.obj")))
+                        .getMessage()
+                        .contains("found nothing"));
+        assertTrue(
+                assertThrows(ObjFormatException.class, () -> ObjReader.read(folder))
+                        .getMessage()
+                        .contains("found a folder"));
         byte[] bytes = new byte[5000];
         new SplittableRandom(7).nextBytes(bytes);
         Path file = folder.resolve("binary.obj");
         Files.write(file, bytes);
         ObjFormatException e = assertThrows(ObjFormatException.class, () -> ObjReader.read(file));
-        assertTrue(e.getMessage().chars().allMatch(c -> c >= ' '), "control characters in " + e.getMessage());
+        assertTrue(
+                e.getMessage().chars().allMatch(c -> c >= ' '),
+                "control characters in " + e.getMessage());
     }
 
     @Test
@@ -159,7 +209,15 @@ class ObjReaderTest {
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < n; j++) {
                 int a = i * (n + 1) + j + 1;
-                text.append("f ").append(a).append("//1 ").append(a + 1).append("//1 ").append(a + n + 2).append("//1 ").append(a + n + 1).append("//1\n");
+                text.append("f ")
+                        .append(a)
+                        .append("//1 ")
+                        .append(a + 1)
+                        .append("//1 ")
+                        .append(a + n + 2)
+                        .append("//1 ")
+                        .append(a + n + 1)
+                        .append("//1\n");
             }
         }
         Mesh mesh = read(text.toString());
