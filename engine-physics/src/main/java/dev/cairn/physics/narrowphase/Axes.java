@@ -233,11 +233,21 @@ final class Axes {
                 (p.px - p.a.vertexX(va)) * x
                         + (p.py - p.a.vertexY(va)) * y
                         + (p.pz - p.a.vertexZ(va)) * z;
-        faceA = faceToward(p.a, va, x, y, z);
-        separationA = p.faceSeparationA(faceA);
-        faceB = faceToward(p.b, vb, -bx, -by, -bz);
-        separationB = p.faceSeparationB(faceB);
         snapEdges(p, va, vb, bx, by, bz);
+        boolean edges = separationEdge > NEVER;
+        faceA = edges ? faceAtEdge(p.a, edgeA, x, y, z) : faceToward(p.a, va, x, y, z);
+        separationA = p.faceSeparationA(faceA);
+        faceB = edges ? faceAtEdge(p.b, edgeB, -bx, -by, -bz) : faceToward(p.b, vb, -bx, -by, -bz);
+        separationB = p.faceSeparationB(faceB);
+    }
+
+    /** Both ends of an edge are support points up to rounding, so the faces of both compete. */
+    private static int faceAtEdge(Polyhedron h, int edge, double x, double y, double z) {
+        int f = faceToward(h, h.edgeFrom(edge), x, y, z);
+        int g = faceToward(h, h.edgeTo(edge), x, y, z);
+        double df = h.normalX(f) * x + h.normalY(f) * y + h.normalZ(f) * z;
+        double dg = h.normalX(g) * x + h.normalY(g) * y + h.normalZ(g) * z;
+        return df > dg || (df == dg && f < g) ? f : g;
     }
 
     /**

@@ -320,6 +320,9 @@ public final class NarrowPhase {
         }
         findAxes(a, b, margin);
         double best = axes.best();
+        if (best > margin && general && gjk.beyond) {
+            return 0;
+        }
         if (best > margin) {
             return word(axes.separationB > axes.separationA ? FACE_B : FACE_A, 0);
         }

@@ -39,7 +39,12 @@ final class Orientation {
         if (det > bound) {
             return -1;
         }
-        return det < -bound ? 1 : exact(p, a, b, c, d);
+        if (det < -bound) {
+            return 1;
+        }
+        // Every product is zero: all four points in one axis plane, the usual case of a cap with
+        // many corners.
+        return permanent == 0 ? 0 : exact(p, a, b, c, d);
     }
 
     private static int exact(double[] p, int a, int b, int c, int d) {
