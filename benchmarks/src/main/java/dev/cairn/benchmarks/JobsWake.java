@@ -57,7 +57,7 @@ public class JobsWake {
     @State(Scope.Thread)
     public static class Parked {
         final Jobs jobs = Jobs.of(2);
-        final Meeting meeting = new Meeting();
+        private final Meeting meeting = new Meeting();
 
         /** Finds the helper's thread. */
         @Setup

@@ -47,7 +47,7 @@ class SmokeTest {
         }
         assertEquals(
                 "[EcsCreateDelete, EcsIterate, JobsDispatch, JobsWake, SnapshotHandOver,"
-                    + " WorldStep]",
+                        + " WorldStep]",
                 suites.toString());
         assertEquals(3 + 3 + 2 + 2 + 2 + 1, results.size());
     }
