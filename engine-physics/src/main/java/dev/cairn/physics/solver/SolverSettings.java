@@ -42,7 +42,11 @@ public record SolverSettings(
     public static final SolverSettings DEFAULT =
             new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 2, 8, 0.02);
 
-    /** Checks every bound. */
+    /**
+     * Checks every bound.
+     *
+     * @throws IllegalArgumentException if a value is out of its range; the message names it
+     */
     public SolverSettings {
         check("substeps", substeps, 1, 64);
         check("hertzPerRate", hertzPerRate, 1e-3, 0.5);
@@ -63,7 +67,13 @@ public record SolverSettings(
         }
     }
 
-    /** These settings with another number of sub-steps. */
+    /**
+     * These settings with another number of sub-steps.
+     *
+     * @param value 1 to 64
+     * @return new settings
+     * @throws IllegalArgumentException if the value is out of its range
+     */
     public SolverSettings withSubsteps(int value) {
         return new SolverSettings(
                 value,
@@ -78,7 +88,13 @@ public record SolverSettings(
                 offsetGain);
     }
 
-    /** These settings with another restitution threshold, m/s. */
+    /**
+     * These settings with another restitution threshold.
+     *
+     * @param value m/s, at least 0
+     * @return new settings
+     * @throws IllegalArgumentException if the value is out of its range
+     */
     public SolverSettings withRestitutionThreshold(double value) {
         return new SolverSettings(
                 substeps,
@@ -93,7 +109,15 @@ public record SolverSettings(
                 offsetGain);
     }
 
-    /** These settings with other soft-contact numbers. */
+    /**
+     * These settings with another soft step.
+     *
+     * @param newHertzPerRate contact frequency times the sub-step
+     * @param newDampingRatio damping ratio
+     * @param newPushSpeed fastest push, m/s
+     * @return new settings
+     * @throws IllegalArgumentException if a value is out of its range
+     */
     public SolverSettings withSoftness(
             double newHertzPerRate, double newDampingRatio, double newPushSpeed) {
         return new SolverSettings(
@@ -110,8 +134,12 @@ public record SolverSettings(
     }
 
     /**
-     * These settings with other numbers of sweeps inside a contact: always, and in the sub-step in
-     * which it begins.
+     * These settings with other numbers of sweeps inside a contact.
+     *
+     * @param newInnerSweeps always
+     * @param newColdSweeps in the sub-step in which the contact begins
+     * @return new settings
+     * @throws IllegalArgumentException if a value is out of its range
      */
     public SolverSettings withSweeps(int newInnerSweeps, int newColdSweeps) {
         return new SolverSettings(
@@ -127,7 +155,13 @@ public record SolverSettings(
                 offsetGain);
     }
 
-    /** These settings with another gain of the offset that removes sag; 0 switches it off. */
+    /**
+     * These settings with another gain of the offset that removes sag.
+     *
+     * @param value 0 (off) to 0.05
+     * @return new settings
+     * @throws IllegalArgumentException if the value is out of its range
+     */
     public SolverSettings withOffsetGain(double value) {
         return new SolverSettings(
                 substeps,
