@@ -1,0 +1,70 @@
+package dev.cairn.physics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import com.sun.management.ThreadMXBean;
+import dev.cairn.core.job.BlockJob;
+import dev.cairn.core.job.Jobs;
+import java.lang.management.ManagementFactory;
+import java.util.concurrent.CountDownLatch;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A steady tick allocates nothing, on no thread. */
+class AllocationTest {
+    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    /** Learns which threads the workers are: each must take one block, because it waits for the others. */
+    private static long[] threadsOf(Jobs jobs) {
+        int workers = jobs.workers();
+        long[] ids = new long[workers];
+        CountDownLatch all = new CountDownLatch(workers);
+        BlockJob job =
+                (block, worker) -> {
+                    ids[worker] = Thread.currentThread().threadId();
+                    all.countDown();
+                    try {
+                        all.await();
+                    } catch (InterruptedException interrupted) {
+                        throw new AssertionError(interrupted);
+                    }
+                };
+        jobs.run(job, workers);
+        return ids;
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void aStackAtRest(int workers) {
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(workers).build()) {
+            Scenes.stack(world, 8);
+            measure(world, 600);
+        }
+    }
+
+    @Test
+    void aHeapAtRest() {
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(2).build()) {
+            Scenes.drop(world, 60, 3);
+            measure(world, 1500);
+        }
+    }
+
+    private static void measure(PhysicsWorld world, int warmUp) {
+        long[] ids = threadsOf(world.ecs().jobs());
+        for (int tick = 0; tick < warmUp; tick++) {
+            world.step(Scenes.STEP);
+        }
+        long[] before = THREADS.getThreadAllocatedBytes(ids);
+        long[] again = THREADS.getThreadAllocatedBytes(ids);
+        for (int tick = 0; tick < 300; tick++) {
+            world.step(Scenes.STEP);
+        }
+        long[] after = THREADS.getThreadAllocatedBytes(ids);
+        assertEquals(again[0] - before[0], after[0] - again[0], "bytes of the caller in 300 ticks");
+        for (int worker = 1; worker < ids.length; worker++) {
+            assertEquals(0, after[worker] - again[worker], "bytes of helper " + worker);
+        }
+    }
+}
