@@ -1,11 +1,12 @@
 package dev.cairn.physics;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 
 import com.sun.management.ThreadMXBean;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Jobs;
 import java.lang.management.ManagementFactory;
+import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -56,15 +57,22 @@ class AllocationTest {
         for (int tick = 0; tick < warmUp; tick++) {
             world.step(Scenes.STEP);
         }
-        long[] before = THREADS.getThreadAllocatedBytes(ids);
-        long[] again = THREADS.getThreadAllocatedBytes(ids);
-        for (int tick = 0; tick < 300; tick++) {
-            world.step(Scenes.STEP);
+        // A path that is taken for the first time may link a method once; what a tick allocates
+        // shows in every round.
+        long[] least = new long[ids.length];
+        Arrays.fill(least, Long.MAX_VALUE);
+        for (int round = 0; round < 3; round++) {
+            long[] before = THREADS.getThreadAllocatedBytes(ids);
+            long[] again = THREADS.getThreadAllocatedBytes(ids);
+            for (int tick = 0; tick < 300; tick++) {
+                world.step(Scenes.STEP);
+            }
+            long[] after = THREADS.getThreadAllocatedBytes(ids);
+            for (int worker = 0; worker < ids.length; worker++) {
+                long reading = again[worker] - before[worker];
+                least[worker] = Math.min(least[worker], after[worker] - again[worker] - reading);
+            }
         }
-        long[] after = THREADS.getThreadAllocatedBytes(ids);
-        assertEquals(again[0] - before[0], after[0] - again[0], "bytes of the caller in 300 ticks");
-        for (int worker = 1; worker < ids.length; worker++) {
-            assertEquals(0, after[worker] - again[worker], "bytes of helper " + worker);
-        }
+        assertArrayEquals(new long[ids.length], least, "bytes in 300 ticks, by worker");
     }
 }

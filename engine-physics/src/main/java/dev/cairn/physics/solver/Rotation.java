@@ -19,6 +19,11 @@ import dev.cairn.physics.internal.BodyStore;
 final class Rotation {
     private static final double SMALL = 0.25;
 
+    /** Above this an angle is taken modulo a full turn, so that halving ends after a few steps. */
+    private static final double LARGE = 4;
+
+    private static final double TURN = 2 * Math.PI;
+
     private Rotation() {}
 
     /** Sine; polynomial up to a quarter, by halving above. */
@@ -34,6 +39,9 @@ final class Rotation {
             p = p * y - 1 / 6.0;
             return x + x * y * p;
         }
+        if (Math.abs(x) > LARGE) {
+            return sin(Math.IEEEremainder(x, TURN));
+        }
         return 2 * sin(0.5 * x) * cos(0.5 * x);
     }
 
@@ -48,6 +56,9 @@ final class Rotation {
             p = p * y + 1 / 24.0;
             p = p * y - 0.5;
             return 1 + y * p;
+        }
+        if (Math.abs(x) > LARGE) {
+            return cos(Math.IEEEremainder(x, TURN));
         }
         double s = sin(0.5 * x);
         return 1 - 2 * s * s;
