@@ -80,6 +80,8 @@ class FailureTest {
             assertEquals(0, later.get(), "a later level does not start");
             assertTrue(world.hasFailed());
             assertEquals(before, world.digest(), "nothing was published");
+            Chunk chunk = world.query(POSITION).chunk(0);
+            assertSame(chunk.in(X), chunk.out(X), "what the tick wrote is forgotten");
             assertEquals(1, world.tickNumber());
             assertTeaches(WorldFailedException.class, () -> world.step(1), "tick 2", "cannot");
 
