@@ -7,7 +7,7 @@ import dev.cairn.core.ecs.FloatField;
  * The two components of the ECS suites, for each engine: three {@code float} each. Immutable
  * records for Cairn; mutable objects for Dominion and Artemis-odb, as their manuals show.
  */
-final class EcsModel {
+public final class EcsModel {
 
     /** Velocity lost per tick. */
     static final float DRAG = 0.999f;
@@ -15,11 +15,23 @@ final class EcsModel {
     /** Seconds per tick. */
     static final float STEP = 1.0f / 60.0f;
 
-    /** Cairn's position, metres. */
-    record Position(float x, float y, float z) {}
+    /**
+     * Cairn's position, metres.
+     *
+     * @param x along x
+     * @param y along y
+     * @param z along z
+     */
+    public record Position(float x, float y, float z) {}
 
-    /** Cairn's velocity, metres per second. */
-    record Velocity(float x, float y, float z) {}
+    /**
+     * Cairn's velocity, metres per second.
+     *
+     * @param x along x
+     * @param y along y
+     * @param z along z
+     */
+    public record Velocity(float x, float y, float z) {}
 
     static final Component<Position> POSITION = Component.of(Position.class);
     static final FloatField PX = POSITION.floatField("x");
