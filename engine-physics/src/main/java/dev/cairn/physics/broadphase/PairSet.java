@@ -105,7 +105,7 @@ public final class PairSet {
     }
 
     private int home(long key) {
-        return (int) (key * 0x9E3779B97F4A7C15L >>> shift);
+        return (int) ((key * 0x9E3779B97F4A7C15L) >>> shift);
     }
 
     private void grow() {
