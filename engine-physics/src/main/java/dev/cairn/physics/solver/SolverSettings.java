@@ -40,7 +40,7 @@ public record SolverSettings(
         double offsetGain) {
     /** The measured defaults. */
     public static final SolverSettings DEFAULT =
-            new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 2, 8, 0.02);
+            new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 2, 8, 0.01);
 
     /**
      * Checks every bound.
