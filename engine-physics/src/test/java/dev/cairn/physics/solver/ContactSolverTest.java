@@ -116,7 +116,7 @@ class ContactSolverTest {
             int plane = s.fixed();
             int box = s.box(mass, 0.5, 0.5, 0.5, 0, 0.5, 0);
             int row = s.boxOnPlane(plane, box, 0, 1, 0, 0, 0.6, 0);
-            s.run(10);
+            s.run(30);
             double weight = mass * 9.81 * SolverScene.TICK;
             for (int p = 0; p < 4; p++) {
                 assertEquals(
