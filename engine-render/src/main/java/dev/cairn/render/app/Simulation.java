@@ -36,6 +36,7 @@ final class Simulation {
     private volatile boolean stopping;
     private volatile long ticks;
     private volatile @Nullable Throwable failure;
+    private long done;
     private @Nullable PhysicsWorld physics;
 
     /**
@@ -102,7 +103,7 @@ final class Simulation {
         }
         world.step(seconds);
         exchange.publish(world.ecs());
-        ticks = ticks + 1;
+        ticks = ++done;
     }
 
     private boolean takeSingleStep() {

@@ -37,7 +37,7 @@ import dev.cairn.render.input.MouseButton;
 import org.jspecify.annotations.Nullable;
 
 import java.nio.file.Path;
-import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.Locale;
 
 /** The main thread of an application with a window: events, camera, frames. */
@@ -65,7 +65,7 @@ final class WindowLoop {
     private final GlContext context;
     private final Camera camera;
     private final Bindings bindings;
-    private final boolean[] held = new boolean[Key.values().length];
+    private final EnumSet<Key> held = EnumSet.noneOf(Key.class);
     private final int[] framebufferWidth = new int[1];
     private final int[] framebufferHeight = new int[1];
     private boolean lookButton;
@@ -172,10 +172,10 @@ final class WindowLoop {
                 (w, code, scancode, action, mods) -> {
                     Key key = Key.ofCode(code);
                     if (key != null && action == GLFW_PRESS) {
-                        held[key.ordinal()] = true;
+                        held.add(key);
                         post(() -> bindings.press(key));
                     } else if (key != null && action == GLFW_RELEASE) {
-                        held[key.ordinal()] = false;
+                        held.remove(key);
                         post(() -> bindings.release(key));
                     }
                 });
@@ -195,7 +195,7 @@ final class WindowLoop {
                 window,
                 (w, focused) -> {
                     if (!focused) {
-                        Arrays.fill(held, false);
+                        held.clear();
                         lookButton = false;
                         post(bindings::releaseAll);
                     }
@@ -259,7 +259,7 @@ final class WindowLoop {
 
     private boolean isHeld(String action) {
         for (Key key : bindings.keys(action)) {
-            if (held[key.ordinal()]) {
+            if (held.contains(key)) {
                 return true;
             }
         }

@@ -366,10 +366,10 @@ public final class Camera {
             return this;
         }
         // Never holds two locks, so that two cameras may be set from each other.
-        other.lock.lock();
         double[] state;
         long target;
         boolean looks;
+        other.lock.lock();
         try {
             state =
                     new double[] {

@@ -213,7 +213,7 @@ public final class GlContext implements AutoCloseable {
         if (closed) {
             throw new IllegalStateException("this view is closed");
         }
-        if (Thread.currentThread() != owner) {
+        if (!owner.equals(Thread.currentThread())) {
             throw new IllegalStateException(
                     "this view belongs to the thread '"
                             + owner.getName()

@@ -269,11 +269,11 @@ final class Instances implements AutoCloseable {
             attribute(2, 2, Mesh.FLOATS_PER_VERTEX, 6, 0);
             glBindBuffer(GL_ARRAY_BUFFER, motionBuffer);
             for (int i = 0; i < 4; i++) {
-                attribute(3 + i, 4, MOTION_FLOATS, batch.first * (long) MOTION_FLOATS + 4 * i, 1);
+                attribute(3 + i, 4, MOTION_FLOATS, batch.first * (long) MOTION_FLOATS + 4L * i, 1);
             }
             glBindBuffer(GL_ARRAY_BUFFER, lookBuffer);
             for (int i = 0; i < 3; i++) {
-                attribute(7 + i, 3, LOOK_FLOATS, batch.first * (long) LOOK_FLOATS + 3 * i, 1);
+                attribute(7 + i, 3, LOOK_FLOATS, batch.first * (long) LOOK_FLOATS + 3L * i, 1);
             }
             mesh.bindIndices();
         }

@@ -11,7 +11,10 @@ import java.nio.file.Path;
 public final class ObjFormatException extends IllegalArgumentException {
     private static final long serialVersionUID = 1L;
 
+    /** The file as it was given. */
     private final String file;
+
+    /** The line that is wrong, or 0. */
     private final int line;
 
     ObjFormatException(Path file, int line, String message, @Nullable Throwable cause) {

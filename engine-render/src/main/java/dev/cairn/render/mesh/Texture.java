@@ -218,6 +218,7 @@ public final class Texture {
      * alike.
      */
     @Override
+    @SuppressWarnings("ReferenceEquality") // Sharing is what is meant.
     public boolean equals(@Nullable Object other) {
         return other instanceof Texture that && that.argb == argb && that.tileMetres == tileMetres;
     }
