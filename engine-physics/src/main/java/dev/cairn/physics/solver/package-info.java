@@ -28,13 +28,13 @@
  * without restitution runs no impact, one without friction no tangent rows. Steps use + - * / and
  * square roots only, and allocate nothing.
  *
- * <p>The seam for a wide solver: {@code ContactRows} is the whole input of
- * a sweep besides the bodies' velocities; kernels are static methods over its arrays.
+ * <p>The seam for a wide solver: {@code ContactRows} is the whole input of a sweep besides the
+ * bodies' velocities; kernels are static methods over its arrays.
  *
- * <p>Sources: E. Catto, Solver2D and the Soft Step solver (2023-24); M. Macklin et al., "Small Steps
- * in Physics Simulation" (2019); E. Guendelman, R. Bridson, R. Fedkiw, "Nonconvex rigid bodies with
- * stacking" (2003) for impacts before contacts; R. McLachlan (1993) for the splitting; M. Powell
- * and M. Hestenes (1969) for the offset. Figures: {@code docs/solver.md}.
+ * <p>Sources: E. Catto, Solver2D and the Soft Step solver (2023-24); M. Macklin et al., "Small
+ * Steps in Physics Simulation" (2019); E. Guendelman, R. Bridson, R. Fedkiw, "Nonconvex rigid
+ * bodies with stacking" (2003) for impacts before contacts; R. McLachlan (1993) for the splitting;
+ * M. Powell and M. Hestenes (1969) for the offset. Figures: {@code docs/solver.md}.
  */
 @NullMarked
 package dev.cairn.physics.solver;
