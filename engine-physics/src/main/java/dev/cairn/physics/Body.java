@@ -1,14 +1,17 @@
 package dev.cairn.physics;
 
 import dev.cairn.physics.shape.Shape;
-import java.util.ArrayList;
-import java.util.List;
+
 import org.joml.Quaterniondc;
 import org.jspecify.annotations.Nullable;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /**
- * The description of a body to be, for {@link PhysicsWorld#add}. A builder that can be used again: the world copies what it
- * says. {@link #at} and {@link #rotation} place the frame that the shape was made in. One thread at a time.
+ * The description of a body to be, for {@link PhysicsWorld#add}. A builder that can be used again:
+ * the world copies what it says. {@link #at} and {@link #rotation} place the frame that the shape
+ * was made in. One thread at a time.
  */
 public final class Body {
     final boolean fixed;
@@ -152,14 +155,16 @@ public final class Body {
      *
      * @param kilograms finite, above 0
      * @return this
-     * @throws IllegalArgumentException if it is not; a body that shall not move is a {@link #fixed()} one
+     * @throws IllegalArgumentException if it is not; a body that shall not move is a {@link
+     *     #fixed()} one
      */
     public Body mass(double kilograms) {
         if (!(kilograms > 0) || kilograms == Double.POSITIVE_INFINITY) {
             throw new IllegalArgumentException(
                     "mass is "
                             + kilograms
-                            + " kg; it must be finite and greater than 0. For a body that nothing moves use Body.fixed()");
+                            + " kg; it must be finite and greater than 0. For a body that nothing"
+                            + " moves use Body.fixed()");
         }
         mass = kilograms;
         return this;
@@ -202,7 +207,8 @@ public final class Body {
     }
 
     /**
-     * Adds components to the body's entity, beside {@code Pose}, {@link Velocity} and {@link RigidBody}.
+     * Adds components to the body's entity, beside {@code Pose}, {@link Velocity} and {@link
+     * RigidBody}.
      *
      * @param values components of the user, one of a type
      * @return this

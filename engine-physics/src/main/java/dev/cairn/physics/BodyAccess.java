@@ -4,6 +4,7 @@ import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.shape.Shape;
+
 import org.joml.Matrix3d;
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
@@ -104,8 +105,7 @@ final class BodyAccess {
         bodies.forceZ[s] += fz;
     }
 
-    void applyForceAt(
-            int s, double fx, double fy, double fz, double px, double py, double pz) {
+    void applyForceAt(int s, double fx, double fy, double fz, double px, double py, double pz) {
         Checks.finite("px", px);
         Checks.finite("py", py);
         Checks.finite("pz", pz);
@@ -142,8 +142,7 @@ final class BodyAccess {
         bodies.velocityZ[s] += jz * bodies.inverseMass[s];
     }
 
-    void applyImpulseAt(
-            int s, double jx, double jy, double jz, double px, double py, double pz) {
+    void applyImpulseAt(int s, double jx, double jy, double jz, double px, double py, double pz) {
         Checks.finite("px", px);
         Checks.finite("py", py);
         Checks.finite("pz", pz);
@@ -249,8 +248,7 @@ final class BodyAccess {
         double px = Checks.between("x", x + rotated[0], -BoundsStage.LIMIT, BoundsStage.LIMIT);
         double py = Checks.between("y", y + rotated[1], -BoundsStage.LIMIT, BoundsStage.LIMIT);
         double pz = Checks.between("z", z + rotated[2], -BoundsStage.LIMIT, BoundsStage.LIMIT);
-        table.world()
-                .set(bodies.entity[s], new Pose(x, y, z, qx, qy, qz, qw, table.jumps[s] + 1));
+        table.world().set(bodies.entity[s], new Pose(x, y, z, qx, qy, qz, qw, table.jumps[s] + 1));
         table.jumps[s]++;
         bodies.positionX[s] = px;
         bodies.positionY[s] = py;

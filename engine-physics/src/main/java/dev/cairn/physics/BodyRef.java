@@ -1,19 +1,21 @@
 package dev.cairn.physics;
 
 import dev.cairn.physics.shape.Shape;
+
 import org.joml.Matrix3d;
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 
 /**
- * A body in a world. All values are in world axes and SI units; positions named so are those of the origin of the frame that
- * the shape was made in, unless a name says centre of mass.
+ * A body in a world. All values are in world axes and SI units; positions named so are those of the
+ * origin of the frame that the shape was made in, unless a name says centre of mass.
  *
- * <p>Simulation thread only, and not from inside the physics step. Methods that take a destination or primitives do not
- * allocate. Every method but {@link #entity}, {@link #isAlive}, {@link #name} and {@link #toString} throws {@link
- * BodyRemovedException} once the body is gone. Forces and torques add up and act over the whole next step, then are
- * cleared; impulses act at once. On fixed bodies forces and impulses have no effect.
+ * <p>Simulation thread only, and not from inside the physics step. Methods that take a destination
+ * or primitives do not allocate. Every method but {@link #entity}, {@link #isAlive}, {@link #name}
+ * and {@link #toString} throws {@link BodyRemovedException} once the body is gone. Forces and
+ * torques add up and act over the whole next step, then are cleared; impulses act at once. On fixed
+ * bodies forces and impulses have no effect.
  */
 public final class BodyRef {
     private final BodyTable table;
@@ -284,8 +286,8 @@ public final class BodyRef {
     }
 
     /**
-     * Puts the origin of the shape's frame elsewhere, at once; orientation and velocities stay. {@code Pose.jumps} counts it,
-     * so that pictures do not smear. Allocates.
+     * Puts the origin of the shape's frame elsewhere, at once; orientation and velocities stay.
+     * {@code Pose.jumps} counts it, so that pictures do not smear. Allocates.
      *
      * @param x m, finite
      * @param y m, finite
@@ -296,7 +298,8 @@ public final class BodyRef {
     }
 
     /**
-     * Puts the shape's frame elsewhere, at once; velocities stay. {@code Pose.jumps} counts it. Allocates.
+     * Puts the shape's frame elsewhere, at once; velocities stay. {@code Pose.jumps} counts it.
+     * Allocates.
      *
      * @param x m, finite
      * @param y m, finite
@@ -308,7 +311,8 @@ public final class BodyRef {
     }
 
     /**
-     * Takes the body and its entity out of the world, between steps. Its contacts end with the next step.
+     * Takes the body and its entity out of the world, between steps. Its contacts end with the next
+     * step.
      *
      * @throws IllegalStateException while a step runs
      */
@@ -323,15 +327,15 @@ public final class BodyRef {
     private int alive() {
         if (!table.isAlive(slot, entity)) {
             throw new BodyRemovedException(
-                    this + " is no longer in its world; ask isAlive() before you use a body that may be gone");
+                    this
+                            + " is no longer in its world; ask isAlive() before you use a body that"
+                            + " may be gone");
         }
         return slot;
     }
 
     @Override
     public String toString() {
-        return name.isEmpty()
-                ? "body in slot " + slot
-                : "body '" + name + "' in slot " + slot;
+        return name.isEmpty() ? "body in slot " + slot : "body '" + name + "' in slot " + slot;
     }
 }

@@ -7,16 +7,20 @@ import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
+
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 
 /**
- * Who is in the world: slots, their entities and references, and what the kernels of the step do not need.
+ * Who is in the world: slots, their entities and references, and what the kernels of the step do
+ * not need.
  *
- * <p>A slot is free, or in use, or gone: its entity was found dead at the start of a tick, and its rows leave in that tick;
- * then it is free. Free slots are used again last freed first, which is part of the deterministic state.
+ * <p>A slot is free, or in use, or gone: its entity was found dead at the start of a tick, and its
+ * rows leave in that tick; then it is free. Free slots are used again last freed first, which is
+ * part of the deterministic state.
  */
 final class BodyTable {
     final BodyStore bodies = new BodyStore();
@@ -182,13 +186,14 @@ final class BodyTable {
                     throw new IllegalArgumentException(
                             "component "
                                     + component.getClass().getSimpleName()
-                                    + " is given twice; pass one of each type, and leave Pose, Velocity"
-                                    + " and RigidBody to the body");
+                                    + " is given twice; pass one of each type, and leave Pose,"
+                                    + " Velocity and RigidBody to the body");
                 }
             }
             if (component instanceof Velocity) {
                 throw new IllegalArgumentException(
-                        "component Velocity is given to a fixed body; make it dynamic or leave it out");
+                        "component Velocity is given to a fixed body; make it dynamic or leave it"
+                            + " out");
             }
             records[own + i] = component;
         }
@@ -275,13 +280,15 @@ final class BodyTable {
             throw new IllegalStateException(
                     "an entity has RigidBody["
                             + slot
-                            + "] that is not its own; bodies are made by PhysicsWorld.add, do not add"
-                            + " RigidBody by hand");
+                            + "] that is not its own; bodies are made by PhysicsWorld.add, do not"
+                            + " add RigidBody by hand");
         }
         seen[slot] = tick;
     }
 
-    /** Bodies whose entity is gone leave the trees; their slots are free after {@link #freeGone}. */
+    /**
+     * Bodies whose entity is gone leave the trees; their slots are free after {@link #freeGone}.
+     */
     void sweep(long tick) {
         if (listsStale) {
             rebuildLists();

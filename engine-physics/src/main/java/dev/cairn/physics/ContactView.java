@@ -3,9 +3,11 @@ package dev.cairn.physics;
 import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+
+import org.joml.Vector3d;
+
 import java.util.Arrays;
 import java.util.Objects;
-import org.joml.Vector3d;
 
 /** The façade of contact rows: those with points, found when somebody asks. */
 final class ContactView implements Contacts {

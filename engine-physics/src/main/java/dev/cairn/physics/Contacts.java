@@ -3,12 +3,12 @@ package dev.cairn.physics;
 import org.joml.Vector3d;
 
 /**
- * The contacts of the last step: pairs of bodies that touch or are about to. Their order is a function of the world's
- * history, never of the number of workers.
+ * The contacts of the last step: pairs of bodies that touch or are about to. Their order is a
+ * function of the world's history, never of the number of workers.
  *
- * <p>A view: the same object for the life of the world, its contents replaced by each step. Simulation thread, between
- * steps. Nothing here allocates. World axes, SI units. Bodies that were removed since the step are still named here; ask
- * {@link BodyRef#isAlive}.
+ * <p>A view: the same object for the life of the world, its contents replaced by each step.
+ * Simulation thread, between steps. Nothing here allocates. World axes, SI units. Bodies that were
+ * removed since the step are still named here; ask {@link BodyRef#isAlive}.
  */
 public interface Contacts {
     /**
@@ -81,7 +81,8 @@ public interface Contacts {
     double normalImpulse(int contact, int point);
 
     /**
-     * Whether the bodies touch: since they last came within reach, they have overlapped or pushed each other.
+     * Whether the bodies touch: since they last came within reach, they have overlapped or pushed
+     * each other.
      *
      * @param contact 0 to count - 1
      * @return true between the events of {@link #began} and {@link #ended}
@@ -96,13 +97,17 @@ public interface Contacts {
     Events began();
 
     /**
-     * The pairs that ceased to touch in the last step, or whose body was removed before it. Each had begun before.
+     * The pairs that ceased to touch in the last step, or whose body was removed before it. Each
+     * had begun before.
      *
      * @return the same view each time
      */
     Events ended();
 
-    /** Pairs of bodies, in a deterministic order. Simulation thread, between steps; does not allocate. */
+    /**
+     * Pairs of bodies, in a deterministic order. Simulation thread, between steps; does not
+     * allocate.
+     */
     interface Events {
         /**
          * How many pairs there are.

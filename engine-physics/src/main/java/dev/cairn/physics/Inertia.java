@@ -7,8 +7,8 @@ final class Inertia {
     private Inertia() {}
 
     /**
-     * The inverse's six entries xx, yy, zz, xy, xz, yz. The matrix is scaled by its trace first, so that neither very small nor
-     * very large bodies leave the range of numbers.
+     * The inverse's six entries xx, yy, zz, xy, xz, yz. The matrix is scaled by its trace first, so
+     * that neither very small nor very large bodies leave the range of numbers.
      */
     static double[] inverse(MassProperties p) {
         double scale = p.ixx() + p.iyy() + p.izz();
@@ -46,7 +46,8 @@ final class Inertia {
                                 + p.ixz()
                                 + ", yz "
                                 + p.iyz()
-                                + ") kg m² has no finite inverse; choose a less thin shape or another mass");
+                                + ") kg m² has no finite inverse; choose a less thin shape or"
+                                + " another mass");
             }
         }
         return inverse;

@@ -3,7 +3,8 @@ package dev.cairn.physics;
 import dev.cairn.physics.internal.BodyStore;
 
 /**
- * What all dynamic bodies of a world have in motion, summed in slot order (so the same bits for any number of workers).
+ * What all dynamic bodies of a world have in motion, summed in slot order (so the same bits for any
+ * number of workers).
  *
  * @param kineticEnergy of translation and rotation, J
  * @param momentumX linear momentum, world x, kg m/s

@@ -3,10 +3,12 @@ package dev.cairn.physics;
 /**
  * What a body's surface and substance are like. Immutable; any thread.
  *
- * <p>Two materials meet with the friction {@code sqrt(a * b)} and the larger restitution of the two.
+ * <p>Two materials meet with the friction {@code sqrt(a * b)} and the larger restitution of the
+ * two.
  *
  * @param friction Coulomb coefficient, dimensionless, finite, at least 0
- * @param restitution Newton's coefficient of restitution, 0 (no bounce) to 1 (bounces to its height)
+ * @param restitution Newton's coefficient of restitution, 0 (no bounce) to 1 (bounces to its
+ *     height)
  * @param density kg/m³, finite, above 0; unused where a body states its mass
  */
 public record Material(double friction, double restitution, double density) {
@@ -28,7 +30,8 @@ public record Material(double friction, double restitution, double density) {
     /**
      * Checks the values.
      *
-     * @throws IllegalArgumentException if a value is out of its range; the message names value and range
+     * @throws IllegalArgumentException if a value is out of its range; the message names value and
+     *     range
      */
     public Material {
         Checks.atLeastZero("friction", friction);

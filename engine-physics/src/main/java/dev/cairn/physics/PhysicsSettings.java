@@ -3,21 +3,27 @@ package dev.cairn.physics;
 import dev.cairn.physics.solver.SolverSettings;
 
 /**
- * The tunables of the step, in one place. Every length rule is relative to the bodies' own size or to how far they move in
- * a tick: there is no absolute slop, so a scene of millimetres behaves as one of kilometres. Immutable; any thread.
+ * The tunables of the step, in one place. Every length rule is relative to the bodies' own size or
+ * to how far they move in a tick: there is no absolute slop, so a scene of millimetres behaves as
+ * one of kilometres. Immutable; any thread.
  *
- * @param substeps solver sub-steps of a tick, 1 to 64. More are more accurate and cost in proportion. Default 4
- * @param contactStiffness frequency of the soft contacts as a fraction of the sub-step's: {@code hertz = contactStiffness /
- *     h}, 0.001 to 0.5. Default 0.125
- * @param contactDampingRatio damping ratio of the soft contacts, 0 to 1000. Default 10: overlaps fade, they do not pop
+ * @param substeps solver sub-steps of a tick, 1 to 64. More are more accurate and cost in
+ *     proportion. Default 4
+ * @param contactStiffness frequency of the soft contacts as a fraction of the sub-step's: {@code
+ *     hertz = contactStiffness / h}, 0.001 to 0.5. Default 0.125
+ * @param contactDampingRatio damping ratio of the soft contacts, 0 to 1000. Default 10: overlaps
+ *     fade, they do not pop
  * @param pushSpeed the fastest that an overlap is pushed apart, m/s, 0.001 to 1000. Default 3
- * @param restitutionThreshold approach speed below which nothing bounces, m/s, 0 to 1000. Default 0.1
- * @param speculativeTime contacts are made for pairs that could meet within so many ticks at their present relative speed
- *     (turning included), 0 to 16. Default 1
- * @param speculativeFraction and, besides, for pairs that are closer than this fraction of the smaller body's inner
- *     radius, so that resting points persist, 0 to 1. Default 0.02
- * @param boundsMargin fat bounds extend the needed ones by this fraction of the body's outer radius, 0 to 1. Default 0.1
- * @param boundsTime and by the distance of so many ticks along the body's velocity, 0 to 64. Default 4
+ * @param restitutionThreshold approach speed below which nothing bounces, m/s, 0 to 1000. Default
+ *     0.1
+ * @param speculativeTime contacts are made for pairs that could meet within so many ticks at their
+ *     present relative speed (turning included), 0 to 16. Default 1
+ * @param speculativeFraction and, besides, for pairs that are closer than this fraction of the
+ *     smaller body's inner radius, so that resting points persist, 0 to 1. Default 0.02
+ * @param boundsMargin fat bounds extend the needed ones by this fraction of the body's outer
+ *     radius, 0 to 1. Default 0.1
+ * @param boundsTime and by the distance of so many ticks along the body's velocity, 0 to 64.
+ *     Default 4
  */
 public record PhysicsSettings(
         int substeps,
@@ -45,7 +51,8 @@ public record PhysicsSettings(
     /**
      * Checks the values.
      *
-     * @throws IllegalArgumentException if a value is out of its range; the message names value and range
+     * @throws IllegalArgumentException if a value is out of its range; the message names value and
+     *     range
      */
     public PhysicsSettings {
         Checks.between("substeps", substeps, 1, 64);

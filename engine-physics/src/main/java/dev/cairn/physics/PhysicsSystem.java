@@ -13,10 +13,12 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.ContactSolver;
 
 /**
- * One tick of the physics, as a system of the ECS named {@value #NAME}: reads {@link RigidBody}, writes {@link Pose} and
- * {@link Velocity} of all bodies that can move. {@link PhysicsWorld} makes it.
+ * One tick of the physics, as a system of the ECS named {@value #NAME}: reads {@link RigidBody},
+ * writes {@link Pose} and {@link Velocity} of all bodies that can move. {@link PhysicsWorld} makes
+ * it.
  *
- * <p>Simulation thread; each stage runs in blocks over the tick's workers. A steady tick allocates nothing.
+ * <p>Simulation thread; each stage runs in blocks over the tick's workers. A steady tick allocates
+ * nothing.
  */
 public final class PhysicsSystem implements WorldSystem {
     /** The system's name in the schedule. */
@@ -83,7 +85,13 @@ public final class PhysicsSystem implements WorldSystem {
         table.freeGone();
         manifolds.run(table.bodies, contacts, table.bounds, tick.stepSeconds(), tick.jobs());
         solver.step(
-                table.bodies, contacts, gravityX, gravityY, gravityZ, tick.stepSeconds(), tick.jobs());
+                table.bodies,
+                contacts,
+                gravityX,
+                gravityY,
+                gravityZ,
+                tick.stepSeconds(),
+                tick.jobs());
         publishPoses(tick);
         events.update(contacts, tick.jobs());
         view.update(events);

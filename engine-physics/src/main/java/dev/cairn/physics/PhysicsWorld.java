@@ -3,15 +3,17 @@ package dev.cairn.physics;
 import dev.cairn.core.ecs.EcsSystem;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.job.Jobs;
+
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 
 /**
  * A world of rigid bodies: an ECS world with the physics system in it.
  *
- * <p>SI units, right-handed, y up. One simulation thread calls everything here; the world's helpers work inside {@link
- * #step}. Steps allocate nothing once the arrays have grown.
+ * <p>SI units, right-handed, y up. One simulation thread calls everything here; the world's helpers
+ * work inside {@link #step}. Steps allocate nothing once the arrays have grown.
  */
 public final class PhysicsWorld implements AutoCloseable {
     private final PhysicsSystem physics;
@@ -39,7 +41,8 @@ public final class PhysicsWorld implements AutoCloseable {
      *
      * @param body what it is like
      * @return the body
-     * @throws IllegalArgumentException if the description lacks a shape or its mass properties are not finite
+     * @throws IllegalArgumentException if the description lacks a shape or its mass properties are
+     *     not finite
      * @throws IllegalStateException if the world is closed or a step runs
      */
     public BodyRef add(Body body) {
@@ -47,8 +50,8 @@ public final class PhysicsWorld implements AutoCloseable {
         requireOpen("add");
         if (stepping || physics.isRunning()) {
             throw new IllegalStateException(
-                    "add was called during a step; add bodies between steps, or spawn plain entities with"
-                            + " tick.commands()");
+                    "add was called during a step; add bodies between steps, or spawn plain"
+                        + " entities with tick.commands()");
         }
         return physics.table.add(body);
     }
@@ -94,9 +97,9 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
-     * The bodies that were quarantined so far and are still there, in the order that it happened. A body whose force, velocity
-     * or position is no longer a number that can be computed with is stopped where it last was valid, and fixed there, so that
-     * its neighbours stay finite.
+     * The bodies that were quarantined so far and are still there, in the order that it happened. A
+     * body whose force, velocity or position is no longer a number that can be computed with is
+     * stopped where it last was valid, and fixed there, so that its neighbours stay finite.
      *
      * @return a new list
      */
@@ -143,7 +146,8 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
-     * A hash of the state: poses, velocities and contact impulses, bit by bit. Equal for any number of workers.
+     * A hash of the state: poses, velocities and contact impulses, bit by bit. Equal for any number
+     * of workers.
      *
      * @return 64 bits
      */
@@ -170,7 +174,8 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
-     * Stops or resumes the physics system; the other systems run on. Forces that were applied meanwhile are forgotten.
+     * Stops or resumes the physics system; the other systems run on. Forces that were applied
+     * meanwhile are forgotten.
      *
      * @param paused true to stop
      */
@@ -276,8 +281,8 @@ public final class PhysicsWorld implements AutoCloseable {
         }
 
         /**
-         * Sets how many threads work at a step, the caller included; by default as many as there are processors. The results
-         * do not depend on it.
+         * Sets how many threads work at a step, the caller included; by default as many as there
+         * are processors. The results do not depend on it.
          *
          * @param count 1 to {@link Jobs#MAX_WORKERS}
          * @return this

@@ -8,12 +8,14 @@ import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.internal.BodyStore;
-import java.util.Arrays;
+
 import org.jspecify.annotations.Nullable;
 
+import java.util.Arrays;
+
 /**
- * From slots to columns: writes Pose and Velocity of a chunk's rows, one block to a chunk, clears the forces, and puts bodies
- * back whose state is no longer finite.
+ * From slots to columns: writes Pose and Velocity of a chunk's rows, one block to a chunk, clears
+ * the forces, and puts bodies back whose state is no longer finite.
  */
 final class Publisher {
     private static final IntField SLOT = RigidBody.COMPONENT.intField("slot");
@@ -165,8 +167,7 @@ final class Publisher {
             double oy = b.orientationY[s];
             double oz = b.orientationZ[s];
             double ow = b.orientationW[s];
-            Rotations.rotate(
-                    ox, oy, oz, ow, table.comX[s], table.comY[s], table.comZ[s], com);
+            Rotations.rotate(ox, oy, oz, ow, table.comX[s], table.comY[s], table.comZ[s], com);
             x[row] = b.positionX[s] - com[0];
             y[row] = b.positionY[s] - com[1];
             z[row] = b.positionZ[s] - com[2];

@@ -3,10 +3,12 @@ package dev.cairn.physics;
 import dev.cairn.core.ecs.Component;
 
 /**
- * Marks the entity of a body. {@link PhysicsWorld#add} puts it there; a body lives as long as its entity has it together
- * with {@code Pose} and {@link Velocity}. Entities that are given one by hand are refused at the next tick.
+ * Marks the entity of a body. {@link PhysicsWorld#add} puts it there; a body lives as long as its
+ * entity has it together with {@code Pose} and {@link Velocity}. Entities that are given one by
+ * hand are refused at the next tick.
  *
- * @param slot row of the body in the working arrays of the physics, at least 0; reused after the body's end
+ * @param slot row of the body in the working arrays of the physics, at least 0; reused after the
+ *     body's end
  */
 public record RigidBody(int slot) {
     /** The component key. */

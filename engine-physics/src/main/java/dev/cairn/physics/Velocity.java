@@ -3,8 +3,8 @@ package dev.cairn.physics;
 import dev.cairn.core.ecs.Component;
 
 /**
- * Velocity of a body, written each tick by the physics system; changing it has no effect on the body (use {@link
- * BodyRef#setVelocity}).
+ * Velocity of a body, written each tick by the physics system; changing it has no effect on the
+ * body (use {@link BodyRef#setVelocity}).
  *
  * @param vx velocity of the centre of mass, world x, m/s
  * @param vy velocity of the centre of mass, world y, m/s

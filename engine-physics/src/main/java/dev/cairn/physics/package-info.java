@@ -1,8 +1,8 @@
 /**
  * Rigid bodies: what a user meets.
  *
- * <p>Problem: a game or a study has bodies that fall, collide, rest and roll, and wants to say so in a few lines, and to get
- * the same bits on any machine with any number of workers.
+ * <p>Problem: a game or a study has bodies that fall, collide, rest and roll, and wants to say so
+ * in a few lines, and to get the same bits on any machine with any number of workers.
  *
  * <pre>
  *  PhysicsWorld ── World (ECS) ── PhysicsSystem, one tick:
@@ -17,11 +17,13 @@
  *    publish  Pose and Velocity columns of the next state
  * </pre>
  *
- * <p>Invariants: a body lives exactly as long as its entity has {@code Pose}, {@code Velocity} and {@code RigidBody}; each
- * stage writes only places that its block index determines; every order (slots, pairs, contacts, events) is a function of
- * the history of calls. A bad argument is refused with the value, its bound and a remedy, and changes nothing.
+ * <p>Invariants: a body lives exactly as long as its entity has {@code Pose}, {@code Velocity} and
+ * {@code RigidBody}; each stage writes only places that its block index determines; every order
+ * (slots, pairs, contacts, events) is a function of the history of calls. A bad argument is refused
+ * with the value, its bound and a remedy, and changes nothing.
  *
- * <p>Source: the order of the step follows Box3D's (Erin Catto), with a pair list instead of graph buckets.
+ * <p>Source: the order of the step follows Box3D's (Erin Catto), with a pair list instead of graph
+ * buckets.
  */
 @NullMarked
 package dev.cairn.physics;

@@ -3,20 +3,26 @@ package dev.cairn.physics;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 
 import com.sun.management.ThreadMXBean;
+
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Jobs;
-import java.lang.management.ManagementFactory;
-import java.util.Arrays;
-import java.util.concurrent.CountDownLatch;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+
+import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+import java.util.concurrent.CountDownLatch;
 
 /** A steady tick allocates nothing, on no thread. */
 class AllocationTest {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
-    /** Learns which threads the workers are: each must take one block, because it waits for the others. */
+    /**
+     * Learns which threads the workers are: each must take one block, because it waits for the
+     * others.
+     */
     private static long[] threadsOf(Jobs jobs) {
         int workers = jobs.workers();
         long[] ids = new long[workers];

@@ -11,13 +11,15 @@ import dev.cairn.core.ecs.WorldSystem;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
-import java.util.function.DoubleConsumer;
+
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
+
+import java.util.function.DoubleConsumer;
 
 /** A bad call is refused by a message that names value, bound or remedy; and it changes nothing. */
 class BadInputTest {
@@ -109,8 +111,7 @@ class BadInputTest {
         refusesNotFinite(v -> crate.setAngularVelocity(0, v, 0), "wy");
         refusesNotFinite(v -> crate.teleport(0, v, 0), "y");
         refusesNotFinite(v -> world.step(v), "stepSeconds");
-        refusesNotFinite(
-                v -> Body.dynamic().rotation(new Quaterniond(v, 0, 0, 1)), "normalise");
+        refusesNotFinite(v -> Body.dynamic().rotation(new Quaterniond(v, 0, 0, 1)), "normalise");
     }
 
     @Test
@@ -144,9 +145,7 @@ class BadInputTest {
         refuses(type, () -> PhysicsWorld.builder().substeps(0), "substeps is 0", "64");
         refuses(
                 type,
-                () ->
-                        world.add(
-                                Body.dynamic().shape(Sphere.of(1)).with(Pose.at(0, 0, 0))),
+                () -> world.add(Body.dynamic().shape(Sphere.of(1)).with(Pose.at(0, 0, 0))),
                 "Pose");
     }
 
@@ -196,8 +195,7 @@ class BadInputTest {
         world.close();
         assertThrows(IllegalStateException.class, () -> world.step(1.0 / 60));
         assertThrows(
-                IllegalStateException.class,
-                () -> world.add(Body.dynamic().shape(Sphere.of(1))));
+                IllegalStateException.class, () -> world.add(Body.dynamic().shape(Sphere.of(1))));
         assertThrows(IllegalStateException.class, () -> world.setPaused(true));
         assertThrows(BodyRemovedException.class, crate::position);
     }
@@ -228,8 +226,7 @@ class BadInputTest {
                                                 IllegalStateException.class,
                                                 () ->
                                                         own[0].add(
-                                                                Body.dynamic()
-                                                                        .shape(Sphere.of(1))))
+                                                                Body.dynamic().shape(Sphere.of(1))))
                                         .getMessage();
                     }
                 };
@@ -249,7 +246,8 @@ class BadInputTest {
         IllegalStateException failure =
                 assertThrows(IllegalStateException.class, () -> world.step(1.0 / 60));
         Throwable cause = failure.getCause() == null ? failure : failure.getCause();
-        assertTrue(String.valueOf(cause.getMessage()).contains("PhysicsWorld.add"), cause.toString());
+        assertTrue(
+                String.valueOf(cause.getMessage()).contains("PhysicsWorld.add"), cause.toString());
         assertTrue(world.hasFailed());
     }
 }

@@ -10,23 +10,24 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
+
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
-import org.joml.Vector3d;
-import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 class ContactsTest {
 
     /** The snippet that the design shows to users. */
     @Test
     void aCrateFallsOnTheGroundAndRests() {
-        try (PhysicsWorld world =
-                PhysicsWorld.builder().gravity(0, -9.81, 0).workers(2).build()) {
+        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, -9.81, 0).workers(2).build()) {
             world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0));
             BodyRef crate =
                     world.add(
@@ -218,7 +219,11 @@ class ContactsTest {
         try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
             world.add(Body.fixed().shape(Box.of(0.05, 5, 5)));
             BodyRef bullet =
-                    world.add(Body.dynamic().shape(Sphere.of(0.05)).at(-20, 0, 0).velocity(300, 0, 0));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Sphere.of(0.05))
+                                    .at(-20, 0, 0)
+                                    .velocity(300, 0, 0));
             for (int tick = 0; tick < 30; tick++) {
                 world.step(Scenes.STEP);
             }

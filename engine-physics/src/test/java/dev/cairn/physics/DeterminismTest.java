@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
+
+import org.junit.jupiter.api.Test;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
-import org.junit.jupiter.api.Test;
 
 /** The same bits for any number of workers, and for helpers that are late. */
 class DeterminismTest {
@@ -45,46 +47,44 @@ class DeterminismTest {
 
     @Test
     void aHeapOfTwoHundredBodies() {
-        sameForAllWorkers(
-                world -> {
-                    Scenes.drop(world, 200, 4711);
-                    long[] digests = new long[150];
-                    for (int tick = 0; tick < digests.length; tick++) {
-                        world.step(Scenes.STEP);
-                        digests[tick] = world.digest();
-                    }
-                    assertTrue(world.contacts().count() > 200, "the heap must have contacts");
-                    return digests;
-                });
+        sameForAllWorkers(world -> {
+            Scenes.drop(world, 200, 4711);
+            long[] digests = new long[150];
+            for (int tick = 0; tick < digests.length; tick++) {
+                world.step(Scenes.STEP);
+                digests[tick] = world.digest();
+            }
+            assertTrue(world.contacts().count() > 200, "the heap must have contacts");
+            return digests;
+        });
     }
 
     @Test
     void bodiesThatComeAndGoWhileItRuns() {
-        sameForAllWorkers(
-                world -> {
-                    Random random = new Random(815);
-                    Scenes.ground(world);
-                    List<BodyRef> bodies = new ArrayList<>();
-                    long[] digests = new long[200];
-                    for (int tick = 0; tick < digests.length; tick++) {
-                        for (int i = 0; i < 2; i++) {
-                            bodies.add(world.add(Scenes.any(random, random.nextInt(3))));
-                        }
-                        if (bodies.size() > 60) {
-                            bodies.remove(random.nextInt(bodies.size())).remove();
-                            BodyRef gone = bodies.remove(random.nextInt(bodies.size()));
-                            world.ecs().delete(gone.entity());
-                        }
-                        if (tick % 20 == 10) {
-                            bodies.get(random.nextInt(bodies.size())).teleport(1, 6, 1);
-                        }
-                        bodies.get(random.nextInt(bodies.size())).applyForce(0, 500, 30);
-                        world.step(Scenes.STEP);
-                        digests[tick] = world.digest();
-                    }
-                    assertEquals(bodies.size() + 1, world.bodyCount());
-                    return digests;
-                });
+        sameForAllWorkers(world -> {
+            Random random = new Random(815);
+            Scenes.ground(world);
+            List<BodyRef> bodies = new ArrayList<>();
+            long[] digests = new long[200];
+            for (int tick = 0; tick < digests.length; tick++) {
+                for (int i = 0; i < 2; i++) {
+                    bodies.add(world.add(Scenes.any(random, random.nextInt(3))));
+                }
+                if (bodies.size() > 60) {
+                    bodies.remove(random.nextInt(bodies.size())).remove();
+                    BodyRef gone = bodies.remove(random.nextInt(bodies.size()));
+                    world.ecs().delete(gone.entity());
+                }
+                if (tick % 20 == 10) {
+                    bodies.get(random.nextInt(bodies.size())).teleport(1, 6, 1);
+                }
+                bodies.get(random.nextInt(bodies.size())).applyForce(0, 500, 30);
+                world.step(Scenes.STEP);
+                digests[tick] = world.digest();
+            }
+            assertEquals(bodies.size() + 1, world.bodyCount());
+            return digests;
+        });
     }
 
     @Test

@@ -7,6 +7,7 @@ import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Sphere;
+
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -47,8 +48,7 @@ class FreeMotionTest {
             Pose pose = world.ecs().get(box.entity(), Pose.COMPONENT);
             Velocity velocity = world.ecs().get(box.entity(), Velocity.COMPONENT);
             assertEquals(box.position(), new Vector3d(pose.x(), pose.y(), pose.z()));
-            assertEquals(
-                    box.velocity(), new Vector3d(velocity.vx(), velocity.vy(), velocity.vz()));
+            assertEquals(box.velocity(), new Vector3d(velocity.vx(), velocity.vy(), velocity.vz()));
             assertEquals(0, pose.jumps());
         }
     }

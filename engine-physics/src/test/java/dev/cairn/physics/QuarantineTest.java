@@ -5,9 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
-import java.util.List;
+
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+
+import java.util.List;
 
 /** What can no longer be computed with is stopped and fixed; its neighbours live on. */
 class QuarantineTest {
@@ -55,7 +57,8 @@ class QuarantineTest {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
             BodyRef[] balls = new BodyRef[5];
             for (int i = 0; i < balls.length; i++) {
-                balls[i] = world.add(Body.dynamic().shape(Sphere.of(0.5)).at(3 * i, 9, 0).mass(0.1));
+                balls[i] =
+                        world.add(Body.dynamic().shape(Sphere.of(0.5)).at(3 * i, 9, 0).mass(0.1));
             }
             balls[0].applyTorque(0, 1e308, 0);
             balls[1].applyImpulse(1e308, 0, 0);
@@ -74,7 +77,8 @@ class QuarantineTest {
     void aBodyNearTheEndOfSpaceIsStoppedThere() {
         try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
             BodyRef far =
-                    world.add(Body.dynamic().shape(Box.cube(1)).at(9e59, 0, 0).velocity(9e59, 0, 0));
+                    world.add(
+                            Body.dynamic().shape(Box.cube(1)).at(9e59, 0, 0).velocity(9e59, 0, 0));
             world.step(1);
             world.step(1);
             allFinite(world);

@@ -4,6 +4,7 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -44,18 +45,14 @@ final class Scenes {
                     default ->
                             ConvexHull.of(
                                     new double[] {
-                                        0.4, 0, 0, -0.4, 0, 0, 0, 0.4, 0, 0, -0.4, 0, 0, 0, 0.4, 0, 0,
-                                        -0.4
+                                        0.4, 0, 0, -0.4, 0, 0, 0, 0.4, 0, 0, -0.4, 0, 0, 0, 0.4, 0,
+                                        0, -0.4
                                     });
                 };
         return Body.dynamic()
                 .shape(shape)
-                .at(
-                        3 * random.nextDouble(),
-                        1 + 6 * random.nextDouble(),
-                        3 * random.nextDouble())
-                .rotationAbout(
-                        1, random.nextDouble(), random.nextDouble(), 6 * random.nextDouble())
+                .at(3 * random.nextDouble(), 1 + 6 * random.nextDouble(), 3 * random.nextDouble())
+                .rotationAbout(1, random.nextDouble(), random.nextDouble(), 6 * random.nextDouble())
                 .velocity(0, -4 * random.nextDouble(), 0)
                 .angularVelocity(random.nextDouble(), random.nextDouble(), 0)
                 .material(Material.WOOD);

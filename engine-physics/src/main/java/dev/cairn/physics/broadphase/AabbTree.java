@@ -3,11 +3,12 @@ package dev.cairn.physics.broadphase;
 import java.util.Arrays;
 
 /**
- * A binary tree of axis-aligned boxes. Leaves hold an item, a number of the owner; the box of an inner node is the union of
- * its children's. A leaf's id is stable until it is removed.
+ * A binary tree of axis-aligned boxes. Leaves hold an item, a number of the owner; the box of an
+ * inner node is the union of its children's. A leaf's id is stable until it is removed.
  *
- * <p>Insertion descends to the sibling that adds the least surface area; on the way up, a rotation that shrinks an inner box is
- * taken. Ties go to the lower subtree, so that many equal boxes make a balanced tree.
+ * <p>Insertion descends to the sibling that adds the least surface area; on the way up, a rotation
+ * that shrinks an inner box is taken. Ties go to the lower subtree, so that many equal boxes make a
+ * balanced tree.
  *
  * <p>One thread changes it; any number may read it between changes. Allocates only when it grows.
  */
@@ -120,8 +121,8 @@ public final class AabbTree {
     }
 
     /**
-     * The items of all leaves whose box overlaps a box, in the tree's order. For tests and tools; the broad phase walks the
-     * tree itself.
+     * The items of all leaves whose box overlaps a box, in the tree's order. For tests and tools;
+     * the broad phase walks the tree itself.
      *
      * @param box array that holds the box
      * @param offset where the box begins in it
@@ -211,9 +212,9 @@ public final class AabbTree {
     }
 
     /**
-     * Greedy descent. With the leaf as sibling of a node, the cost is the new inner box plus what all ancestors grow by; a
-     * subtree cannot cost less than that growth plus the leaf's own area. Never beside a subtree that is so high
-     * that the new node would lean.
+     * Greedy descent. With the leaf as sibling of a node, the cost is the new inner box plus what
+     * all ancestors grow by; a subtree cannot cost less than that growth plus the leaf's own area.
+     * Never beside a subtree that is so high that the new node would lean.
      */
     private int bestSibling(int leaf) {
         double own = area(leaf);
@@ -282,9 +283,10 @@ public final class AabbTree {
     }
 
     /**
-     * Swaps a child with a grandchild on the other side, if that shrinks the other child's box the most of the four ways; or if
-     * it shrinks nothing but makes a lopsided pair of equal cost more even. A node that leans too much is set
-     * upright whatever its area: boxes one in another would otherwise make a list.
+     * Swaps a child with a grandchild on the other side, if that shrinks the other child's box the
+     * most of the four ways; or if it shrinks nothing but makes a lopsided pair of equal cost more
+     * even. A node that leans too much is set upright whatever its area: boxes one in another would
+     * otherwise make a list.
      */
     private void rotate(int node) {
         int b = left[node];
@@ -337,7 +339,10 @@ public final class AabbTree {
         }
     }
 
-    /** Exchanges {@code high}, a child of {@code node}, with {@code low}, a child of the other child. */
+    /**
+     * Exchanges {@code high}, a child of {@code node}, with {@code low}, a child of the other
+     * child.
+     */
     private void swap(int node, int high, int low) {
         int other = parent[low];
         if (left[node] == high) {
@@ -425,7 +430,8 @@ public final class AabbTree {
         double[] was = Arrays.copyOfRange(bounds, 6 * node, 6 * node + 6);
         int wasHeight = height[node];
         pull(node);
-        if (!Arrays.equals(was, 0, 6, bounds, 6 * node, 6 * node + 6) || wasHeight != height[node]) {
+        if (!Arrays.equals(was, 0, 6, bounds, 6 * node, 6 * node + 6)
+                || wasHeight != height[node]) {
             throw new IllegalStateException("node " + node + " is not the union of its children");
         }
         return count;

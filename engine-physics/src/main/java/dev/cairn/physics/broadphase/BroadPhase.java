@@ -3,15 +3,19 @@ package dev.cairn.physics.broadphase;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+
 import java.util.Arrays;
 
 /**
- * Fat boxes of all bodies in two trees, static and dynamic, and the set of their overlapping pairs. See the package's essay.
+ * Fat boxes of all bodies in two trees, static and dynamic, and the set of their overlapping pairs.
+ * See the package's essay.
  *
- * <p>A tick: {@link #place} for every body that is new or left its box, {@link #findPairs}, the owner reads {@link
- * #newPairs}, drops the rows whose boxes no longer {@link #overlap} by {@link #forget}, and calls {@link #endTick}.
+ * <p>A tick: {@link #place} for every body that is new or left its box, {@link #findPairs}, the
+ * owner reads {@link #newPairs}, drops the rows whose boxes no longer {@link #overlap} by {@link
+ * #forget}, and calls {@link #endTick}.
  *
- * <p>Simulation thread; {@link #overlap} and {@link #moved} also from blocks. Allocates only when something grows.
+ * <p>Simulation thread; {@link #overlap} and {@link #moved} also from blocks. Allocates only when
+ * something grows.
  */
 public final class BroadPhase {
     /** Moved proxies of a block: small enough to balance, large enough to hide the dispatch. */
@@ -115,7 +119,8 @@ public final class BroadPhase {
     }
 
     /**
-     * Takes a slot's box out. Its pairs no longer {@link #overlap}; it counts as moved, so that their owner looks.
+     * Takes a slot's box out. Its pairs no longer {@link #overlap}; it counts as moved, so that
+     * their owner looks.
      *
      * @param slot of a body
      */
@@ -260,7 +265,10 @@ public final class BroadPhase {
         foundCount[block] = count;
     }
 
-    /** Walks one tree; stores what fits and counts all. Of two moved slots of a tree the lower one reports. */
+    /**
+     * Walks one tree; stores what fits and counts all. Of two moved slots of a tree the lower one
+     * reports.
+     */
     private int query(AabbTree tree, int slot, long[] out, int count, int[] stack) {
         if (tree.root == AabbTree.NONE) {
             return count;
@@ -301,7 +309,8 @@ public final class BroadPhase {
     }
 
     /**
-     * The keys of the pairs that {@link #findPairs} found, by {@link PairSet#key}. Valid until its next call.
+     * The keys of the pairs that {@link #findPairs} found, by {@link PairSet#key}. Valid until its
+     * next call.
      *
      * @return an array; only the first {@link #newPairCount} count
      */

@@ -1,8 +1,8 @@
 package dev.cairn.physics.broadphase;
 
 /**
- * A set of unordered pairs of slots: open addressing with linear probing, no tombstones. Asked for membership only; it is
- * never iterated, so its layout cannot reach any result.
+ * A set of unordered pairs of slots: open addressing with linear probing, no tombstones. Asked for
+ * membership only; it is never iterated, so its layout cannot reach any result.
  *
  * <p>One thread changes it; any number may ask between changes. Allocates only when it grows.
  */
@@ -93,7 +93,8 @@ public final class PairSet {
         }
         int hole = at;
         for (int next = hole + 1 & mask; keys[next] != 0; next = next + 1 & mask) {
-            // A key may fill the hole if its home is not between the hole (exclusive) and its place.
+            // A key may fill the hole if its home is not between the hole (exclusive) and its
+            // place.
             if ((next - home(keys[next]) & mask) >= (next - hole & mask)) {
                 keys[hole] = keys[next];
                 hole = next;

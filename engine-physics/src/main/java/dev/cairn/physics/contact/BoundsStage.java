@@ -6,18 +6,20 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
+
 import java.util.Arrays;
 
 /**
- * Where each body may be within this tick: needed boxes, fat boxes for those that left theirs, and the reach that the narrow
- * phase's margin is made of. Finds bodies whose motion can no longer be computed with.
+ * Where each body may be within this tick: needed boxes, fat boxes for those that left theirs, and
+ * the reach that the narrow phase's margin is made of. Finds bodies whose motion can no longer be
+ * computed with.
  *
  * <p>Simulation thread; allocates only when the number of bodies grows.
  */
 public final class BoundsStage {
     /**
-     * The largest coordinate (m), speed (m/s) and surface speed (m/s) that the step computes with: the fourth power of it is
-     * still a number.
+     * The largest coordinate (m), speed (m/s) and surface speed (m/s) that the step computes with:
+     * the fourth power of it is still a number.
      */
     public static final double LIMIT = 1e60;
 
@@ -223,7 +225,12 @@ public final class BoundsStage {
         double arc = Math.min(spin * outer * reach, outer - inner);
         turn[s] = arc;
         b.shape[s].bounds(
-                b.orientationX[s], b.orientationY[s], b.orientationZ[s], b.orientationW[s], box, 6 * s);
+                b.orientationX[s],
+                b.orientationY[s],
+                b.orientationZ[s],
+                b.orientationW[s],
+                box,
+                6 * s);
         double pad = arc + settings.speculativeFraction() * inner;
         double margin = settings.boundsMargin() * outer;
         boolean inside = broadPhase.contains(s);
@@ -233,7 +240,10 @@ public final class BoundsStage {
         return inside ? STAYS : LEFT;
     }
 
-    /** Fattens one axis of the box in place. Returns whether the present fat box holds the needed one and is not far larger. */
+    /**
+     * Fattens one axis of the box in place. Returns whether the present fat box holds the needed
+     * one and is not far larger.
+     */
     private boolean axis(
             int s, int axis, double centre, double v, double reach, double pad, double margin) {
         int low = 6 * s + axis;

@@ -6,10 +6,12 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+
 import java.util.Arrays;
 
 /**
- * Which pairs have a row. Rows whose fat boxes parted leave by a stable compaction; new pairs follow at the end.
+ * Which pairs have a row. Rows whose fat boxes parted leave by a stable compaction; new pairs
+ * follow at the end.
  *
  * <p>Simulation thread; allocates only when the number of rows grows.
  */

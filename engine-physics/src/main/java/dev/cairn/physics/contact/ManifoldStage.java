@@ -8,16 +8,19 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
+
 import java.util.Arrays;
 
 /**
- * The narrow phase over all rows, in blocks, one writer to a row. Points that were there in the last tick, by feature id, keep
- * their impulse.
+ * The narrow phase over all rows, in blocks, one writer to a row. Points that were there in the
+ * last tick, by feature id, keep their impulse.
  *
  * <p>Simulation thread; allocates only when the number of workers grows.
  */
 public final class ManifoldStage {
-    /** A point whose features are new is an old one within this share of the smaller inner radius. */
+    /**
+     * A point whose features are new is an old one within this share of the smaller inner radius.
+     */
     private static final double NEAR = 0.1;
 
     /** A pair costs from some hundred nanoseconds to some microseconds. */
@@ -52,7 +55,11 @@ public final class ManifoldStage {
      * @param jobs runs the blocks
      */
     public void run(
-            BodyStore bodyStore, ContactStore rows, BoundsStage motion, double stepSeconds, Jobs jobs) {
+            BodyStore bodyStore,
+            ContactStore rows,
+            BoundsStage motion,
+            double stepSeconds,
+            Jobs jobs) {
         bodies = bodyStore;
         contacts = rows;
         bounds = motion;
@@ -156,7 +163,11 @@ public final class ManifoldStage {
             }
         }
         if (before > 0) {
-            double near = NEAR * Math.min(bodies.innerRadius[c.bodyA[row]], bodies.innerRadius[c.bodyB[row]]);
+            double near =
+                    NEAR
+                            * Math.min(
+                                    bodies.innerRadius[c.bodyA[row]],
+                                    bodies.innerRadius[c.bodyB[row]]);
             for (int p = 0; p < points; p++) {
                 if (own.unmatched[p]) {
                     persists |= inheritNearest(own, first, p, before, near * near);
@@ -179,7 +190,8 @@ public final class ManifoldStage {
     }
 
     /**
-     * Features swap where faces are equally good; the point is the same while it stays where it was.
+     * Features swap where faces are equally good; the point is the same while it stays where it
+     * was.
      */
     private boolean inheritNearest(Scratch own, int first, int p, int before, double limit) {
         int best = -1;

@@ -4,13 +4,16 @@ import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.ContactStore;
+
 import java.util.Arrays;
 
 /**
- * Which pairs began and ceased to touch in a tick: first the touches that ended with their row, then the others, in row order.
+ * Which pairs began and ceased to touch in a tick: first the touches that ended with their row,
+ * then the others, in row order.
  *
- * <p>A pair begins to touch when one of its points overlaps or pushes; it ceases when no point is within the speculative
- * margin any more. Between the two the state stays, so that a resting pair does not flicker.
+ * <p>A pair begins to touch when one of its points overlaps or pushes; it ceases when no point is
+ * within the speculative margin any more. Between the two the state stays, so that a resting pair
+ * does not flicker.
  *
  * <p>Simulation thread; allocates only when a list grows.
  */

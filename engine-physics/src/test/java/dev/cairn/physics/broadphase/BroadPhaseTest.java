@@ -6,13 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
-import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 class BroadPhaseTest {
 
@@ -37,16 +39,15 @@ class BroadPhaseTest {
 
         void tick(Jobs jobs) {
             broadPhase.findPairs(jobs);
-            rows.removeIf(
-                    key -> {
-                        int a = (int) (key >>> 32);
-                        int b = key.intValue();
-                        boolean apart = !broadPhase.overlap(a, b);
-                        if (apart) {
-                            broadPhase.forget(a, b);
-                        }
-                        return apart;
-                    });
+            rows.removeIf(key -> {
+                int a = (int) (key >>> 32);
+                int b = key.intValue();
+                boolean apart = !broadPhase.overlap(a, b);
+                if (apart) {
+                    broadPhase.forget(a, b);
+                }
+                return apart;
+            });
             for (int i = 0; i < broadPhase.newPairCount(); i++) {
                 rows.add(broadPhase.newPairs()[i]);
             }
