@@ -155,7 +155,7 @@ public final class ManifoldStage {
             c.preload[at] = 0;
             own.unmatched[p] = true;
             for (int q = 0; q < before; q++) {
-                if (own.feature[q] == m.feature[p] && own.x[q] == own.x[q]) {
+                if (own.feature[q] == m.feature[p] && !Double.isNaN(own.x[q])) {
                     inherit(own, first, p, q);
                     persists = true;
                     break;

@@ -217,13 +217,13 @@ final class Impacts {
         double response = 0;
         int n = 0;
         for (int o = first; o < end; o += POINT) {
-            if (q[o + STRIKE] != q[o + STRIKE]) {
+            if (Double.isNaN(q[o + STRIKE])) {
                 continue;
             }
             n++;
             miss += speed(d, r, q, o, body, a, b) + early - q[o + STRIKE];
             for (int k = first; k < end; k += POINT) {
-                if (q[k + STRIKE] == q[k + STRIKE]) {
+                if (!Double.isNaN(q[k + STRIKE])) {
                     response += PrepareRow.dot(q, o, q, k + 6) + PrepareRow.dot(q, o + 3, q, k + 9);
                 }
             }
@@ -231,7 +231,7 @@ final class Impacts {
         response += (double) n * n * (d[r + ContactRows.MASS_A] + d[r + ContactRows.MASS_B]);
         double impulse = -miss / response;
         for (int o = first; impulse > 0 && o < end; o += POINT) {
-            if (q[o + STRIKE] == q[o + STRIKE]) {
+            if (!Double.isNaN(q[o + STRIKE])) {
                 q[o + IMPULSE] = impulse;
                 push(d, r, q, o, body, a, b, impulse);
             }
@@ -251,7 +251,7 @@ final class Impacts {
             double sum = 0;
             for (int o = first; o < end; o += POINT) {
                 double goal = q[o + STRIKE];
-                if (goal != goal) {
+                if (Double.isNaN(goal)) {
                     continue;
                 }
                 double v = speed(d, r, q, o, body, a, b) + early;
