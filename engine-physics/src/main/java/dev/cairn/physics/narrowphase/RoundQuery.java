@@ -44,7 +44,7 @@ final class RoundQuery {
         }
         Shape solid = p.roundB ? a : b;
         Polyhedron h = p.roundB ? p.a : p.b;
-        boolean done = closedForm && solid instanceof Box ? box(h) : few(p, h, limit);
+        boolean done = (closedForm && solid instanceof Box) ? box(h) : few(p, h, limit);
         if (!done) {
             gjk.run(p, p.dx, p.dy, p.dz, limit);
             if (!gjk.overlap) {
@@ -103,7 +103,7 @@ final class RoundQuery {
             distance = Math.max(ox, Math.max(oy, oz));
             normalX = alongX ? (pointX < 0 ? -1 : 1) : 0;
             normalY = alongY ? (pointY < 0 ? -1 : 1) : 0;
-            normalZ = alongX || alongY ? 0 : pointZ < 0 ? -1 : 1;
+            normalZ = (alongX || alongY) ? 0 : (pointZ < 0 ? -1 : 1);
             return true;
         }
         double x = Math.max(ox, 0);
