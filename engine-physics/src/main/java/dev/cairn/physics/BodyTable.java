@@ -193,7 +193,7 @@ final class BodyTable {
             if (component instanceof Velocity) {
                 throw new IllegalArgumentException(
                         "component Velocity is given to a fixed body; make it dynamic or leave it"
-                            + " out");
+                                + " out");
             }
             records[own + i] = component;
         }

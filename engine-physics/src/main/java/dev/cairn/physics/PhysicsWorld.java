@@ -51,7 +51,7 @@ public final class PhysicsWorld implements AutoCloseable {
         if (stepping || physics.isRunning()) {
             throw new IllegalStateException(
                     "add was called during a step; add bodies between steps, or spawn plain"
-                        + " entities with tick.commands()");
+                            + " entities with tick.commands()");
         }
         return physics.table.add(body);
     }
