@@ -49,6 +49,7 @@ final class Digest {
             h = mix(h, c.separation[p]);
             h = mix(h, c.normalImpulse[p]);
             h = mix(h, c.totalNormalImpulse[p]);
+            h = mix(h, c.preload[p]);
         }
         return h;
     }

@@ -115,6 +115,9 @@ public final class ContactRows {
             c.feature[m * to + p] = c.feature[m * from + p];
             c.normalImpulse[m * to + p] = c.normalImpulse[m * from + p];
             c.preload[m * to + p] = c.preload[m * from + p];
+            c.anchorAX[m * to + p] = c.anchorAX[m * from + p];
+            c.anchorAY[m * to + p] = c.anchorAY[m * from + p];
+            c.anchorAZ[m * to + p] = c.anchorAZ[m * from + p];
         }
     }
 
