@@ -42,6 +42,14 @@ public final class Format {
         try {
             String before = Files.readString(file);
             String after = formatter.formatSourceAndFixImports(before);
+            if (apply) {
+                // A long line that is broken once may need to be broken again.
+                String again = formatter.formatSourceAndFixImports(after);
+                while (!again.equals(after)) {
+                    after = again;
+                    again = formatter.formatSourceAndFixImports(after);
+                }
+            }
             if (after.equals(before)) {
                 return Stream.empty();
             }

@@ -7,7 +7,6 @@ module dev.cairn.render {
     requires transitive dev.cairn.core;
     requires transitive dev.cairn.physics;
     requires transitive org.joml;
-    requires org.jctools.core.jdk11;
     requires org.lwjgl;
     requires org.lwjgl.glfw;
     requires org.lwjgl.opengl;

@@ -2,12 +2,14 @@ package dev.cairn.system;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import dev.cairn.samples.SceneReport;
 import dev.cairn.samples.SceneRegistry;
-import java.util.List;
-import java.util.Map;
+import dev.cairn.samples.SceneReport;
+
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+
+import java.util.List;
+import java.util.Map;
 
 /** A steady tick allocates nothing, on the simulation thread and on the helpers. */
 final class AllocationTest {

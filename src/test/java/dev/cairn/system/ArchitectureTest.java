@@ -10,16 +10,20 @@ import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
+
 import java.util.Set;
 
-/** The house rules of the architecture: arrows run one way, and nothing in a step can break its determinism. */
+/**
+ * The house rules of the architecture: arrows run one way, and nothing in a step can break its
+ * determinism.
+ */
 @AnalyzeClasses(packages = "dev.cairn", importOptions = ImportOption.DoNotIncludeTests.class)
 final class ArchitectureTest {
     /** Functions of {@link Math} whose result may differ between JVMs and processors. */
     private static final Set<String> PLATFORM_MATH =
             Set.of(
-                    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "expm1", "log", "log10",
-                    "log1p", "pow", "cbrt", "sinh", "cosh", "tanh", "hypot", "random");
+                    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "exp", "expm1", "log",
+                    "log10", "log1p", "pow", "cbrt", "sinh", "cosh", "tanh", "hypot", "random");
 
     @ArchTest
     static final ArchRule coreKnowsNeitherPhysicsNorDrawing =
@@ -42,8 +46,7 @@ final class ArchitectureTest {
                     .resideInAPackage("dev.cairn.physics..")
                     .should()
                     .dependOnClassesThat()
-                    .resideInAnyPackage(
-                            "dev.cairn.render..", "dev.cairn.samples..", "org.lwjgl..");
+                    .resideInAnyPackage("dev.cairn.render..", "dev.cairn.samples..", "org.lwjgl..");
 
     @ArchTest
     static final ArchRule renderKnowsNoSamples =
@@ -61,7 +64,8 @@ final class ArchitectureTest {
                     .resideOutsideOfPackage("dev.cairn.physics..")
                     .should()
                     .dependOnClassesThat(
-                            new DescribedPredicate<JavaClass>("are internal to the physics module") {
+                            new DescribedPredicate<JavaClass>(
+                                    "are internal to the physics module") {
                                 @Override
                                 public boolean test(JavaClass type) {
                                     String name = type.getPackageName();

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.google.gson.JsonParser;
+
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.samples.SampleScene;
@@ -11,17 +12,22 @@ import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.SceneRegistry;
 import dev.cairn.samples.SceneReport;
-import java.io.IOException;
-import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Map;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The first promise: the same bits for any number of workers, any schedule, any JVM run, compiled or not. */
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The first promise: the same bits for any number of workers, any schedule, any JVM run, compiled
+ * or not.
+ */
 final class DeterminismTest {
     private static final int MAX_WORKERS = 4;
     private static final double SECONDS = 2;
@@ -73,7 +79,15 @@ final class DeterminismTest {
             throws IOException, InterruptedException {
         List<String> run =
                 List.of(
-                        "--headless", "--scene", "room", "--ticks", "120", "--workers", "2", "--json", "-");
+                        "--headless",
+                        "--scene",
+                        "room",
+                        "--ticks",
+                        "120",
+                        "--workers",
+                        "2",
+                        "--json",
+                        "-");
 
         String compiled = digestOf(Jvm.samples(directory, List.of(), run));
         String again = digestOf(Jvm.samples(directory, List.of(), run));

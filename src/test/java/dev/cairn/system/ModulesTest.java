@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.junit.jupiter.api.Test;
+
 import java.io.File;
 import java.lang.module.Configuration;
 import java.lang.module.ModuleDescriptor;
@@ -13,9 +15,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.junit.jupiter.api.Test;
 
-/** The three engine modules also work on the module path, and export what users should see and nothing else. */
+/**
+ * The three engine modules also work on the module path, and export what users should see and
+ * nothing else.
+ */
 final class ModulesTest {
     private static final List<String> WANTED =
             List.of("engine-", "jctools", "joml", "lwjgl", "jspecify");
@@ -25,7 +29,8 @@ final class ModulesTest {
                 Arrays.stream(System.getProperty("java.class.path").split(File.pathSeparator))
                         .filter(p -> WANTED.stream().anyMatch(p::contains))
                         .filter(p -> !p.contains("natives"))
-                        .filter(p -> p.endsWith(".jar") || p.replace('\\', '/').endsWith("/classes"))
+                        .filter(p ->
+                                p.endsWith(".jar") || p.replace('\\', '/').endsWith("/classes"))
                         .map(Path::of)
                         .toArray(Path[]::new);
         return ModuleFinder.of(paths);
@@ -48,8 +53,7 @@ final class ModulesTest {
 
     @Test
     void theVectorModuleIsNotNeededAtRunTime() {
-        ModuleDescriptor physics =
-                modules().find("dev.cairn.physics").orElseThrow().descriptor();
+        ModuleDescriptor physics = modules().find("dev.cairn.physics").orElseThrow().descriptor();
 
         ModuleDescriptor.Requires vector =
                 physics.requires().stream()
@@ -61,8 +65,7 @@ final class ModulesTest {
 
     @Test
     void physicsExportsItsFacadeAndItsShapesOnly() {
-        ModuleDescriptor physics =
-                modules().find("dev.cairn.physics").orElseThrow().descriptor();
+        ModuleDescriptor physics = modules().find("dev.cairn.physics").orElseThrow().descriptor();
 
         assertEquals(
                 Set.of("dev.cairn.physics", "dev.cairn.physics.shape"),

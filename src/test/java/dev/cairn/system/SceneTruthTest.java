@@ -4,12 +4,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.samples.SceneReport;
-import java.util.Map;
+
 import org.junit.jupiter.api.Test;
 
+import java.util.Map;
+
 /**
- * The scenes of the report against their closed forms. Overlaps are measured outside the engine, from poses and shapes; there
- * is no sleeping.
+ * The scenes of the report against their closed forms. Overlaps are measured outside the engine,
+ * from poses and shapes; there is no sleeping.
  */
 final class SceneTruthTest {
     private static void assertBelow(double bound, String metric, SceneReport report) {

@@ -6,6 +6,7 @@ import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.SceneRegistry;
 import dev.cairn.samples.SceneReport;
 import dev.cairn.samples.SceneRun;
+
 import java.util.Map;
 
 /** Runs the registry's scenes for the tests, which state what must come out. */
@@ -18,8 +19,7 @@ final class Scenes {
 
     static SceneReport run(String id, double seconds, int workers, Map<String, String> parameters) {
         SampleScene scene = SceneRegistry.get(id);
-        SceneOptions options =
-                SceneOptions.of(scene, parameters, SceneOptions.DEFAULT_SEED, null);
+        SceneOptions options = SceneOptions.of(scene, parameters, SceneOptions.DEFAULT_SEED, null);
         int substeps = PhysicsSettings.DEFAULT.substeps();
         return new SceneRun(scene, options, ticks(seconds), workers, substeps).run(() -> {});
     }

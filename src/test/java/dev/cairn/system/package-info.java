@@ -1,5 +1,5 @@
 /**
- * Tests that need more than one module: the architecture, the same bits for any number of workers, and the truths that the
- * scenes must meet.
+ * Tests that need more than one module: the architecture, the same bits for any number of workers,
+ * and the truths that the scenes must meet.
  */
 package dev.cairn.system;
