@@ -13,6 +13,9 @@ import java.util.Arrays;
  * kernels of the step are loops over them.
  */
 public final class BodyStore {
+    /** Makes an empty store. */
+    public BodyStore() {}
+
     /** Kind of a slot that holds no body. */
     public static final byte FREE = 0;
 
@@ -84,7 +87,11 @@ public final class BodyStore {
     /** Radii of the shape's inner and outer ball about the centre of mass, m. */
     public double[] innerRadius = {}, outerRadius = {};
 
-    /** Grows every column to at least {@code capacity} slots; between phases only. */
+    /**
+     * Grows every column to at least {@code capacity} slots; between phases only.
+     *
+     * @param capacity slots that must fit
+     */
     public void ensureCapacity(int capacity) {
         if (capacity <= kind.length) {
             return;

@@ -13,6 +13,9 @@ import java.util.Arrays;
  * of the tick, in metres. Impulses are what warm-starts the next tick.
  */
 public final class ContactStore {
+    /** Makes an empty store. */
+    public ContactStore() {}
+
     /** Points per row. */
     public static final int POINTS = 4;
 
@@ -81,7 +84,11 @@ public final class ContactStore {
      */
     public double[] totalNormalImpulse = {};
 
-    /** Grows every column to at least {@code capacity} rows; between phases only. */
+    /**
+     * Grows every column to at least {@code capacity} rows; between phases only.
+     *
+     * @param capacity rows that must fit
+     */
     public void ensureCapacity(int capacity) {
         if (capacity <= bodyA.length) {
             return;
