@@ -243,6 +243,9 @@ final class BodyTable {
         b.inverseInertiaYZ[s] = inverse[5];
         b.friction[s] = body.material.friction();
         b.restitution[s] = body.material.restitution();
+        b.inertiaScale[s] = 0;
+        b.pressed[s] = 0;
+        b.pressing[s] = 0;
     }
 
     private void ensureSlots(int capacity) {

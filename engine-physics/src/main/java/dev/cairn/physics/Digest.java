@@ -28,6 +28,11 @@ final class Digest {
             h = mix(h, b.angularVelocityX[s]);
             h = mix(h, b.angularVelocityY[s]);
             h = mix(h, b.angularVelocityZ[s]);
+            h = mix(h, b.inertiaScale[s]);
+            h = mix(h, b.restTicks[s]);
+            h = mix(h, b.unrest[s]);
+            h = mix(h, b.pressed[s]);
+            h = mix(h, b.pressing[s]);
         }
         for (int row = 0; row < c.count; row++) {
             h = contact(h, c, row);

@@ -16,6 +16,13 @@ import dev.cairn.physics.solver.SolverSettings;
  * @param pushSpeed the fastest that an overlap is pushed apart, m/s, 0.001 to 1000. Default 3
  * @param restitutionThreshold approach speed below which nothing bounces, m/s, 0 to 1000. Default
  *     0.1
+ * @param offsetGain share of a resting contact's sag that is taken out each tick, 0 (off) to 0.05.
+ *     Default 0.01
+ * @param loadInertia inertia in the solver of a body at rest over the load that rests on it, 0
+ *     (off) to 10. Tall stacks and heavy tops stand; bodies that move have their own inertia.
+ *     Default 2
+ * @param unloadSweeps extra sweeps where the load of a body at rest goes at once, 0 (off) to 64.
+ *     Default 10
  * @param speculativeTime contacts are made for pairs that could meet within so many ticks at their
  *     present relative speed (turning included), 0 to 16. Default 1
  * @param speculativeFraction and, besides, for pairs that are closer than this fraction of the
@@ -31,6 +38,9 @@ public record PhysicsSettings(
         double contactDampingRatio,
         double pushSpeed,
         double restitutionThreshold,
+        double offsetGain,
+        double loadInertia,
+        int unloadSweeps,
         double speculativeTime,
         double speculativeFraction,
         double boundsMargin,
@@ -43,6 +53,9 @@ public record PhysicsSettings(
                     SolverSettings.DEFAULT.dampingRatio(),
                     SolverSettings.DEFAULT.pushSpeed(),
                     SolverSettings.DEFAULT.restitutionThreshold(),
+                    SolverSettings.DEFAULT.offsetGain(),
+                    SolverSettings.DEFAULT.loadInertia(),
+                    SolverSettings.DEFAULT.unloadSweeps(),
                     1,
                     0.02,
                     0.1,
@@ -60,6 +73,9 @@ public record PhysicsSettings(
         Checks.between("contactDampingRatio", contactDampingRatio, 0, 1000);
         Checks.between("pushSpeed", pushSpeed, 0.001, 1000);
         Checks.between("restitutionThreshold", restitutionThreshold, 0, 1000);
+        Checks.between("offsetGain", offsetGain, 0, 0.05);
+        Checks.between("loadInertia", loadInertia, 0, 10);
+        Checks.between("unloadSweeps", unloadSweeps, 0, 64);
         Checks.between("speculativeTime", speculativeTime, 0, 16);
         Checks.between("speculativeFraction", speculativeFraction, 0, 1);
         Checks.between("boundsMargin", boundsMargin, 0, 1);
@@ -79,6 +95,9 @@ public record PhysicsSettings(
                 contactDampingRatio,
                 pushSpeed,
                 restitutionThreshold,
+                offsetGain,
+                loadInertia,
+                unloadSweeps,
                 speculativeTime,
                 speculativeFraction,
                 boundsMargin,
@@ -98,6 +117,75 @@ public record PhysicsSettings(
                 contactDampingRatio,
                 pushSpeed,
                 value,
+                offsetGain,
+                loadInertia,
+                unloadSweeps,
+                speculativeTime,
+                speculativeFraction,
+                boundsMargin,
+                boundsTime);
+    }
+
+    /**
+     * These settings with another gain of the offset that removes sag.
+     *
+     * @param value see the component
+     * @return new settings
+     */
+    public PhysicsSettings withOffsetGain(double value) {
+        return new PhysicsSettings(
+                substeps,
+                contactStiffness,
+                contactDampingRatio,
+                pushSpeed,
+                restitutionThreshold,
+                value,
+                loadInertia,
+                unloadSweeps,
+                speculativeTime,
+                speculativeFraction,
+                boundsMargin,
+                boundsTime);
+    }
+
+    /**
+     * These settings with another load-proportional inertia.
+     *
+     * @param value see the component
+     * @return new settings
+     */
+    public PhysicsSettings withLoadInertia(double value) {
+        return new PhysicsSettings(
+                substeps,
+                contactStiffness,
+                contactDampingRatio,
+                pushSpeed,
+                restitutionThreshold,
+                offsetGain,
+                value,
+                unloadSweeps,
+                speculativeTime,
+                speculativeFraction,
+                boundsMargin,
+                boundsTime);
+    }
+
+    /**
+     * These settings with other sweeps where a load goes.
+     *
+     * @param value see the component
+     * @return new settings
+     */
+    public PhysicsSettings withUnloadSweeps(int value) {
+        return new PhysicsSettings(
+                substeps,
+                contactStiffness,
+                contactDampingRatio,
+                pushSpeed,
+                restitutionThreshold,
+                offsetGain,
+                loadInertia,
+                value,
                 speculativeTime,
                 speculativeFraction,
                 boundsMargin,
@@ -108,6 +196,12 @@ public record PhysicsSettings(
         return SolverSettings.DEFAULT
                 .withSubsteps(substeps)
                 .withSoftness(contactStiffness, contactDampingRatio, pushSpeed)
-                .withRestitutionThreshold(restitutionThreshold);
+                .withRestitutionThreshold(restitutionThreshold)
+                .withOffsetGain(offsetGain)
+                .withLoadInertia(
+                        loadInertia,
+                        SolverSettings.DEFAULT.restAcceleration(),
+                        SolverSettings.DEFAULT.inertiaFloor())
+                .withUnloadSweeps(unloadSweeps);
     }
 }

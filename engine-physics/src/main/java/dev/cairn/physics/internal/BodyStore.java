@@ -88,6 +88,27 @@ public final class BodyStore {
     public double[] innerRadius = {}, outerRadius = {};
 
     /**
+     * Factor on mass and inertia in the solver while the body rests under a load, at least 1; 0 for
+     * a body that has not been looked at yet.
+     */
+    public double[] inertiaScale = {};
+
+    /** Ticks that the body has been at rest. */
+    public int[] restTicks = {};
+
+    /** Largest acceleration of late, in g. */
+    public double[] unrest = {};
+
+    /** Velocity and angular velocity at the start of the last tick, 6 to a slot. */
+    public double[] lastVelocity = {};
+
+    /** Sum of the normal forces on the body at the end of the last tick, N. */
+    public double[] pressed = {};
+
+    /** Contacts that pressed on the body at the end of the last tick. */
+    public int[] pressing = {};
+
+    /**
      * Grows every column to at least {@code capacity} slots; between phases only.
      *
      * @param capacity slots that must fit
@@ -136,5 +157,11 @@ public final class BodyStore {
         restitution = Arrays.copyOf(restitution, n);
         innerRadius = Arrays.copyOf(innerRadius, n);
         outerRadius = Arrays.copyOf(outerRadius, n);
+        inertiaScale = Arrays.copyOf(inertiaScale, n);
+        restTicks = Arrays.copyOf(restTicks, n);
+        unrest = Arrays.copyOf(unrest, n);
+        lastVelocity = Arrays.copyOf(lastVelocity, 6 * n);
+        pressed = Arrays.copyOf(pressed, n);
+        pressing = Arrays.copyOf(pressing, n);
     }
 }

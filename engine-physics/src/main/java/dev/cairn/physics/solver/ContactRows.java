@@ -78,7 +78,7 @@ final class ContactRows {
     static final int STIFFNESS = 18;
 
     /** Ints to a contact. */
-    static final int LINK = 5;
+    static final int LINK = 6;
 
     /** Offsets of the bodies in {@link SolverBodies#state}. */
     static final int BODY_A = 0;
@@ -91,6 +91,9 @@ final class ContactRows {
 
     /** 1 while the contact had no impulse to start the sub-step with. */
     static final int COLD = 4;
+
+    /** 1 in the tick in which a load that the contact's island carried has gone. */
+    static final int UNLOADED = 5;
 
     int count;
     double[] row = {};

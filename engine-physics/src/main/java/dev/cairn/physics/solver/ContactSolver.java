@@ -31,6 +31,8 @@ public final class ContactSolver {
     private final SolverBodies body = new SolverBodies();
     private final ContactRows rows = new ContactRows();
     private final Impacts impacts = new Impacts();
+    private final LoadSweep loads = new LoadSweep();
+    private final Unloading unloading = new Unloading();
     private final double[] gravity = new double[3];
 
     private final BlockJob begin = this::begin;
@@ -40,6 +42,8 @@ public final class ContactSolver {
     private final BlockJob finish = this::finish;
 
     private double step;
+    private boolean stacked;
+    private boolean loaded;
     private double subStep;
     private Softness soft = new Softness(0, 1, 0);
     private Softness staticSoft = soft;
@@ -92,6 +96,13 @@ public final class ContactSolver {
         timing(stepSeconds);
         collect(bodies, contacts);
         int bodyBlocks = Blocks.count(bodies.slotCount, BODIES_PER_BLOCK);
+        boolean unloaded =
+                settings.unloadSweeps() > 0
+                        && unloading.find(bodies, contacts, rows, impulseScale / subStep, weight());
+        loaded =
+                (settings.loadInertia() > 0 || settings.unloadSweeps() > 0)
+                        && loads.run(
+                                bodies, contacts, rows, body, gravity, step, settings, stacked);
         jobs.run(begin, bodyBlocks);
         if (rows.count > 0) {
             jobs.run(prepare, Blocks.count(rows.count, ROWS_PER_BLOCK));
@@ -99,6 +110,9 @@ public final class ContactSolver {
                 impacts.run(rows, body, bodies, gravity, subStep, settings.restitutionThreshold());
                 jobs.run(kick, bodyBlocks);
                 RowKernels.warmStart(rows, body.state);
+                if (unloaded && k == 0) {
+                    unloading.settle(rows, body.state, subStep, settings);
+                }
                 RowKernels.bias(
                         rows,
                         body.state,
@@ -151,6 +165,7 @@ public final class ContactSolver {
         Arrays.fill(guide, 0, bodies.slotCount, SolverBodies.FREE);
         int n = 0;
         int bouncing = 0;
+        stacked = false;
         for (int c = 0; c < contacts.count; c++) {
             if (contacts.pointCount[c] == 0) {
                 continue;
@@ -164,6 +179,7 @@ public final class ContactSolver {
             rows.link[l + ContactRows.SOURCE] = c;
             boolean still =
                     bodies.kind[a] != BodyStore.DYNAMIC || bodies.kind[b] != BodyStore.DYNAMIC;
+            stacked |= !still;
             guide[a] = guide[a] == SolverBodies.FREE && still ? n : SolverBodies.BOUND;
             guide[b] = guide[b] == SolverBodies.FREE && still ? n : SolverBodies.BOUND;
             if (contacts.restitution[c] > 0) {
@@ -197,7 +213,7 @@ public final class ContactSolver {
                             settings.substeps());
                 }
             } else if (dynamic) {
-                body.loadBound(b, i, 1);
+                body.loadBound(b, i, loaded ? b.inertiaScale[i] : 1);
             } else {
                 body.loadStatic(i);
             }
@@ -249,12 +265,9 @@ public final class ContactSolver {
                 body.store(bodies, i);
             }
         }
-        double g =
-                Math.sqrt(
-                        gravity[0] * gravity[0]
-                                + gravity[1] * gravity[1]
-                                + gravity[2] * gravity[2]);
-        double still = STILL * g * step;
+        double still = STILL * weight() * step;
+        Arrays.fill(bodies.pressed, 0, bodies.slotCount, 0.0);
+        Arrays.fill(bodies.pressing, 0, bodies.slotCount, 0);
         int m = 0;
         for (int c = 0; c < contacts.count; c++) {
             contacts.frictionImpulseX[c] = 0;
@@ -263,6 +276,9 @@ public final class ContactSolver {
             contacts.twistImpulse[c] = 0;
             if (contacts.pointCount[c] > 0) {
                 storeRow(contacts, c, m);
+                if (settings.unloadSweeps() > 0) {
+                    Unloading.press(bodies, contacts, c, 1 / subStep);
+                }
                 if (settings.offsetGain() > 0) {
                     Offsets.update(rows, body, contacts, c, m, settings.offsetGain(), still);
                 }
@@ -303,6 +319,12 @@ public final class ContactSolver {
         int r = row * ContactRows.ROW;
         return d[r + ContactRows.TOTAL] * d[r + ContactRows.TANGENT1 + axis]
                 + d[r + ContactRows.TOTAL + 1] * d[r + ContactRows.TANGENT2 + axis];
+    }
+
+    /** Size of gravity, m/s². */
+    private double weight() {
+        return Math.sqrt(
+                gravity[0] * gravity[0] + gravity[1] * gravity[1] + gravity[2] * gravity[2]);
     }
 
     private static <T> T stored(@Nullable T value) {

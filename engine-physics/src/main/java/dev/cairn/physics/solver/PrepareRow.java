@@ -169,6 +169,7 @@ final class PrepareRow {
         double cy = d[r + ContactRows.LEVER + 1];
         double cz = d[r + ContactRows.LEVER + 2];
         double radius = 0;
+        boolean unloaded = rows.link[m * ContactRows.LINK + ContactRows.UNLOADED] != 0;
         // k = m_eff biasRate massScale / impulseScale
         double stiffness =
                 d[r + ContactRows.BIAS_RATE]
@@ -191,8 +192,8 @@ final class PrepareRow {
             // the load that it knows
             double k = q[o + ContactRows.MASS] * stiffness;
             q[o + ContactRows.STIFFNESS] = k;
-            q[o + ContactRows.GAP] =
-                    c.separation[p] - (k > 0 ? c.preload[p] * impulseScale / k : 0);
+            double known = unloaded ? 0 : c.preload[p] * impulseScale;
+            q[o + ContactRows.GAP] = c.separation[p] - (k > 0 ? known / k : 0);
             q[o + ContactRows.IMPULSE] = c.normalImpulse[p] * impulseScale;
             q[o + ContactRows.SUM] = 0;
             double dx = x - cx;

@@ -136,6 +136,23 @@ final class RowKernels {
     }
 
     /**
+     * Hard normals and friction of the rows marked {@link ContactRows#UNLOADED}, over and over; no
+     * totals: the sweeps only correct the first guess of the sub-step.
+     */
+    static void settle(ContactRows rows, double[] body, double h, int rounds, int sweeps) {
+        for (int round = 0; round < rounds; round++) {
+            for (int m = 0; m < rows.count; m++) {
+                if (rows.link[m * LINK + ContactRows.UNLOADED] != 0) {
+                    double normal = normals(rows, m, body, h, 0, false, sweeps);
+                    if (rows.row[m * ROW + ContactRows.FRICTION] > 0) {
+                        friction(rows, m, body, normal);
+                    }
+                }
+            }
+        }
+    }
+
+    /**
      * Normals of one contact.
      *
      * <p>With {@code s} the separation now, {@code vn} the speed of separation, {@code m} the

@@ -26,6 +26,13 @@ package dev.cairn.physics.solver;
  * @param offsetGain share of a resting point's overlap that goes into its offset each tick, 0 (off)
  *     to 0.05. The sag of soft contacts fades within a second; above 0.02 tall stacks grow
  *     restless.
+ * @param loadInertia inertia in the solver of a body at rest over the load on it, 0 (off) to 10.
+ *     Stacks and heavy tops stand; disturbed bodies have their own inertia.
+ * @param restAcceleration acceleration, in g, above which a body is not at rest, 0.001 to 10.
+ * @param inertiaFloor share of the load's inertia that even a disturbed body keeps, 0 to 1. Without
+ *     it a light stack under a very heavy top is lost when it is touched.
+ * @param unloadSweeps extra sweeps over the island of a body at rest in the tick in which its load
+ *     goes, 0 (off) to 64. Without them the old impulses throw the stack up.
  */
 public record SolverSettings(
         int substeps,
@@ -37,10 +44,14 @@ public record SolverSettings(
         double restitutionThreshold,
         int innerSweeps,
         int coldSweeps,
-        double offsetGain) {
+        double offsetGain,
+        double loadInertia,
+        double restAcceleration,
+        double inertiaFloor,
+        int unloadSweeps) {
     /** The measured defaults. */
     public static final SolverSettings DEFAULT =
-            new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 2, 8, 0.01);
+            new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 2, 8, 0.01, 2, 0.05, 0.05, 10);
 
     /**
      * Checks every bound.
@@ -58,6 +69,10 @@ public record SolverSettings(
         check("innerSweeps", innerSweeps, 1, 16);
         check("coldSweeps", coldSweeps, 1, 32);
         check("offsetGain", offsetGain, 0, 0.05);
+        check("loadInertia", loadInertia, 0, 10);
+        check("restAcceleration", restAcceleration, 1e-3, 10);
+        check("inertiaFloor", inertiaFloor, 0, 1);
+        check("unloadSweeps", unloadSweeps, 0, 64);
     }
 
     private static void check(String name, double value, double low, double high) {
@@ -85,7 +100,11 @@ public record SolverSettings(
                 restitutionThreshold,
                 innerSweeps,
                 coldSweeps,
-                offsetGain);
+                offsetGain,
+                loadInertia,
+                restAcceleration,
+                inertiaFloor,
+                unloadSweeps);
     }
 
     /**
@@ -106,7 +125,11 @@ public record SolverSettings(
                 value,
                 innerSweeps,
                 coldSweeps,
-                offsetGain);
+                offsetGain,
+                loadInertia,
+                restAcceleration,
+                inertiaFloor,
+                unloadSweeps);
     }
 
     /**
@@ -130,7 +153,11 @@ public record SolverSettings(
                 restitutionThreshold,
                 innerSweeps,
                 coldSweeps,
-                offsetGain);
+                offsetGain,
+                loadInertia,
+                restAcceleration,
+                inertiaFloor,
+                unloadSweeps);
     }
 
     /**
@@ -152,7 +179,11 @@ public record SolverSettings(
                 restitutionThreshold,
                 newInnerSweeps,
                 newColdSweeps,
-                offsetGain);
+                offsetGain,
+                loadInertia,
+                restAcceleration,
+                inertiaFloor,
+                unloadSweeps);
     }
 
     /**
@@ -173,6 +204,63 @@ public record SolverSettings(
                 restitutionThreshold,
                 innerSweeps,
                 coldSweeps,
+                value,
+                loadInertia,
+                restAcceleration,
+                inertiaFloor,
+                unloadSweeps);
+    }
+
+    /**
+     * These settings with another load-proportional inertia.
+     *
+     * @param value inertia over load, 0 (off) to 10
+     * @param newRestAcceleration gate, in g
+     * @param newInertiaFloor share that a disturbed body keeps
+     * @return new settings
+     * @throws IllegalArgumentException if a value is out of its range
+     */
+    public SolverSettings withLoadInertia(
+            double value, double newRestAcceleration, double newInertiaFloor) {
+        return new SolverSettings(
+                substeps,
+                hertzPerRate,
+                dampingRatio,
+                staticHertzScale,
+                staticDampingScale,
+                pushSpeed,
+                restitutionThreshold,
+                innerSweeps,
+                coldSweeps,
+                offsetGain,
+                value,
+                newRestAcceleration,
+                newInertiaFloor,
+                unloadSweeps);
+    }
+
+    /**
+     * These settings with another number of sweeps when a load goes.
+     *
+     * @param value 0 (off) to 64
+     * @return new settings
+     * @throws IllegalArgumentException if the value is out of its range
+     */
+    public SolverSettings withUnloadSweeps(int value) {
+        return new SolverSettings(
+                substeps,
+                hertzPerRate,
+                dampingRatio,
+                staticHertzScale,
+                staticDampingScale,
+                pushSpeed,
+                restitutionThreshold,
+                innerSweeps,
+                coldSweeps,
+                offsetGain,
+                loadInertia,
+                restAcceleration,
+                inertiaFloor,
                 value);
     }
 }

@@ -1,0 +1,496 @@
+package dev.cairn.physics.solver;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+
+import java.util.Arrays;
+
+/**
+ * Load-proportional inertia: what rests under a load is solved as if it had the inertia of that
+ * load.
+ *
+ * <p>Sweeps over contacts converge slowly where a heavy body rests on a light one, and a column of
+ * soft contacts buckles under its own weight, because the springs are sized by the mass of one
+ * body, not by what stands on it. So while a body is at rest its mass and inertia <i>in the
+ * solver</i> are multiplied by {@code s = kappa load / weight}, and gravity is divided by {@code
+ * s}: forces, impulses and everything static stay exactly what they were; only the answer to a
+ * disturbance is slower. Hence the gates: a body that is hit, slips, accelerates, is deep inside
+ * another or has nothing under it has (nearly) its own inertia at once, its neighbours to two
+ * contacts with it, and gets the load's back slowly when all is still.
+ *
+ * <p>The load runs down in one sweep: bodies from the highest to the lowest, ties by slot, each
+ * hands its weight and its load to what is under it, in proportion to the impulses of the last
+ * tick. The order is a function of the state alone. Speeds are measured by {@code sqrt(g r)} of the
+ * smaller body, lengths by its radius, so that scenes of any size behave alike.
+ *
+ * <p>Simulation thread; allocates only when a store has grown. Source: own study.
+ */
+final class LoadSweep {
+    /** Contacts steeper than this (cosine with up) carry no load. */
+    private static final double CARRIES = 0.2;
+
+    /** A contact is closed within this share of the smaller inner radius. */
+    private static final double CLOSED = 0.002;
+
+    /** Overlap beyond this share of the smaller inner radius is not rest. */
+    private static final double DEEP = 0.1;
+
+    /** Closing speed of an impact over {@code sqrt(g r)}: 0.3 m/s for a cube of 1 m. */
+    private static final double HIT = 0.135;
+
+    /** Slip over {@code sqrt(g r)}: 0.1 m/s for a cube of 1 m. */
+    private static final double SLIP = 0.045;
+
+    private static final double LARGEST = 1000;
+    private static final double DECAY = 0.7;
+    private static final double RISE = 0.05;
+    private static final double FALL = 0.1;
+
+    /** Ticks of rest before the load counts. */
+    static final int HOLD = 18;
+
+    private static final int HOPS = 2;
+    private static final byte HURT = 1;
+    private static final byte FALLS = 2;
+
+    private double[] height = {};
+    private double[] load = {};
+    private double[] reach = {};
+    private byte[] rough = {};
+    private byte[] next = {};
+    private boolean[] listed = {};
+    private int[] order = {};
+    private int[] spare = {};
+    private int ordered;
+    private int[] first = {};
+    private int[] edge = {};
+    private int[] upper = {};
+    private double[] weight = {};
+    private boolean raised;
+    private boolean stale;
+
+    private BodyStore bodies = new BodyStore();
+    private ContactStore contacts = new ContactStore();
+    private ContactRows rows = new ContactRows();
+    private int[] guide = {};
+    private double upX;
+    private double upY;
+    private double upZ;
+    private double gravity;
+
+    /**
+     * Brings {@link BodyStore#inertiaScale} and {@link BodyStore#restTicks} of this tick up to
+     * date.
+     *
+     * @param state its guide tells who has contacts
+     * @param stacked whether any two dynamic bodies touch
+     * @return false if nothing rests on anything that moves: all scales count as 1
+     */
+    boolean run(
+            BodyStore store,
+            ContactStore contactStore,
+            ContactRows contactRows,
+            SolverBodies state,
+            double[] g,
+            double step,
+            SolverSettings settings,
+            boolean stacked) {
+        gravity = Math.sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+        if (!(gravity > 0) || !(stacked || raised)) {
+            stale = true;
+            raised = false;
+            return false;
+        }
+        upX = -g[0] / gravity;
+        upY = -g[1] / gravity;
+        upZ = -g[2] / gravity;
+        bodies = store;
+        contacts = contactStore;
+        rows = contactRows;
+        guide = state.guide;
+        ensureCapacity();
+        measure(step);
+        for (int m = 0; m < rows.count; m++) {
+            gate(m, step);
+        }
+        spread();
+        edges();
+        sort();
+        descend();
+        ground();
+        scale(settings);
+        stale = false;
+        return true;
+    }
+
+    private void ensureCapacity() {
+        if (height.length < bodies.slotCount) {
+            int n = bodies.kind.length;
+            height = Arrays.copyOf(height, n);
+            load = new double[n];
+            reach = new double[n];
+            rough = new byte[n];
+            next = new byte[n];
+            listed = Arrays.copyOf(listed, n);
+            order = Arrays.copyOf(order, n);
+            spare = new int[n];
+            first = new int[n + 1];
+        }
+        if (edge.length < rows.count) {
+            edge = new int[rows.bouncer.length];
+            upper = new int[edge.length];
+            weight = new double[edge.length];
+        }
+    }
+
+    /** Height, acceleration since the last tick, and largest speed of any point, of each body. */
+    private void measure(double step) {
+        BodyStore b = bodies;
+        double inverse = 1 / (gravity * step);
+        for (int i = 0; i < b.slotCount; i++) {
+            rough[i] = 0;
+            load[i] = 0;
+            reach[i] = 0;
+            if (b.kind[i] != BodyStore.DYNAMIC) {
+                continue;
+            }
+            double vx = b.velocityX[i];
+            double vy = b.velocityY[i];
+            double vz = b.velocityZ[i];
+            double wx = b.angularVelocityX[i];
+            double wy = b.angularVelocityY[i];
+            double wz = b.angularVelocityZ[i];
+            double radius = b.outerRadius[i];
+            reach[i] = norm(vx, vy, vz) + norm(wx, wy, wz) * radius;
+            int o = 6 * i;
+            double[] old = b.lastVelocity;
+            boolean known = b.inertiaScale[i] > 0 && !stale;
+            if (known) {
+                double a =
+                        inverse
+                                        * (norm(vx - old[o], vy - old[o + 1], vz - old[o + 2])
+                                                + norm(
+                                                                wx - old[o + 3],
+                                                                wy - old[o + 4],
+                                                                wz - old[o + 5])
+                                                        * radius)
+                                + norm(b.forceX[i], b.forceY[i], b.forceZ[i])
+                                        * b.inverseMass[i]
+                                        / gravity;
+                b.unrest[i] = Math.max(a, DECAY * b.unrest[i]);
+            } else {
+                b.unrest[i] = 0;
+                b.restTicks[i] = b.inertiaScale[i] > 0 ? 0 : HOLD;
+            }
+            old[o] = vx;
+            old[o + 1] = vy;
+            old[o + 2] = vz;
+            old[o + 3] = wx;
+            old[o + 4] = wy;
+            old[o + 5] = wz;
+            height[i] = upX * b.positionX[i] + upY * b.positionY[i] + upZ * b.positionZ[i];
+        }
+    }
+
+    private static double norm(double x, double y, double z) {
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
+    /** Marks the bodies of a contact that is hit, slips, or is deep. */
+    private void gate(int m, double step) {
+        int source = rows.link[m * ContactRows.LINK + ContactRows.SOURCE];
+        int a = contacts.bodyA[source];
+        int b = contacts.bodyB[source];
+        double radius = smaller(a, b);
+        double unit = Math.sqrt(gravity * radius);
+        int from = ContactStore.POINTS * source;
+        int to = from + contacts.pointCount[source];
+        boolean moving = reach[a] + reach[b] > SLIP * unit;
+        for (int p = from; p < to; p++) {
+            double s = contacts.separation[p];
+            if (s < -DEEP * radius || (moving && disturbed(source, p, a, b, radius, unit, step))) {
+                rough[a] = HURT;
+                rough[b] = HURT;
+                return;
+            }
+        }
+    }
+
+    private double smaller(int a, int b) {
+        return bodies.kind[a] != BodyStore.DYNAMIC
+                ? bodies.innerRadius[b]
+                : bodies.kind[b] != BodyStore.DYNAMIC
+                        ? bodies.innerRadius[a]
+                        : Math.min(bodies.innerRadius[a], bodies.innerRadius[b]);
+    }
+
+    private boolean disturbed(
+            int source, int p, int a, int b, double radius, double unit, double step) {
+        BodyStore s = bodies;
+        ContactStore c = contacts;
+        double x =
+                s.velocityX[b]
+                        - s.velocityX[a]
+                        + s.angularVelocityY[b] * c.anchorBZ[p]
+                        - s.angularVelocityZ[b] * c.anchorBY[p]
+                        - s.angularVelocityY[a] * c.anchorAZ[p]
+                        + s.angularVelocityZ[a] * c.anchorAY[p];
+        double y =
+                s.velocityY[b]
+                        - s.velocityY[a]
+                        + s.angularVelocityZ[b] * c.anchorBX[p]
+                        - s.angularVelocityX[b] * c.anchorBZ[p]
+                        - s.angularVelocityZ[a] * c.anchorAX[p]
+                        + s.angularVelocityX[a] * c.anchorAZ[p];
+        double z =
+                s.velocityZ[b]
+                        - s.velocityZ[a]
+                        + s.angularVelocityX[b] * c.anchorBY[p]
+                        - s.angularVelocityY[b] * c.anchorBX[p]
+                        - s.angularVelocityX[a] * c.anchorAY[p]
+                        + s.angularVelocityY[a] * c.anchorAX[p];
+        double vn = x * c.normalX[source] + y * c.normalY[source] + z * c.normalZ[source];
+        if (vn < -HIT * unit && c.separation[p] + vn * step < 0) {
+            return true;
+        }
+        double slip = SLIP * unit;
+        return c.separation[p] < CLOSED * radius && x * x + y * y + z * z - vn * vn > slip * slip;
+    }
+
+    /** Neighbours of what is disturbed are, too. */
+    private void spread() {
+        for (int hop = 0; hop < HOPS; hop++) {
+            boolean any = false;
+            for (int m = 0; m < rows.count; m++) {
+                int source = rows.link[m * ContactRows.LINK + ContactRows.SOURCE];
+                int a = contacts.bodyA[source];
+                int b = contacts.bodyB[source];
+                if (rough[a] != rough[b]
+                        && bodies.kind[rough[a] != 0 ? a : b] == BodyStore.DYNAMIC) {
+                    next[a] = HURT;
+                    next[b] = HURT;
+                    any = true;
+                }
+            }
+            if (!any) {
+                return;
+            }
+            for (int i = 0; i < bodies.slotCount; i++) {
+                rough[i] |= next[i];
+                next[i] = 0;
+            }
+        }
+    }
+
+    /** Lists, for each body, the rows of the contacts that carry it. */
+    private void edges() {
+        int n = bodies.slotCount;
+        Arrays.fill(first, 0, n + 1, 0);
+        for (int m = 0; m < rows.count; m++) {
+            int i = carried(m);
+            upper[m] = i;
+            if (i >= 0) {
+                first[i + 1]++;
+                weight[m] = weight(m);
+            }
+        }
+        for (int i = 0; i < n; i++) {
+            first[i + 1] += first[i];
+            spare[i] = first[i];
+        }
+        for (int m = 0; m < rows.count; m++) {
+            if (upper[m] >= 0) {
+                edge[spare[upper[m]]++] = m;
+            }
+        }
+    }
+
+    /** The dynamic body that a row carries, or -1. */
+    private int carried(int m) {
+        int source = rows.link[m * ContactRows.LINK + ContactRows.SOURCE];
+        double up =
+                upX * contacts.normalX[source]
+                        + upY * contacts.normalY[source]
+                        + upZ * contacts.normalZ[source];
+        if (Math.abs(up) <= CARRIES) {
+            return -1;
+        }
+        int a = contacts.bodyA[source];
+        int b = contacts.bodyB[source];
+        int above = up > 0 ? b : a;
+        if (bodies.kind[above] != BodyStore.DYNAMIC) {
+            return -1;
+        }
+        double limit = CLOSED * smaller(a, b);
+        int end = ContactStore.POINTS * source + contacts.pointCount[source];
+        for (int p = ContactStore.POINTS * source; p < end; p++) {
+            if (contacts.separation[p] < limit || contacts.normalImpulse[p] > 0) {
+                return above;
+            }
+        }
+        return -1;
+    }
+
+    /** Bodies with contacts from high to low, ties by slot: a merge sort of nearly sorted runs. */
+    private void sort() {
+        int kept = 0;
+        for (int k = 0; k < ordered; k++) {
+            int i = order[k];
+            boolean stays = i < bodies.slotCount && bound(i);
+            listed[i] = stays;
+            if (stays) {
+                order[kept++] = i;
+            }
+        }
+        for (int i = 0; i < bodies.slotCount; i++) {
+            if (!listed[i] && bound(i)) {
+                listed[i] = true;
+                order[kept++] = i;
+            }
+        }
+        ordered = kept;
+        boolean sorted = false;
+        while (!sorted) {
+            sorted = mergeRuns();
+        }
+    }
+
+    private boolean bound(int i) {
+        return bodies.kind[i] == BodyStore.DYNAMIC && guide[i] != SolverBodies.FREE;
+    }
+
+    /** Merges neighbouring runs pairwise; true if there was one run only. */
+    private boolean mergeRuns() {
+        int out = 0;
+        int at = 0;
+        boolean sorted = true;
+        while (at < ordered) {
+            int middle = runEnd(at);
+            if (middle == ordered && at == 0) {
+                return true;
+            }
+            int end = middle < ordered ? runEnd(middle) : middle;
+            int l = at;
+            int r = middle;
+            while (l < middle && r < end) {
+                spare[out++] = before(order[l], order[r]) ? order[l++] : order[r++];
+            }
+            while (l < middle) {
+                spare[out++] = order[l++];
+            }
+            while (r < end) {
+                spare[out++] = order[r++];
+            }
+            sorted = at == 0 && end == ordered;
+            at = end;
+        }
+        int[] swap = order;
+        order = spare;
+        spare = swap;
+        return sorted;
+    }
+
+    private int runEnd(int from) {
+        int k = from + 1;
+        while (k < ordered && before(order[k - 1], order[k])) {
+            k++;
+        }
+        return k;
+    }
+
+    private boolean before(int i, int j) {
+        return height[i] > height[j] || (height[i] == height[j] && i < j);
+    }
+
+    /** Hands weights and loads down. */
+    private void descend() {
+        for (int k = 0; k < ordered; k++) {
+            int i = order[k];
+            double lift = upX * bodies.forceX[i] + upY * bodies.forceY[i] + upZ * bodies.forceZ[i];
+            double force = Math.max(0, load[i] + gravity / bodies.inverseMass[i] - lift);
+            double sum = 0;
+            for (int e = first[i]; e < first[i + 1]; e++) {
+                sum += weight[edge[e]];
+            }
+            for (int e = first[i]; e < first[i + 1]; e++) {
+                int j = below(edge[e], i);
+                if (bodies.kind[j] == BodyStore.DYNAMIC && before(i, j)) {
+                    load[j] += force * (weight[edge[e]] / sum);
+                }
+            }
+        }
+    }
+
+    /** Marks what stands on nothing: from the lowest up, ground is handed on by what touches it. */
+    private void ground() {
+        for (int k = ordered - 1; k >= 0; k--) {
+            int i = order[k];
+            boolean stands = false;
+            for (int e = first[i]; !stands && e < first[i + 1]; e++) {
+                int j = below(edge[e], i);
+                stands =
+                        bodies.kind[j] != BodyStore.DYNAMIC
+                                || (before(i, j) && (rough[j] & FALLS) == 0);
+            }
+            if (!stands) {
+                rough[i] |= FALLS;
+            }
+        }
+    }
+
+    private int below(int m, int i) {
+        int source = rows.link[m * ContactRows.LINK + ContactRows.SOURCE];
+        int a = contacts.bodyA[source];
+        return a == i ? contacts.bodyB[source] : a;
+    }
+
+    private double weight(int m) {
+        int source = rows.link[m * ContactRows.LINK + ContactRows.SOURCE];
+        double sum = 1e-9;
+        int end = ContactStore.POINTS * source + contacts.pointCount[source];
+        for (int p = ContactStore.POINTS * source; p < end; p++) {
+            sum += contacts.normalImpulse[p];
+        }
+        return sum;
+    }
+
+    private void scale(SolverSettings settings) {
+        BodyStore b = bodies;
+        raised = false;
+        double limit = settings.restAcceleration();
+        for (int i = 0; i < b.slotCount; i++) {
+            if (b.kind[i] != BodyStore.DYNAMIC) {
+                continue;
+            }
+            if (guide[i] == SolverBodies.FREE) {
+                b.inertiaScale[i] = 1;
+                b.restTicks[i] = 0;
+                continue;
+            }
+            double own = gravity / b.inverseMass[i];
+            double wanted = Math.max(1, Math.min(LARGEST, settings.loadInertia() * load[i] / own));
+            double floor = Math.max(1, settings.inertiaFloor() * wanted);
+            double unrest = b.unrest[i];
+            wanted = floor + (wanted - floor) * Math.max(0, Math.min(1, 2 - 2 * unrest / limit));
+            boolean still = rough[i] == 0 && !(unrest > limit);
+            b.restTicks[i] = still ? Math.min(HOLD, b.restTicks[i] + 1) : 0;
+            double s = b.inertiaScale[i];
+            if (b.restTicks[i] < HOLD) {
+                wanted = floor;
+            }
+            if ((rough[i] & FALLS) != 0) {
+                s = 1;
+            } else if (rough[i] != 0) {
+                s = floor;
+                b.unrest[i] = Math.max(unrest, 2 * limit);
+            } else if (!(s > 0)) {
+                s = wanted;
+            } else {
+                s += (wanted > s ? RISE : FALL) * (wanted - s);
+                s = s < 1.001 && wanted == 1 ? 1 : s;
+            }
+            b.inertiaScale[i] = s;
+            raised |= s > 1;
+        }
+    }
+}

@@ -1,0 +1,110 @@
+package dev.cairn.physics.solver;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+
+import java.util.Arrays;
+
+/**
+ * The tick in which a load goes: the body that pressed on a body at rest was removed, or taken
+ * away.
+ *
+ * <p>The warm start of that tick still holds the old load, and so do the offsets: they would throw
+ * up what is left. So in the island of such a body the offsets start anew, and after the first warm
+ * start the hard normals and the friction are swept until the impulses fit the load that is left.
+ */
+final class Unloading {
+    /** A load is gone if the body is pressed less by so many times its own weight. */
+    private static final double SHARE = 0.5;
+
+    private double[] now = {};
+    private int[] contactsNow = {};
+    private boolean[] marked = {};
+
+    /**
+     * Marks the rows of the islands that have lost a load.
+     *
+     * @param perImpulse force of a stored impulse, 1/s
+     * @param g gravity, m/s²
+     * @return whether there is one
+     */
+    boolean find(BodyStore b, ContactStore c, ContactRows rows, double perImpulse, double g) {
+        if (now.length < b.slotCount) {
+            now = new double[b.kind.length];
+            contactsNow = new int[now.length];
+            marked = new boolean[now.length];
+        }
+        Arrays.fill(now, 0, b.slotCount, 0.0);
+        Arrays.fill(contactsNow, 0, b.slotCount, 0);
+        for (int m = 0; m < rows.count; m++) {
+            rows.link[m * ContactRows.LINK + ContactRows.UNLOADED] = 0;
+            int source = rows.link[m * ContactRows.LINK + ContactRows.SOURCE];
+            double sum = force(c, source, perImpulse);
+            now[c.bodyA[source]] += sum;
+            now[c.bodyB[source]] += sum;
+            contactsNow[c.bodyA[source]]++;
+            contactsNow[c.bodyB[source]]++;
+        }
+        boolean any = false;
+        for (int i = 0; i < b.slotCount; i++) {
+            boolean lost =
+                    b.kind[i] == BodyStore.DYNAMIC
+                            && contactsNow[i] < b.pressing[i]
+                            && b.restTicks[i] >= LoadSweep.HOLD
+                            && (b.pressed[i] - now[i]) * b.inverseMass[i] > SHARE * g;
+            marked[i] = lost;
+            any |= lost;
+        }
+        if (any) {
+            spread(b, c, rows);
+        }
+        return any;
+    }
+
+    private void spread(BodyStore b, ContactStore c, ContactRows rows) {
+        boolean again = true;
+        for (boolean forward = true; again; forward = !forward) {
+            again = false;
+            for (int k = 0; k < rows.count; k++) {
+                int m = forward ? k : rows.count - 1 - k;
+                int l = m * ContactRows.LINK;
+                if (rows.link[l + ContactRows.UNLOADED] != 0) {
+                    continue;
+                }
+                int source = rows.link[l + ContactRows.SOURCE];
+                int i = c.bodyA[source];
+                int j = c.bodyB[source];
+                if (marked[i] || marked[j]) {
+                    rows.link[l + ContactRows.UNLOADED] = 1;
+                    marked[i] = b.kind[i] == BodyStore.DYNAMIC;
+                    marked[j] = b.kind[j] == BodyStore.DYNAMIC;
+                    again = true;
+                }
+            }
+        }
+    }
+
+    void settle(ContactRows rows, double[] body, double h, SolverSettings settings) {
+        RowKernels.settle(rows, body, h, settings.unloadSweeps(), settings.innerSweeps());
+    }
+
+    /** Adds what a contact presses with to its bodies. */
+    static void press(BodyStore b, ContactStore c, int row, double perImpulse) {
+        double sum = force(c, row, perImpulse);
+        if (sum > 0) {
+            b.pressed[c.bodyA[row]] += sum;
+            b.pressed[c.bodyB[row]] += sum;
+            b.pressing[c.bodyA[row]]++;
+            b.pressing[c.bodyB[row]]++;
+        }
+    }
+
+    private static double force(ContactStore c, int row, double perImpulse) {
+        double sum = 0;
+        int end = ContactStore.POINTS * row + c.pointCount[row];
+        for (int p = ContactStore.POINTS * row; p < end; p++) {
+            sum += c.normalImpulse[p];
+        }
+        return sum * perImpulse;
+    }
+}
