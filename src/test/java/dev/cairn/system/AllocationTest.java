@@ -19,8 +19,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A steady tick allocates nothing, on the simulation thread and on the helpers: exactly 0 bytes
- * over the second half of 20 seconds, in every scene.
+ * A steady tick allocates nothing, on the simulation thread and on the helpers: exactly 0 bytes in
+ * 20 seconds of every scene (which ticks count: {@code SteadyBytes}).
  *
  * <p>The JVM that is measured stops at C1. When a thread asks for a C2 compilation, HotSpot first
  * resolves the string constants of the method's class on that thread, which are our error messages;

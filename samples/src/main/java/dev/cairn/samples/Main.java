@@ -64,7 +64,6 @@ public final class Main {
 
     @Option(
             names = "--scene",
-            split = ",",
             paramLabel = "ID",
             description = "Scene to run; repeat it, or separate by commas.")
     List<String> scenes = new ArrayList<>();
@@ -156,6 +155,17 @@ public final class Main {
             }
             return new Runner(Request.of(typed), out, err, display).run();
         } catch (CommandLine.UnmatchedArgumentException unknown) {
+            String word = unknown.getUnmatched().get(0);
+            if (!word.startsWith("-")) {
+                err.println(
+                        "%s: options begin with --%s; --help lists them"
+                                .formatted(
+                                        word,
+                                        SceneRegistry.ids().contains(word)
+                                                ? " (did you mean --scene " + word + "?)"
+                                                : ""));
+                return MISUSED;
+            }
             List<String> near = unknown.getSuggestions();
             err.println(
                     "%s%s; --help lists the options"
@@ -170,7 +180,7 @@ public final class Main {
             err.println(oneLine(misuse));
             return MISUSED;
         } catch (UncheckedIOException unwritable) {
-            err.println(oneLine(unwritable) + ": " + unwritable.getCause());
+            err.println(oneLine(unwritable));
             return FAILED;
         }
     }

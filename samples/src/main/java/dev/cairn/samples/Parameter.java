@@ -65,6 +65,11 @@ public record Parameter(
         double value;
         try {
             value = Double.parseDouble(text.trim());
+            // Java also reads 1d, 1f and 0x1p3, which nobody types on purpose.
+            char last = text.trim().charAt(text.trim().length() - 1);
+            if (Character.isLetter(last) || text.indexOf('x') >= 0 || text.indexOf('X') >= 0) {
+                throw refuse(scene, text, null);
+            }
         } catch (NumberFormatException notANumber) {
             throw refuse(scene, text, notANumber);
         }

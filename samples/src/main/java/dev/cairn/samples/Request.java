@@ -5,10 +5,13 @@ import dev.cairn.physics.PhysicsSettings;
 
 import org.jspecify.annotations.Nullable;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -75,7 +78,12 @@ record Request(
         Path obj = path("--obj", typed.obj);
         if (obj != null && !Files.isRegularFile(obj)) {
             throw new UsageException(
-                    "--obj %s: there is no such file; name a Wavefront .obj file".formatted(obj));
+                    "--obj %s: %s; name a Wavefront .obj file"
+                            .formatted(
+                                    typed.obj,
+                                    Files.isDirectory(obj)
+                                            ? "this is a folder"
+                                            : "there is no such file"));
         }
         List<SampleScene> scenes = scenes(typed.scenes, obj);
         Map<String, SceneOptions> options =
@@ -88,6 +96,7 @@ record Request(
             Path json = path("--json", typed.json);
             if (json != null) {
                 checkFolder("--json", json);
+                checkWritable("--json", json);
             }
         }
         return new Request(
@@ -154,6 +163,7 @@ record Request(
                     "--at %d: the run ends after %d ticks; add --ticks %d".formatted(at, last, at));
         }
         checkFolder("--picture", picture);
+        checkWritable("--picture", picture);
     }
 
     private static void checkFolder(String option, Path file) {
@@ -165,12 +175,37 @@ record Request(
         }
     }
 
+    /** Finds out before a long run, not after it, whether the results can be written. */
+    private static void checkWritable(String option, Path file) {
+        boolean isNew = Files.notExists(file);
+        try {
+            Files.newByteChannel(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE).close();
+            if (isNew) {
+                Files.deleteIfExists(file);
+            }
+        } catch (IOException refused) {
+            throw new UsageException(
+                    "%s %s: this file cannot be written (%s); name another"
+                            .formatted(option, file, refused.getClass().getSimpleName()),
+                    refused);
+        }
+    }
+
     private static List<SampleScene> scenes(List<String> typed, @Nullable Path obj) {
         if (typed.isEmpty()) {
             return obj == null ? SceneRegistry.all() : List.of(SceneRegistry.get(OBJ_SCENE));
         }
+        LinkedHashSet<String> ids = new LinkedHashSet<>();
+        for (String text : typed) {
+            Collections.addAll(ids, text.split(",", -1));
+        }
         List<SampleScene> scenes = new ArrayList<>();
-        for (String id : new LinkedHashSet<>(typed)) {
+        for (String id : ids) {
+            if (id.isBlank()) {
+                throw new UsageException(
+                        "--scene: a name is empty; want --scene ID or --scene ID,ID; --list shows"
+                                + " all");
+            }
             scenes.add(SceneRegistry.get(id.trim()));
         }
         if (obj != null && scenes.stream().noneMatch(scene -> scene.id().equals(OBJ_SCENE))) {

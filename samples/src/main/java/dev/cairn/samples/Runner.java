@@ -123,6 +123,9 @@ final class Runner {
                     reports.add(run(scene, draw, bar));
                 } catch (UsageException misuse) {
                     throw misuse;
+                } catch (UncheckedIOException unwritable) {
+                    err.println("scene " + scene.id() + ": " + unwritable.getMessage());
+                    code = Main.FAILED;
                 } catch (RuntimeException | Error failure) {
                     code = failed("scene " + scene.id(), failure);
                 }
@@ -188,7 +191,10 @@ final class Runner {
             try {
                 Files.writeString(Path.of(json), ReportText.json(reports));
             } catch (IOException unwritable) {
-                throw new UncheckedIOException("cannot write " + json, unwritable);
+                throw new UncheckedIOException(
+                        "--json %s: the results could not be written: %s"
+                                .formatted(json, unwritable.getMessage()),
+                        unwritable);
             }
         }
     }

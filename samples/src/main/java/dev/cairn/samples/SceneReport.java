@@ -20,7 +20,7 @@ import java.util.Map;
  * @param maxPenetrationMetres deepest overlap over the run, measured by {@link Penetration}
  * @param errors metrics against the scene's closed form, by name
  * @param digest state digest after the last tick, 16 hexadecimal digits
- * @param allocatedBytesPerTick mean over the second half of the run, all threads of the simulation
+ * @param allocatedBytesPerTick bytes that a steady tick allocates, all threads of the simulation
  * @param remarks lines that the scene wants printed; not part of the JSON
  */
 public record SceneReport(

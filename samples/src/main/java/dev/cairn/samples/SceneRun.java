@@ -173,7 +173,7 @@ public final class SceneRun {
                 measures.deepest,
                 built.errors(),
                 String.format(Locale.ROOT, "%016x", world.digest()),
-                measures.bytesPerTick(),
+                measures.bytes.perTick(),
                 List.copyOf(built.remarks()));
     }
 
@@ -181,16 +181,15 @@ public final class SceneRun {
     private static final class Measures {
         private final long[] nanos;
         private final int stride;
-        private final int warm;
         private final int ticks;
         private double deepest;
-        private long bytes;
+        private final SteadyBytes bytes;
 
         Measures(int ticks, int stride) {
             this.ticks = ticks;
             this.nanos = new long[ticks];
             this.stride = stride;
-            this.warm = ticks / 2;
+            this.bytes = new SteadyBytes(ticks);
         }
 
         void step(PhysicsWorld world, AllocationMeter meter, int tick) {
@@ -198,9 +197,7 @@ public final class SceneRun {
             long start = System.nanoTime();
             world.step(SampleScene.STEP_SECONDS);
             nanos[tick - 1] = System.nanoTime() - start;
-            if (tick > warm) {
-                bytes += meter.bytes() - allocated;
-            }
+            bytes.add(meter.bytes() - allocated);
         }
 
         void overlap(SceneBuilder built, int tick) {
@@ -211,10 +208,6 @@ public final class SceneRun {
 
         void depth(SceneBuilder built) {
             deepest = Math.max(deepest, Penetration.deepest(built.bodies()));
-        }
-
-        double bytesPerTick() {
-            return ticks == warm ? 0 : bytes / (double) (ticks - warm);
         }
 
         /** Nearest-rank percentile of the ticks after the first, ms; 0 if there are none. */

@@ -2,9 +2,12 @@ package dev.cairn.samples;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
 import java.lang.management.ManagementFactory;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -25,6 +28,8 @@ public final class Launcher {
 
     private static final String MAIN = "dev.cairn.samples.Main";
     private static final int EXIT_UNUSABLE = 2;
+    private static final byte[] WARNING =
+            "WARNING: Using incubator modules: ".getBytes(StandardCharsets.US_ASCII);
 
     private Launcher() {}
 
@@ -132,7 +137,11 @@ public final class Launcher {
     static int relaunch(List<String> command) {
         final Process child;
         try {
-            child = new ProcessBuilder(command).inheritIO().start();
+            child =
+                    new ProcessBuilder(command)
+                            .redirectInput(ProcessBuilder.Redirect.INHERIT)
+                            .redirectOutput(ProcessBuilder.Redirect.INHERIT)
+                            .start();
         } catch (IOException failure) {
             System.err.println("Cannot start " + command.get(0) + ": " + failure.getMessage());
             return EXIT_UNUSABLE;
@@ -145,13 +154,63 @@ public final class Launcher {
                                 endOf(child);
                             }
                         });
+        Thread errors =
+                new Thread("errors of child") {
+                    @Override
+                    public void run() {
+                        try {
+                            copyWithoutWarning(child.getErrorStream(), System.err);
+                        } catch (IOException ignored) {
+                            // The child is gone, and with it all that it could still say.
+                        }
+                    }
+                };
+        errors.setDaemon(true);
+        errors.start();
         while (true) {
             try {
-                return child.waitFor();
+                int code = child.waitFor();
+                errors.join(1000);
+                return code;
             } catch (InterruptedException ignored) {
                 // Nobody interrupts this thread; wait on.
             }
         }
+    }
+
+    /**
+     * Copies what the child says on standard error, less the one line in which every JVM announces
+     * an incubating module. No option silences that line, and it would stand before each of our own
+     * messages.
+     */
+    static void copyWithoutWarning(InputStream from, OutputStream to) throws IOException {
+        byte[] buffer = new byte[4096];
+        boolean seen = false;
+        boolean skipping = false;
+        // Bytes of the warning that stood at the start of this line and are held back; -1: others.
+        int held = 0;
+        for (int n = from.read(buffer); n >= 0; n = from.read(buffer)) {
+            for (int i = 0; i < n; i++) {
+                byte next = buffer[i];
+                if (skipping) {
+                    skipping = next != '\n';
+                } else if (!seen && held >= 0 && next == WARNING[held]) {
+                    held++;
+                    if (held == WARNING.length) {
+                        seen = true;
+                        skipping = true;
+                        held = 0;
+                    }
+                } else {
+                    to.write(WARNING, 0, Math.max(0, held));
+                    to.write(next);
+                    held = next == '\n' ? 0 : -1;
+                }
+            }
+            to.flush();
+        }
+        to.write(WARNING, 0, Math.max(0, held));
+        to.flush();
     }
 
     /** Asks the child to end, as a terminal's Ctrl-C does, and insists after some seconds. */

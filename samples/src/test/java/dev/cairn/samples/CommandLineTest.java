@@ -70,6 +70,16 @@ class CommandLineTest {
                 "--window --headless            | contradict",
                 "--window --ticks 5             | go with --headless",
                 "--window                       | there is no display",
+                "--scene ,                      | a name is empty",
+                "--scene pyramid,,room          | a name is empty",
+                "--scene pyramid --set base=20d | whole number from 1 to 400",
+                "--scene pyramid --set base=0x1p3 | whole number from 1 to 400",
+                "--scene pyramid --set friction= | number from 0 to 10",
+                "--obj src                      | this is a folder",
+                "pyramid                        | did you mean --scene pyramid?",
+                "help                           | --help lists them",
+                "--ticks 1 --ticks 2            | only once",
+                "--scene pyramid --json src     | cannot write there",
                 "--list --headless              | leave the other options out",
             })
     void aMistakeIsOneLineThatTeachesAndExitCode2(String arguments, String hint) {

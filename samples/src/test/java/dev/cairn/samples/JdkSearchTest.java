@@ -5,9 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -143,5 +149,25 @@ class JdkSearchTest {
         assertFalse(
                 Launcher.missingFlags(home, List.of())
                         .contains("--add-modules=jdk.incubator.vector"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "WARNING: Using incubator modules: jdk.incubator.vector\\n|",
+                "NOTE: x\\nWARNING: Using incubator modules: a\\nWARNING: y\\n"
+                        + " | NOTE: x\\nWARNING: y\\n",
+                "no line end                     | no line end",
+                "WARN                            | WARN",
+                "WWARNING: Using incubator modules: a\\nb | WWARNING: Using incubator modules:"
+                        + " a\\nb",
+                "bar 1\\rbar 2\\r                 | bar 1\\rbar 2\\r",
+            })
+    void onlyTheIncubatorsAnnouncementIsLeftOut(String said, String heard) throws IOException {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        Launcher.copyWithoutWarning(
+                new ByteArrayInputStream(said.translateEscapes().getBytes(UTF_8)), out);
+        assertEquals(heard == null ? "" : heard.translateEscapes(), out.toString(UTF_8));
     }
 }

@@ -36,6 +36,7 @@ import dev.cairn.render.input.MouseButton;
 
 import org.jspecify.annotations.Nullable;
 
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.Locale;
@@ -135,8 +136,13 @@ final class WindowLoop {
                                     + "-"
                                     + snapshot.tick()
                                     + ".png");
-            new Picture(into.width(), into.height(), into.read()).savePng(file);
-            System.out.println("Saved " + file.toAbsolutePath());
+            try {
+                new Picture(into.width(), into.height(), into.read()).savePng(file);
+                System.out.println("Saved " + file.toAbsolutePath());
+            } catch (UncheckedIOException unwritable) {
+                // A full disk is no reason to close the window.
+                System.err.println(unwritable.getMessage());
+            }
         }
         glfwSwapBuffers(window);
     }

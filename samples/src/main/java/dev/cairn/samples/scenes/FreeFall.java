@@ -32,7 +32,7 @@ public final class FreeFall {
         return new SampleScene(
                 "free-fall",
                 "Free fall",
-                "Five spinning bodies fly their parabolas side by side without touching anything.",
+                "Five spinning bodies fly their parabolas side by side, until the first lands.",
                 "motion",
                 List.of(
                         Parameter.real("speed", 8, 0, 100, "speed upwards at the start, m/s"),
