@@ -16,7 +16,7 @@ import java.util.List;
  * work inside {@link #step}. Steps allocate nothing once the arrays have grown.
  */
 public final class PhysicsWorld implements AutoCloseable {
-    private final PhysicsSystem physics;
+    final PhysicsSystem physics;
     private final World ecs;
     private boolean stepping;
     private boolean closed;

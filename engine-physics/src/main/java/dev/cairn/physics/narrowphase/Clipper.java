@@ -22,10 +22,10 @@ final class Clipper {
     private static final double ON_PLANE = 1e-5;
 
     /**
-     * Marks a corner that {@link #reduce} keeps; no edge and no complement of a slot has this
-     * value.
+     * The same for a corner that was a point of the last tick: it leaves the plane later than it
+     * came, so that boxes that sway a little keep their names too.
      */
-    private static final int CHOSEN = 0x40000000;
+    static final double STILL_ON_PLANE = 1e-3;
 
     double[] x = new double[32],
             y = new double[32],
@@ -40,27 +40,38 @@ final class Clipper {
      */
     private int[] side = new int[32];
 
-    private double[] nextX = new double[32], nextY = new double[32], nextZ = new double[32];
+    /** How far from a side plane each corner counts as on it. */
+    private double[] slack = new double[32];
+
+    private double[] nextX = new double[32],
+            nextY = new double[32],
+            nextZ = new double[32],
+            nextSlack = new double[32];
     private int[] nextFeature = new int[32], nextSide = new int[32];
     private int made;
     private boolean flip;
+    private int last;
+    private double first, later;
     private Polyhedron reference = dev.cairn.physics.shape.Box.cube(1).polyhedron();
 
     /**
      * Fills the corners with separation up to the margin, in the reference's frame.
      *
      * @param flip the reference is B
+     * @param last the names of the points of the last tick, see {@link Names}
      */
-    void clip(Pair p, boolean flip, int face, int incident, double margin) {
+    void clip(Pair p, boolean flip, int face, int incident, double margin, int last) {
         this.flip = flip;
+        this.last = last;
+        first = ON_PLANE * p.inner;
+        later = STILL_ON_PLANE * p.inner;
         reference = flip ? p.b : p.a;
         Polyhedron other = flip ? p.a : p.b;
         int begin = reference.faceBegin(face);
         int end = reference.faceBegin(face + 1);
         load(p, other, incident, end - begin);
-        double tolerance = ON_PLANE * p.inner;
         for (int slot = begin; slot < end && count > 0; slot++) {
-            cut(slot, face, tolerance);
+            cut(slot, face);
         }
         double nx = reference.normalX(face);
         double ny = reference.normalY(face);
@@ -104,6 +115,7 @@ final class Clipper {
                 z[i] = p.pz;
             }
             feature[i] = kind | v;
+            slack[i] = slack(feature[i]);
             side[i] = other.slotEdge(begin + i);
         }
     }
@@ -115,6 +127,8 @@ final class Clipper {
         separation = Arrays.copyOf(separation, need);
         feature = Arrays.copyOf(feature, need);
         side = Arrays.copyOf(side, need);
+        slack = Arrays.copyOf(slack, need);
+        nextSlack = new double[need];
         nextX = new double[need];
         nextY = new double[need];
         nextZ = new double[need];
@@ -126,7 +140,7 @@ final class Clipper {
      * Cuts by the side plane at a slot. Corners on the plane stay as they are; crossings are made
      * only between clear sides.
      */
-    private void cut(int slot, int face, double tolerance) {
+    private void cut(int slot, int face) {
         double sx = reference.sideX(slot);
         double sy = reference.sideY(slot);
         double sz = reference.sideZ(slot);
@@ -134,21 +148,22 @@ final class Clipper {
         made = 0;
         int outside = 0;
         double before = sx * x[0] + sy * y[0] + sz * z[0] - so;
-        double first = before;
+        double start = before;
         for (int i = 0; i < count; i++) {
             int j = i + 1 == count ? 0 : i + 1;
             double here = before;
-            double there = j == 0 ? first : sx * x[j] + sy * y[j] + sz * z[j] - so;
+            double there = j == 0 ? start : sx * x[j] + sy * y[j] + sz * z[j] - so;
             before = there;
-            if (here <= tolerance) {
-                boolean leaves = here >= -tolerance && there > tolerance;
-                emit(x[i], y[i], z[i], feature[i], leaves ? ~slot : side[i]);
-                if (here < -tolerance && there > tolerance) {
+            if (here <= slack[i]) {
+                boolean out = there > slack[j];
+                boolean inside = here < -slack[i];
+                emit(x[i], y[i], z[i], feature[i], slack[i], out && !inside ? ~slot : side[i]);
+                if (out && inside) {
                     cross(i, j, here, there, slot, face, ~slot);
                 }
             } else {
                 outside++;
-                if (there < -tolerance) {
+                if (there < -slack[j]) {
                     cross(i, j, here, there, slot, face, side[i]);
                 }
             }
@@ -158,21 +173,28 @@ final class Clipper {
         }
     }
 
-    private void emit(double px, double py, double pz, int name, int leaving) {
+    private double slack(int name) {
+        return last != 0 && Names.holds(last, name) ? later : first;
+    }
+
+    private void emit(double px, double py, double pz, int name, double own, int leaving) {
         nextX[made] = px;
         nextY[made] = py;
         nextZ[made] = pz;
         nextFeature[made] = name;
+        nextSlack[made] = own;
         nextSide[made++] = leaving;
     }
 
     private void cross(int i, int j, double here, double there, int slot, int face, int leaving) {
         double t = here / (here - there);
+        int name = name(side[i], slot, face);
         emit(
                 x[i] + t * (x[j] - x[i]),
                 y[i] + t * (y[j] - y[i]),
                 z[i] + t * (z[j] - z[i]),
-                name(side[i], slot, face),
+                name,
+                slack(name),
                 leaving);
     }
 
@@ -199,6 +221,9 @@ final class Clipper {
         t = z;
         z = nextZ;
         nextZ = t;
+        t = slack;
+        slack = nextSlack;
+        nextSlack = t;
         int[] u = feature;
         feature = nextFeature;
         nextFeature = u;
@@ -206,111 +231,5 @@ final class Clipper {
         side = nextSide;
         nextSide = u;
         count = made;
-    }
-
-    /**
-     * Reduces to four: the deepest, the one farthest from it, and on each side of their line the
-     * one that spans most area. Among equals within {@code tie} the first choice is an extreme
-     * along a fixed direction of the face, and a point of the last tick ({@code kept} holds bits of
-     * their names) wins over one that is less than a tenth better, so the choice is calm.
-     */
-    void reduce(double nx, double ny, double nz, double tie, int kept) {
-        if (count <= 4) {
-            return;
-        }
-        int deepest = deepest(tie, kept);
-        int far = farthest(deepest, kept);
-        double ex = x[far] - x[deepest];
-        double ey = y[far] - y[deepest];
-        double ez = z[far] - z[deepest];
-        int left = -1;
-        int right = -1;
-        double most = 0;
-        double least = 0;
-        for (int i = 0; i < count; i++) {
-            double fx = x[i] - x[deepest];
-            double fy = y[i] - y[deepest];
-            double fz = z[i] - z[deepest];
-            double area =
-                    (nx * (ey * fz - ez * fy) + ny * (ez * fx - ex * fz) + nz * (ex * fy - ey * fx))
-                            * bonus(i, kept);
-            if (i != deepest && i != far && area > most) {
-                most = area;
-                left = i;
-            }
-            if (i != deepest && i != far && area < least) {
-                least = area;
-                right = i;
-            }
-        }
-        pick(deepest);
-        pick(far);
-        pick(left);
-        pick(right);
-        int at = 0;
-        for (int i = 0; i < count; i++) {
-            if (side[i] == CHOSEN) {
-                x[at] = x[i];
-                y[at] = y[i];
-                z[at] = z[i];
-                separation[at] = separation[i];
-                feature[at++] = feature[i];
-            }
-        }
-        count = at;
-    }
-
-    private void pick(int i) {
-        if (i >= 0) {
-            side[i] = CHOSEN;
-        }
-    }
-
-    private double bonus(int i, int kept) {
-        return (kept >>> bit(feature[i]) & 1) != 0 ? 1.1 : 1;
-    }
-
-    /**
-     * One of 32 bits for a feature name: enough to recognise most, and nothing breaks when two
-     * share one.
-     */
-    static int bit(int feature) {
-        return (feature * 0x9E3779B9) >>> 27;
-    }
-
-    private int deepest(double tie, int kept) {
-        double least = Double.MAX_VALUE;
-        for (int i = 0; i < count; i++) {
-            side[i] = 0;
-            least = Math.min(least, separation[i]);
-        }
-        int best = -1;
-        double most = -Double.MAX_VALUE;
-        for (int i = 0; i < count; i++) {
-            if (separation[i] <= least + tie) {
-                double value = (bonus(i, kept) > 1 ? 1 : 0) - (double) (feature[i] >>> 1) * 0x1p-32;
-                if (value > most) {
-                    most = value;
-                    best = i;
-                }
-            }
-        }
-        return best;
-    }
-
-    private int farthest(int from, int kept) {
-        int best = from;
-        double most = -1;
-        for (int i = 0; i < count; i++) {
-            double fx = x[i] - x[from];
-            double fy = y[i] - y[from];
-            double fz = z[i] - z[from];
-            double square = (fx * fx + fy * fy + fz * fz) * bonus(i, kept);
-            if (i != from && square > most) {
-                most = square;
-                best = i;
-            }
-        }
-        return best;
     }
 }

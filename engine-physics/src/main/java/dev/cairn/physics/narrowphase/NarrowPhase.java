@@ -11,8 +11,8 @@ import dev.cairn.physics.shape.Shape;
  * than any before.
  *
  * <p>The warm-start word: bits 63..62 the kind (0 none, 1 face of A, 2 face of B, 3 edges or
- * points), bits 61..47 and 46..32 the features, bits 31..0 a set of the names of the points. A
- * stale or random word costs time, never correctness.
+ * points), bits 61..47 the face, bits 31..0 the {@link Names} of the points. A stale or random word
+ * costs time, never correctness.
  */
 public final class NarrowPhase {
     /** How the axis of a pair is found. */
@@ -27,10 +27,7 @@ public final class NarrowPhase {
     private static final long FACE_B = 2;
     private static final long EDGES = 3;
 
-    /**
-     * Cosine of 0.1 rad: an edge axis nearer than that to the face normal is the face, seen through
-     * rounding.
-     */
+    /** Cosine of 0.1 rad: nearer axes are the same direction, seen through rounding. */
     private static final double NEARLY_PARALLEL = 0.995;
 
     /**
@@ -44,6 +41,7 @@ public final class NarrowPhase {
     private final Epa epa = new Epa();
     private final Axes axes = new Axes();
     private final Clipper clipper = new Clipper();
+    private final Reduction reduction = new Reduction();
     private final RoundQuery round = new RoundQuery();
     private double axisX, axisY, axisZ;
     private boolean general;
@@ -327,31 +325,54 @@ public final class NarrowPhase {
             return word(axes.separationB > axes.separationA ? FACE_B : FACE_A, 0);
         }
         long before = cache >>> 62;
-        double calm = CALM * pair.inner;
-        double bias = before == FACE_A ? calm : before == FACE_B ? -calm : 0x1p-40 * pair.scale;
-        boolean flip = axes.separationB > axes.separationA + bias;
-        double face = flip ? axes.separationB : axes.separationA;
+        boolean flip = chooseFace(cache, CALM * pair.inner);
         faceAxis(flip);
-        long kind = EDGES;
-        if (!edgesWin(face, before == EDGES, calm)) {
-            faceContact(flip, margin, (int) cache, out);
-            kind = flip ? FACE_B : FACE_A;
-        }
-        if (out.pointCount == 0) {
+        faceContact(flip, margin, (int) cache, out);
+        long kind = flip ? FACE_B : FACE_A;
+        if (out.pointCount == 0 || strays(out, flip, best, before == EDGES)) {
             kind = EDGES;
+            out.pointCount = 0;
             pointContact(margin, best, out);
         }
         if (out.pointCount == 0) {
             return word(flip ? FACE_B : FACE_A, 0);
         }
-        int names = 0;
-        double deepest = Double.MAX_VALUE;
+        out.bound = Math.abs(best - deepest(out)) + gap + rounding();
+        return word(kind, Names.of(out));
+    }
+
+    private static double deepest(Manifold out) {
+        double least = Double.MAX_VALUE;
         for (int i = 0; i < out.pointCount; i++) {
-            names |= 1 << Clipper.bit(out.feature[i]);
-            deepest = Math.min(deepest, out.separation[i]);
+            least = Math.min(least, out.separation[i]);
         }
-        out.bound = Math.abs(best - deepest) + gap + rounding();
-        return word(kind, names);
+        return least;
+    }
+
+    /**
+     * The reference face: the face of the last tick while it is nearly as good as the best; true
+     * when it is B's.
+     */
+    private boolean chooseFace(long cache, double calm) {
+        long before = cache >>> 62;
+        int last = (int) (cache >>> 47) & 0x7FFF;
+        double enough = Math.max(axes.separationA, axes.separationB) - calm;
+        if (before == FACE_A && last != axes.faceA && last < pair.a.faceCount()) {
+            double s = pair.faceSeparationA(last);
+            if (s >= enough) {
+                axes.faceA = last;
+                axes.separationA = s;
+            }
+        }
+        if (before == FACE_B && last != axes.faceB && last < pair.b.faceCount()) {
+            double s = pair.faceSeparationB(last);
+            if (s >= enough) {
+                axes.faceB = last;
+                axes.separationB = s;
+            }
+        }
+        double bias = before == FACE_A ? calm : before == FACE_B ? -calm : 0x1p-40 * pair.scale;
+        return axes.separationB > axes.separationA + bias;
     }
 
     private long word(long kind, int names) {
@@ -370,29 +391,34 @@ public final class NarrowPhase {
     }
 
     /**
-     * Whether an edge pair, or a pair of points, is so much better than the chosen face that it
-     * replaces it.
+     * Whether a point contact along the best axis tells the truth better than the face contact: its
+     * points tell another depth, or its axis, which is another direction, separates by much less.
+     * Near touching all axes are equally deep, so the depth at the points alone would let a wrong
+     * normal pass.
      */
-    private boolean edgesWin(double face, boolean before, double calm) {
+    private boolean strays(Manifold out, boolean flip, double best, boolean before) {
+        double calm = CALM * pair.inner;
+        double better =
+                before ? 0.5 * calm + 0.05 * Math.abs(best) : 1.5 * calm + 0.15 * Math.abs(best);
+        double face = flip ? axes.separationB : axes.separationA;
         boolean edge = axes.separationEdge >= axes.separationRaw - rounding();
-        double other = edge ? axes.separationEdge : axes.separationRaw;
         double cosine =
                 edge
                         ? axisX * axes.edgeX + axisY * axes.edgeY + axisZ * axes.edgeZ
                         : axisX * axes.rawX + axisY * axes.rawY + axisZ * axes.rawZ;
-        double better =
-                before ? 0.5 * calm + 0.05 * Math.abs(face) : 1.5 * calm + 0.15 * Math.abs(face);
-        return cosine <= NEARLY_PARALLEL && other > face + better;
+        return Math.abs(deepest(out) - best) > better
+                || (best - face > better && cosine <= NEARLY_PARALLEL);
     }
 
-    private void faceContact(boolean flip, double margin, int kept, Manifold out) {
+    private void faceContact(boolean flip, double margin, int last, Manifold out) {
         Polyhedron reference = flip ? pair.b : pair.a;
         int face = flip ? axes.faceB : axes.faceA;
         double nx = reference.normalX(face);
         double ny = reference.normalY(face);
         double nz = reference.normalZ(face);
-        clipper.clip(pair, flip, face, incident(flip, nx, ny, nz), margin);
-        clipper.reduce(nx, ny, nz, 0.01 * CALM * pair.inner, kept);
+        clipper.clip(pair, flip, face, incident(flip, nx, ny, nz), margin, last);
+        double calm = CALM * pair.inner;
+        reduction.reduce(clipper, nx, ny, nz, 0.01 * calm, calm, last);
         for (int i = 0; i < clipper.count; i++) {
             double half = clipper.separation[i] / 2;
             double x = clipper.x[i] - half * nx;

@@ -9,9 +9,11 @@ import java.util.Arrays;
  *
  * <p>Each triangle keeps the list of points above it. The farthest of them, the eye, becomes a
  * corner: all triangles that it sees are removed and the hole is closed by a cone. "Sees" is exact
- * and counts triangles whose plane contains the eye, so no cone triangle is ever degenerate and the
- * horizon is always one simple loop, however many points are coplanar or collinear. Points less
- * than a tolerance above all triangles are left out.
+ * and strict: a triangle whose plane contains the eye stays, so a cap grows by a few triangles per
+ * point however many corners it has. No cone triangle is degenerate: if the eye lay on the line of
+ * a horizon side, it would lie in the plane of the triangle that it sees across that side. And the
+ * horizon is one simple loop: around each corner the triangles that are seen are consecutive.
+ * Points less than a tolerance above all triangles are left out.
  *
  * <p>Source: C. B. Barber, D. P. Dobkin, H. Huhdanpaa, ACM TOMS 22 (1996). Set-up only; allocates;
  * one thread.
@@ -382,7 +384,7 @@ final class QuickHull {
     }
 
     private boolean sees(int t, int eye) {
-        return Orientation.sign(p, corner[3 * t], corner[3 * t + 1], corner[3 * t + 2], eye) >= 0;
+        return Orientation.sign(p, corner[3 * t], corner[3 * t + 1], corner[3 * t + 2], eye) > 0;
     }
 
     private void relink(int t, int a, int b, int to) {

@@ -1,0 +1,32 @@
+package dev.cairn.physics.narrowphase;
+
+/**
+ * The names of up to four points in 32 bits: a byte each, in the order of the points, 0 for none.
+ * Two names share a byte in one case of 255; that costs calmness, never correctness.
+ */
+final class Names {
+    private Names() {}
+
+    static int of(Manifold m) {
+        int names = 0;
+        for (int i = 0; i < m.pointCount; i++) {
+            names |= hash(m.feature[i]) << 8 * i;
+        }
+        return names;
+    }
+
+    /** Whether a name is one of the set. */
+    static boolean holds(int names, int feature) {
+        int h = hash(feature);
+        return (names & 0xFF) == h
+                || (names >>> 8 & 0xFF) == h
+                || (names >>> 16 & 0xFF) == h
+                || names >>> 24 == h;
+    }
+
+    /** 1 to 255. */
+    private static int hash(int feature) {
+        int h = feature * 0x9E3779B9;
+        return ((h >>> 16) * 255 >>> 16) + 1;
+    }
+}

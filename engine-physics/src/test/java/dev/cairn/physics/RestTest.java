@@ -1,0 +1,117 @@
+package dev.cairn.physics;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.shape.Box;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import java.util.Arrays;
+import java.util.Random;
+
+/** What rests keeps its contact points and comes to rest. */
+class RestTest {
+    private static int[] names(PhysicsWorld world) {
+        ContactStore c = world.physics.contacts;
+        int[] names = new int[5 * c.count];
+        for (int row = 0; row < c.count; row++) {
+            names[5 * row] = c.pointCount[row];
+            System.arraycopy(
+                    c.feature, ContactStore.POINTS * row, names, 5 * row + 1, c.pointCount[row]);
+        }
+        return names;
+    }
+
+    @Test
+    void anAlignedStackKeepsTheNamesOfItsPoints() {
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+            Scenes.stack(world, 10);
+            world.step(Scenes.STEP);
+            int[] first = names(world);
+            assertEquals(50, first.length);
+            for (int tick = 1; tick < 600; tick++) {
+                world.step(Scenes.STEP);
+                assertArrayEquals(first, names(world), "tick " + tick);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void aStackThatWasPutDownCarelesslyKeepsThemOnceItStands(long seed) {
+        Random random = new Random(seed);
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+            Scenes.ground(world);
+            for (int i = 0; i < 10; i++) {
+                world.add(
+                        Body.dynamic()
+                                .shape(Box.cube(0.5))
+                                .at(
+                                        0.01 * random.nextGaussian(),
+                                        0.5 + 1.001 * i,
+                                        0.01 * random.nextGaussian())
+                                .rotationAbout(0, 1, 0, 0.5 * random.nextGaussian()));
+            }
+            int[] last = {};
+            for (int tick = 0; tick < 600; tick++) {
+                world.step(Scenes.STEP);
+                int[] now = names(world);
+                if (tick > 180) {
+                    assertArrayEquals(last, now, "seed " + seed + " tick " + tick);
+                }
+                last = now;
+            }
+        }
+    }
+
+    /** 200 boxes in a pit of 5 m; the median of the last two seconds, for stones may still slip. */
+    @Test
+    void aPileOfTwoHundredBoxesComesToRest() {
+        double mass = 0;
+        double[] energy = new double[120];
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).substeps(8).build()) {
+            Scenes.ground(world);
+            for (int side = -1; side <= 1; side += 2) {
+                world.add(Body.fixed().shape(Box.of(0.5, 5, 3)).at(3 * side, 5, 0));
+                world.add(Body.fixed().shape(Box.of(3, 5, 0.5)).at(0, 5, 3 * side));
+            }
+            Random random = new Random(6);
+            for (int i = 0; i < 200; i++) {
+                BodyRef box = world.add(stone(random, i));
+                mass += box.mass();
+            }
+            for (int tick = 0; tick < 600; tick++) {
+                world.step(Scenes.STEP);
+                if (tick >= 480) {
+                    energy[tick - 480] = world.kineticEnergy();
+                }
+            }
+        }
+        Arrays.sort(energy);
+        double speed = Math.sqrt(2 * energy[60] / mass);
+        assertTrue(speed < 2e-3, "mean speed " + speed + " m/s, " + mass + " kg");
+    }
+
+    private static Body stone(Random random, int i) {
+        return Body.dynamic()
+                .shape(
+                        Box.of(
+                                0.15 + 0.2 * random.nextDouble(),
+                                0.15 + 0.2 * random.nextDouble(),
+                                0.15 + 0.2 * random.nextDouble()))
+                .at(
+                        -1.8 + 1.2 * (i % 4) + 0.2 * random.nextDouble(),
+                        0.6 + 0.75 * (i / 16),
+                        -1.8 + 1.2 * (i / 4 % 4) + 0.2 * random.nextDouble())
+                .rotationAbout(
+                        random.nextDouble(),
+                        random.nextDouble(),
+                        random.nextDouble() + 0.1,
+                        6 * random.nextDouble());
+    }
+}
