@@ -1,7 +1,6 @@
 package dev.cairn.physics.narrowphase;
 
 import dev.cairn.physics.shape.Box;
-import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
 
 /**
@@ -40,10 +39,8 @@ public final class NarrowPhase {
     private final Gjk gjk = new Gjk();
     private final Epa epa = new Epa();
     private final Axes axes = new Axes();
-    private final Clipper clipper = new Clipper();
-    private final Reduction reduction = new Reduction();
+    private final ContactPoints points = new ContactPoints(pair, axes, gjk);
     private final RoundQuery round = new RoundQuery();
-    private double axisX, axisY, axisZ;
     private boolean general;
     private double gap;
 
@@ -77,7 +74,7 @@ public final class NarrowPhase {
      * @return the x component, world axes
      */
     public double axisX() {
-        return pair.w00 * axisX + pair.w01 * axisY + pair.w02 * axisZ;
+        return points.worldX();
     }
 
     /**
@@ -86,7 +83,7 @@ public final class NarrowPhase {
      * @return the y component, world axes
      */
     public double axisY() {
-        return pair.w10 * axisX + pair.w11 * axisY + pair.w12 * axisZ;
+        return points.worldY();
     }
 
     /**
@@ -95,7 +92,7 @@ public final class NarrowPhase {
      * @return the z component, world axes
      */
     public double axisZ() {
-        return pair.w20 * axisX + pair.w21 * axisY + pair.w22 * axisZ;
+        return points.worldZ();
     }
 
     /**
@@ -182,12 +179,12 @@ public final class NarrowPhase {
         begin(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
         if (pair.roundA || pair.roundB) {
             round.run(pair, a, b, method == Method.SPECIALISED, gjk, Double.MAX_VALUE);
-            setAxis(round.axisX, round.axisY, round.axisZ);
+            points.setAxis(round.axisX, round.axisY, round.axisZ);
             return round.distance - pair.radiusA - pair.radiusB;
         }
         findAxes(a, b, Double.MAX_VALUE);
         double best = axes.best();
-        bestAxis();
+        points.bestAxis();
         if (best <= 0) {
             return best;
         }
@@ -197,7 +194,7 @@ public final class NarrowPhase {
         if (gjk.overlap || gjk.distance - best <= 0x1p-42 * pair.scale) {
             return best;
         }
-        setAxis(gjk.vx / gjk.distance, gjk.vy / gjk.distance, gjk.vz / gjk.distance);
+        points.setAxis(gjk.vx / gjk.distance, gjk.vy / gjk.distance, gjk.vz / gjk.distance);
         return gjk.distance;
     }
 
@@ -222,12 +219,6 @@ public final class NarrowPhase {
         gap = 0;
     }
 
-    private void setAxis(double x, double y, double z) {
-        axisX = x;
-        axisY = y;
-        axisZ = z;
-    }
-
     /**
      * A ball touches at one point, whose name never changes, so that rolling over an edge keeps the
      * impulse.
@@ -237,26 +228,23 @@ public final class NarrowPhase {
         round.run(pair, a, b, method == Method.SPECIALISED, gjk, margin + radii);
         double separation = round.distance - radii;
         if (separation <= margin) {
-            setAxis(round.axisX, round.axisY, round.axisZ);
+            points.setAxis(round.axisX, round.axisY, round.axisZ);
             double half = separation / 2;
             double along = pair.roundA ? pair.radiusA + half : -(pair.radiusB + half);
             double bx = pair.roundA ? 0 : pair.dx;
             double by = pair.roundA ? 0 : pair.dy;
             double bz = pair.roundA ? 0 : pair.dz;
-            single(
-                    bx + along * axisX,
-                    by + along * axisY,
-                    bz + along * axisZ,
+            points.single(
+                    bx + along * points.axisX,
+                    by + along * points.axisY,
+                    bz + along * points.axisZ,
                     separation,
-                    CLOSEST,
+                    ContactPoints.CLOSEST,
                     out);
             out.bound = rounding();
         }
         return 0;
     }
-
-    /** Name of a point that has no better one. */
-    private static final int CLOSEST = 3 << 30;
 
     private double rounding() {
         return 0x1p-48 * pair.scale;
@@ -282,36 +270,6 @@ public final class NarrowPhase {
         }
     }
 
-    /** Sets the axis to the one with the largest separation. */
-    private void bestAxis() {
-        double best = axes.best();
-        if (best == axes.separationA) {
-            faceAxis(false);
-        } else if (best == axes.separationB) {
-            faceAxis(true);
-        } else if (best == axes.separationEdge) {
-            setAxis(axes.edgeX, axes.edgeY, axes.edgeZ);
-        } else {
-            setAxis(axes.rawX, axes.rawY, axes.rawZ);
-        }
-    }
-
-    private void faceAxis(boolean flip) {
-        if (flip) {
-            double x = -pair.b.normalX(axes.faceB);
-            double y = -pair.b.normalY(axes.faceB);
-            double z = -pair.b.normalZ(axes.faceB);
-            axisX = pair.r00 * x + pair.r01 * y + pair.r02 * z;
-            axisY = pair.r10 * x + pair.r11 * y + pair.r12 * z;
-            axisZ = pair.r20 * x + pair.r21 * y + pair.r22 * z;
-        } else {
-            setAxis(
-                    pair.a.normalX(axes.faceA),
-                    pair.a.normalY(axes.faceA),
-                    pair.a.normalZ(axes.faceA));
-        }
-    }
-
     private long polyhedra(Shape a, Shape b, double margin, long cache, Manifold out) {
         if (stillApart(cache, margin)) {
             return cache;
@@ -326,8 +284,7 @@ public final class NarrowPhase {
         }
         long before = cache >>> 62;
         boolean flip = chooseFace(cache, CALM * pair.inner);
-        faceAxis(flip);
-        faceContact(flip, margin, (int) cache, out);
+        points.face(flip, margin, CALM * pair.inner, (int) cache, out);
         long kind = flip ? FACE_B : FACE_A;
         if (out.pointCount == 0 || strays(out, flip, best, before == EDGES)) {
             kind = EDGES;
@@ -404,52 +361,14 @@ public final class NarrowPhase {
         boolean edge = axes.separationEdge >= axes.separationRaw - rounding();
         double cosine =
                 edge
-                        ? axisX * axes.edgeX + axisY * axes.edgeY + axisZ * axes.edgeZ
-                        : axisX * axes.rawX + axisY * axes.rawY + axisZ * axes.rawZ;
+                        ? points.axisX * axes.edgeX
+                                + points.axisY * axes.edgeY
+                                + points.axisZ * axes.edgeZ
+                        : points.axisX * axes.rawX
+                                + points.axisY * axes.rawY
+                                + points.axisZ * axes.rawZ;
         return Math.abs(deepest(out) - best) > better
                 || (best - face > better && cosine <= NEARLY_PARALLEL);
-    }
-
-    private void faceContact(boolean flip, double margin, int last, Manifold out) {
-        Polyhedron reference = flip ? pair.b : pair.a;
-        int face = flip ? axes.faceB : axes.faceA;
-        double nx = reference.normalX(face);
-        double ny = reference.normalY(face);
-        double nz = reference.normalZ(face);
-        clipper.clip(pair, flip, face, incident(flip, nx, ny, nz), margin, last);
-        double calm = CALM * pair.inner;
-        reduction.reduce(clipper, nx, ny, nz, 0.01 * calm, calm, last);
-        for (int i = 0; i < clipper.count; i++) {
-            double half = clipper.separation[i] / 2;
-            double x = clipper.x[i] - half * nx;
-            double y = clipper.y[i] - half * ny;
-            double z = clipper.z[i] - half * nz;
-            if (flip) {
-                double ux = pair.r00 * x + pair.r01 * y + pair.r02 * z + pair.dx;
-                double uy = pair.r10 * x + pair.r11 * y + pair.r12 * z + pair.dy;
-                z = pair.r20 * x + pair.r21 * y + pair.r22 * z + pair.dz;
-                x = ux;
-                y = uy;
-            }
-            point(x, y, z, clipper.separation[i], clipper.feature[i], out);
-        }
-        writeNormal(out);
-    }
-
-    /**
-     * The face of the other shape at its deepest vertex that looks most against the reference face.
-     */
-    private int incident(boolean flip, double nx, double ny, double nz) {
-        if (flip) {
-            double x = -(pair.r00 * nx + pair.r01 * ny + pair.r02 * nz);
-            double y = -(pair.r10 * nx + pair.r11 * ny + pair.r12 * nz);
-            double z = -(pair.r20 * nx + pair.r21 * ny + pair.r22 * nz);
-            return Axes.faceToward(pair.a, pair.a.support(x, y, z), x, y, z);
-        }
-        double x = -(pair.r00 * nx + pair.r10 * ny + pair.r20 * nz);
-        double y = -(pair.r01 * nx + pair.r11 * ny + pair.r21 * nz);
-        double z = -(pair.r02 * nx + pair.r12 * ny + pair.r22 * nz);
-        return Axes.faceToward(pair.b, pair.b.support(x, y, z), x, y, z);
     }
 
     /**
@@ -457,7 +376,7 @@ public final class NarrowPhase {
      * best axis.
      */
     private void pointContact(double margin, double best, Manifold out) {
-        if (axes.separationEdge >= best - CALM * pair.inner && crossing(margin, out)) {
+        if (axes.separationEdge >= best - CALM * pair.inner && points.crossing(margin, out)) {
             return;
         }
         if (!general) {
@@ -465,112 +384,20 @@ public final class NarrowPhase {
         }
         if (!gjk.overlap) {
             if (!gjk.beyond && gjk.distance <= margin) {
-                nearest(out);
+                points.nearest(out);
             }
             return;
         }
-        bestAxis();
-        int v = pair.supportB(-axisX, -axisY, -axisZ, 0);
+        points.bestAxis();
+        int v = pair.supportB(-points.axisX, -points.axisY, -points.axisZ, 0);
         pair.vertexB(v);
         double half = best / 2;
-        single(
-                pair.px - half * axisX,
-                pair.py - half * axisY,
-                pair.pz - half * axisZ,
+        points.single(
+                pair.px - half * points.axisX,
+                pair.py - half * points.axisY,
+                pair.pz - half * points.axisZ,
                 best,
                 Clipper.VERTEX_B | v,
                 out);
-    }
-
-    /**
-     * Midway between the nearest points of the lines of two edges; false when they pass beyond an
-     * end while apart.
-     */
-    private boolean crossing(double margin, Manifold out) {
-        Polyhedron a = pair.a;
-        int from = a.edgeFrom(axes.edgeA);
-        int to = a.edgeTo(axes.edgeA);
-        double ax = a.vertexX(from);
-        double ay = a.vertexY(from);
-        double az = a.vertexZ(from);
-        double ux = a.vertexX(to) - ax;
-        double uy = a.vertexY(to) - ay;
-        double uz = a.vertexZ(to) - az;
-        pair.vertexB(pair.b.edgeTo(axes.edgeB));
-        double vx = pair.px;
-        double vy = pair.py;
-        double vz = pair.pz;
-        pair.vertexB(pair.b.edgeFrom(axes.edgeB));
-        vx -= pair.px;
-        vy -= pair.py;
-        vz -= pair.pz;
-        double rx = pair.px - ax;
-        double ry = pair.py - ay;
-        double rz = pair.pz - az;
-        double uu = ux * ux + uy * uy + uz * uz;
-        double vv = vx * vx + vy * vy + vz * vz;
-        double uv = ux * vx + uy * vy + uz * vz;
-        double ur = ux * rx + uy * ry + uz * rz;
-        double vr = vx * rx + vy * ry + vz * rz;
-        double det = uu * vv - uv * uv;
-        double s = (ur * vv - vr * uv) / det;
-        double t = (ur * uv - vr * uu) / det;
-        boolean beside = !(s >= -1e-9 && s <= 1 + 1e-9 && t >= -1e-9 && t <= 1 + 1e-9);
-        if (beside || axes.separationEdge > margin) {
-            return false;
-        }
-        setAxis(axes.edgeX, axes.edgeY, axes.edgeZ);
-        single(
-                (ax + s * ux + pair.px + t * vx) / 2,
-                (ay + s * uy + pair.py + t * vy) / 2,
-                (az + s * uz + pair.pz + t * vz) / 2,
-                axes.separationEdge,
-                Clipper.CROSSING | axes.edgeA << 15 | axes.edgeB,
-                out);
-        return true;
-    }
-
-    /** The nearest points that GJK ended with. */
-    private void nearest(Manifold out) {
-        double x = 0;
-        double y = 0;
-        double z = 0;
-        for (int i = 0; i < gjk.count; i++) {
-            x += gjk.weight[i] * pair.vertexAX(gjk.ia[i]);
-            y += gjk.weight[i] * pair.vertexAY(gjk.ia[i]);
-            z += gjk.weight[i] * pair.vertexAZ(gjk.ia[i]);
-        }
-        setAxis(gjk.vx / gjk.distance, gjk.vy / gjk.distance, gjk.vz / gjk.distance);
-        single(x + gjk.vx / 2, y + gjk.vy / 2, z + gjk.vz / 2, gjk.distance, CLOSEST, out);
-    }
-
-    private void single(double x, double y, double z, double separation, int name, Manifold out) {
-        out.pointCount = 0;
-        point(x, y, z, separation, name, out);
-        writeNormal(out);
-    }
-
-    /** Inserts a point, given in A's frame, in order of its name. */
-    private void point(double x, double y, double z, double separation, int name, Manifold out) {
-        int at = out.pointCount++;
-        while (at > 0 && Integer.compareUnsigned(out.feature[at - 1], name) > 0) {
-            out.feature[at] = out.feature[at - 1];
-            out.separation[at] = out.separation[at - 1];
-            out.pointX[at] = out.pointX[at - 1];
-            out.pointY[at] = out.pointY[at - 1];
-            out.pointZ[at] = out.pointZ[at - 1];
-            at--;
-        }
-        out.feature[at] = name;
-        out.separation[at] = separation;
-        out.pointX[at] = pair.w00 * x + pair.w01 * y + pair.w02 * z;
-        out.pointY[at] = pair.w10 * x + pair.w11 * y + pair.w12 * z;
-        out.pointZ[at] = pair.w20 * x + pair.w21 * y + pair.w22 * z;
-    }
-
-    private void writeNormal(Manifold out) {
-        out.normalX = axisX();
-        out.normalY = axisY();
-        out.normalZ = axisZ();
     }
 }

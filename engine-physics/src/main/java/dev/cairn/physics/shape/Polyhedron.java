@@ -42,42 +42,28 @@ public final class Polyhedron {
         this.x = x;
         this.y = y;
         this.z = z;
-        int faces = loops.length;
-        faceBegin = new int[faces + 1];
-        int widest = 0;
-        for (int f = 0; f < faces; f++) {
-            faceBegin[f + 1] = faceBegin[f] + loops[f].length;
-            widest = Math.max(widest, loops[f].length);
-        }
-        largestFace = widest;
-        int slots = faceBegin[faces];
-        slotVertex = new int[slots];
-        slotEdge = new int[slots];
-        for (int f = 0; f < faces; f++) {
-            System.arraycopy(loops[f], 0, slotVertex, faceBegin[f], loops[f].length);
-        }
-        normalX = new double[faces];
-        normalY = new double[faces];
-        normalZ = new double[faces];
-        offset = new double[faces];
-        sideX = new double[slots];
-        sideY = new double[slots];
-        sideZ = new double[slots];
-        sideOffset = new double[slots];
-        planes();
-        edgeFrom = new int[slots / 2];
-        edgeTo = new int[slots / 2];
-        int[] slotFace = new int[slots];
-        for (int f = 0; f < faces; f++) {
-            Arrays.fill(slotFace, faceBegin[f], faceBegin[f + 1], f);
-        }
-        spokeBegin = new int[x.length + 1];
-        spokeVertex = new int[slots];
-        spokeEdge = new int[slots];
-        spokeFace = new int[slots];
-        edges(slotFace);
+        Topology topology = new Topology(x.length, loops);
+        faceBegin = topology.faceBegin;
+        slotVertex = topology.slotVertex;
+        slotEdge = topology.slotEdge;
+        edgeFrom = topology.edgeFrom;
+        edgeTo = topology.edgeTo;
+        spokeBegin = topology.spokeBegin;
+        spokeVertex = topology.spokeVertex;
+        spokeEdge = topology.spokeEdge;
+        spokeFace = topology.spokeFace;
+        largestFace = topology.largestFace;
+        FacePlanes planes = new FacePlanes(x, y, z, topology);
+        normalX = planes.normalX;
+        normalY = planes.normalY;
+        normalZ = planes.normalZ;
+        offset = planes.offset;
+        sideX = planes.sideX;
+        sideY = planes.sideY;
+        sideZ = planes.sideZ;
+        sideOffset = planes.sideOffset;
         double inner = Double.MAX_VALUE;
-        for (int f = 0; f < faces; f++) {
+        for (int f = 0; f < offset.length; f++) {
             int top = support(normalX[f], normalY[f], normalZ[f], slotVertex[faceBegin[f]]);
             double reach = normalX[f] * x[top] + normalY[f] * y[top] + normalZ[f] * z[top];
             offset[f] = Math.max(offset[f], reach);
@@ -117,107 +103,6 @@ public final class Polyhedron {
             {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6},
         };
         return new Polyhedron(x, y, z, loops);
-    }
-
-    /**
-     * Planes by Newell's sums, which are exact for blocks; offsets touch the outermost corner of
-     * the face.
-     */
-    private void planes() {
-        for (int f = 0; f + 1 < faceBegin.length; f++) {
-            int begin = faceBegin[f];
-            int end = faceBegin[f + 1];
-            int origin = slotVertex[begin];
-            double nx = 0;
-            double ny = 0;
-            double nz = 0;
-            for (int s = begin + 1; s + 1 < end; s++) {
-                int a = slotVertex[s];
-                int b = slotVertex[s + 1];
-                double ax = x[a] - x[origin];
-                double ay = y[a] - y[origin];
-                double az = z[a] - z[origin];
-                double bx = x[b] - x[origin];
-                double by = y[b] - y[origin];
-                double bz = z[b] - z[origin];
-                nx += ay * bz - az * by;
-                ny += az * bx - ax * bz;
-                nz += ax * by - ay * bx;
-            }
-            double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-            nx /= length;
-            ny /= length;
-            nz /= length;
-            normalX[f] = nx;
-            normalY[f] = ny;
-            normalZ[f] = nz;
-            double d = -Double.MAX_VALUE;
-            for (int s = begin; s < end; s++) {
-                int v = slotVertex[s];
-                d = Math.max(d, nx * x[v] + ny * y[v] + nz * z[v]);
-            }
-            offset[f] = d;
-            for (int s = begin; s < end; s++) {
-                side(s, s + 1 == end ? begin : s + 1, nx, ny, nz);
-            }
-        }
-    }
-
-    private void side(int slot, int nextSlot, double nx, double ny, double nz) {
-        int a = slotVertex[slot];
-        int b = slotVertex[nextSlot];
-        double ex = x[b] - x[a];
-        double ey = y[b] - y[a];
-        double ez = z[b] - z[a];
-        double sx = ey * nz - ez * ny;
-        double sy = ez * nx - ex * nz;
-        double sz = ex * ny - ey * nx;
-        double length = Math.sqrt(sx * sx + sy * sy + sz * sz);
-        sideX[slot] = sx / length;
-        sideY[slot] = sy / length;
-        sideZ[slot] = sz / length;
-        sideOffset[slot] = (sx * x[a] + sy * y[a] + sz * z[a]) / length;
-    }
-
-    /**
-     * Numbers the edges in order of their end points and lists the spokes of each vertex in order
-     * of slots.
-     */
-    private void edges(int[] slotFace) {
-        int slots = slotVertex.length;
-        long[] keys = new long[slots];
-        for (int s = 0; s < slots; s++) {
-            int a = slotVertex[s];
-            int b = slotVertex[next(s, slotFace[s])];
-            keys[s] = ((long) Math.min(a, b) << 34) | ((long) Math.max(a, b) << 20) | s;
-            spokeBegin[a + 1]++;
-        }
-        Arrays.sort(keys);
-        for (int i = 0; i < slots; i += 2) {
-            int s = (int) (keys[i] & 0xFFFFF);
-            int twin = (int) (keys[i + 1] & 0xFFFFF);
-            if (keys[i] >>> 20 != keys[i + 1] >>> 20 || slotVertex[s] == slotVertex[twin]) {
-                throw new IllegalStateException("face loops do not close: " + slots + " slots");
-            }
-            edgeFrom[i / 2] = slotVertex[s];
-            edgeTo[i / 2] = slotVertex[twin];
-            slotEdge[s] = i / 2;
-            slotEdge[twin] = i / 2;
-        }
-        for (int v = 0; v < x.length; v++) {
-            spokeBegin[v + 1] += spokeBegin[v];
-        }
-        int[] cursor = Arrays.copyOf(spokeBegin, x.length);
-        for (int s = 0; s < slots; s++) {
-            int spoke = cursor[slotVertex[s]]++;
-            spokeVertex[spoke] = slotVertex[next(s, slotFace[s])];
-            spokeEdge[spoke] = slotEdge[s];
-            spokeFace[spoke] = slotFace[s];
-        }
-    }
-
-    private int next(int slot, int face) {
-        return slot + 1 == faceBegin[face + 1] ? faceBegin[face] : slot + 1;
     }
 
     /**

@@ -65,7 +65,7 @@ class CalmTest {
     void theDepthOfFacetedShapesIsTheTrueOneWithinTheBound() {
         Shape[] shapes = {ball(60), cylinder(24), Box.of(.7, .4, .9), cylinder(7)};
         SplittableRandom r = new SplittableRandom(51);
-        for (int i = 0; i < 300; i++) {
+        for (int i = 0; i < 150; i++) {
             Scene s = Scene.random(r, shapes[r.nextInt(2)], shapes[r.nextInt(4)]);
             double truth = ConvexOracle.separatingAxes(s.placedA(), s.placedB());
             if (truth > 0) {
@@ -81,7 +81,7 @@ class CalmTest {
         Shape[] shapes = {ball(500), cylinder(128), ball(2000), Box.of(.7, .4, .9)};
         SplittableRandom r = new SplittableRandom(52);
         NarrowPhase n = new NarrowPhase();
-        for (int i = 0; i < 5_000; i++) {
+        for (int i = 0; i < 1_500; i++) {
             Scene s = Scene.random(r, shapes[r.nextInt(3)], shapes[r.nextInt(4)]);
             double truth = s.distance(n);
             // Half of the poses barely overlap, as at rest.

@@ -1,0 +1,210 @@
+package dev.cairn.physics.narrowphase;
+
+import dev.cairn.physics.shape.Polyhedron;
+
+/**
+ * Writes the points of a contact, once its axis is known: the clipped face, the crossing of two
+ * edges, or the nearest points. Works in A's frame and turns what it writes into world axes.
+ */
+final class ContactPoints {
+    /** Name of a point that has no better one. */
+    static final int CLOSEST = 3 << 30;
+
+    private final Pair pair;
+    private final Axes axes;
+    private final Gjk gjk;
+    private final Clipper clipper = new Clipper();
+    private final Reduction reduction = new Reduction();
+
+    /** Unit axis from A to B, in A's frame. */
+    double axisX, axisY, axisZ;
+
+    ContactPoints(Pair pair, Axes axes, Gjk gjk) {
+        this.pair = pair;
+        this.axes = axes;
+        this.gjk = gjk;
+    }
+
+    double worldX() {
+        return pair.w00 * axisX + pair.w01 * axisY + pair.w02 * axisZ;
+    }
+
+    double worldY() {
+        return pair.w10 * axisX + pair.w11 * axisY + pair.w12 * axisZ;
+    }
+
+    double worldZ() {
+        return pair.w20 * axisX + pair.w21 * axisY + pair.w22 * axisZ;
+    }
+
+    void setAxis(double x, double y, double z) {
+        axisX = x;
+        axisY = y;
+        axisZ = z;
+    }
+
+    /** Sets the axis to the one with the largest separation. */
+    void bestAxis() {
+        double best = axes.best();
+        if (best == axes.separationA) {
+            faceAxis(false);
+        } else if (best == axes.separationB) {
+            faceAxis(true);
+        } else if (best == axes.separationEdge) {
+            setAxis(axes.edgeX, axes.edgeY, axes.edgeZ);
+        } else {
+            setAxis(axes.rawX, axes.rawY, axes.rawZ);
+        }
+    }
+
+    private void faceAxis(boolean flip) {
+        if (flip) {
+            double x = -pair.b.normalX(axes.faceB);
+            double y = -pair.b.normalY(axes.faceB);
+            double z = -pair.b.normalZ(axes.faceB);
+            axisX = pair.r00 * x + pair.r01 * y + pair.r02 * z;
+            axisY = pair.r10 * x + pair.r11 * y + pair.r12 * z;
+            axisZ = pair.r20 * x + pair.r21 * y + pair.r22 * z;
+        } else {
+            setAxis(
+                    pair.a.normalX(axes.faceA),
+                    pair.a.normalY(axes.faceA),
+                    pair.a.normalZ(axes.faceA));
+        }
+    }
+
+    /** The face contact of the chosen face of A, or of B when flipped. */
+    void face(boolean flip, double margin, double calm, int last, Manifold out) {
+        faceAxis(flip);
+        Polyhedron reference = flip ? pair.b : pair.a;
+        int face = flip ? axes.faceB : axes.faceA;
+        double nx = reference.normalX(face);
+        double ny = reference.normalY(face);
+        double nz = reference.normalZ(face);
+        clipper.clip(pair, flip, face, incident(flip, nx, ny, nz), margin, last);
+        reduction.reduce(clipper, nx, ny, nz, 0.01 * calm, calm, last);
+        for (int i = 0; i < clipper.count; i++) {
+            double half = clipper.separation[i] / 2;
+            double x = clipper.x[i] - half * nx;
+            double y = clipper.y[i] - half * ny;
+            double z = clipper.z[i] - half * nz;
+            if (flip) {
+                double ux = pair.r00 * x + pair.r01 * y + pair.r02 * z + pair.dx;
+                double uy = pair.r10 * x + pair.r11 * y + pair.r12 * z + pair.dy;
+                z = pair.r20 * x + pair.r21 * y + pair.r22 * z + pair.dz;
+                x = ux;
+                y = uy;
+            }
+            point(x, y, z, clipper.separation[i], clipper.feature[i], out);
+        }
+        writeNormal(out);
+    }
+
+    /**
+     * The face of the other shape at its deepest vertex that looks most against the reference face.
+     */
+    private int incident(boolean flip, double nx, double ny, double nz) {
+        if (flip) {
+            double x = -(pair.r00 * nx + pair.r01 * ny + pair.r02 * nz);
+            double y = -(pair.r10 * nx + pair.r11 * ny + pair.r12 * nz);
+            double z = -(pair.r20 * nx + pair.r21 * ny + pair.r22 * nz);
+            return Axes.faceToward(pair.a, pair.a.support(x, y, z), x, y, z);
+        }
+        double x = -(pair.r00 * nx + pair.r10 * ny + pair.r20 * nz);
+        double y = -(pair.r01 * nx + pair.r11 * ny + pair.r21 * nz);
+        double z = -(pair.r02 * nx + pair.r12 * ny + pair.r22 * nz);
+        return Axes.faceToward(pair.b, pair.b.support(x, y, z), x, y, z);
+    }
+
+    /**
+     * Midway between the nearest points of the lines of two edges; false when they pass beyond an
+     * end while apart.
+     */
+    boolean crossing(double margin, Manifold out) {
+        Polyhedron a = pair.a;
+        int from = a.edgeFrom(axes.edgeA);
+        int to = a.edgeTo(axes.edgeA);
+        double ax = a.vertexX(from);
+        double ay = a.vertexY(from);
+        double az = a.vertexZ(from);
+        double ux = a.vertexX(to) - ax;
+        double uy = a.vertexY(to) - ay;
+        double uz = a.vertexZ(to) - az;
+        pair.vertexB(pair.b.edgeTo(axes.edgeB));
+        double vx = pair.px;
+        double vy = pair.py;
+        double vz = pair.pz;
+        pair.vertexB(pair.b.edgeFrom(axes.edgeB));
+        vx -= pair.px;
+        vy -= pair.py;
+        vz -= pair.pz;
+        double rx = pair.px - ax;
+        double ry = pair.py - ay;
+        double rz = pair.pz - az;
+        double uu = ux * ux + uy * uy + uz * uz;
+        double vv = vx * vx + vy * vy + vz * vz;
+        double uv = ux * vx + uy * vy + uz * vz;
+        double ur = ux * rx + uy * ry + uz * rz;
+        double vr = vx * rx + vy * ry + vz * rz;
+        double det = uu * vv - uv * uv;
+        double s = (ur * vv - vr * uv) / det;
+        double t = (ur * uv - vr * uu) / det;
+        boolean beside = !(s >= -1e-9 && s <= 1 + 1e-9 && t >= -1e-9 && t <= 1 + 1e-9);
+        if (beside || axes.separationEdge > margin) {
+            return false;
+        }
+        setAxis(axes.edgeX, axes.edgeY, axes.edgeZ);
+        single(
+                (ax + s * ux + pair.px + t * vx) / 2,
+                (ay + s * uy + pair.py + t * vy) / 2,
+                (az + s * uz + pair.pz + t * vz) / 2,
+                axes.separationEdge,
+                Clipper.CROSSING | axes.edgeA << 15 | axes.edgeB,
+                out);
+        return true;
+    }
+
+    /** The nearest points that GJK ended with. */
+    void nearest(Manifold out) {
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        for (int i = 0; i < gjk.count; i++) {
+            x += gjk.weight[i] * pair.vertexAX(gjk.ia[i]);
+            y += gjk.weight[i] * pair.vertexAY(gjk.ia[i]);
+            z += gjk.weight[i] * pair.vertexAZ(gjk.ia[i]);
+        }
+        setAxis(gjk.vx / gjk.distance, gjk.vy / gjk.distance, gjk.vz / gjk.distance);
+        single(x + gjk.vx / 2, y + gjk.vy / 2, z + gjk.vz / 2, gjk.distance, CLOSEST, out);
+    }
+
+    void single(double x, double y, double z, double separation, int name, Manifold out) {
+        out.pointCount = 0;
+        point(x, y, z, separation, name, out);
+        writeNormal(out);
+    }
+
+    /** Inserts a point, given in A's frame, in order of its name. */
+    private void point(double x, double y, double z, double separation, int name, Manifold out) {
+        int at = out.pointCount++;
+        while (at > 0 && Integer.compareUnsigned(out.feature[at - 1], name) > 0) {
+            out.feature[at] = out.feature[at - 1];
+            out.separation[at] = out.separation[at - 1];
+            out.pointX[at] = out.pointX[at - 1];
+            out.pointY[at] = out.pointY[at - 1];
+            out.pointZ[at] = out.pointZ[at - 1];
+            at--;
+        }
+        out.feature[at] = name;
+        out.separation[at] = separation;
+        out.pointX[at] = pair.w00 * x + pair.w01 * y + pair.w02 * z;
+        out.pointY[at] = pair.w10 * x + pair.w11 * y + pair.w12 * z;
+        out.pointZ[at] = pair.w20 * x + pair.w21 * y + pair.w22 * z;
+    }
+
+    private void writeNormal(Manifold out) {
+        out.normalX = worldX();
+        out.normalY = worldY();
+        out.normalZ = worldZ();
+    }
+}

@@ -1,0 +1,84 @@
+package dev.cairn.physics.shape;
+
+import java.util.Arrays;
+
+/**
+ * What hangs together with what in a {@link Polyhedron}, from its face loops alone: slots, edges
+ * and spokes. Set-up only.
+ */
+final class Topology {
+    final int[] faceBegin;
+    final int[] slotVertex, slotEdge;
+    final int[] edgeFrom, edgeTo;
+    final int[] spokeBegin, spokeVertex, spokeEdge, spokeFace;
+    final int largestFace;
+
+    Topology(int vertices, int[][] loops) {
+        int faces = loops.length;
+        faceBegin = new int[faces + 1];
+        int widest = 0;
+        for (int f = 0; f < faces; f++) {
+            faceBegin[f + 1] = faceBegin[f] + loops[f].length;
+            widest = Math.max(widest, loops[f].length);
+        }
+        largestFace = widest;
+        int slots = faceBegin[faces];
+        slotVertex = new int[slots];
+        slotEdge = new int[slots];
+        for (int f = 0; f < faces; f++) {
+            System.arraycopy(loops[f], 0, slotVertex, faceBegin[f], loops[f].length);
+        }
+        edgeFrom = new int[slots / 2];
+        edgeTo = new int[slots / 2];
+        spokeBegin = new int[vertices + 1];
+        spokeVertex = new int[slots];
+        spokeEdge = new int[slots];
+        spokeFace = new int[slots];
+        edges(vertices);
+    }
+
+    /**
+     * Numbers the edges in order of their end points and lists the spokes of each vertex in order
+     * of slots.
+     */
+    private void edges(int vertices) {
+        int slots = slotVertex.length;
+        int[] slotFace = new int[slots];
+        for (int f = 0; f + 1 < faceBegin.length; f++) {
+            Arrays.fill(slotFace, faceBegin[f], faceBegin[f + 1], f);
+        }
+        long[] keys = new long[slots];
+        for (int s = 0; s < slots; s++) {
+            int a = slotVertex[s];
+            int b = slotVertex[next(s, slotFace[s])];
+            keys[s] = ((long) Math.min(a, b) << 34) | ((long) Math.max(a, b) << 20) | s;
+            spokeBegin[a + 1]++;
+        }
+        Arrays.sort(keys);
+        for (int i = 0; i < slots; i += 2) {
+            int s = (int) (keys[i] & 0xFFFFF);
+            int twin = (int) (keys[i + 1] & 0xFFFFF);
+            if (keys[i] >>> 20 != keys[i + 1] >>> 20 || slotVertex[s] == slotVertex[twin]) {
+                throw new IllegalStateException("face loops do not close: " + slots + " slots");
+            }
+            edgeFrom[i / 2] = slotVertex[s];
+            edgeTo[i / 2] = slotVertex[twin];
+            slotEdge[s] = i / 2;
+            slotEdge[twin] = i / 2;
+        }
+        for (int v = 0; v < vertices; v++) {
+            spokeBegin[v + 1] += spokeBegin[v];
+        }
+        int[] cursor = Arrays.copyOf(spokeBegin, vertices);
+        for (int s = 0; s < slots; s++) {
+            int spoke = cursor[slotVertex[s]]++;
+            spokeVertex[spoke] = slotVertex[next(s, slotFace[s])];
+            spokeEdge[spoke] = slotEdge[s];
+            spokeFace[spoke] = slotFace[s];
+        }
+    }
+
+    private int next(int slot, int face) {
+        return slot + 1 == faceBegin[face + 1] ? faceBegin[face] : slot + 1;
+    }
+}
