@@ -16,10 +16,12 @@ import java.util.Random;
 final class StackStudy implements AutoCloseable {
     static final double TICK = 1.0 / 60;
 
+    private static long seed = 777;
+
     final PhysicsWorld world;
     final List<BodyRef> bodies = new ArrayList<>();
     private final List<Vector3d> start = new ArrayList<>();
-    private final Random random = new Random(777);
+    private final Random random = new Random(seed);
     private final Vector3d p = new Vector3d();
     private final Vector3d q = new Vector3d();
     private final double jitter;
@@ -194,7 +196,21 @@ final class StackStudy implements AutoCloseable {
                 nanos / contactTicks);
     }
 
-    static String unload(PhysicsSettings settings, int n, double ratio) {
+    /** What follows the removal of a load: metres and m/s. */
+    record Unloaded(double pen, double up, double gap, double drift) {
+        @Override
+        public String toString() {
+            return String.format(
+                    Locale.ROOT,
+                    "pen %.4f up %.2f mm/s gap %.4f drift %.2f",
+                    1e3 * pen,
+                    1e3 * up,
+                    1e3 * gap,
+                    1e3 * drift);
+        }
+    }
+
+    static Unloaded unloaded(PhysicsSettings settings, int n, double ratio) {
         try (StackStudy s = onGround(settings)) {
             for (int i = 0; i < n; i++) {
                 s.jittered(1, 0, i + 0.5, 0);
@@ -223,49 +239,52 @@ final class StackStudy implements AutoCloseable {
                     last = below.y;
                 }
             }
-            return String.format(
-                    Locale.ROOT,
-                    "pen %.4f up %.2f mm/s gap %.4f mm drift %.2f",
-                    1e3 * pen,
-                    1e3 * up,
-                    1e3 * gap,
-                    1e3 * s.drift());
+            return new Unloaded(pen, up, gap, s.drift());
         }
     }
 
-    static String hit(PhysicsSettings settings, double mass) {
+    static double hitMomentum(PhysicsSettings settings, double mass) {
         try (StackStudy s = stack(settings, equal(10, 1000))) {
             s.run(1);
-            BodyRef ball =
-                    s.world.add(
-                            Body.dynamic()
-                                    .shape(Box.cube(0.5))
-                                    .mass(mass)
-                                    .at(-1.2, 5.2, 0.1)
-                                    .velocity(8, 0, 0)
-                                    .material(rough(0.6, 0)));
+            s.world.add(
+                    Body.dynamic()
+                            .shape(Box.cube(0.5))
+                            .mass(mass)
+                            .at(-1.2, 5.2, 0.1)
+                            .velocity(8, 0, 0)
+                            .material(rough(0.6, 0)));
             s.run(0.225);
             double px = 0;
             Vector3d v = new Vector3d();
             for (BodyRef b : s.bodies) {
                 px += 1000 * b.velocity(v).x;
             }
-            return String.format(
-                    Locale.ROOT,
-                    "stack p/p0 %.3f projectile %.3f m/s",
-                    px / (8 * mass),
-                    ball.velocity(v).x);
+            return px / (8 * mass);
         }
     }
 
-    static String kick(PhysicsSettings settings) {
+    static double kickDistance(PhysicsSettings settings) {
         try (StackStudy s = stack(settings, equal(5, 1000))) {
             s.run(1);
             s.bodies.get(0).setVelocity(4, 0, 0);
             s.run(2);
             Vector3d a = s.bodies.get(0).position(new Vector3d());
-            Vector3d b = s.bodies.get(1).position(new Vector3d());
-            return String.format(Locale.ROOT, "slide %.4f second %.4f", a.x, b.x);
+            return a.x;
+        }
+    }
+
+    /** Deepest overlap of a stack that falls, m. */
+    static double landing(PhysicsSettings settings, int n, double height) {
+        try (StackStudy s = onGround(settings)) {
+            for (int i = 0; i < n; i++) {
+                s.jittered(1000, 0, i + 0.5 + height, 0);
+            }
+            double peak = 0;
+            for (int t = 0; t < 120; t++) {
+                s.tick();
+                peak = Math.max(peak, s.overlap());
+            }
+            return peak;
         }
     }
 
@@ -275,19 +294,14 @@ final class StackStudy implements AutoCloseable {
                 s.jittered(1000, 0, i + 0.5 + height, 0);
             }
             double peak = 0;
-            double at = 0;
             for (int t = 0; t < 600; t++) {
                 s.tick();
-                if (s.overlap() > peak) {
-                    peak = s.overlap();
-                    at = t;
-                }
+                peak = Math.max(peak, s.overlap());
             }
             return String.format(
                     Locale.ROOT,
-                    "peak %.3f at %.0f pen %.4f drift %.2f speed %.1e",
+                    "peak %.3f pen %.4f drift %.2f speed %.1e",
                     1e3 * peak,
-                    at,
                     1e3 * s.overlap(),
                     1e3 * s.drift(),
                     1e3 * s.fastest());
@@ -324,14 +338,70 @@ final class StackStudy implements AutoCloseable {
         }
     }
 
-    static String dropHeavy(PhysicsSettings settings) {
-        try (StackStudy s = onGround(settings)) {
-            for (int i = 0; i < 5; i++) {
-                s.jittered(1, 0, i + 0.5, 0);
+    static StackStudy heavyDropped(PhysicsSettings settings) {
+        StackStudy s = onGround(settings);
+        for (int i = 0; i < 5; i++) {
+            s.jittered(1, 0, i + 0.5, 0);
+        }
+        s.jittered(100, 0, 5.6, 0);
+        s.start.get(5).y -= 0.1;
+        return s;
+    }
+
+    /** 256 boxes poured into a shaft: overlap and kinetic energy of the last two seconds. */
+    static String pile(PhysicsSettings settings, double seconds) {
+        try (StackStudy s = new StackStudy(settings, 1e-3, 0, -9.81)) {
+            s.ground(0.6);
+            for (int sign = -1; sign <= 1; sign += 2) {
+                s.world.add(Body.fixed().shape(Box.of(1, 20, 4)).at(sign * 3.5, 20, 0));
+                s.world.add(Body.fixed().shape(Box.of(2.5, 20, 1)).at(0, 20, sign * 3.5));
             }
-            s.jittered(100, 0, 5.6, 0);
-            s.start.get(5).y -= 0.1;
-            return s.rest(10);
+            Random r = new Random(99 + seed);
+            for (int i = 0; i < 256; i++) {
+                double a = 0.2 + 0.2 * r.nextDouble();
+                double b = 0.2 + 0.2 * r.nextDouble();
+                double c = 0.2 + 0.2 * r.nextDouble();
+                s.bodies.add(
+                        s.world.add(
+                                Body.dynamic()
+                                        .shape(Box.of(a, b, c))
+                                        .at(
+                                                (i % 4 - 1.5) * 1.2,
+                                                0.8 + i / 16 * 1.2,
+                                                (i / 4 % 4 - 1.5) * 1.2)
+                                        .rotationAbout(
+                                                r.nextDouble() - 0.5,
+                                                r.nextDouble() - 0.5,
+                                                r.nextDouble() - 0.5 + 1e-3,
+                                                6.28 * r.nextDouble())
+                                        .material(rough(0.6, 0))));
+            }
+            s.run(seconds - 2);
+            double energy = 0;
+            for (int t = 0; t < 120; t++) {
+                s.tick();
+                energy += s.world.kinetics().kineticEnergy() / 120;
+            }
+            double sum = 0;
+            int n = 0;
+            Contacts c = s.world.contacts();
+            for (int i = 0; i < c.count(); i++) {
+                double d = 0;
+                for (int k = 0; k < c.pointCount(i); k++) {
+                    d = Math.max(d, -c.separation(i, k));
+                }
+                if (d > 0) {
+                    sum += d;
+                    n++;
+                }
+            }
+            return String.format(
+                    Locale.ROOT,
+                    "pen mean %.3f max %.2f KE %.2e ns %.0f",
+                    1e3 * sum / n,
+                    1e3 * s.overlap(),
+                    energy,
+                    s.nanos / s.contactTicks);
         }
     }
 
@@ -377,13 +447,13 @@ final class StackStudy implements AutoCloseable {
     static String scene(String name, PhysicsSettings k) {
         switch (name) {
             case "unload100":
-                return unload(k, 5, 100);
+                return unloaded(k, 5, 100).toString();
             case "unload1000":
-                return unload(k, 10, 1000);
+                return unloaded(k, 10, 1000).toString();
             case "hit":
-                return hit(k, 1000);
+                return String.format(Locale.ROOT, "stack p/p0 %.3f", hitMomentum(k, 1000));
             case "kick":
-                return kick(k);
+                return String.format(Locale.ROOT, "slide %.4f m", kickDistance(k));
             case "drop10":
                 return drop(k, 10, 1);
             case "drop4":
@@ -396,10 +466,10 @@ final class StackStudy implements AutoCloseable {
                 return hitTop(k, 100);
             case "hit1000":
                 return hitTop(k, 1000);
-            case "dropheavy":
-                return dropHeavy(k);
             case "lean":
                 return lean(k);
+            case "pile":
+                return pile(k, 12);
             case "cost":
                 return cost(k, k.withLoadInertia(0).withUnloadSweeps(0), 30);
             default:
@@ -429,6 +499,7 @@ final class StackStudy implements AutoCloseable {
             case "alt100" -> s = stack(k, alternating(10, 100));
             case "top100" -> s = stack(k, top(10, 100));
             case "top1000" -> s = stack(k, top(10, 1000));
+            case "dropheavy" -> s = heavyDropped(k);
             case "pyramid20" -> s = pyramid(k, 20);
             default -> throw new IllegalArgumentException(name);
         }
@@ -442,23 +513,51 @@ final class StackStudy implements AutoCloseable {
         world.close();
     }
 
+    /** Settings of a variant: its parts joined by +. */
+    static PhysicsSettings settings(String variant) {
+        PhysicsSettings k = PhysicsSettings.DEFAULT;
+        seed = 777;
+        for (String part : variant.split("\\+")) {
+            double x =
+                    part.length() > 1 && part.charAt(1) == '='
+                            ? Double.parseDouble(part.substring(2))
+                            : 0;
+            switch (part.charAt(0)) {
+                case 'S' -> k = k.withOffsetGain(0).withLoadInertia(0).withUnloadSweeps(0);
+                case 'O' -> k = k.withLoadInertia(0).withUnloadSweeps(0);
+                case 'L' -> k = k.withUnloadSweeps(0);
+                case 'k' -> k = k.withLoadInertia(x);
+                case 'g' -> k = k.withOffsetGain(x);
+                case 'n' -> k = k.withSubsteps((int) x);
+                case 's' -> seed = (long) x;
+                default -> {}
+            }
+        }
+        return k;
+    }
+
+    /**
+     * The table of {@code docs/solver.md}, or single cells of it.
+     *
+     * @param args nothing, or scenes and variants, each joined by commas; a variant is {@code S}
+     *     (soft step), {@code O} (and offset), {@code L} (and load-proportional inertia) or {@code
+     *     A} (all), and may go on with {@code +n=8} (sub-steps), {@code +k=3} (inertia), {@code
+     *     +g=0.02} (gain), {@code +s=1} (seed)
+     */
     public static void main(String[] args) {
-        String[] scenes = args[0].split(",");
-        String[] variants = args.length > 1 ? args[1].split(",") : new String[] {"all"};
+        String[] scenes =
+                (args.length > 0
+                                ? args[0]
+                                : "stack10,stack15,stack20,stack40,stack40-60,pair,alt100,top100,"
+                                        + "top1000,pyramid20,pile,unload100,unload1000,hit,kick,"
+                                        + "drop4,drop10,hit100,hit1000,dropheavy,lean,hold,slide,"
+                                        + "cost")
+                        .split(",");
+        String[] variants = (args.length > 1 ? args[1] : "S,O,L,A,A+n=8").split(",");
         for (String scene : scenes) {
             for (String v : variants) {
-                PhysicsSettings k = PhysicsSettings.DEFAULT;
-                k =
-                        switch (v) {
-                            case "soft" ->
-                                    k.withOffsetGain(0).withLoadInertia(0).withUnloadSweeps(0);
-                            case "offset" -> k.withLoadInertia(0).withUnloadSweeps(0);
-                            case "load" -> k.withUnloadSweeps(0);
-                            case "all8" -> k.withSubsteps(8);
-                            case "all2" -> k.withSubsteps(2);
-                            default -> k;
-                        };
-                System.out.printf("%-10s %-7s %s%n", scene, v, scene(scene, k));
+                System.out.printf(
+                        Locale.ROOT, "| %s | %s | %s |%n", scene, v, scene(scene, settings(v)));
             }
         }
     }

@@ -43,7 +43,13 @@ final class LoadSweep {
 
     private static final double LARGEST = 1000;
     private static final double DECAY = 0.7;
-    private static final double RISE = 0.05;
+
+    /**
+     * Share of the way to the load's inertia per tick. Faster, and piles that settle do not come to
+     * rest: the gates make and unmake inertia in them.
+     */
+    private static final double RISE = 0.01;
+
     private static final double FALL = 0.1;
 
     /** Ticks of rest before the load counts. */

@@ -9,6 +9,7 @@
  *
  * <pre>
  *   collect ─ contacts with points become flat rows; bodies without any fly their whole tick at once
+ *   load    ─ what rests under a load is solved with that load's inertia, while it rests
  *   prepare ─ effective masses, levers, friction block; warm start of the last sub-step
  *   sub-step, four times:
  *     impacts  bounces, each at its own time, before anything is solved

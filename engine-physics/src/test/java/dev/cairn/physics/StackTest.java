@@ -1,0 +1,137 @@
+package dev.cairn.physics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * What stands on what, at the default settings, with jitter: stacks, mass ratios, a load that goes;
+ * and that load-proportional inertia does not show in what moves.
+ */
+class StackTest {
+    private static final PhysicsSettings PLAIN =
+            PhysicsSettings.DEFAULT.withLoadInertia(0).withUnloadSweeps(0);
+
+    /** Bounds in metres and m/s. */
+    private static void stands(
+            StackStudy study, double seconds, double pen, double drift, double speed) {
+        try (study) {
+            String report = study.rest(seconds);
+            assertTrue(study.overlap() < pen, report);
+            assertTrue(Math.abs(study.sag()) < 1e-4, report);
+            assertTrue(study.drift() < drift, report);
+            assertTrue(study.speed < speed, report);
+        }
+    }
+
+    @Test
+    void aStackOfTenStands() {
+        stands(stack(StackStudy.equal(10, 1000)), 20, 1e-5, 5e-4, 1e-4);
+    }
+
+    @Test
+    void aStackOfTwentyStands() {
+        stands(stack(StackStudy.equal(20, 1000)), 20, 1e-5, 3e-3, 5e-3);
+    }
+
+    @Test
+    void aTonneStandsOnAKilogram() {
+        stands(stack(1, 1000), 20, 1e-5, 5e-4, 1e-4);
+    }
+
+    @Test
+    void massesThatAlternateOneToAHundredStand() {
+        stands(stack(StackStudy.alternating(10, 100)), 20, 1e-5, 1e-3, 1e-4);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {100, 1000})
+    void aHeavyTopStands(double ratio) {
+        stands(stack(StackStudy.top(10, ratio)), 20, 1e-5, 2e-3, 1e-4);
+    }
+
+    @Test
+    void aPyramidStands() {
+        stands(StackStudy.pyramid(PhysicsSettings.DEFAULT, 10), 10, 1e-4, 1e-3, 1e-3);
+    }
+
+    @Test
+    void whatStoodUnderALoadStaysWhenItGoes() {
+        StackStudy.Unloaded u = StackStudy.unloaded(PhysicsSettings.DEFAULT, 5, 100);
+        assertTrue(u.up() < 0.01, u.toString());
+        assertTrue(u.gap() < 2e-4, u.toString());
+        assertTrue(u.drift() < 1e-3, u.toString());
+    }
+
+    @Test
+    void aHeavyBoxThatFallsOnALightStackDoesNotCrushIt() {
+        try (StackStudy s = StackStudy.heavyDropped(PhysicsSettings.DEFAULT)) {
+            String report = s.rest(6);
+            assertTrue(s.drift() < 0.02 && Math.abs(s.sag()) < 1e-3, report);
+        }
+    }
+
+    @Test
+    void aHitMovesTheStackAsWithoutLoads() {
+        double with = StackStudy.hitMomentum(PhysicsSettings.DEFAULT, 1000);
+        double without = StackStudy.hitMomentum(PLAIN, 1000);
+        assertEquals(without, with, 0.03, "momentum of the stack over the projectile's");
+    }
+
+    @Test
+    void aCubeKickedOutFromUnderItsStackSlidesAsWithoutLoads() {
+        double with = StackStudy.kickDistance(PhysicsSettings.DEFAULT);
+        double without = StackStudy.kickDistance(PLAIN);
+        assertEquals(without, with, 0.05 * without, "distance of the cube");
+    }
+
+    @Test
+    void aStackThatLandsOverlapsNoMoreThanWithoutLoads() {
+        double with = StackStudy.landing(PhysicsSettings.DEFAULT, 4, 1);
+        double without = StackStudy.landing(PLAIN, 4, 1);
+        assertTrue(with <= 1.02 * without, with + " against " + without);
+    }
+
+    @Test
+    void bodiesThatCarryNothingDoNotKnowOfLoads() {
+        try (StackStudy a = alone(PhysicsSettings.DEFAULT);
+                StackStudy b = alone(PLAIN)) {
+            a.run(3);
+            b.run(3);
+            Vector3d x = new Vector3d();
+            Vector3d y = new Vector3d();
+            for (int i = 0; i < a.bodies.size(); i++) {
+                assertEquals(b.bodies.get(i).position(y), a.bodies.get(i).position(x), "body " + i);
+            }
+        }
+    }
+
+    private static StackStudy alone(PhysicsSettings settings) {
+        StackStudy s = StackStudy.onGround(settings);
+        for (int i = 0; i < 5; i++) {
+            s.jittered(1, 3 * i, 0.5 + i, 0).setAngularVelocity(i, 1, 0);
+        }
+        return s;
+    }
+
+    @Test
+    @Tag("soak")
+    void aStackOfFortyStandsForAMinute() {
+        stands(stack(StackStudy.equal(40, 1000)), 60, 1e-4, 0.05, 0.05);
+    }
+
+    @Test
+    @Tag("soak")
+    void aPyramidOfTwentyRowsStands() {
+        stands(StackStudy.pyramid(PhysicsSettings.DEFAULT, 20), 20, 1e-5, 1e-3, 1e-4);
+    }
+
+    private static StackStudy stack(double... masses) {
+        return StackStudy.stack(PhysicsSettings.DEFAULT, masses);
+    }
+}
