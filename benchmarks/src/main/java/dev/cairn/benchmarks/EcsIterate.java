@@ -17,6 +17,7 @@ import dev.cairn.benchmarks.EcsModel.Velocity;
 import dev.cairn.core.ecs.Access;
 import dev.cairn.core.ecs.Chunk;
 import dev.cairn.core.ecs.ChunkSystem;
+import dev.cairn.core.ecs.FloatField;
 import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.World;
 import dev.dominion.ecs.api.Dominion;
@@ -49,47 +50,42 @@ import java.util.concurrent.TimeUnit;
         jvmArgsAppend = {"--add-modules=jdk.incubator.vector", "-Xms4g", "-Xmx4g"})
 public class EcsIterate {
 
+    /** How Cairn's system declares what it writes. */
+    public enum Writing {
+        /** Next state beside the published one, which is read: every row is written. */
+        BESIDE,
+        /** As {@code BESIDE}, with the published values copied first, for partial writers. */
+        BESIDE_COPIED,
+        /** Next state over the published one, as the rivals do. */
+        IN_PLACE
+    }
+
     /** Moves the rows of a chunk. */
-    private static final class Motion implements ChunkSystem {
+    private record Motion(Writing writing) implements ChunkSystem {
         @Override
         public void describe(Access access) {
-            access.writesAll(EcsModel.POSITION, EcsModel.VELOCITY);
+            switch (writing) {
+                case BESIDE -> access.writesAll(EcsModel.POSITION, EcsModel.VELOCITY);
+                case BESIDE_COPIED -> access.out(EcsModel.POSITION, EcsModel.VELOCITY);
+                case IN_PLACE -> access.inPlace(EcsModel.POSITION, EcsModel.VELOCITY);
+            }
+        }
+
+        @Override
+        public String name() {
+            return "Motion";
         }
 
         @Override
         public void run(Chunk chunk, Tick tick) {
             int rows = chunk.size();
-            advance(
-                    rows,
-                    chunk.in(EcsModel.PX),
-                    chunk.in(EcsModel.VX),
-                    chunk.out(EcsModel.PX),
-                    chunk.out(EcsModel.VX));
-            advance(
-                    rows,
-                    chunk.in(EcsModel.PY),
-                    chunk.in(EcsModel.VY),
-                    chunk.out(EcsModel.PY),
-                    chunk.out(EcsModel.VY));
-            advance(
-                    rows,
-                    chunk.in(EcsModel.PZ),
-                    chunk.in(EcsModel.VZ),
-                    chunk.out(EcsModel.PZ),
-                    chunk.out(EcsModel.VZ));
+            advance(chunk, rows, EcsModel.PX, EcsModel.VX);
+            advance(chunk, rows, EcsModel.PY, EcsModel.VY);
+            advance(chunk, rows, EcsModel.PZ, EcsModel.VZ);
         }
 
-        private static void advance(
-                int rows,
-                float[] position,
-                float[] velocity,
-                float[] nextPosition,
-                float[] nextVelocity) {
-            for (int row = 0; row < rows; row++) {
-                float damped = velocity[row] * DRAG;
-                nextVelocity[row] = damped;
-                nextPosition[row] = position[row] + damped * STEP;
-            }
+        private static void advance(Chunk chunk, int rows, FloatField p, FloatField v) {
+            EcsModel.advance(rows, chunk.in(p), chunk.in(v), chunk.out(p), chunk.out(v));
         }
     }
 
@@ -104,13 +100,17 @@ public class EcsIterate {
         @Param({"1", "2"})
         public int workers;
 
-        World world = World.builder().systems(new Motion()).build();
+        /** How the system writes. */
+        @Param({"BESIDE", "BESIDE_COPIED", "IN_PLACE"})
+        public Writing writing;
+
+        World world = World.builder().build();
 
         /** Fills the world. */
         @Setup
         public void fill() {
             world.close();
-            world = World.builder().systems(new Motion()).workers(workers).build();
+            world = World.builder().systems(new Motion(writing)).workers(workers).build();
             for (int i = 0; i < entities; i++) {
                 world.spawn(new Position(i, i, i), new Velocity(1, 2, 3));
             }
@@ -120,6 +120,33 @@ public class EcsIterate {
         @TearDown
         public void close() {
             world.close();
+        }
+    }
+
+    /** No engine: the same loop over one array by field, for what the memory allows. */
+    @State(Scope.Thread)
+    public static class Arrays {
+        /** Number of entities. */
+        @Param({"10000", "1000000"})
+        public int entities;
+
+        /** {@code BESIDE} or {@code IN_PLACE}. */
+        @Param({"BESIDE", "IN_PLACE"})
+        public Writing writing;
+
+        float[][] published = new float[6][];
+        float[][] next = new float[6][];
+
+        /** Fills the arrays. */
+        @Setup
+        public void fill() {
+            for (int field = 0; field < 6; field++) {
+                published[field] = new float[entities];
+                next[field] = writing == Writing.IN_PLACE ? published[field] : new float[entities];
+                for (int i = 0; i < entities; i++) {
+                    published[field][i] = field < 3 ? i : field - 2;
+                }
+            }
         }
     }
 
@@ -218,6 +245,24 @@ public class EcsIterate {
     public long cairn(Cairn state) {
         state.world.step(STEP);
         return state.world.tickNumber();
+    }
+
+    /**
+     * One pass over plain arrays.
+     *
+     * @param state the arrays
+     * @return the arrays written
+     */
+    @Benchmark
+    public Object arrays(Arrays state) {
+        float[][] from = state.published;
+        float[][] to = state.next;
+        for (int axis = 0; axis < 3; axis++) {
+            EcsModel.advance(state.entities, from[axis], from[axis + 3], to[axis], to[axis + 3]);
+        }
+        state.published = to;
+        state.next = from;
+        return to;
     }
 
     /**

@@ -82,5 +82,19 @@ public final class EcsModel {
         float z;
     }
 
+    /** The work, on one axis. The arrays to write may be those that are read. */
+    static void advance(
+            int rows,
+            float[] position,
+            float[] velocity,
+            float[] nextPosition,
+            float[] nextVelocity) {
+        for (int row = 0; row < rows; row++) {
+            float damped = velocity[row] * DRAG;
+            nextVelocity[row] = damped;
+            nextPosition[row] = position[row] + damped * STEP;
+        }
+    }
+
     private EcsModel() {}
 }

@@ -99,18 +99,18 @@ final class Archetype {
 
     /** Number of slabs that have rows. */
     int chunkCount() {
-        return (rows + Chunk.CAPACITY - 1) >>> Chunk.SHIFT;
+        return ChunkSizes.count(rows);
     }
 
     Slab slab(int row) {
-        return slabs[row >>> Chunk.SHIFT];
+        return slabs[ChunkSizes.chunk(row)];
     }
 
     /** Adds an uninitialised row for the entity; the caller fills every column. */
     int append(long entity, long tick) {
         int row = rows;
-        int chunk = row >>> Chunk.SHIFT;
-        int local = row & Chunk.MASK;
+        int chunk = ChunkSizes.chunk(row);
+        int local = ChunkSizes.local(row);
         if (chunk == slabs.length || local >= slabs[chunk].entities.length) {
             enlarge(chunk);
         }
@@ -124,10 +124,10 @@ final class Archetype {
 
     private void enlarge(int chunk) {
         if (chunk < slabs.length) {
-            slabs[chunk].grow(Math.min(Chunk.CAPACITY, slabs[chunk].entities.length * GROWTH));
+            slabs[chunk].grow(Math.min(ChunkSizes.SMALLEST, slabs[chunk].entities.length * GROWTH));
             return;
         }
-        Slab added = new Slab(this, chunk == 0 ? FIRST_CAPACITY : Chunk.CAPACITY);
+        Slab added = new Slab(this, chunk == 0 ? FIRST_CAPACITY : ChunkSizes.capacity(chunk));
         Slab[] longer = Arrays.copyOf(slabs, chunk + 1);
         longer[chunk] = added;
         slabs = longer;
@@ -141,9 +141,9 @@ final class Archetype {
     long removeRow(int row, long tick) {
         int last = rows - 1;
         Slab lastSlab = slab(last);
-        int lastLocal = last & Chunk.MASK;
+        int lastLocal = ChunkSizes.local(last);
         Slab slab = slab(row);
-        int local = row & Chunk.MASK;
+        int local = ChunkSizes.local(row);
         long moved = Entities.NONE;
         if (row != last) {
             slab.copyRow(lastSlab, lastLocal, local);

@@ -1,7 +1,7 @@
 package dev.cairn.core.ecs;
 
 /**
- * Up to 1024 entities of one archetype, as raw columns, through the eyes of one system or query.
+ * Up to 16384 entities of one archetype, as raw columns, through the eyes of one system or query.
  * Row {@code r} of every column belongs to {@link #entity entity(r)}. Only rows below {@link #size}
  * count; a column's array may be longer.
  *
@@ -17,11 +17,8 @@ package dev.cairn.core.ecs;
  * out} columns are asked for by one thread.
  */
 public final class Chunk {
-    /** Rows of a full chunk. */
-    public static final int CAPACITY = 1024;
-
-    static final int SHIFT = 10;
-    static final int MASK = CAPACITY - 1;
+    /** Most rows that a chunk can have. A table begins with chunks of 1024 rows. */
+    public static final int CAPACITY = ChunkSizes.LARGEST;
 
     final Slab slab;
     private final String system;

@@ -8,18 +8,24 @@ import static java.lang.constant.ConstantDescs.CD_long;
 import static java.lang.constant.ConstantDescs.CD_void;
 import static java.lang.constant.ConstantDescs.INIT_NAME;
 import static java.lang.constant.ConstantDescs.MTD_void;
+import static java.lang.invoke.MethodHandles.Lookup.ClassOption.NESTMATE;
 
 import java.lang.classfile.ClassFile;
 import java.lang.classfile.CodeBuilder;
 import java.lang.constant.ClassDesc;
 import java.lang.constant.MethodTypeDesc;
+import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Modifier;
 import java.lang.reflect.RecordComponent;
 
 /**
  * Writes the class that moves one record type in and out of columns: straight-line code, one array
  * store per field, so that a spawn costs what hand-written code would. The class is hidden and a
- * nest mate of the record, so private nested records work as well.
+ * nest mate of the record, so records of any visibility work, in any package. Where the record's
+ * module is not open, it is a hidden class of this package instead, for public records only.
  */
 final class CodecGenerator {
     private static final ClassDesc CODEC = RecordCodec.class.describeConstable().orElseThrow();
@@ -34,45 +40,88 @@ final class CodecGenerator {
 
     private CodecGenerator() {}
 
-    /** Generates the codec; the lookup must have full privilege access to the record's class. */
+    /** A codec beside the record; the lookup must have full privilege access to its class. */
     static RecordCodec generate(MethodHandles.Lookup lookup, Class<?> type)
             throws ReflectiveOperationException {
+        String simple = type.getName().substring(type.getName().lastIndexOf('.') + 1);
+        ClassDesc self = ClassDesc.of(type.getPackageName(), simple + "$$CairnCodec");
+        return define(lookup.defineHiddenClass(bytes(self, type), true, NESTMATE));
+    }
+
+    /**
+     * A codec in this package, for a record that {@link #isPublic} but whose package is not open.
+     */
+    static RecordCodec generateHere(Class<?> type) throws ReflectiveOperationException {
+        ClassDesc self = ClassDesc.of(CodecGenerator.class.getPackageName(), "PublicCodec");
+        return define(MethodHandles.lookup().defineHiddenClass(bytes(self, type), true));
+    }
+
+    /** Whether code of this package may name the record and the classes of its fields. */
+    static boolean isPublic(Class<?> record) {
+        boolean all = isNamed(record);
+        for (RecordComponent field : record.getRecordComponents()) {
+            all &= isNamed(field.getType());
+        }
+        return all;
+    }
+
+    private static boolean isNamed(Class<?> type) {
+        if (type.isArray()) {
+            return isNamed(type.getComponentType());
+        }
+        if (type.isPrimitive()) {
+            return true;
+        }
+        Module own = CodecGenerator.class.getModule().addReads(type.getModule());
+        return Modifier.isPublic(type.getModifiers())
+                && type.getModule().isExported(type.getPackageName(), own)
+                && isSeen(type);
+    }
+
+    @SuppressWarnings("ReferenceEquality") // two loaders may know different classes of one name
+    private static boolean isSeen(Class<?> type) {
+        try {
+            ClassLoader own = CodecGenerator.class.getClassLoader();
+            return Class.forName(type.getName(), false, own) == type;
+        } catch (ClassNotFoundException unknown) {
+            return false;
+        }
+    }
+
+    /** Through the hidden class's own lookup: the class is not public, whatever its package. */
+    private static RecordCodec define(MethodHandles.Lookup hidden)
+            throws ReflectiveOperationException {
+        MethodHandle constructor =
+                hidden.findConstructor(hidden.lookupClass(), MethodType.methodType(void.class));
+        try {
+            return (RecordCodec) constructor.invoke();
+        } catch (Throwable failure) {
+            throw new InvocationTargetException(failure);
+        }
+    }
+
+    private static byte[] bytes(ClassDesc self, Class<?> type) {
         RecordComponent[] fields = type.getRecordComponents();
         ClassDesc record = type.describeConstable().orElseThrow();
-        String simple = type.getName().substring(type.getPackageName().length());
-        ClassDesc self =
-                ClassDesc.of(
-                        type.getPackageName(), simple.replace('.', ' ').strip() + "$$CairnCodec");
-        byte[] bytes =
-                ClassFile.of()
-                        .build(
-                                self,
-                                builder ->
-                                        builder.withFlags(
-                                                        ClassFile.ACC_FINAL
-                                                                | ClassFile.ACC_SYNTHETIC)
-                                                .withInterfaceSymbols(CODEC)
-                                                .withMethodBody(
-                                                        INIT_NAME,
-                                                        MTD_void,
-                                                        0,
-                                                        CodecGenerator::constructor)
-                                                .withMethodBody(
-                                                        "write",
-                                                        MethodTypeDesc.of(
-                                                                CD_void, RECORD, OBJECTS, CD_int,
-                                                                CD_int),
-                                                        ClassFile.ACC_PUBLIC,
-                                                        code -> write(code, record, fields))
-                                                .withMethodBody(
-                                                        "read",
-                                                        MethodTypeDesc.of(
-                                                                RECORD, OBJECTS, CD_int, CD_int),
-                                                        ClassFile.ACC_PUBLIC,
-                                                        code -> read(code, record, fields)));
-        MethodHandles.Lookup hidden =
-                lookup.defineHiddenClass(bytes, true, MethodHandles.Lookup.ClassOption.NESTMATE);
-        return (RecordCodec) hidden.lookupClass().getDeclaredConstructor().newInstance();
+        return ClassFile.of()
+                .build(
+                        self,
+                        builder ->
+                                builder.withFlags(ClassFile.ACC_FINAL | ClassFile.ACC_SYNTHETIC)
+                                        .withInterfaceSymbols(CODEC)
+                                        .withMethodBody(
+                                                INIT_NAME, MTD_void, 0, CodecGenerator::constructor)
+                                        .withMethodBody(
+                                                "write",
+                                                MethodTypeDesc.of(
+                                                        CD_void, RECORD, OBJECTS, CD_int, CD_int),
+                                                ClassFile.ACC_PUBLIC,
+                                                code -> write(code, record, fields))
+                                        .withMethodBody(
+                                                "read",
+                                                MethodTypeDesc.of(RECORD, OBJECTS, CD_int, CD_int),
+                                                ClassFile.ACC_PUBLIC,
+                                                code -> read(code, record, fields)));
     }
 
     private static void constructor(CodeBuilder code) {

@@ -77,7 +77,7 @@ public final class Commands {
      * @throws ComponentException if a component is given twice
      */
     public long spawn(Record... components) {
-        World.requireParts(components);
+        WorldContents.requireParts(components);
         Store.components(components);
         long handle = Handle.of(system, chunk, tick, spawns);
         record(SPAWN, components.length, null);
@@ -108,7 +108,7 @@ public final class Commands {
      * @throws DeadEntityException if the entity is not alive
      */
     public void add(long entity, Record component) {
-        World.requirePart(component);
+        WorldContents.requirePart(component);
         check(entity, "add");
         Component.of(component.getClass());
         record(ADD, entity, component);
@@ -123,7 +123,7 @@ public final class Commands {
      * @throws DeadEntityException if the entity is not alive
      */
     public void remove(long entity, Component<?> component) {
-        World.requireKey(component);
+        WorldContents.requireKey(component);
         check(entity, "remove");
         record(REMOVE, entity, component);
     }
@@ -148,7 +148,7 @@ public final class Commands {
      * @throws DeadEntityException if the entity is not alive
      */
     public void set(long entity, Record component) {
-        World.requirePart(component);
+        WorldContents.requirePart(component);
         check(entity, "set");
         Component.of(component.getClass());
         record(SET, entity, component);

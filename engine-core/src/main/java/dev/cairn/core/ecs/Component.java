@@ -57,7 +57,8 @@ public final class Component<T extends Record> {
      * @return its key, always the same one
      * @throws NullPointerException if {@code type} is null
      * @throws ComponentException if {@code type} is not a record, or its module keeps it from us;
-     *     then use {@link #of(MethodHandles.Lookup, Class)}
+     *     then use {@link #of(MethodHandles.Lookup, Class)}. Without named modules every record is
+     *     reached, package-private and private ones too
      */
     public static <T extends Record> Component<T> of(Class<T> type) {
         Objects.requireNonNull(type, "type must not be null: pass the record's class");
@@ -66,7 +67,8 @@ public final class Component<T extends Record> {
     }
 
     /**
-     * The key of a record class in a named module that is not open to {@code dev.cairn.core}.
+     * The key of a record class in a named module that is not open to {@code dev.cairn.core}. Also
+     * the fastest way for records that are not public in a module that is open.
      *
      * @param lookup {@code MethodHandles.lookup()} of a class in the record's package
      * @param type the record class
@@ -98,17 +100,19 @@ public final class Component<T extends Record> {
         return KNOWN.computeIfAbsent(type, key -> new Component<>(type, codec));
     }
 
+    /** The fastest codec that the record's module allows. */
     private static RecordCodec codec(Class<?> type, MethodHandles.@Nullable Lookup given) {
+        Component.class.getModule().addReads(type.getModule());
         try {
-            MethodHandles.Lookup lookup =
+            return inside(
                     MethodHandles.privateLookupIn(
-                            type, given != null ? given : MethodHandles.lookup());
-            return lookup.hasFullPrivilegeAccess() && !type.isHidden()
-                    ? CodecGenerator.generate(lookup, type)
-                    : new HandleCodec(lookup, type);
+                            type, given != null ? given : MethodHandles.lookup()),
+                    type);
         } catch (IllegalAccessException closed) {
             try {
-                return new HandleCodec(MethodHandles.publicLookup(), type);
+                return CodecGenerator.isPublic(type)
+                        ? CodecGenerator.generateHere(type)
+                        : new HandleCodec(MethodHandles.publicLookup(), type);
             } catch (ReflectiveOperationException hidden) {
                 closed.addSuppressed(hidden);
                 throw unreachable(type, closed);
@@ -116,6 +120,23 @@ public final class Component<T extends Record> {
         } catch (ReflectiveOperationException failure) {
             throw unreachable(type, failure);
         }
+    }
+
+    private static RecordCodec inside(MethodHandles.Lookup lookup, Class<?> type)
+            throws ReflectiveOperationException {
+        if (type.isHidden()) {
+            return new HandleCodec(lookup, type);
+        }
+        if (lookup.hasFullPrivilegeAccess()) {
+            try {
+                return CodecGenerator.generate(lookup, type);
+            } catch (LinkageError unread) { // its module or loader does not know this one
+                return new HandleCodec(lookup, type);
+            }
+        }
+        return CodecGenerator.isPublic(type)
+                ? CodecGenerator.generateHere(type)
+                : new HandleCodec(lookup, type);
     }
 
     private static ComponentException unreachable(Class<?> type, Exception cause) {

@@ -11,11 +11,11 @@ import java.util.Objects;
  * <p>Creating and deleting during a walk moves rows between chunks; collect first, change after.
  */
 public final class Query {
-    private final World world;
+    private final WorldContents world;
     private final Access access;
     private final ChunkList chunks;
 
-    Query(World world, Store store, Access access) {
+    Query(WorldContents world, Store store, Access access) {
         this.world = world;
         this.access = access;
         this.chunks = new ChunkList(store, access, true, false);

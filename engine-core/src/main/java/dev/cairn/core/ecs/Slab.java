@@ -5,8 +5,8 @@ import org.jspecify.annotations.Nullable;
 import java.util.Arrays;
 
 /**
- * The storage of one chunk: up to 1024 rows, and per column a published array and the array of the
- * tick that is being computed. Both are the same array until a system asks to write. Then the spare
+ * The storage of one chunk: its rows, and per column a published array and the array of the tick
+ * that is being computed. Both are the same array until a system asks to write. Then the spare
  * array takes the writes, and commit exchanges the two references; nothing is copied back.
  */
 final class Slab {

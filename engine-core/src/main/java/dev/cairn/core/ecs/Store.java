@@ -51,7 +51,7 @@ final class Store {
             plan = plan(a);
         }
         long entity = append(plan.archetype);
-        int local = plan.archetype.rows - 1 & Chunk.MASK;
+        int local = ChunkSizes.local(plan.archetype.rows - 1);
         plan.write(0, a, lastSlab(plan.archetype), local);
         return entity;
     }
@@ -62,7 +62,7 @@ final class Store {
             plan = plan(a, b);
         }
         long entity = append(plan.archetype);
-        int local = plan.archetype.rows - 1 & Chunk.MASK;
+        int local = ChunkSizes.local(plan.archetype.rows - 1);
         Slab slab = lastSlab(plan.archetype);
         plan.write(0, a, slab, local);
         plan.write(1, b, slab, local);
@@ -83,7 +83,7 @@ final class Store {
 
     private long spawn(SpawnPlan plan, Record[] records) {
         long entity = append(plan.archetype);
-        int local = plan.archetype.rows - 1 & Chunk.MASK;
+        int local = ChunkSizes.local(plan.archetype.rows - 1);
         Slab slab = lastSlab(plan.archetype);
         for (int part = 0; part < records.length; part++) {
             plan.write(part, records[part], slab, local);
@@ -99,7 +99,7 @@ final class Store {
         long entity = entities.create();
         int row = archetype.append(entity, tick);
         entities.put(entity, archetype.index, row);
-        if ((row & Chunk.MASK) == 0) {
+        if (ChunkSizes.local(row) == 0) {
             structureVersion++;
         }
         return entity;
@@ -150,7 +150,7 @@ final class Store {
         if (moved != Entities.NONE) {
             entities.put(moved, archetype.index, row);
         }
-        if ((archetype.rows & Chunk.MASK) == 0) {
+        if (ChunkSizes.local(archetype.rows) == 0) {
             structureVersion++;
         }
     }
@@ -176,7 +176,8 @@ final class Store {
             to.rememberShrunk(component, from);
         }
         int row = move(entity, from, row(place), to);
-        component.codec.write(value, to.slab(row).published, to.base(component), row & Chunk.MASK);
+        component.codec.write(
+                value, to.slab(row).published, to.base(component), ChunkSizes.local(row));
     }
 
     void remove(long entity, Component<?> component) {
@@ -207,13 +208,13 @@ final class Store {
     /** Moves a row to another table, with the components that both have. */
     private int move(long entity, Archetype from, int row, Archetype to) {
         int target = to.append(entity, tick);
-        if ((target & Chunk.MASK) == 0) {
+        if (ChunkSizes.local(target) == 0) {
             structureVersion++;
         }
         Slab source = from.slab(row);
         Slab destination = to.slab(target);
-        int local = row & Chunk.MASK;
-        int targetLocal = target & Chunk.MASK;
+        int local = ChunkSizes.local(row);
+        int targetLocal = ChunkSizes.local(target);
         for (Component<?> component : from.components) {
             int base = to.base(component);
             if (base >= 0) {
@@ -242,7 +243,9 @@ final class Store {
         int row = row(place);
         return component
                 .type()
-                .cast(component.codec.read(archetype.slab(row).published, base, row & Chunk.MASK));
+                .cast(
+                        component.codec.read(
+                                archetype.slab(row).published, base, ChunkSizes.local(row)));
     }
 
     boolean has(long entity, Component<?> component) {
@@ -259,7 +262,7 @@ final class Store {
         }
         int row = row(place);
         Slab slab = archetype.slab(row);
-        component.codec.write(value, slab.published, base, row & Chunk.MASK);
+        component.codec.write(value, slab.published, base, ChunkSizes.local(row));
         Arrays.fill(slab.versions, base, base + component.fields.length, tick);
     }
 

@@ -6,9 +6,7 @@ import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 
 /**
@@ -25,26 +23,21 @@ import java.util.Objects;
  * <p>Between steps the simulation thread may change anything, at once. During a step, systems
  * change the structure through {@link Tick#commands()}; a direct call is refused. Reading ({@link
  * #get}, {@link #has}, {@link #isAlive}, {@link #resource}) is allowed then too, from any worker,
- * and gives the published state. All other threads read through {@link
- * dev.cairn.core.snapshot.SnapshotExchange}.
+ * and gives the published state (of components written {@code inPlace}: see {@link #get}). All
+ * other threads read through {@link dev.cairn.core.snapshot.SnapshotExchange}.
  *
  * <p>A call with bad arguments throws and changes nothing. A steady tick, without structural
  * changes, allocates nothing.
  */
-public final class World implements AutoCloseable {
-    private final Store store = new Store();
-    private final Map<Class<?>, Object> resources = new HashMap<>();
+public final class World extends WorldContents implements AutoCloseable {
     private final Schedule schedule;
     private final Jobs jobs;
     private final boolean ownsJobs;
     private final long seed;
     private final Runner runner;
     private double stepSeconds;
-    private long tickNumber;
     private int skipped;
-    private boolean stepping;
     private boolean failed;
-    private boolean closed;
 
     private World(Schedule schedule, Jobs jobs, boolean ownsJobs, long seed, boolean checked) {
         this.schedule = schedule;
@@ -64,201 +57,6 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Makes an entity.
-     *
-     * @param components its components, each at most once; none is fine
-     * @return the entity
-     * @throws NullPointerException if a component is null
-     * @throws ComponentException if a component is given twice
-     * @throws WorldClosedException after {@link #close}
-     * @throws IllegalStateException during a step
-     */
-    public long spawn(Record... components) {
-        requireChangeable("spawn");
-        requireParts(components);
-        return components.length == 0 ? store.spawn() : store.spawn(components);
-    }
-
-    /**
-     * Makes an entity; see {@link #spawn(Record...)}. Allocates only while tables grow.
-     *
-     * @param a its component
-     * @return the entity
-     */
-    public long spawn(Record a) {
-        requireChangeable("spawn");
-        return store.spawn(requirePart(a));
-    }
-
-    /**
-     * Makes an entity; see {@link #spawn(Record...)}. Allocates only while tables grow.
-     *
-     * @param a one component
-     * @param b another component
-     * @return the entity
-     */
-    public long spawn(Record a, Record b) {
-        requireChangeable("spawn");
-        return store.spawn(requirePart(a), requirePart(b));
-    }
-
-    /**
-     * Makes an entity; see {@link #spawn(Record...)}.
-     *
-     * @param a one component
-     * @param b another component
-     * @param c another component
-     * @return the entity
-     */
-    public long spawn(Record a, Record b, Record c) {
-        requireChangeable("spawn");
-        return store.spawn(new Record[] {requirePart(a), requirePart(b), requirePart(c)});
-    }
-
-    /**
-     * Makes an entity; see {@link #spawn(Record...)}.
-     *
-     * @param a one component
-     * @param b another component
-     * @param c another component
-     * @param d another component
-     * @return the entity
-     */
-    public long spawn(Record a, Record b, Record c, Record d) {
-        requireChangeable("spawn");
-        return store.spawn(
-                new Record[] {requirePart(a), requirePart(b), requirePart(c), requirePart(d)});
-    }
-
-    /**
-     * Makes many entities with the same components; their columns can be filled afterwards through
-     * a {@link #query}.
-     *
-     * @param count number of entities, at least 0
-     * @param components their components, each at most once
-     * @return the entities
-     * @throws IllegalArgumentException if the count is negative
-     * @throws NullPointerException if a component is null
-     * @throws ComponentException if a component is given twice
-     */
-    public long[] spawnMany(int count, Record... components) {
-        requireChangeable("spawnMany");
-        requireParts(components);
-        if (count < 0) {
-            throw new IllegalArgumentException("count is " + count + ", but must be at least 0");
-        }
-        long[] entities = new long[count];
-        store.spawnMany(entities, components);
-        return entities;
-    }
-
-    /**
-     * Deletes an entity. Its id never names another one.
-     *
-     * @param entity the entity
-     * @throws DeadEntityException if it is not alive
-     */
-    public void delete(long entity) {
-        requireChangeable("delete");
-        store.delete(entity);
-    }
-
-    /**
-     * Whether an entity exists.
-     *
-     * @param entity any id
-     * @return whether it was made by this world and not deleted since
-     */
-    public boolean isAlive(long entity) {
-        return store.entities.isAlive(entity);
-    }
-
-    /**
-     * Gives an entity one more component.
-     *
-     * @param entity the entity
-     * @param component the component, which it has not yet
-     * @throws NullPointerException if {@code component} is null
-     * @throws DeadEntityException if the entity is not alive
-     * @throws ComponentException if it has such a component; then use {@link #set}
-     */
-    public void add(long entity, Record component) {
-        requireChangeable("add");
-        store.add(entity, requirePart(component));
-    }
-
-    /**
-     * Takes a component from an entity.
-     *
-     * @param entity the entity
-     * @param component the component, which it has
-     * @param <T> the record
-     * @throws NullPointerException if {@code component} is null
-     * @throws DeadEntityException if the entity is not alive
-     * @throws ComponentException if it has no such component
-     */
-    public <T extends Record> void remove(long entity, Component<T> component) {
-        requireChangeable("remove");
-        requireKey(component);
-        store.remove(entity, component);
-    }
-
-    /**
-     * Takes all components from an entity; it stays alive.
-     *
-     * @param entity the entity
-     * @throws DeadEntityException if it is not alive
-     */
-    public void clear(long entity) {
-        requireChangeable("clear");
-        store.clear(entity);
-    }
-
-    /**
-     * A component of an entity, as a new record.
-     *
-     * @param entity the entity
-     * @param component the component, which it has
-     * @param <T> the record
-     * @return its published value
-     * @throws NullPointerException if {@code component} is null
-     * @throws DeadEntityException if the entity is not alive
-     * @throws ComponentException if it has no such component
-     */
-    public <T extends Record> T get(long entity, Component<T> component) {
-        requireKey(component);
-        return store.get(entity, component);
-    }
-
-    /**
-     * Whether an entity has a component.
-     *
-     * @param entity the entity
-     * @param component the component
-     * @return whether it has it
-     * @throws NullPointerException if {@code component} is null
-     * @throws DeadEntityException if the entity is not alive
-     */
-    public boolean has(long entity, Component<?> component) {
-        requireKey(component);
-        return store.has(entity, component);
-    }
-
-    /**
-     * Replaces a component of an entity.
-     *
-     * @param entity the entity
-     * @param component the new value of a component that it has
-     * @throws NullPointerException if {@code component} is null
-     * @throws DeadEntityException if the entity is not alive
-     * @throws ComponentException if it has no such component; then use {@link #add}
-     */
-    public void set(long entity, Record component) {
-        requireChangeable("set");
-        store.set(entity, requirePart(component));
-    }
-
-    /**
      * The entity that a {@link Commands#spawn} of the last step made.
      *
      * @param handle what spawn returned
@@ -275,71 +73,6 @@ public final class World implements AutoCloseable {
                             + " the step that recorded it");
         }
         return entity;
-    }
-
-    /**
-     * The chunks of all entities that have some components.
-     *
-     * @param include components that the entities must have; none gives all chunks
-     * @return a query, to be kept and used again
-     * @throws NullPointerException if a component is null
-     */
-    public Query query(Component<?>... include) {
-        return query(new Access("query").in(include));
-    }
-
-    Query query(Access access) {
-        return new Query(this, store, access);
-    }
-
-    /**
-     * Shares an object with all systems, under its own class. Replaces an earlier one.
-     *
-     * @param resource the object
-     * @param <T> its type
-     * @throws NullPointerException if it is null
-     */
-    public <T> void putResource(T resource) {
-        requireChangeable("putResource");
-        Objects.requireNonNull(resource, "resource must not be null");
-        resources.put(resource.getClass(), resource);
-    }
-
-    /**
-     * Shares an object with all systems, under a class or interface of your choice. Replaces an
-     * earlier one.
-     *
-     * @param type the key
-     * @param resource the object
-     * @param <T> its type
-     * @throws NullPointerException if an argument is null
-     */
-    public <T> void putResource(Class<T> type, T resource) {
-        requireChangeable("putResource");
-        Objects.requireNonNull(type, "type must not be null: it is the key of the resource");
-        Objects.requireNonNull(resource, "resource must not be null");
-        resources.put(type, type.cast(resource));
-    }
-
-    /**
-     * A shared object.
-     *
-     * @param type the class that it was put under
-     * @param <T> its type
-     * @return the object
-     * @throws NullPointerException if {@code type} is null
-     * @throws ComponentException if there is none
-     */
-    public <T> T resource(Class<T> type) {
-        Objects.requireNonNull(type, "type must not be null: it is the key of the resource");
-        Object resource = resources.get(type);
-        if (resource == null) {
-            throw new ComponentException(
-                    "there is no resource of class "
-                            + type.getName()
-                            + "; put it with putResource before the first step");
-        }
-        return type.cast(resource);
     }
 
     /**
@@ -398,15 +131,6 @@ public final class World implements AutoCloseable {
      */
     public double stepSeconds() {
         return stepSeconds;
-    }
-
-    /**
-     * Number of entities that are alive.
-     *
-     * @return the number of entities
-     */
-    public int entityCount() {
-        return store.entities.aliveCount();
     }
 
     /**
@@ -484,45 +208,6 @@ public final class World implements AutoCloseable {
             if (ownsJobs) {
                 jobs.close();
             }
-        }
-    }
-
-    private void requireChangeable(String call) {
-        if (closed) {
-            throw new WorldClosedException(call + " was called on a world that is closed");
-        }
-        requireBetweenSteps(call);
-        store.tick = tickNumber;
-    }
-
-    void requireBetweenSteps(String call) {
-        if (stepping) {
-            throw new IllegalStateException(
-                    call
-                            + " was called during a step; a system changes the structure through"
-                            + " tick.commands(), and its own columns through chunk.out");
-        }
-    }
-
-    static Record requirePart(@Nullable Record component) {
-        if (component == null) {
-            throw new NullPointerException(
-                    "a component must not be null: leave it out, or take it away with remove");
-        }
-        return component;
-    }
-
-    static void requireParts(@Nullable Record @Nullable [] components) {
-        Objects.requireNonNull(components, "components must not be null");
-        for (Record component : components) {
-            requirePart(component);
-        }
-    }
-
-    static void requireKey(@Nullable Component<?> component) {
-        if (component == null) {
-            throw new NullPointerException(
-                    "component must not be null: pass the key from Component.of");
         }
     }
 

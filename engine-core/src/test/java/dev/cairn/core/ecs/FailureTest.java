@@ -58,8 +58,8 @@ class FailureTest {
         EcsSystem c = world("c", access -> access.next(POSITION), tick -> later.incrementAndGet());
         try (Jobs jobs = Jobs.of(workers);
                 World world = World.builder().systems(c, b, a).jobs(jobs).build()) {
-            for (int i = 0; i < 3 * Chunk.CAPACITY; i++) {
-                world.spawn(new Position(0, i / Chunk.CAPACITY));
+            for (int i = 0; i < 3 * ChunkSizes.SMALLEST; i++) {
+                world.spawn(new Position(0, i / ChunkSizes.SMALLEST));
             }
             world.step(1);
             assertEquals(6, ran.getAndSet(0));
