@@ -102,7 +102,7 @@ public class EcsIterate {
 
         /** How the system writes. */
         @Param({"BESIDE", "BESIDE_COPIED", "IN_PLACE"})
-        public Writing writing;
+        public Writing writing = Writing.BESIDE;
 
         World world = World.builder().build();
 
@@ -132,7 +132,7 @@ public class EcsIterate {
 
         /** {@code BESIDE} or {@code IN_PLACE}. */
         @Param({"BESIDE", "IN_PLACE"})
-        public Writing writing;
+        public Writing writing = Writing.BESIDE;
 
         float[][] published = new float[6][];
         float[][] next = new float[6][];

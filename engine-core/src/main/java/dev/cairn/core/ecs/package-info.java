@@ -11,7 +11,7 @@
  *
  * <pre>
  *   archetype {Pose, Wind}           one table per set of components
- *     chunk 0: 1024 rows             one array per field:
+ *     chunk 0: 1024 rows or more     one array per field:
  *                  published              next                  spare
  *       Pose.x   [ array a ]  ==read==  [ array b ] &lt;=written    (a after commit)
  *       Wind.x   [ array c ]  ========= [ array c ]              nothing wrote: one array
