@@ -3,6 +3,8 @@ package dev.cairn.core.ecs;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.core.job.Jobs;
+
 import org.junit.jupiter.api.Test;
 
 /** Chunks cover the rows without gap, grow with the table, and are full but for the last. */
@@ -64,6 +66,39 @@ class ChunkSizesTest {
             }
             assertEquals(1, all.chunkCount());
             assertEquals(count - 1, world.get(made[count - 1], Fixtures.POSITION).x());
+        }
+    }
+
+    /** Commands of chunks of different size are made in the same order by any workers. */
+    @Test
+    void theDigestDoesNotDependOnWorkers() {
+        long expected = digest(Jobs.of(1));
+        assertEquals(expected, digest(Jobs.of(2)));
+        assertEquals(expected, digest(Jobs.of(3)));
+        assertEquals(expected, digest(Jobs.perturbed(4, 7)));
+    }
+
+    private static long digest(Jobs jobs) {
+        ChunkSystem split =
+                Fixtures.chunks(
+                        "split",
+                        access -> access.writesAll(Fixtures.POSITION),
+                        (chunk, tick) -> {
+                            double[] from = chunk.in(Fixtures.X);
+                            double[] to = chunk.out(Fixtures.X);
+                            for (int row = 0; row < chunk.size(); row++) {
+                                to[row] = from[row] / 3;
+                            }
+                            tick.commands().delete(chunk.entity(chunk.size() / 2));
+                            tick.commands().spawn(new Fixtures.Position(chunk.size(), 1));
+                        });
+        try (jobs;
+                World world = World.builder().systems(split).jobs(jobs).build()) {
+            world.spawnMany(70_000, new Fixtures.Position(1, 2));
+            for (int tick = 0; tick < 5; tick++) {
+                world.step(1);
+            }
+            return world.digest();
         }
     }
 }
