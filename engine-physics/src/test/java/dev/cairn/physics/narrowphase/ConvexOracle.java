@@ -178,4 +178,26 @@ final class ConvexOracle {
         double t = Math.max(0, Math.min(1, r.dot(v) / v.lengthSquared()));
         return r.fma(-t, v).length();
     }
+
+    /**
+     * Signed distance of a point: over the faces inside; over faces, edges and vertices outside.
+     */
+    static double pointDistance(Placed a, Vector3d c) {
+        double height = -Double.MAX_VALUE;
+        double best = Double.MAX_VALUE;
+        for (int f = 0; f < a.loops.length; f++) {
+            double above = a.normals[f].dot(c) - a.highest(a.normals[f]);
+            height = Math.max(height, above);
+            int[] loop = a.loops[f];
+            if (above > 0 && inside(a, f, c)) {
+                best = Math.min(best, above);
+            }
+            for (int i = 0; i < loop.length; i++) {
+                Vector3d p = a.vertices[loop[i]];
+                Vector3d e = a.vertices[loop[(i + 1) % loop.length]].sub(p, new Vector3d());
+                best = Math.min(best, pointSegment(c, p, e));
+            }
+        }
+        return height <= 0 ? height : best;
+    }
 }

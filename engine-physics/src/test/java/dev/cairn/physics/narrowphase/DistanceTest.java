@@ -92,42 +92,11 @@ class DistanceTest {
                             (i & 1) == 0 ? Scene.box(r) : Scene.hull(r, 4 + r.nextInt(60), 1),
                             Sphere.of(radius));
             ConvexOracle.Placed a = s.placedA();
-            double height = -Double.MAX_VALUE;
-            for (Vector3d normal : a.normals) {
-                height = Math.max(height, normal.dot(s.d) - a.highest(normal));
-            }
-            // A ball's centre is a polyhedron of size zero: a tiny one at the same place has the
-            // same nearest features.
-            double truth = height;
-            if (height > 0) {
-                truth = pointDistance(a, s.d);
-            }
+            double truth = ConvexOracle.pointDistance(a, s.d);
             String where = method + " seed 14 pose " + i;
             assertEquals(truth - radius, s.distance(n), 1e-12 * s.size(), where);
             assertEquals(truth - radius, s.swapped().distance(n), 1e-12 * s.size(), where);
         }
-    }
-
-    /** Distance of an outside point: the least over all triangles, edges and vertices. */
-    private static double pointDistance(ConvexOracle.Placed a, Vector3d c) {
-        double best = Double.MAX_VALUE;
-        for (int f = 0; f < a.loops.length; f++) {
-            int[] loop = a.loops[f];
-            boolean over = true;
-            for (int i = 0; i < loop.length; i++) {
-                Vector3d p = a.vertices[loop[i]];
-                Vector3d e = a.vertices[loop[(i + 1) % loop.length]].sub(p, new Vector3d());
-                Vector3d v = c.sub(p, new Vector3d());
-                over &= e.cross(a.normals[f], new Vector3d()).dot(v) <= 0;
-                double t = Math.max(0, Math.min(1, e.dot(v) / e.lengthSquared()));
-                best = Math.min(best, v.fma(-t, e).length());
-            }
-            double height = a.normals[f].dot(c) - a.normals[f].dot(a.vertices[loop[0]]);
-            if (over && height > 0) {
-                best = Math.min(best, height);
-            }
-        }
-        return best;
     }
 
     @ParameterizedTest

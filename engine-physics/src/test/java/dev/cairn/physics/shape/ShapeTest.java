@@ -186,6 +186,30 @@ class ShapeTest {
         assertEquals(4, hull.faceLoops()[0].length);
     }
 
+    /** Caps with thousands of corners; a hull that rebuilds the cap for each takes minutes. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0, .4, 1.3})
+    void aDrumOfThreeThousandSidesHasTwoCaps(double tilt) {
+        int sides = 3000;
+        Quaterniond q = new Quaterniond().rotateXYZ(tilt, .7 * tilt, .3 * tilt);
+        double[] xyz = new double[6 * sides];
+        for (int i = 0; i < 2 * sides; i++) {
+            double angle = 2 * StrictMath.PI * (i / 2) / sides;
+            Vector3d p =
+                    q.transform(
+                            new Vector3d(
+                                    StrictMath.cos(angle), (i & 1) - .5, StrictMath.sin(angle)));
+            xyz[3 * i] = p.x;
+            xyz[3 * i + 1] = p.y;
+            xyz[3 * i + 2] = p.z;
+        }
+        ConvexHull drum = ConvexHull.of(xyz);
+        assertEquals(sides + 2, drum.polyhedron().faceCount());
+        assertEquals(2 * sides, drum.polyhedron().vertexCount());
+        assertEquals(sides, drum.polyhedron().largestFace());
+        assertEquals(.5 * sides * StrictMath.sin(2 * StrictMath.PI / sides), drum.volume(), 1e-12);
+    }
+
     @Test
     void thinCardsAndNeedlesAreSolid() {
         for (double thin : new double[] {1e-3, 1e-6}) {
