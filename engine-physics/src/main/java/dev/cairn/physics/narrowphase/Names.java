@@ -10,7 +10,7 @@ final class Names {
     static int of(Manifold m) {
         int names = 0;
         for (int i = 0; i < m.pointCount; i++) {
-            names |= hash(m.feature[i]) << 8 * i;
+            names |= hash(m.feature[i]) << (8 * i);
         }
         return names;
     }
@@ -19,14 +19,14 @@ final class Names {
     static boolean holds(int names, int feature) {
         int h = hash(feature);
         return (names & 0xFF) == h
-                || (names >>> 8 & 0xFF) == h
-                || (names >>> 16 & 0xFF) == h
-                || names >>> 24 == h;
+                || ((names >>> 8) & 0xFF) == h
+                || ((names >>> 16) & 0xFF) == h
+                || (names >>> 24) == h;
     }
 
     /** 1 to 255. */
     private static int hash(int feature) {
         int h = feature * 0x9E3779B9;
-        return ((h >>> 16) * 255 >>> 16) + 1;
+        return (((h >>> 16) * 255) >>> 16) + 1;
     }
 }
