@@ -49,6 +49,6 @@ class SmokeTest {
                 "[EcsCreateDelete, EcsIterate, JobsDispatch, JobsWake, SnapshotHandOver,"
                         + " WorldStep]",
                 suites.toString());
-        assertEquals(8 + 3 + 2 + 2 + 2 + 1, results.size());
+        assertEquals(7 + 3 + 2 + 2 + 2 + 1, results.size());
     }
 }
