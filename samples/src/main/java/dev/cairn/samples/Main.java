@@ -38,6 +38,7 @@ import java.util.Map;
             "  samples --scene slope-box --set friction=0.2",
             "  samples --headless --scene pyramid --set base=100 --workers 2 --json -",
             "  samples --headless --obj rock.obj --picture rock.png --at 120",
+            "  samples --scene room,pyramid,obj-drop --contact-sheet scenes.png",
             "",
             "Exit codes: 0 done; 1 a scene failed; 2 the options make no sense (one line says why)."
         })
@@ -118,6 +119,12 @@ public final class Main {
             paramLabel = "TICK",
             description = "Tick of that picture; the last by default.")
     @Nullable String at;
+
+    @Option(
+            names = "--contact-sheet",
+            paramLabel = "FILE.png",
+            description = "Draw all scenes of the run side by side into one file.")
+    @Nullable String contactSheet;
 
     private Main() {}
 

@@ -31,6 +31,7 @@ import java.util.Map;
  * @param picture where the picture of the only scene goes, or null
  * @param at tick of that picture, or null for the last
  * @param gallery true if every scene gets a picture in a folder
+ * @param contactSheet where these pictures also go side by side, or null
  */
 record Request(
         Mode mode,
@@ -42,7 +43,8 @@ record Request(
         @Nullable String json,
         @Nullable Path picture,
         @Nullable Integer at,
-        boolean gallery) {
+        boolean gallery,
+        @Nullable Path contactSheet) {
 
     /** What to do. */
     enum Mode {
@@ -92,6 +94,10 @@ record Request(
         if (picture != null) {
             checkPicture(picture, scenes, at, ticks);
         }
+        Path sheet = path("--contact-sheet", typed.contactSheet);
+        if (sheet != null) {
+            checkPng("--contact-sheet", sheet);
+        }
         if (typed.json != null && !typed.json.equals("-")) {
             Path json = path("--json", typed.json);
             if (json != null) {
@@ -109,7 +115,8 @@ record Request(
                 typed.json,
                 picture,
                 at,
-                typed.scenes.isEmpty() && obj == null && typed.json == null);
+                sheet != null || (typed.scenes.isEmpty() && obj == null && typed.json == null),
+                sheet);
     }
 
     private static Mode mode(Main typed) {
@@ -119,7 +126,11 @@ record Request(
         if (typed.window) {
             return Mode.WINDOW;
         }
-        boolean measured = typed.json != null || typed.picture != null || typed.ticks != null;
+        boolean measured =
+                typed.json != null
+                        || typed.picture != null
+                        || typed.contactSheet != null
+                        || typed.ticks != null;
         return typed.headless || measured ? Mode.HEADLESS : Mode.EITHER;
     }
 
@@ -140,6 +151,11 @@ record Request(
                     "--window runs until it is closed; --ticks, --json and --picture go with"
                             + " --headless");
         }
+        if (typed.contactSheet != null && (typed.window || typed.picture != null)) {
+            throw new UsageException(
+                    "--contact-sheet %s: goes with --headless, and without --picture"
+                            .formatted(typed.contactSheet));
+        }
         if (typed.at != null && typed.picture == null) {
             throw new UsageException(
                     "--at %s: says when to draw, so it needs --picture FILE.png"
@@ -154,16 +170,20 @@ record Request(
                     "--picture %s: shows one scene, not %d; add --scene ID"
                             .formatted(picture, scenes.size()));
         }
-        if (!picture.toString().endsWith(".png")) {
-            throw new UsageException("--picture %s: the name must end in .png".formatted(picture));
-        }
         int last = ticks == null ? scenes.get(0).ticks() : ticks;
         if (at != null && at > last) {
             throw new UsageException(
                     "--at %d: the run ends after %d ticks; add --ticks %d".formatted(at, last, at));
         }
-        checkFolder("--picture", picture);
-        checkWritable("--picture", picture);
+        checkPng("--picture", picture);
+    }
+
+    private static void checkPng(String option, Path file) {
+        if (!file.toString().endsWith(".png")) {
+            throw new UsageException("%s %s: the name must end in .png".formatted(option, file));
+        }
+        checkFolder(option, file);
+        checkWritable(option, file);
     }
 
     private static void checkFolder(String option, Path file) {

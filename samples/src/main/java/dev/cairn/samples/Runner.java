@@ -110,8 +110,9 @@ final class Runner {
                 request.gallery() || request.picture() != null
                         ? Offscreen.unavailableReason()
                         : null;
-        if (noPictures != null && request.picture() != null) {
-            err.println("--picture: " + noPictures);
+        if (noPictures != null && (request.picture() != null || request.contactSheet() != null)) {
+            err.println(
+                    (request.picture() == null ? "--contact-sheet: " : "--picture: ") + noPictures);
             return Main.FAILED;
         }
         boolean draw = request.gallery() && noPictures == null;
@@ -132,6 +133,11 @@ final class Runner {
             }
         }
         write(reports);
+        if (request.contactSheet() != null) {
+            ContactSheet.write(
+                    reports.stream().map(report -> galleryFile(report.scene())).toList(),
+                    request.contactSheet());
+        }
         if (!"-".equals(request.json())) {
             if (draw) {
                 out.println("Pictures: " + GALLERY.toAbsolutePath());
@@ -142,6 +148,10 @@ final class Runner {
         return code;
     }
 
+    private static Path galleryFile(String scene) {
+        return GALLERY.resolve(scene + ".png");
+    }
+
     private SceneReport run(SampleScene scene, boolean draw, @Nullable ProgressBar bar) {
         int ticks = request.ticks() == null ? scene.ticks() : request.ticks();
         SceneOptions options =
@@ -150,7 +160,7 @@ final class Runner {
         if (request.picture() != null) {
             run.picture(request.picture(), request.at() == null ? ticks : request.at());
         } else if (draw) {
-            run.picture(GALLERY.resolve(scene.id() + ".png"), Math.min(scene.pictureTick(), ticks));
+            run.picture(galleryFile(scene.id()), Math.min(scene.pictureTick(), ticks));
         }
         if (bar == null) {
             return run.run(() -> {});

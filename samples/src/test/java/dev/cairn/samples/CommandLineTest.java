@@ -70,6 +70,8 @@ class CommandLineTest {
                 "--window --headless            | contradict",
                 "--window --ticks 5             | go with --headless",
                 "--window                       | there is no display",
+                "--contact-sheet a.jpg          | .png",
+                "--contact-sheet a.png --picture b.png | without --picture",
                 "--scene ,                      | a name is empty",
                 "--scene pyramid,,room          | a name is empty",
                 "--scene pyramid --set base=20d | whole number from 1 to 400",

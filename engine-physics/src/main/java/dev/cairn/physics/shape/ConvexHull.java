@@ -35,8 +35,12 @@ public final class ConvexHull implements Shape {
      * @throws DegenerateShapeException if there are fewer than four points, a coordinate is not
      *     finite, the points coincide or lie on a line or in a plane, or the hull has more than
      *     {@value Polyhedron#MAX_VERTICES} vertices
+     * @throws IllegalArgumentException if the array is null or its length no multiple of three
      */
     public static ConvexHull of(double[] xyz) {
+        if (xyz == null) {
+            throw new IllegalArgumentException("xyz is null; give three numbers per point");
+        }
         double[] points = xyz.clone();
         QuickHull hull = QuickHull.of(points);
         int[][] loops = FaceMerger.loops(hull);
@@ -75,11 +79,19 @@ public final class ConvexHull implements Shape {
      * @param points at least 4, m; not kept
      * @return the shape
      * @throws DegenerateShapeException as {@link #of(double[])}
+     * @throws IllegalArgumentException if the list or a point is null
      */
     public static ConvexHull of(List<? extends Vector3dc> points) {
+        if (points == null) {
+            throw new IllegalArgumentException("points is null; give at least 4 points");
+        }
         double[] xyz = new double[3 * points.size()];
         for (int i = 0; i < points.size(); i++) {
             Vector3dc p = points.get(i);
+            if (p == null) {
+                throw new IllegalArgumentException(
+                        "point " + i + " of " + points.size() + " is null; leave it out");
+            }
             xyz[3 * i] = p.x();
             xyz[3 * i + 1] = p.y();
             xyz[3 * i + 2] = p.z();

@@ -310,6 +310,13 @@ class ShapeTest {
         refused(Reason.NOT_FINITE, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, Double.NEGATIVE_INFINITY, 1);
         refused(Reason.EXTENT, 0, 0, 0, 1e-60, 0, 0, 0, 1e-60, 0, 0, 0, 1e-60);
         assertThrows(IllegalArgumentException.class, () -> ConvexHull.of(new double[13]));
+        assertThrows(IllegalArgumentException.class, () -> ConvexHull.of((double[]) null));
+        assertThrows(IllegalArgumentException.class, () -> ConvexHull.of((List<Vector3d>) null));
+        var hole =
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () -> ConvexHull.of(Arrays.asList(new Vector3d(), null)));
+        assertTrue(hole.getMessage().contains("point 1 of 2"), hole.getMessage());
     }
 
     private static void refused(Reason reason, double... xyz) {

@@ -41,7 +41,7 @@ public final class Pairs {
                 List.of(
                         Parameter.real(
                                 "gap",
-                                0.05,
+                                0.1,
                                 0.03,
                                 0.2,
                                 "distance of the boxes that do not touch, m")),
@@ -60,27 +60,27 @@ public final class Pairs {
             scene.add(
                     cube,
                     Palette.body(0),
-                    hovering(-0.5, y, "turned box").rotationAbout(0, 0, 1, Math.PI / 4)),
+                    hovering(2.2, y, "turned box").rotationAbout(0, 0, 1, Math.PI / 4)),
             scene.add(
                     ball,
                     Palette.body(1),
-                    hovering(-0.5 + StrictMath.sqrt(0.5) + 0.5 - OVERLAP, y, "ball")),
+                    hovering(2.2 + StrictMath.sqrt(0.5) + 0.5 - OVERLAP, y, "ball")),
             // Two squares that stand on a corner: along the diagonal their faces are `gap` apart.
             scene.add(
                     cube,
                     Palette.body(2),
-                    hovering(3, y, "lower box").rotationAbout(0, 0, 1, Math.PI / 4)),
+                    hovering(-0.6, y, "lower box").rotationAbout(0, 0, 1, Math.PI / 4)),
             scene.add(
                     cube,
                     Palette.body(3),
                     hovering(
-                                    3 + (1 + scene.get("gap")) * StrictMath.sqrt(0.5),
+                                    -0.6 + (1 + scene.get("gap")) * StrictMath.sqrt(0.5),
                                     y + (1 + scene.get("gap")) * StrictMath.sqrt(0.5),
                                     "upper box")
                             .rotationAbout(0, 0, 1, Math.PI / 4)),
         };
         scene.floor(12, 8, 0.6, 0);
-        scene.view(new SceneBuilder.View(0.3, 3, 9, 0.3, 1.8, 0));
+        scene.view(new SceneBuilder.View(-0.1, 2.4, 8, -0.1, 1.9, 0));
 
         scene.beforeTick((tick, seconds) -> {
             for (BodyRef body : bodies) {

@@ -68,7 +68,7 @@ public final class Pyramid {
         }
         scene.view(
                 new SceneBuilder.View(
-                        0.45 * base, 0.6 * base + 1, 1.15 * base + 3, 0, 0.42 * base, 0));
+                        0.48 * base, 0.55 * base + 1, 1.3 * base + 3, 0, 0.45 * base, 0));
         scene.error(
                 "driftMetres",
                 () -> {
