@@ -1,0 +1,239 @@
+package dev.cairn.benchmarks.compare;
+
+import dev.cairn.benchmarks.peer.Engine;
+
+import me.tongfei.progressbar.ConsoleProgressBarConsumer;
+import me.tongfei.progressbar.ProgressBar;
+import me.tongfei.progressbar.ProgressBarBuilder;
+import me.tongfei.progressbar.ProgressBarStyle;
+
+import org.jspecify.annotations.Nullable;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+import java.io.Console;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.Callable;
+
+/** The command that measures and writes the speed-against-error report. */
+@Command(
+        name = "compare",
+        mixinStandardHelpOptions = true,
+        sortOptions = false,
+        description = "Measures speed against error: scenes x engines x workers x sub-steps.")
+public final class Compare implements Callable<Integer> {
+    private static final int BAR_WIDTH = 100;
+    private static final double LINE_SECONDS = 10;
+
+    @Option(
+            names = "--scenes",
+            split = ",",
+            paramLabel = "ID",
+            description = "scenes; all by default, with --quick stack-4 and pyramid")
+    private List<String> scenes = List.of();
+
+    @Option(
+            names = "--engines",
+            split = ",",
+            paramLabel = "ID",
+            description = "cairn, jolt, bullet, physx, ode4j, jbullet; all by default")
+    private List<String> engines = List.of();
+
+    @Option(
+            names = "--substeps",
+            split = ",",
+            paramLabel = "N",
+            description = "sub-steps per tick; 1,2,4,8,16,32 by default, with --quick 1,4,16")
+    private List<Integer> substeps = List.of();
+
+    @Option(
+            names = "--workers",
+            split = ",",
+            paramLabel = "N",
+            description = "threads; 1 by default; engines that cannot are left out above that")
+    private List<Integer> workers = List.of(1);
+
+    @Option(names = "--rounds", paramLabel = "N", description = "timed rounds; 10, with --quick 3")
+    private int rounds;
+
+    @Option(
+            names = "--quick",
+            description = "small scenes, few rounds: under two minutes, figures for orientation")
+    private boolean quick;
+
+    @Option(names = "--out", paramLabel = "DIR", description = "default: ${DEFAULT-VALUE}")
+    private Path out = Path.of("results", "compare");
+
+    private final PrintStream err = System.err;
+
+    private Compare() {}
+
+    /**
+     * Runs the command and ends the JVM with its status.
+     *
+     * @param args its options; {@code --help} lists them
+     */
+    public static void main(String[] args) {
+        System.setProperty("java.awt.headless", "true");
+        System.exit(new CommandLine(new Compare()).execute(args));
+    }
+
+    @Override
+    public Integer call() throws IOException {
+        Campaign.Plan plan;
+        try {
+            plan = plan();
+        } catch (IllegalArgumentException misuse) {
+            err.println(misuse.getMessage());
+            return CommandLine.ExitCode.USAGE;
+        }
+        Files.createDirectories(out);
+        Results results;
+        try (Reporter reporter = new Reporter(err, plan.requests())) {
+            results = new Campaign(plan, out, reporter::done).run();
+        }
+        Page page = new Page(results);
+        Path report = out.resolve("report.html");
+        Files.writeString(report, page.write(), StandardCharsets.UTF_8);
+        for (Map.Entry<String, String> svg : page.svgs().entrySet()) {
+            Files.writeString(out.resolve(svg.getKey()), svg.getValue(), StandardCharsets.UTF_8);
+        }
+        results.writeCsv(out.resolve("results.csv"));
+        results.writeJson(out.resolve("results.json"));
+        summary(results);
+        System.out.println(report.toAbsolutePath());
+        return CommandLine.ExitCode.OK;
+    }
+
+    private Campaign.Plan plan() {
+        List<String> chosen = scenes;
+        if (chosen.isEmpty()) {
+            chosen =
+                    quick
+                            ? List.of("stack-4", "pyramid")
+                            : Case.all().stream().map(Case::id).toList();
+        }
+        List<Integer> steps = substeps;
+        if (steps.isEmpty()) {
+            steps = quick ? List.of(1, 4, 16) : List.of(1, 2, 4, 8, 16, 32);
+        }
+        positive("--substeps", steps);
+        positive("--workers", workers);
+        return new Campaign.Plan(
+                chosen.stream()
+                        .map(Case::of)
+                        .map(one -> quick ? one.with(one.quick()) : one)
+                        .toList(),
+                engines.isEmpty()
+                        ? List.of(Engine.values())
+                        : engines.stream().map(Engine::of).toList(),
+                workers,
+                steps.stream().sorted().distinct().toList(),
+                rounds > 0 ? rounds : quick ? 3 : 10,
+                quick ? 0.05 : 0.3,
+                quick ? 1 : 30);
+    }
+
+    private static void positive(String option, List<Integer> values) {
+        for (int value : values) {
+            if (value < 1) {
+                throw new IllegalArgumentException(
+                        "%s %d: counts start at 1".formatted(option, value));
+            }
+        }
+    }
+
+    private void summary(Results results) {
+        for (Results.Point point : results.points()) {
+            String failure = point.failure();
+            System.out.printf(
+                    Locale.ROOT,
+                    "%-12s%-8s w%d N%-3d %s%n",
+                    point.scene(),
+                    point.engine().title(),
+                    point.workers(),
+                    point.substeps(),
+                    failure != null
+                            ? "FAILED: " + failure
+                            : "error %s, overlap %s m, %s us per body and tick"
+                                    .formatted(
+                                            shown(point.judged().error()),
+                                            shown(point.judged().deepest()),
+                                            Page.number(point.cpuMicros())));
+        }
+    }
+
+    private static String shown(@Nullable Double value) {
+        return value == null ? "?" : Page.number(value);
+    }
+
+    /** A bar on a terminal, a line now and then elsewhere. */
+    private static final class Reporter implements AutoCloseable {
+        private final PrintStream err;
+        private final int total;
+        private final long start = System.nanoTime();
+        private final @Nullable ProgressBar bar;
+        private long lastLine = start;
+        private int done;
+
+        Reporter(PrintStream err, int total) {
+            this.err = err;
+            this.total = total;
+            bar =
+                    onTerminal()
+                            ? new ProgressBarBuilder()
+                                    .setTaskName("compare")
+                                    .setInitialMax(total)
+                                    .setStyle(ProgressBarStyle.ASCII)
+                                    .setConsumer(new ConsoleProgressBarConsumer(err, BAR_WIDTH))
+                                    .build()
+                            : null;
+        }
+
+        @SuppressWarnings(
+                "SystemConsoleNull") // The JDK promises a console but declares that it may be null.
+        private static boolean onTerminal() {
+            Console console = System.console();
+            return console != null && console.isTerminal();
+        }
+
+        void done(int requests, String underWay) {
+            done += requests;
+            if (bar != null) {
+                bar.stepBy(requests);
+                if (!underWay.isEmpty()) {
+                    bar.setExtraMessage(underWay);
+                }
+                return;
+            }
+            long now = System.nanoTime();
+            if ((now - lastLine) / 1e9 > LINE_SECONDS && done > 0) {
+                lastLine = now;
+                double spent = (now - start) / 1e9;
+                err.printf(
+                        Locale.ROOT,
+                        "%d of %d, about %.0f s left %s%n",
+                        done,
+                        total,
+                        spent * (total - done) / done,
+                        underWay);
+            }
+        }
+
+        @Override
+        public void close() {
+            if (bar != null) {
+                bar.close();
+            }
+        }
+    }
+}

@@ -1,0 +1,278 @@
+package dev.cairn.benchmarks.compare;
+
+import dev.cairn.benchmarks.peer.Engine;
+import dev.cairn.benchmarks.peer.Peer;
+
+import org.jspecify.annotations.Nullable;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+
+/** Writes the report as one page that needs nothing else: well-formed XHTML, pictures inside. */
+final class Page {
+    private static final String STYLE =
+            """
+            body { font: 16px/1.5 sans-serif; color: #222; max-width: 60em; margin: 2em auto;
+                   padding: 0 1em }
+            h1, h2 { line-height: 1.2 } h2 { margin-top: 2.5em; border-top: 1px solid #ccc;
+                   padding-top: 1em }
+            img { max-width: 100%; display: block }
+            table { border-collapse: collapse; font-size: 14px; margin: 1em 0 }
+            th, td { padding: .2em .7em; text-align: right; border-bottom: 1px solid #ddd;
+                   vertical-align: top }
+            th { border-bottom: 2px solid #888; font-weight: bold }
+            .text { text-align: left } .failed { color: #b00020 }
+            .best { font-weight: bold } p.note { color: #555; font-size: 14px }
+            """;
+
+    /** Engines whose contact counts differ by more than this share do not do the same work. */
+    private static final double DIFFERENT = 0.05;
+
+    private final Results results;
+    private final Map<String, String> svgs = new LinkedHashMap<>();
+    private final StringBuilder html = new StringBuilder();
+
+    Page(Results results) {
+        this.results = results;
+    }
+
+    /** Returns the diagrams by file name, once the page has been written. */
+    Map<String, String> svgs() {
+        return svgs;
+    }
+
+    String write() throws IOException {
+        html.append(
+                """
+                <!DOCTYPE html>
+                <html xmlns="http://www.w3.org/1999/xhtml" lang="en">
+                <head><meta charset="utf-8"/><title>Speed against error</title>
+                <style>
+                """);
+        html.append(STYLE).append("</style></head>\n<body>\n");
+        html.append("<h1>Rigid-body engines: speed against error</h1>\n");
+        html.append(
+                """
+                <p>Every engine simulates the same scenes. Each point below is one engine with one
+                number N of sub-steps per tick of 1/60 s; the curve joins its points from small N
+                to large. <b>Down is more accurate, left is cheaper: better is down-left.</b>
+                Both axes are logarithmic. A cross at the top edge is a run that failed; the table
+                below the diagram says why.</p>
+                """);
+        how();
+        Set<String> scenes = new LinkedHashSet<>();
+        results.points().forEach(point -> scenes.add(point.scene()));
+        for (String scene : scenes) {
+            scene(Case.of(scene));
+        }
+        engines();
+        facts("How it was run", results.settings());
+        facts("Machine", results.machine());
+        html.append("</body>\n</html>\n");
+        return html.toString();
+    }
+
+    private void how() {
+        html.append(
+                """
+                <p class="note">Scenes are built once, by Cairn's samples, and handed to all engines
+                as numbers: poses, shapes, mass, inertia, friction, restitution. Errors are computed
+                from the engines' poses by one piece of code, in runs of their own; overlaps are
+                measured by an exact separating-axis test outside all engines. CPU time is that of
+                the stepping thread and of the garbage collector, without building the scene,
+                without the first tick, per movable body. Engines run with their own defaults,
+                except for what is listed under “Engines”.</p>
+                """);
+    }
+
+    private void scene(Case scene) throws IOException {
+        List<Results.Point> all = results.of(scene.id());
+        html.append("<h2 id=\"").append(scene.id()).append("\">");
+        html.append(text(scene.title())).append("</h2>\n<p>").append(text(scene.truth()));
+        html.append("</p>\n<p class=\"note\">Scene <code>").append(text(scene.scene().id()));
+        html.append("</code> with ").append(text(all.getFirst().parameters()));
+        html.append(", ").append(all.getFirst().judged().ticks() > 0 ? "" : "up to ");
+        html.append(scene.ticks()).append(" ticks.</p>\n");
+        Set<Integer> workers = new TreeSet<>();
+        all.forEach(point -> workers.add(point.workers()));
+        for (int count : workers) {
+            List<Results.Point> points =
+                    all.stream().filter(point -> point.workers() == count).toList();
+            if (count == 1) {
+                String name = scene.id() + "-error";
+                picture(
+                        name,
+                        scene.title() + ": " + scene.error() + " against CPU time",
+                        Diagram.svg(points, scene.error(), point -> point.judged().error()));
+                if (overlaps(points)) {
+                    picture(
+                            scene.id() + "-overlap",
+                            scene.title() + ": deepest overlap against CPU time",
+                            Diagram.svg(
+                                    points,
+                                    "deepest overlap, m",
+                                    point -> point.judged().deepest()));
+                }
+            } else {
+                html.append("<h3>").append(count).append(" workers</h3>\n");
+                html.append("<p class=\"note\">CPU time is that of the calling thread only: read");
+                html.append(" the wall times.</p>\n");
+            }
+            table(scene, points);
+        }
+    }
+
+    private static boolean overlaps(List<Results.Point> points) {
+        for (Results.Point point : points) {
+            Double deepest = point.judged().deepest();
+            if (point.failure() == null && deepest != null && deepest > 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void picture(String name, String alt, String svg) {
+        svgs.put(name + ".svg", svg);
+        html.append("<img alt=\"").append(text(alt)).append("\" src=\"data:image/svg+xml;base64,");
+        html.append(Base64.getEncoder().encodeToString(svg.getBytes(StandardCharsets.UTF_8)));
+        html.append("\"/>\n");
+    }
+
+    private void table(Case scene, List<Results.Point> points) {
+        html.append("<table><tr><th class=\"text\">engine</th><th>N</th><th>");
+        html.append(text(scene.error())).append("</th><th>deepest overlap, m</th>");
+        html.append("<th>contacts</th><th>points</th><th>CPU µs per body and tick</th>");
+        html.append("<th>lowest … highest round</th>");
+        html.append("<th>tick ms, median</th><th>99 %</th></tr>\n");
+        int usual = usualPairs(points);
+        for (Results.Point point : points) {
+            Protocol.Answer judged = point.judged();
+            html.append("<tr><td class=\"text\">").append(text(point.engine().title()));
+            html.append("</td><td>").append(point.substeps()).append("</td>");
+            String failure = point.failure();
+            if (failure != null) {
+                html.append("<td class=\"text failed\" colspan=\"4\">").append(text(failure));
+                html.append("</td>");
+            } else {
+                cell(judged.error());
+                cell(judged.deepest());
+                count(judged.pairs(), usual);
+                count(judged.points(), Peer.UNKNOWN);
+            }
+            cell(point.cpuMicros());
+            html.append("<td>").append(number(point.cpuLow())).append(" … ");
+            html.append(number(point.cpuHigh())).append("</td>");
+            cell(point.medianMillis());
+            cell(point.p99Millis());
+            html.append("</tr>\n");
+        }
+        html.append("</table>\n");
+        html.append("<p class=\"note\">contacts, points: touching pairs and contact points after");
+        html.append(" the last tick, as the engine counts them; – where it does not say.");
+        html.append(" * more than 5 % off the median of the column: not the same work, so do not");
+        html.append(" compare the times.</p>\n");
+    }
+
+    private void engines() {
+        html.append("<h2>Engines</h2>\n<table><tr><th class=\"text\">engine</th>");
+        html.append("<th class=\"text\">version</th><th class=\"text\">kind</th>");
+        html.append(
+                "<th class=\"text\">N means</th><th class=\"text\">set, and not set</th></tr>\n");
+        for (Engine engine : Engine.values()) {
+            List<Results.Point> of =
+                    results.points().stream().filter(point -> point.engine() == engine).toList();
+            if (of.isEmpty()) {
+                continue;
+            }
+            List<String> notes = new ArrayList<>();
+            for (Results.Point point : of) {
+                if (notes.isEmpty()) {
+                    notes.addAll(point.judged().notes());
+                }
+            }
+            if (of.stream().allMatch(point -> point.judged().missing())) {
+                notes.add("not measured: " + of.getFirst().judged().failure());
+            }
+            html.append("<tr>");
+            for (String words : List.of(engine.title(), engine.version(), engine.kind())) {
+                html.append("<td class=\"text\">").append(text(words)).append("</td>");
+            }
+            html.append("<td class=\"text\">").append(text(engine.knob())).append("</td>");
+            html.append("<td class=\"text\">");
+            html.append(String.join(";<br/>", notes.stream().map(Page::text).toList()));
+            html.append("</td></tr>\n");
+        }
+        html.append("</table>\n");
+    }
+
+    private void facts(String title, Map<String, String> facts) {
+        html.append("<h2>").append(text(title)).append("</h2>\n<table>\n");
+        facts.forEach((name, value) ->
+                html.append("<tr><th class=\"text\">")
+                        .append(text(name))
+                        .append("</th><td class=\"text\">")
+                        .append(text(value))
+                        .append("</td></tr>\n"));
+        html.append("</table>\n");
+    }
+
+    private void cell(@Nullable Double value) {
+        html.append("<td>").append(value == null ? "–" : number(value)).append("</td>");
+    }
+
+    /** Writes a count, with a star if it is off the usual one. */
+    private void count(int value, int usual) {
+        boolean off =
+                usual >= 0
+                        && value >= 0
+                        && Math.abs(value - usual) > DIFFERENT * Math.max(1, usual);
+        html.append("<td>").append(value < 0 ? "–" : Integer.toString(value));
+        html.append(off ? "*" : "").append("</td>");
+    }
+
+    /** Returns the median of the contact counts that are known, or unknown. */
+    private static int usualPairs(List<Results.Point> points) {
+        int[] known =
+                points.stream()
+                        .filter(point -> point.failure() == null)
+                        .mapToInt(point -> point.judged().pairs())
+                        .filter(pairs -> pairs >= 0)
+                        .sorted()
+                        .toArray();
+        return known.length == 0 ? Peer.UNKNOWN : known[known.length / 2];
+    }
+
+    /** Three digits, without an exponent where that is short. */
+    static String number(double value) {
+        if (Double.isNaN(value)) {
+            return "–";
+        }
+        double size = Math.abs(value);
+        if (size == 0) {
+            return "0";
+        }
+        if (size >= 1e-3 && size < 1e5) {
+            int digits = Math.clamp(2 - (int) Math.floor(StrictMath.log10(size)), 0, 5);
+            return String.format(Locale.ROOT, "%." + digits + "f", value);
+        }
+        return String.format(Locale.ROOT, "%.2e", value);
+    }
+
+    private static String text(Object value) {
+        return value.toString()
+                .replace("&", "&amp;")
+                .replace("<", "&lt;")
+                .replace(">", "&gt;")
+                .replace("\"", "&quot;");
+    }
+}

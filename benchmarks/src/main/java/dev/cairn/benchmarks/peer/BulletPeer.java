@@ -1,0 +1,177 @@
+package dev.cairn.benchmarks.peer;
+
+import com.jme3.bullet.PhysicsSpace;
+import com.jme3.bullet.collision.PersistentManifolds;
+import com.jme3.bullet.collision.shapes.BoxCollisionShape;
+import com.jme3.bullet.collision.shapes.CollisionShape;
+import com.jme3.bullet.collision.shapes.SphereCollisionShape;
+import com.jme3.bullet.objects.PhysicsRigidBody;
+import com.jme3.bullet.util.NativeLibrary;
+import com.jme3.math.Quaternion;
+import com.jme3.math.Vector3f;
+import com.simsilica.mathd.Quatd;
+import com.simsilica.mathd.Vec3d;
+
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Sphere;
+
+import org.joml.Vector3dc;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+
+/** Bullet by way of Libbulletjme. */
+final class BulletPeer implements Peer {
+    /** Kept, or its level would be lost with it. */
+    private static final Logger QUIET = Logger.getLogger("com.jme3.bullet");
+
+    private static boolean ready;
+
+    private final PeerSettings settings;
+    private final float substepSeconds;
+    private final PhysicsSpace space;
+    private final List<PhysicsRigidBody> bodies = new ArrayList<>();
+    private final Vec3d at = new Vec3d();
+    private final Quatd turned = new Quatd();
+
+    BulletPeer(SceneDescription scene, PeerSettings settings) {
+        this.settings = settings;
+        this.substepSeconds = (float) (scene.stepSeconds() / settings.substeps());
+        prepare();
+        space = new PhysicsSpace(PhysicsSpace.BroadphaseType.DBVT);
+        space.setGravity(new Vector3f(0, (float) -scene.gravity(), 0));
+        double common = Restitutions.common(scene);
+        for (SceneDescription.Solid solid : scene.bodies()) {
+            add(solid, common);
+        }
+    }
+
+    private static void prepare() {
+        if (ready) {
+            return;
+        }
+        QUIET.setLevel(Level.OFF);
+        String arch = System.getProperty("os.arch", "");
+        String folder = arch.equals("aarch64") || arch.equals("arm64") ? "arm64" : "x86_64";
+        String file =
+                switch (Natives.system()) {
+                    case "windows" -> "bulletjme.dll";
+                    case "osx" -> "libbulletjme.dylib";
+                    default -> "libbulletjme.so";
+                };
+        Natives.load(
+                Engine.BULLET,
+                List.of("native/%s/%s/%s".formatted(Natives.system(), folder, file)));
+        NativeLibrary.setStartupMessageEnabled(false);
+        ready = true;
+    }
+
+    private void add(SceneDescription.Solid solid, double commonRestitution) {
+        CollisionShape shape =
+                switch (solid.shape()) {
+                    case Box box ->
+                            new BoxCollisionShape(
+                                    (float) box.halfX(), (float) box.halfY(), (float) box.halfZ());
+                    case Sphere sphere -> new SphereCollisionShape((float) sphere.radius());
+                    case ConvexHull _ ->
+                            throw new IllegalArgumentException(
+                                    "Bullet: takes no inertia with products, so hulls are left"
+                                            + " out");
+                };
+        PhysicsRigidBody body = new PhysicsRigidBody(shape, (float) solid.mass());
+        body.setPhysicsLocation(vector(solid.centre()));
+        body.setPhysicsRotation(
+                new Quaternion(
+                        (float) solid.rotation().x(),
+                        (float) solid.rotation().y(),
+                        (float) solid.rotation().z(),
+                        (float) solid.rotation().w()));
+        body.setFriction((float) Math.sqrt(solid.friction()));
+        body.setRestitution((float) Restitutions.factor(solid, commonRestitution));
+        if (!solid.fixed()) {
+            body.setInverseInertiaLocal(
+                    new Vector3f(
+                            (float) (1 / solid.inertia().m00()),
+                            (float) (1 / solid.inertia().m11()),
+                            (float) (1 / solid.inertia().m22())));
+            Vector3f inverse = body.getInverseInertiaLocal(new Vector3f());
+            ReadBack.inertia(Engine.BULLET, solid, 1 / inverse.x, 1 / inverse.y, 1 / inverse.z);
+            body.setDamping(0, 0);
+            body.setEnableSleep(false);
+            body.setLinearVelocity(vector(solid.velocity()));
+            body.setAngularVelocity(vector(solid.angularVelocity()));
+        }
+        space.addCollisionObject(body);
+        bodies.add(body);
+    }
+
+    private static Vector3f vector(Vector3dc v) {
+        return new Vector3f((float) v.x(), (float) v.y(), (float) v.z());
+    }
+
+    @Override
+    public void step() {
+        for (int n = 0; n < settings.substeps(); n++) {
+            // maxSubSteps 0: one step of exactly this length, no listeners.
+            space.update(substepSeconds, 0, false, false, false);
+        }
+    }
+
+    @Override
+    public void readPoses(double[] poses) {
+        int o = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            PhysicsRigidBody body = bodies.get(i);
+            body.getPhysicsLocationDp(at);
+            body.getPhysicsRotationDp(turned);
+            poses[o] = at.x;
+            poses[o + 1] = at.y;
+            poses[o + 2] = at.z;
+            poses[o + 3] = turned.x;
+            poses[o + 4] = turned.y;
+            poses[o + 5] = turned.z;
+            poses[o + 6] = turned.w;
+            o += POSE_STRIDE;
+        }
+    }
+
+    @Override
+    public int contactPairs() {
+        int pairs = 0;
+        for (long manifold : space.listManifoldIds()) {
+            pairs += PersistentManifolds.countPoints(manifold) > 0 ? 1 : 0;
+        }
+        return pairs;
+    }
+
+    @Override
+    public int contactPoints() {
+        int points = 0;
+        for (long manifold : space.listManifoldIds()) {
+            points += PersistentManifolds.countPoints(manifold);
+        }
+        return points;
+    }
+
+    @Override
+    public List<String> notes() {
+        return List.of(
+                "10 iterations, ERP and margins (4 cm, inside boxes) as they come",
+                "sleeping and damping off",
+                "frictions of a pair are multiplied by the engine: bodies carry the square root",
+                "restitutions are multiplied: bodies carry e or 1, right if one e > 0 per scene",
+                "one thread: the multithreaded build is a library of its own, left out");
+    }
+
+    @Override
+    public void close() {
+        for (PhysicsRigidBody body : bodies) {
+            space.removeCollisionObject(body);
+        }
+        bodies.clear();
+        space.destroy();
+    }
+}

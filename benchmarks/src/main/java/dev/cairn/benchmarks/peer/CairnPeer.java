@@ -1,0 +1,104 @@
+package dev.cairn.benchmarks.peer;
+
+import dev.cairn.physics.Body;
+import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.Contacts;
+import dev.cairn.physics.Material;
+import dev.cairn.physics.PhysicsWorld;
+
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Cairn, built from the description like all others. */
+final class CairnPeer implements Peer {
+    private final SceneDescription scene;
+    private final PhysicsWorld world;
+    private final List<BodyRef> bodies = new ArrayList<>();
+    private final Vector3d at = new Vector3d();
+    private final Quaterniond turned = new Quaterniond();
+
+    CairnPeer(SceneDescription scene, PeerSettings settings) {
+        this.scene = scene;
+        this.world =
+                PhysicsWorld.builder()
+                        .gravity(0, -scene.gravity(), 0)
+                        .workers(settings.workers())
+                        .substeps(settings.substeps())
+                        .build();
+        for (SceneDescription.Solid solid : scene.bodies()) {
+            Vector3d shift = solid.rotation().transform(solid.shape().centreOfMass(new Vector3d()));
+            Vector3d origin = new Vector3d(solid.centre()).sub(shift);
+            Body body = solid.fixed() ? Body.fixed() : Body.dynamic().mass(solid.mass());
+            body.shape(solid.shape())
+                    .at(origin.x, origin.y, origin.z)
+                    .rotation(solid.rotation())
+                    .material(new Material(solid.friction(), solid.restitution(), 1000));
+            if (!solid.fixed()) {
+                body.velocity(solid.velocity().x(), solid.velocity().y(), solid.velocity().z())
+                        .angularVelocity(
+                                solid.angularVelocity().x(),
+                                solid.angularVelocity().y(),
+                                solid.angularVelocity().z());
+            }
+            bodies.add(world.add(body));
+        }
+    }
+
+    @Override
+    public void step() {
+        world.step(scene.stepSeconds());
+    }
+
+    @Override
+    public void readPoses(double[] poses) {
+        int o = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            BodyRef body = bodies.get(i);
+            body.centreOfMass(at);
+            body.orientation(turned);
+            poses[o] = at.x;
+            poses[o + 1] = at.y;
+            poses[o + 2] = at.z;
+            poses[o + 3] = turned.x;
+            poses[o + 4] = turned.y;
+            poses[o + 5] = turned.z;
+            poses[o + 6] = turned.w;
+            o += POSE_STRIDE;
+        }
+    }
+
+    @Override
+    public int contactPairs() {
+        Contacts contacts = world.contacts();
+        int pairs = 0;
+        for (int c = 0; c < contacts.count(); c++) {
+            pairs += contacts.touching(c) ? 1 : 0;
+        }
+        return pairs;
+    }
+
+    @Override
+    public int contactPoints() {
+        Contacts contacts = world.contacts();
+        int points = 0;
+        for (int c = 0; c < contacts.count(); c++) {
+            points += contacts.touching(c) ? contacts.pointCount(c) : 0;
+        }
+        return points;
+    }
+
+    @Override
+    public List<String> notes() {
+        return List.of(
+                "defaults throughout; no sleeping, no damping exist",
+                "inertia: taken from shape and mass, the source of the description");
+    }
+
+    @Override
+    public void close() {
+        world.close();
+    }
+}

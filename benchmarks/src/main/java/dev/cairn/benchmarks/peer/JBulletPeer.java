@@ -1,0 +1,164 @@
+package dev.cairn.benchmarks.peer;
+
+import com.bulletphysics.collision.broadphase.DbvtBroadphase;
+import com.bulletphysics.collision.dispatch.CollisionDispatcher;
+import com.bulletphysics.collision.dispatch.CollisionObject;
+import com.bulletphysics.collision.dispatch.DefaultCollisionConfiguration;
+import com.bulletphysics.collision.shapes.BoxShape;
+import com.bulletphysics.collision.shapes.CollisionShape;
+import com.bulletphysics.collision.shapes.SphereShape;
+import com.bulletphysics.dynamics.DiscreteDynamicsWorld;
+import com.bulletphysics.dynamics.RigidBody;
+import com.bulletphysics.dynamics.RigidBodyConstructionInfo;
+import com.bulletphysics.dynamics.constraintsolver.SequentialImpulseConstraintSolver;
+import com.bulletphysics.linearmath.DefaultMotionState;
+import com.bulletphysics.linearmath.Transform;
+
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Sphere;
+
+import org.joml.Vector3dc;
+
+import java.util.ArrayList;
+import java.util.List;
+
+import javax.vecmath.Quat4f;
+import javax.vecmath.Vector3f;
+
+/** JBullet, the Java port of Bullet 2.72. */
+final class JBulletPeer implements Peer {
+    private final PeerSettings settings;
+    private final float substepSeconds;
+    private final CollisionDispatcher dispatcher;
+    private final DiscreteDynamicsWorld world;
+    private final List<RigidBody> bodies = new ArrayList<>();
+    private final Vector3f at = new Vector3f();
+    private final Quat4f turned = new Quat4f();
+
+    JBulletPeer(SceneDescription scene, PeerSettings settings) {
+        this.settings = settings;
+        this.substepSeconds = (float) (scene.stepSeconds() / settings.substeps());
+        DefaultCollisionConfiguration configuration = new DefaultCollisionConfiguration();
+        dispatcher = new CollisionDispatcher(configuration);
+        world =
+                new DiscreteDynamicsWorld(
+                        dispatcher,
+                        new DbvtBroadphase(),
+                        new SequentialImpulseConstraintSolver(),
+                        configuration);
+        world.setGravity(new Vector3f(0, (float) -scene.gravity(), 0));
+        double common = Restitutions.common(scene);
+        for (SceneDescription.Solid solid : scene.bodies()) {
+            add(solid, common);
+        }
+    }
+
+    private void add(SceneDescription.Solid solid, double commonRestitution) {
+        CollisionShape shape =
+                switch (solid.shape()) {
+                    case Box box ->
+                            new BoxShape(
+                                    new Vector3f(
+                                            (float) box.halfX(),
+                                            (float) box.halfY(),
+                                            (float) box.halfZ()));
+                    case Sphere sphere -> new SphereShape((float) sphere.radius());
+                    case ConvexHull _ ->
+                            throw new IllegalArgumentException(
+                                    "JBullet: takes no inertia with products, so hulls are left"
+                                            + " out");
+                };
+        Transform start = new Transform();
+        start.setIdentity();
+        start.setRotation(
+                new Quat4f(
+                        (float) solid.rotation().x(),
+                        (float) solid.rotation().y(),
+                        (float) solid.rotation().z(),
+                        (float) solid.rotation().w()));
+        start.origin.set(vector(solid.centre()));
+        RigidBodyConstructionInfo info =
+                new RigidBodyConstructionInfo(
+                        (float) solid.mass(),
+                        new DefaultMotionState(start),
+                        shape,
+                        new Vector3f(
+                                (float) solid.inertia().m00(),
+                                (float) solid.inertia().m11(),
+                                (float) solid.inertia().m22()));
+        info.friction = (float) Math.sqrt(solid.friction());
+        info.restitution = (float) Restitutions.factor(solid, commonRestitution);
+        info.linearDamping = 0;
+        info.angularDamping = 0;
+        RigidBody body = new RigidBody(info);
+        if (!solid.fixed()) {
+            body.setLinearVelocity(vector(solid.velocity()));
+            body.setAngularVelocity(vector(solid.angularVelocity()));
+            body.setActivationState(CollisionObject.DISABLE_DEACTIVATION);
+        }
+        world.addRigidBody(body);
+        bodies.add(body);
+    }
+
+    private static Vector3f vector(Vector3dc v) {
+        return new Vector3f((float) v.x(), (float) v.y(), (float) v.z());
+    }
+
+    @Override
+    public void step() {
+        for (int n = 0; n < settings.substeps(); n++) {
+            // maxSubSteps 0: one step of exactly this length.
+            world.stepSimulation(substepSeconds, 0);
+        }
+    }
+
+    @Override
+    public void readPoses(double[] poses) {
+        int o = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            bodies.get(i).getCenterOfMassPosition(at);
+            bodies.get(i).getOrientation(turned);
+            poses[o] = at.x;
+            poses[o + 1] = at.y;
+            poses[o + 2] = at.z;
+            poses[o + 3] = turned.x;
+            poses[o + 4] = turned.y;
+            poses[o + 5] = turned.z;
+            poses[o + 6] = turned.w;
+            o += POSE_STRIDE;
+        }
+    }
+
+    @Override
+    public int contactPairs() {
+        int pairs = 0;
+        for (int m = 0; m < dispatcher.getNumManifolds(); m++) {
+            pairs += dispatcher.getManifoldByIndexInternal(m).getNumContacts() > 0 ? 1 : 0;
+        }
+        return pairs;
+    }
+
+    @Override
+    public int contactPoints() {
+        int points = 0;
+        for (int m = 0; m < dispatcher.getNumManifolds(); m++) {
+            points += dispatcher.getManifoldByIndexInternal(m).getNumContacts();
+        }
+        return points;
+    }
+
+    @Override
+    public List<String> notes() {
+        return List.of(
+                "10 iterations, ERP and margins as they come; sleeping and damping off",
+                "frictions of a pair are multiplied by the engine: bodies carry the square root",
+                "restitutions are multiplied: bodies carry e or 1, right if one e > 0 per scene",
+                "no gyroscopic torque: a body spins with constant angular velocity");
+    }
+
+    @Override
+    public void close() {
+        world.destroy();
+    }
+}

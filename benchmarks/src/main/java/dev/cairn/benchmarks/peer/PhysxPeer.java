@@ -1,0 +1,217 @@
+package dev.cairn.benchmarks.peer;
+
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Sphere;
+
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+
+import physx.PxTopLevelFunctions;
+import physx.common.PxDefaultAllocator;
+import physx.common.PxDefaultCpuDispatcher;
+import physx.common.PxDefaultErrorCallback;
+import physx.common.PxFoundation;
+import physx.common.PxQuat;
+import physx.common.PxTolerancesScale;
+import physx.common.PxTransform;
+import physx.common.PxVec3;
+import physx.geometry.PxBoxGeometry;
+import physx.geometry.PxGeometry;
+import physx.geometry.PxSphereGeometry;
+import physx.physics.PxCombineModeEnum;
+import physx.physics.PxFilterData;
+import physx.physics.PxMaterial;
+import physx.physics.PxPhysics;
+import physx.physics.PxRigidActor;
+import physx.physics.PxRigidDynamic;
+import physx.physics.PxScene;
+import physx.physics.PxSceneDesc;
+import physx.physics.PxShape;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** PhysX on the CPU, by way of physx-jni. */
+final class PhysxPeer implements Peer {
+    private static @Nullable PxPhysics shared;
+    private static @Nullable PxTolerancesScale scale;
+
+    private final PeerSettings settings;
+    private final float substepSeconds;
+    private final PxPhysics physics;
+    private final PxDefaultCpuDispatcher dispatcher;
+    private final PxScene scene;
+    private final List<PxRigidActor> actors = new ArrayList<>();
+
+    PhysxPeer(SceneDescription description, PeerSettings settings) {
+        this.settings = settings;
+        this.substepSeconds = (float) (description.stepSeconds() / settings.substeps());
+        if (System.getProperty("cairn.natives.physx") != null) {
+            Natives.load(Engine.PHYSX, List.of());
+        }
+        physics = physics();
+        dispatcher = PxTopLevelFunctions.DefaultCpuDispatcherCreate(settings.workers() - 1);
+        PxSceneDesc desc = new PxSceneDesc(scale());
+        PxVec3 gravity = new PxVec3(0, (float) -description.gravity(), 0);
+        desc.setGravity(gravity);
+        desc.setCpuDispatcher(dispatcher);
+        desc.setFilterShader(PxTopLevelFunctions.DefaultFilterShader());
+        scene = physics.createScene(desc);
+        gravity.destroy();
+        desc.destroy();
+        for (SceneDescription.Solid solid : description.bodies()) {
+            add(solid);
+        }
+    }
+
+    private static PxPhysics physics() {
+        PxPhysics known = shared;
+        if (known == null) {
+            int version = PxTopLevelFunctions.getPHYSICS_VERSION();
+            PxFoundation foundation =
+                    PxTopLevelFunctions.CreateFoundation(
+                            version, new PxDefaultAllocator(), new PxDefaultErrorCallback());
+            known = PxTopLevelFunctions.CreatePhysics(version, foundation, scale());
+            shared = known;
+        }
+        return known;
+    }
+
+    private static PxTolerancesScale scale() {
+        PxTolerancesScale known = scale;
+        if (known == null) {
+            known = new PxTolerancesScale();
+            scale = known;
+        }
+        return known;
+    }
+
+    private void add(SceneDescription.Solid solid) {
+        PxVec3 at = vector(solid.centre());
+        PxQuat turned =
+                new PxQuat(
+                        (float) solid.rotation().x(),
+                        (float) solid.rotation().y(),
+                        (float) solid.rotation().z(),
+                        (float) solid.rotation().w());
+        PxTransform pose = new PxTransform(at, turned);
+        PxGeometry geometry =
+                switch (solid.shape()) {
+                    case Box box ->
+                            new PxBoxGeometry(
+                                    (float) box.halfX(), (float) box.halfY(), (float) box.halfZ());
+                    case Sphere sphere -> new PxSphereGeometry((float) sphere.radius());
+                    case ConvexHull _ ->
+                            throw new IllegalArgumentException(
+                                    "PhysX: hulls are not handed over yet; see"
+                                            + " docs/benchmarks.md");
+                };
+        float friction = (float) Math.sqrt(solid.friction());
+        PxMaterial material =
+                physics.createMaterial(friction, friction, (float) solid.restitution());
+        material.setFrictionCombineMode(PxCombineModeEnum.eMULTIPLY);
+        material.setRestitutionCombineMode(PxCombineModeEnum.eMAX);
+        PxShape shape = physics.createShape(geometry, material, true);
+        // The default filter shader lets pairs through whose words agree.
+        PxFilterData group = new PxFilterData(1, 1, 0, 0);
+        shape.setSimulationFilterData(group);
+        group.destroy();
+        PxRigidActor actor;
+        if (solid.fixed()) {
+            actor = physics.createRigidStatic(pose);
+            actor.attachShape(shape);
+        } else {
+            PxRigidDynamic body = physics.createRigidDynamic(pose);
+            body.attachShape(shape);
+            body.setMass((float) solid.mass());
+            PxVec3 inertia =
+                    new PxVec3(
+                            (float) solid.inertia().m00(),
+                            (float) solid.inertia().m11(),
+                            (float) solid.inertia().m22());
+            body.setMassSpaceInertiaTensor(inertia);
+            PxVec3 set = body.getMassSpaceInertiaTensor();
+            ReadBack.inertia(Engine.PHYSX, solid, set.getX(), set.getY(), set.getZ());
+            body.setLinearDamping(0);
+            body.setAngularDamping(0);
+            body.setSleepThreshold(0);
+            body.setMaxAngularVelocity(1e4f);
+            PxVec3 velocity = vector(solid.velocity());
+            PxVec3 spin = vector(solid.angularVelocity());
+            body.setLinearVelocity(velocity);
+            body.setAngularVelocity(spin);
+            velocity.destroy();
+            spin.destroy();
+            inertia.destroy();
+            actor = body;
+        }
+        shape.release();
+        material.release();
+        pose.destroy();
+        turned.destroy();
+        at.destroy();
+        scene.addActor(actor);
+        actors.add(actor);
+    }
+
+    private static PxVec3 vector(Vector3dc v) {
+        return new PxVec3((float) v.x(), (float) v.y(), (float) v.z());
+    }
+
+    @Override
+    public void step() {
+        for (int n = 0; n < settings.substeps(); n++) {
+            scene.simulate(substepSeconds);
+            scene.fetchResults(true);
+        }
+    }
+
+    @Override
+    public void readPoses(double[] poses) {
+        int o = 0;
+        for (int i = 0; i < actors.size(); i++) {
+            PxTransform pose = actors.get(i).getGlobalPose();
+            PxVec3 at = pose.getP();
+            PxQuat turned = pose.getQ();
+            poses[o] = at.getX();
+            poses[o + 1] = at.getY();
+            poses[o + 2] = at.getZ();
+            poses[o + 3] = turned.getX();
+            poses[o + 4] = turned.getY();
+            poses[o + 5] = turned.getZ();
+            poses[o + 6] = turned.getW();
+            o += POSE_STRIDE;
+        }
+    }
+
+    @Override
+    public int contactPairs() {
+        return UNKNOWN;
+    }
+
+    @Override
+    public int contactPoints() {
+        return UNKNOWN;
+    }
+
+    @Override
+    public List<String> notes() {
+        return List.of(
+                "PGS with 4 position and 1 velocity iterations, patch friction, bounce threshold"
+                        + " 2 m/s as they come",
+                "sleeping and damping off; no gyroscopic torque in this version",
+                "friction: bodies carry the square root, combined by product; restitution by max",
+                "contacts are not counted: this version's Java side has no way to");
+    }
+
+    @Override
+    public void close() {
+        for (PxRigidActor actor : actors) {
+            actor.release();
+        }
+        actors.clear();
+        scene.release();
+        dispatcher.destroy();
+    }
+}
