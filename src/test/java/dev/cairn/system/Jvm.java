@@ -11,14 +11,20 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** Starts the samples in a JVM of their own, with this JVM's class path and Java. */
+/** Starts a program in a JVM of their own, with this JVM's class path and Java. */
 final class Jvm {
     private static final long LIMIT_SECONDS = 180;
 
     private Jvm() {}
 
-    /** Standard output of a run that must end with exit code 0. */
+    /** Standard output of a run of the samples that must end with exit code 0. */
     static String samples(Path directory, List<String> flags, List<String> arguments)
+            throws IOException, InterruptedException {
+        return run(directory, flags, "dev.cairn.samples.Main", arguments);
+    }
+
+    /** Standard output of a run that must end with exit code 0. */
+    static String run(Path directory, List<String> flags, String mainClass, List<String> arguments)
             throws IOException, InterruptedException {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
@@ -30,7 +36,7 @@ final class Jvm {
                         "-cp",
                         System.getProperty("java.class.path")));
         command.addAll(flags);
-        command.add("dev.cairn.samples.Main");
+        command.add(mainClass);
         command.addAll(arguments);
         Path out = Files.createTempFile(directory, "out", ".txt");
         Path err = Files.createTempFile(directory, "err", ".txt");
