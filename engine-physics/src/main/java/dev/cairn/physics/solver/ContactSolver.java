@@ -29,7 +29,7 @@ public final class ContactSolver {
 
     private final SolverSettings settings;
     private final SolverBodies body = new SolverBodies();
-    private final ContactRows rows = new ContactRows();
+    private final ConstraintRows rows = new ConstraintRows();
     private final Impacts impacts = new Impacts();
     private final LoadSweep loads = new LoadSweep();
     private final Unloading unloading = new Unloading();
@@ -172,11 +172,11 @@ public final class ContactSolver {
             }
             int a = contacts.bodyA[c];
             int b = contacts.bodyB[c];
-            int l = n * ContactRows.LINK;
-            rows.link[l + ContactRows.BODY_A] = a * SolverBodies.STRIDE;
-            rows.link[l + ContactRows.BODY_B] = b * SolverBodies.STRIDE;
-            rows.link[l + ContactRows.COUNT] = contacts.pointCount[c];
-            rows.link[l + ContactRows.SOURCE] = c;
+            int l = n * ConstraintRows.LINK;
+            rows.link[l + ConstraintRows.BODY_A] = a * SolverBodies.STRIDE;
+            rows.link[l + ConstraintRows.BODY_B] = b * SolverBodies.STRIDE;
+            rows.link[l + ConstraintRows.COUNT] = contacts.pointCount[c];
+            rows.link[l + ConstraintRows.SOURCE] = c;
             boolean still =
                     bodies.kind[a] != BodyStore.DYNAMIC || bodies.kind[b] != BodyStore.DYNAMIC;
             stacked |= !still;
@@ -289,21 +289,21 @@ public final class ContactSolver {
 
     private void storeRow(ContactStore contacts, int c, int m) {
         double[] d = rows.row;
-        int r = m * ContactRows.ROW;
-        double f1 = d[r + ContactRows.LAMBDA];
-        double f2 = d[r + ContactRows.LAMBDA + 1];
-        int t1 = r + ContactRows.TANGENT1;
-        int t2 = r + ContactRows.TANGENT2;
+        int r = m * ConstraintRows.ROW;
+        double f1 = d[r + ConstraintRows.LAMBDA];
+        double f2 = d[r + ConstraintRows.LAMBDA + 1];
+        int t1 = r + ConstraintRows.TANGENT1;
+        int t2 = r + ConstraintRows.TANGENT2;
         contacts.frictionImpulseX[c] = f1 * d[t1] + f2 * d[t2];
         contacts.frictionImpulseY[c] = f1 * d[t1 + 1] + f2 * d[t2 + 1];
         contacts.frictionImpulseZ[c] = f1 * d[t1 + 2] + f2 * d[t2 + 2];
-        contacts.twistImpulse[c] = d[r + ContactRows.LAMBDA + 2];
+        contacts.twistImpulse[c] = d[r + ConstraintRows.LAMBDA + 2];
         for (int k = 0; k < contacts.pointCount[c]; k++) {
-            int o = (ContactStore.POINTS * m + k) * ContactRows.POINT;
+            int o = (ContactStore.POINTS * m + k) * ConstraintRows.POINT;
             contacts.normalImpulse[ContactStore.POINTS * c + k] =
-                    rows.point[o + ContactRows.IMPULSE];
+                    rows.point[o + ConstraintRows.IMPULSE];
             contacts.totalNormalImpulse[ContactStore.POINTS * c + k] =
-                    rows.point[o + ContactRows.SUM];
+                    rows.point[o + ConstraintRows.SUM];
         }
     }
 
@@ -316,9 +316,9 @@ public final class ContactSolver {
      */
     double totalFriction(int row, int axis) {
         double[] d = rows.row;
-        int r = row * ContactRows.ROW;
-        return d[r + ContactRows.TOTAL] * d[r + ContactRows.TANGENT1 + axis]
-                + d[r + ContactRows.TOTAL + 1] * d[r + ContactRows.TANGENT2 + axis];
+        int r = row * ConstraintRows.ROW;
+        return d[r + ConstraintRows.TOTAL] * d[r + ConstraintRows.TANGENT1 + axis]
+                + d[r + ConstraintRows.TOTAL + 1] * d[r + ConstraintRows.TANGENT2 + axis];
     }
 
     /** Size of gravity, m/s². */

@@ -1,13 +1,13 @@
 package dev.cairn.physics.solver;
 
-import static dev.cairn.physics.solver.ContactRows.GAP;
-import static dev.cairn.physics.solver.ContactRows.IMPULSE;
-import static dev.cairn.physics.solver.ContactRows.LAMBDA;
-import static dev.cairn.physics.solver.ContactRows.LINK;
-import static dev.cairn.physics.solver.ContactRows.POINT;
-import static dev.cairn.physics.solver.ContactRows.ROW;
-import static dev.cairn.physics.solver.ContactRows.STRIKE;
-import static dev.cairn.physics.solver.ContactRows.TOTAL;
+import static dev.cairn.physics.solver.ConstraintRows.GAP;
+import static dev.cairn.physics.solver.ConstraintRows.IMPULSE;
+import static dev.cairn.physics.solver.ConstraintRows.LAMBDA;
+import static dev.cairn.physics.solver.ConstraintRows.LINK;
+import static dev.cairn.physics.solver.ConstraintRows.POINT;
+import static dev.cairn.physics.solver.ConstraintRows.ROW;
+import static dev.cairn.physics.solver.ConstraintRows.STRIKE;
+import static dev.cairn.physics.solver.ConstraintRows.TOTAL;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
@@ -45,7 +45,7 @@ final class Impacts {
 
     /** Handles all impacts of one sub-step, in row order, until none is left. */
     void run(
-            ContactRows rows,
+            ConstraintRows rows,
             SolverBodies bodies,
             BodyStore store,
             double[] g,
@@ -62,7 +62,7 @@ final class Impacts {
     }
 
     private boolean impact(
-            ContactRows rows,
+            ConstraintRows rows,
             int m,
             SolverBodies bodies,
             BodyStore store,
@@ -80,7 +80,7 @@ final class Impacts {
         double[] f = acceleration;
         double an = d[r] * (f[3] - f[0]) + d[r + 1] * (f[4] - f[1]) + d[r + 2] * (f[5] - f[2]);
         int first = ContactStore.POINTS * m * POINT;
-        int end = first + rows.link[m * LINK + ContactRows.COUNT] * POINT;
+        int end = first + rows.link[m * LINK + ConstraintRows.COUNT] * POINT;
         double time = Double.POSITIVE_INFINITY;
         for (int o = first; o < end; o += POINT) {
             time =
@@ -96,7 +96,7 @@ final class Impacts {
         if (time == Double.POSITIVE_INFINITY) {
             return false;
         }
-        double flush = FLUSH * d[r + ContactRows.RADIUS];
+        double flush = FLUSH * d[r + ConstraintRows.RADIUS];
         for (int o = first; o < end; o += POINT) {
             double v = speed(d, r, q, o, body, a, b);
             double now = gap(d, r, q, o, body, a, b);
@@ -104,7 +104,7 @@ final class Impacts {
             // the wanted speed after the impact; NaN for points that do not touch then
             q[o + STRIKE] =
                     at <= flush + SOON * now
-                            ? Math.max(0, -d[r + ContactRows.RESTITUTION] * (v + time * an))
+                            ? Math.max(0, -d[r + ConstraintRows.RESTITUTION] * (v + time * an))
                             : Double.NaN;
         }
         strike(rows, m, body, store, time, time * an);
@@ -154,7 +154,7 @@ final class Impacts {
      * the shift of the start.
      */
     private static void strike(
-            ContactRows rows, int m, double[] body, BodyStore store, double time, double early) {
+            ConstraintRows rows, int m, double[] body, BodyStore store, double time, double early) {
         double[] d = rows.row;
         double[] q = rows.point;
         int r = m * ROW;
@@ -173,7 +173,7 @@ final class Impacts {
         double bv = body[b + 4];
         double bw = body[b + 5];
         int first = ContactStore.POINTS * m * POINT;
-        int end = first + rows.link[m * LINK + ContactRows.COUNT] * POINT;
+        int end = first + rows.link[m * LINK + ConstraintRows.COUNT] * POINT;
         for (int o = first; o < end; o += POINT) {
             q[o + IMPULSE] = 0;
         }
@@ -182,12 +182,12 @@ final class Impacts {
         double normal = 0;
         for (int o = first; o < end; o += POINT) {
             normal += q[o + IMPULSE];
-            q[o + ContactRows.SUM] += q[o + IMPULSE];
+            q[o + ConstraintRows.SUM] += q[o + IMPULSE];
         }
         d[r + LAMBDA] = 0;
         d[r + LAMBDA + 1] = 0;
         d[r + LAMBDA + 2] = 0;
-        if (d[r + ContactRows.FRICTION] > 0) {
+        if (d[r + ConstraintRows.FRICTION] > 0) {
             RowKernels.friction(rows, m, body, normal);
             for (int k = 0; k < 3; k++) {
                 d[r + TOTAL + k] += d[r + LAMBDA + k];
@@ -207,7 +207,7 @@ final class Impacts {
      * the points.
      */
     private static void uniform(
-            ContactRows rows, int m, double[] body, int first, int end, double early) {
+            ConstraintRows rows, int m, double[] body, int first, int end, double early) {
         double[] d = rows.row;
         double[] q = rows.point;
         int r = m * ROW;
@@ -228,7 +228,7 @@ final class Impacts {
                 }
             }
         }
-        response += (double) n * n * (d[r + ContactRows.MASS_A] + d[r + ContactRows.MASS_B]);
+        response += (double) n * n * (d[r + ConstraintRows.MASS_A] + d[r + ConstraintRows.MASS_B]);
         double impulse = -miss / response;
         for (int o = first; impulse > 0 && o < end; o += POINT) {
             if (!Double.isNaN(q[o + STRIKE])) {
@@ -240,7 +240,7 @@ final class Impacts {
 
     /** {@code v_i + early >= goal_i, l_i >= 0}, complementary, by Gauss-Seidel to convergence. */
     private static void newton(
-            ContactRows rows, int m, double[] body, int first, int end, double early) {
+            ConstraintRows rows, int m, double[] body, int first, int end, double early) {
         double[] d = rows.row;
         double[] q = rows.point;
         int r = m * ROW;
@@ -256,7 +256,7 @@ final class Impacts {
                 }
                 double v = speed(d, r, q, o, body, a, b) + early;
                 double old = q[o + IMPULSE];
-                double next = Math.max(0, old - q[o + ContactRows.MASS] * (v - goal));
+                double next = Math.max(0, old - q[o + ConstraintRows.MASS] * (v - goal));
                 double delta = next - old;
                 q[o + IMPULSE] = next;
                 largest = Math.max(largest, Math.abs(delta));
@@ -271,8 +271,8 @@ final class Impacts {
 
     private static void push(
             double[] d, int r, double[] q, int o, double[] body, int a, int b, double impulse) {
-        double ma = impulse * d[r + ContactRows.MASS_A];
-        double mb = impulse * d[r + ContactRows.MASS_B];
+        double ma = impulse * d[r + ConstraintRows.MASS_A];
+        double mb = impulse * d[r + ConstraintRows.MASS_B];
         for (int k = 0; k < 3; k++) {
             body[a + k] -= ma * d[r + k];
             body[a + 3 + k] -= impulse * q[o + 6 + k];

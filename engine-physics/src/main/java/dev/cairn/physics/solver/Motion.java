@@ -230,7 +230,7 @@ final class Motion {
         double x = h * (0.5 * (d[g] + v[o + V]) - d[g + 3]);
         double y = h * (0.5 * (d[g + 1] + v[o + V + 1]) - d[g + 4]);
         double z = h * (0.5 * (d[g + 2] + v[o + V + 2]) - d[g + 5]);
-        int r = row * ContactRows.ROW + ContactRows.NORMAL;
+        int r = row * ConstraintRows.ROW + ConstraintRows.NORMAL;
         double n = x * rows[r] + y * rows[r + 1] + z * rows[r + 2];
         v[o + P] += x - n * rows[r];
         v[o + P + 1] += y - n * rows[r + 1];

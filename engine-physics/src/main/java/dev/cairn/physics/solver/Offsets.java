@@ -26,7 +26,7 @@ final class Offsets {
      * @param still speed below which a point rests, m/s
      */
     static void update(
-            ContactRows rows,
+            ConstraintRows rows,
             SolverBodies bodies,
             ContactStore contacts,
             int c,
@@ -36,17 +36,17 @@ final class Offsets {
         double[] d = rows.row;
         double[] q = rows.point;
         double[] body = bodies.state;
-        int a = rows.link[m * ContactRows.LINK];
-        int b = rows.link[m * ContactRows.LINK + 1];
-        int r = m * ContactRows.ROW;
+        int a = rows.link[m * ConstraintRows.LINK];
+        int b = rows.link[m * ConstraintRows.LINK + 1];
+        int r = m * ConstraintRows.ROW;
         double slip = slip(d, r, body, a, b);
         boolean rests = slip < still;
         for (int i = 0; i < contacts.pointCount[c]; i++) {
             int p = ContactStore.POINTS * c + i;
-            int o = (ContactStore.POINTS * m + i) * ContactRows.POINT;
-            double impulse = q[o + ContactRows.IMPULSE];
+            int o = (ContactStore.POINTS * m + i) * ConstraintRows.POINT;
+            double impulse = q[o + ConstraintRows.IMPULSE];
             double gap = contacts.separation[p];
-            double known = q[o + ContactRows.STIFFNESS] * (gap - q[o + ContactRows.GAP]);
+            double known = q[o + ConstraintRows.STIFFNESS] * (gap - q[o + ConstraintRows.GAP]);
             double speed =
                     d[r] * (body[b] - body[a])
                             + d[r + 1] * (body[b + 1] - body[a + 1])
@@ -54,7 +54,7 @@ final class Offsets {
                             + PrepareRow.dot(body, b + 3, q, o + 3)
                             - PrepareRow.dot(body, a + 3, q, o);
             if (impulse > 0 && rests && Math.abs(speed) < still) {
-                known -= q[o + ContactRows.STIFFNESS] * gain * Math.min(0, gap);
+                known -= q[o + ConstraintRows.STIFFNESS] * gain * Math.min(0, gap);
             } else {
                 known *= impulse == 0 && gap > 0 ? OPEN : MOVING;
             }
@@ -63,14 +63,14 @@ final class Offsets {
     }
 
     private static double slip(double[] d, int r, double[] body, int a, int b) {
-        if (!(d[r + ContactRows.FRICTION] > 0)) {
+        if (!(d[r + ConstraintRows.FRICTION] > 0)) {
             return 0;
         }
         double x = body[b] - body[a];
         double y = body[b + 1] - body[a + 1];
         double z = body[b + 2] - body[a + 2];
-        int t = r + ContactRows.TANGENT1;
-        int v = r + ContactRows.LEVER;
+        int t = r + ConstraintRows.TANGENT1;
+        int v = r + ConstraintRows.LEVER;
         double s1 =
                 x * d[t]
                         + y * d[t + 1]

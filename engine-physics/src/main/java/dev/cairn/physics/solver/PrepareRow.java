@@ -20,7 +20,7 @@ final class PrepareRow {
      * @param impulseScale factor on the stored impulses: this sub-step over the last tick's
      */
     static void run(
-            ContactRows rows,
+            ConstraintRows rows,
             SolverBodies bodies,
             ContactStore c,
             int m,
@@ -29,9 +29,9 @@ final class PrepareRow {
             double impulseScale) {
         double[] d = rows.row;
         int[] link = rows.link;
-        int r = m * ContactRows.ROW;
-        int l = m * ContactRows.LINK;
-        int source = link[l + ContactRows.SOURCE];
+        int r = m * ConstraintRows.ROW;
+        int l = m * ConstraintRows.LINK;
+        int source = link[l + ConstraintRows.SOURCE];
         int a = c.bodyA[source];
         int b = c.bodyB[source];
         double ma = bodies.state[a * SolverBodies.STRIDE + SolverBodies.MASS];
@@ -43,25 +43,25 @@ final class PrepareRow {
         d[r] = nx;
         d[r + 1] = ny;
         d[r + 2] = nz;
-        d[r + ContactRows.FRICTION] = c.friction[source];
-        d[r + ContactRows.RESTITUTION] = c.restitution[source];
-        d[r + ContactRows.BIAS_RATE] = s.biasRate();
-        d[r + ContactRows.MASS_SCALE] = s.massScale();
-        d[r + ContactRows.IMPULSE_SCALE] = s.impulseScale();
-        d[r + ContactRows.MASS_A] = ma;
-        d[r + ContactRows.MASS_B] = mb;
-        d[r + ContactRows.TOTAL] = 0;
-        d[r + ContactRows.TOTAL + 1] = 0;
-        d[r + ContactRows.TOTAL + 2] = 0;
+        d[r + ConstraintRows.FRICTION] = c.friction[source];
+        d[r + ConstraintRows.RESTITUTION] = c.restitution[source];
+        d[r + ConstraintRows.BIAS_RATE] = s.biasRate();
+        d[r + ConstraintRows.MASS_SCALE] = s.massScale();
+        d[r + ConstraintRows.IMPULSE_SCALE] = s.impulseScale();
+        d[r + ConstraintRows.MASS_A] = ma;
+        d[r + ConstraintRows.MASS_B] = mb;
+        d[r + ConstraintRows.TOTAL] = 0;
+        d[r + ConstraintRows.TOTAL + 1] = 0;
+        d[r + ConstraintRows.TOTAL + 2] = 0;
         tangents(d, r, nx, ny, nz);
         centre(d, r, c, source);
         points(rows, bodies, c, m, a, b, impulseScale);
-        if (d[r + ContactRows.FRICTION] > 0) {
+        if (d[r + ConstraintRows.FRICTION] > 0) {
             friction(d, r, bodies, c, source, a, b, impulseScale);
         } else {
-            d[r + ContactRows.LAMBDA] = 0;
-            d[r + ContactRows.LAMBDA + 1] = 0;
-            d[r + ContactRows.LAMBDA + 2] = 0;
+            d[r + ConstraintRows.LAMBDA] = 0;
+            d[r + ConstraintRows.LAMBDA + 1] = 0;
+            d[r + ConstraintRows.LAMBDA + 2] = 0;
         }
     }
 
@@ -90,7 +90,7 @@ final class PrepareRow {
         x *= k;
         y *= k;
         z *= k;
-        int t = r + ContactRows.TANGENT1;
+        int t = r + ConstraintRows.TANGENT1;
         d[t] = x;
         d[t + 1] = y;
         d[t + 2] = z;
@@ -111,7 +111,7 @@ final class PrepareRow {
     private static void centre(double[] d, int r, ContactStore c, int source) {
         int first = ContactStore.POINTS * source;
         int n = c.pointCount[source];
-        boolean still = d[r + ContactRows.MASS_A] == 0 || d[r + ContactRows.MASS_B] == 0;
+        boolean still = d[r + ConstraintRows.MASS_A] == 0 || d[r + ConstraintRows.MASS_B] == 0;
         double spread = 0;
         for (int p = first + 1; p < first + n; p++) {
             double x = c.anchorAX[p] - c.anchorAX[first];
@@ -140,7 +140,7 @@ final class PrepareRow {
             bz += w * (c.anchorBZ[p] + half * d[r + 2]);
         }
         double k = 1 / sum;
-        int o = r + ContactRows.LEVER;
+        int o = r + ConstraintRows.LEVER;
         d[o] = ax * k;
         d[o + 1] = ay * k;
         d[o + 2] = az * k;
@@ -150,7 +150,7 @@ final class PrepareRow {
     }
 
     private static void points(
-            ContactRows rows,
+            ConstraintRows rows,
             SolverBodies bodies,
             ContactStore c,
             int m,
@@ -159,51 +159,51 @@ final class PrepareRow {
             double impulseScale) {
         double[] d = rows.row;
         double[] q = rows.point;
-        int r = m * ContactRows.ROW;
-        int source = rows.link[m * ContactRows.LINK + ContactRows.SOURCE];
+        int r = m * ConstraintRows.ROW;
+        int source = rows.link[m * ConstraintRows.LINK + ConstraintRows.SOURCE];
         double nx = d[r];
         double ny = d[r + 1];
         double nz = d[r + 2];
-        double sum = d[r + ContactRows.MASS_A] + d[r + ContactRows.MASS_B];
-        double cx = d[r + ContactRows.LEVER];
-        double cy = d[r + ContactRows.LEVER + 1];
-        double cz = d[r + ContactRows.LEVER + 2];
+        double sum = d[r + ConstraintRows.MASS_A] + d[r + ConstraintRows.MASS_B];
+        double cx = d[r + ConstraintRows.LEVER];
+        double cy = d[r + ConstraintRows.LEVER + 1];
+        double cz = d[r + ConstraintRows.LEVER + 2];
         double radius = 0;
-        boolean unloaded = rows.link[m * ContactRows.LINK + ContactRows.UNLOADED] != 0;
+        boolean unloaded = rows.link[m * ConstraintRows.LINK + ConstraintRows.UNLOADED] != 0;
         // k = m_eff biasRate massScale / impulseScale
         double stiffness =
-                d[r + ContactRows.BIAS_RATE]
-                        * d[r + ContactRows.MASS_SCALE]
-                        / d[r + ContactRows.IMPULSE_SCALE];
+                d[r + ConstraintRows.BIAS_RATE]
+                        * d[r + ConstraintRows.MASS_SCALE]
+                        / d[r + ConstraintRows.IMPULSE_SCALE];
         for (int i = 0; i < c.pointCount[source]; i++) {
             int p = ContactStore.POINTS * source + i;
-            int o = (ContactStore.POINTS * m + i) * ContactRows.POINT;
+            int o = (ContactStore.POINTS * m + i) * ConstraintRows.POINT;
             double x = c.anchorAX[p];
             double y = c.anchorAY[p];
             double z = c.anchorAZ[p];
             cross(q, o, x, y, z, nx, ny, nz);
             cross(q, o + 3, c.anchorBX[p], c.anchorBY[p], c.anchorBZ[p], nx, ny, nz);
-            apply(bodies.inverseInertia, a, q, o, q, o + ContactRows.SPIN);
-            apply(bodies.inverseInertia, b, q, o + 3, q, o + ContactRows.SPIN + 3);
+            apply(bodies.inverseInertia, a, q, o, q, o + ConstraintRows.SPIN);
+            apply(bodies.inverseInertia, b, q, o + 3, q, o + ConstraintRows.SPIN + 3);
             // 1/m_eff = 1/mA + 1/mB + (rA x n).IA^-1(rA x n) + (rB x n).IB^-1(rB x n)
             double w = sum + dot(q, o, q, o + 6) + dot(q, o + 3, q, o + 9);
-            q[o + ContactRows.MASS] = w > 0 ? 1 / w : 0;
+            q[o + ConstraintRows.MASS] = w > 0 ? 1 / w : 0;
             // at rest the soft step holds the load l with the overlap l / k; the offset stands for
             // the load that it knows
-            double k = q[o + ContactRows.MASS] * stiffness;
-            q[o + ContactRows.STIFFNESS] = k;
+            double k = q[o + ConstraintRows.MASS] * stiffness;
+            q[o + ConstraintRows.STIFFNESS] = k;
             double known = unloaded ? 0 : c.preload[p] * impulseScale;
-            q[o + ContactRows.GAP] = c.separation[p] - (k > 0 ? known / k : 0);
-            q[o + ContactRows.IMPULSE] = c.normalImpulse[p] * impulseScale;
-            q[o + ContactRows.SUM] = 0;
+            q[o + ConstraintRows.GAP] = c.separation[p] - (k > 0 ? known / k : 0);
+            q[o + ConstraintRows.IMPULSE] = c.normalImpulse[p] * impulseScale;
+            q[o + ConstraintRows.SUM] = 0;
             double dx = x - cx;
             double dy = y - cy;
             double dz = z - cz;
             double reach = Math.sqrt(dx * dx + dy * dy + dz * dz);
-            q[o + ContactRows.REACH] = reach;
+            q[o + ConstraintRows.REACH] = reach;
             radius = Math.max(radius, reach);
         }
-        d[r + ContactRows.RADIUS] = radius;
+        d[r + ConstraintRows.RADIUS] = radius;
     }
 
     private static void friction(
@@ -216,10 +216,10 @@ final class PrepareRow {
             int b,
             double impulseScale) {
         double[] inertia = bodies.inverseInertia;
-        int lever = r + ContactRows.LEVER;
-        int turn = r + ContactRows.TURN;
-        int t1 = r + ContactRows.TANGENT1;
-        int t2 = r + ContactRows.TANGENT2;
+        int lever = r + ConstraintRows.LEVER;
+        int turn = r + ConstraintRows.TURN;
+        int t1 = r + ConstraintRows.TANGENT1;
+        int t2 = r + ConstraintRows.TANGENT2;
         double ax = d[lever];
         double ay = d[lever + 1];
         double az = d[lever + 2];
@@ -236,24 +236,24 @@ final class PrepareRow {
         apply(inertia, b, d, lever + 9, d, turn + 9);
         apply(inertia, a, d, r, d, turn + 12);
         apply(inertia, b, d, r, d, turn + 15);
-        double sum = d[r + ContactRows.MASS_A] + d[r + ContactRows.MASS_B];
+        double sum = d[r + ConstraintRows.MASS_A] + d[r + ConstraintRows.MASS_B];
         // K_ij = (1/mA + 1/mB) d_ij + (rA x ti).IA^-1(rA x tj) + (rB x ti).IB^-1(rB x tj)
         double k11 = sum + dot(d, lever, d, turn) + dot(d, lever + 6, d, turn + 6);
         double k12 = dot(d, lever, d, turn + 3) + dot(d, lever + 6, d, turn + 9);
         double k22 = sum + dot(d, lever + 3, d, turn + 3) + dot(d, lever + 9, d, turn + 9);
         double det = 1 / (k11 * k22 - k12 * k12);
-        d[r + ContactRows.BLOCK] = k22 * det;
-        d[r + ContactRows.BLOCK + 1] = -k12 * det;
-        d[r + ContactRows.BLOCK + 2] = k11 * det;
+        d[r + ConstraintRows.BLOCK] = k22 * det;
+        d[r + ConstraintRows.BLOCK + 1] = -k12 * det;
+        d[r + ConstraintRows.BLOCK + 2] = k11 * det;
         double twist = dot(d, r, d, turn + 12) + dot(d, r, d, turn + 15);
-        d[r + ContactRows.TWIST_MASS] = twist > 0 && c.pointCount[source] > 1 ? 1 / twist : 0;
+        d[r + ConstraintRows.TWIST_MASS] = twist > 0 && c.pointCount[source] > 1 ? 1 / twist : 0;
         double x = c.frictionImpulseX[source] * impulseScale;
         double y = c.frictionImpulseY[source] * impulseScale;
         double z = c.frictionImpulseZ[source] * impulseScale;
-        d[r + ContactRows.LAMBDA] = x * d[t1] + y * d[t1 + 1] + z * d[t1 + 2];
-        d[r + ContactRows.LAMBDA + 1] = x * d[t2] + y * d[t2 + 1] + z * d[t2 + 2];
-        d[r + ContactRows.LAMBDA + 2] =
-                d[r + ContactRows.TWIST_MASS] > 0 ? c.twistImpulse[source] * impulseScale : 0;
+        d[r + ConstraintRows.LAMBDA] = x * d[t1] + y * d[t1 + 1] + z * d[t1 + 2];
+        d[r + ConstraintRows.LAMBDA + 1] = x * d[t2] + y * d[t2 + 1] + z * d[t2 + 2];
+        d[r + ConstraintRows.LAMBDA + 2] =
+                d[r + ConstraintRows.TWIST_MASS] > 0 ? c.twistImpulse[source] * impulseScale : 0;
     }
 
     private static void cross(

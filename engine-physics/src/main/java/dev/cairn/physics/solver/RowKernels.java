@@ -1,17 +1,17 @@
 package dev.cairn.physics.solver;
 
-import static dev.cairn.physics.solver.ContactRows.IMPULSE;
-import static dev.cairn.physics.solver.ContactRows.LAMBDA;
-import static dev.cairn.physics.solver.ContactRows.LEVER;
-import static dev.cairn.physics.solver.ContactRows.LINK;
-import static dev.cairn.physics.solver.ContactRows.MASS_A;
-import static dev.cairn.physics.solver.ContactRows.MASS_B;
-import static dev.cairn.physics.solver.ContactRows.POINT;
-import static dev.cairn.physics.solver.ContactRows.REACH;
-import static dev.cairn.physics.solver.ContactRows.ROW;
-import static dev.cairn.physics.solver.ContactRows.TANGENT1;
-import static dev.cairn.physics.solver.ContactRows.TANGENT2;
-import static dev.cairn.physics.solver.ContactRows.TURN;
+import static dev.cairn.physics.solver.ConstraintRows.IMPULSE;
+import static dev.cairn.physics.solver.ConstraintRows.LAMBDA;
+import static dev.cairn.physics.solver.ConstraintRows.LEVER;
+import static dev.cairn.physics.solver.ConstraintRows.LINK;
+import static dev.cairn.physics.solver.ConstraintRows.MASS_A;
+import static dev.cairn.physics.solver.ConstraintRows.MASS_B;
+import static dev.cairn.physics.solver.ConstraintRows.POINT;
+import static dev.cairn.physics.solver.ConstraintRows.REACH;
+import static dev.cairn.physics.solver.ConstraintRows.ROW;
+import static dev.cairn.physics.solver.ConstraintRows.TANGENT1;
+import static dev.cairn.physics.solver.ConstraintRows.TANGENT2;
+import static dev.cairn.physics.solver.ConstraintRows.TURN;
 
 import dev.cairn.physics.internal.ContactStore;
 
@@ -25,7 +25,7 @@ final class RowKernels {
     /**
      * Applies the impulses of the sub-step before as a first guess: {@code v += M^-1 J^T lambda}.
      */
-    static void warmStart(ContactRows rows, double[] body) {
+    static void warmStart(ConstraintRows rows, double[] body) {
         double[] d = rows.row;
         double[] q = rows.point;
         for (int m = 0; m < rows.count; m++) {
@@ -40,7 +40,7 @@ final class RowKernels {
             double bx = 0;
             double by = 0;
             double bz = 0;
-            int end = ContactStore.POINTS * m + rows.link[l + ContactRows.COUNT];
+            int end = ContactStore.POINTS * m + rows.link[l + ConstraintRows.COUNT];
             for (int p = ContactStore.POINTS * m; p < end; p++) {
                 int o = p * POINT;
                 double impulse = q[o + IMPULSE];
@@ -52,11 +52,11 @@ final class RowKernels {
                 by += impulse * q[o + 10];
                 bz += impulse * q[o + 11];
             }
-            rows.link[l + ContactRows.COLD] = sum == 0 ? 1 : 0;
+            rows.link[l + ConstraintRows.COLD] = sum == 0 ? 1 : 0;
             double px = sum * d[r];
             double py = sum * d[r + 1];
             double pz = sum * d[r + 2];
-            if (d[r + ContactRows.FRICTION] > 0) {
+            if (d[r + ConstraintRows.FRICTION] > 0) {
                 double f1 = d[r + LAMBDA];
                 double f2 = d[r + LAMBDA + 1];
                 double tw = d[r + LAMBDA + 2];
@@ -90,7 +90,7 @@ final class RowKernels {
 
     /** The bias pass: soft normals, which push overlap out and let gaps close; no friction. */
     static void bias(
-            ContactRows rows,
+            ConstraintRows rows,
             double[] body,
             double h,
             double pushSpeed,
@@ -98,7 +98,7 @@ final class RowKernels {
             int coldSweeps) {
         int landing = Math.max(sweeps, coldSweeps / 2);
         for (int m = 0; m < rows.count; m++) {
-            boolean cold = rows.link[m * LINK + ContactRows.COLD] != 0;
+            boolean cold = rows.link[m * LINK + ConstraintRows.COLD] != 0;
             normals(rows, m, body, h, pushSpeed, true, cold ? landing : sweeps);
         }
     }
@@ -108,7 +108,7 @@ final class RowKernels {
      * adds up the totals.
      */
     static void relax(
-            ContactRows rows,
+            ConstraintRows rows,
             double[] body,
             double h,
             double pushSpeed,
@@ -116,10 +116,10 @@ final class RowKernels {
             int coldSweeps) {
         int landing = Math.max(sweeps, coldSweeps / 2);
         for (int m = 0; m < rows.count; m++) {
-            boolean rough = rows.row[m * ROW + ContactRows.FRICTION] > 0;
+            boolean rough = rows.row[m * ROW + ConstraintRows.FRICTION] > 0;
             // a contact without a warm start has its normals and its friction still to agree on who
             // stops what
-            boolean cold = rows.link[m * LINK + ContactRows.COLD] != 0;
+            boolean cold = rows.link[m * LINK + ConstraintRows.COLD] != 0;
             int rounds = cold && rough ? coldSweeps : 1;
             for (int round = 0; round < rounds; round++) {
                 double normal =
@@ -136,15 +136,15 @@ final class RowKernels {
     }
 
     /**
-     * Hard normals and friction of the rows marked {@link ContactRows#UNLOADED}, over and over; no
-     * totals: the sweeps only correct the first guess of the sub-step.
+     * Hard normals and friction of the rows marked {@link ConstraintRows#UNLOADED}, over and over;
+     * no totals: the sweeps only correct the first guess of the sub-step.
      */
-    static void settle(ContactRows rows, double[] body, double h, int rounds, int sweeps) {
+    static void settle(ConstraintRows rows, double[] body, double h, int rounds, int sweeps) {
         for (int round = 0; round < rounds; round++) {
             for (int m = 0; m < rows.count; m++) {
-                if (rows.link[m * LINK + ContactRows.UNLOADED] != 0) {
+                if (rows.link[m * LINK + ConstraintRows.UNLOADED] != 0) {
                     double normal = normals(rows, m, body, h, 0, false, sweeps);
-                    if (rows.row[m * ROW + ContactRows.FRICTION] > 0) {
+                    if (rows.row[m * ROW + ConstraintRows.FRICTION] > 0) {
                         friction(rows, m, body, normal);
                     }
                 }
@@ -164,7 +164,7 @@ final class RowKernels {
      * @return sum of the impulses
      */
     private static double normals(
-            ContactRows rows,
+            ConstraintRows rows,
             int m,
             double[] body,
             double h,
@@ -181,9 +181,9 @@ final class RowKernels {
         double nz = d[r + 2];
         double ma = d[r + MASS_A];
         double mb = d[r + MASS_B];
-        double massScale = push ? d[r + ContactRows.MASS_SCALE] : 1;
-        double impulseScale = push ? d[r + ContactRows.IMPULSE_SCALE] : 0;
-        double biasRate = push ? d[r + ContactRows.BIAS_RATE] * massScale : 0;
+        double massScale = push ? d[r + ConstraintRows.MASS_SCALE] : 1;
+        double impulseScale = push ? d[r + ConstraintRows.IMPULSE_SCALE] : 0;
+        double biasRate = push ? d[r + ConstraintRows.BIAS_RATE] * massScale : 0;
         double vn =
                 nx * (body[b] - body[a])
                         + ny * (body[b + 1] - body[a + 1])
@@ -201,14 +201,14 @@ final class RowKernels {
         double change = 0;
         double sum = 0;
         int first = ContactStore.POINTS * m * POINT;
-        int end = first + rows.link[m * LINK + ContactRows.COUNT] * POINT;
+        int end = first + rows.link[m * LINK + ConstraintRows.COUNT] * POINT;
         for (int sweep = 0; sweep < sweeps; sweep++) {
             sum = 0;
             for (int o = first; o < end; o += POINT) {
                 // s = s0 + n.(dpB - dpA) + thB.(rB x n) - thA.(rA x n): linear in the movement of
                 // the tick
                 double s =
-                        q[o + ContactRows.GAP]
+                        q[o + ConstraintRows.GAP]
                                 + moved
                                 + (body[b + 9] * q[o + 3]
                                         + body[b + 10] * q[o + 4]
@@ -227,12 +227,12 @@ final class RowKernels {
                     // an open gap is the next sub-step's matter: impacts want the speed as it is
                     continue;
                 } else if (s > 0) {
-                    next = old - q[o + ContactRows.MASS] * (speed + s / h);
+                    next = old - q[o + ConstraintRows.MASS] * (speed + s / h);
                 } else {
                     double b0 = Math.max(biasRate * s, -pushSpeed);
                     next =
                             old
-                                    - q[o + ContactRows.MASS] * (massScale * speed + b0)
+                                    - q[o + ConstraintRows.MASS] * (massScale * speed + b0)
                                     - impulseScale * old;
                 }
                 next = Math.max(next, 0);
@@ -272,15 +272,15 @@ final class RowKernels {
      * l_i)}, then the 2 x 2 tangent block, {@code l' = l - K^-1 vt} drawn back to the circle {@code
      * |l'| <= mu sum(l_i)}.
      */
-    static void friction(ContactRows rows, int m, double[] body, double normal) {
+    static void friction(ConstraintRows rows, int m, double[] body, double normal) {
         double[] d = rows.row;
         int r = m * ROW;
         int t = r + TURN;
         int v = r + LEVER;
         int a = rows.link[m * LINK];
         int b = rows.link[m * LINK + 1];
-        double mu = d[r + ContactRows.FRICTION];
-        if (d[r + ContactRows.TWIST_MASS] > 0) {
+        double mu = d[r + ConstraintRows.FRICTION];
+        if (d[r + ConstraintRows.TWIST_MASS] > 0) {
             twist(rows, m, body);
         }
         double dx = body[b] - body[a];
@@ -299,7 +299,7 @@ final class RowKernels {
                         + dz * d[r + TANGENT2 + 2]
                         + PrepareRow.dot(body, b + 3, d, v + 9)
                         - PrepareRow.dot(body, a + 3, d, v + 3);
-        int k = r + ContactRows.BLOCK;
+        int k = r + ConstraintRows.BLOCK;
         double f1 = d[r + LAMBDA] - (d[k] * v1 + d[k + 1] * v2);
         double f2 = d[r + LAMBDA + 1] - (d[k + 1] * v1 + d[k + 2] * v2);
         double bound = mu * normal;
@@ -332,7 +332,7 @@ final class RowKernels {
         body[b + 5] += d1 * d[t + 8] + d2 * d[t + 11];
     }
 
-    private static void twist(ContactRows rows, int m, double[] body) {
+    private static void twist(ConstraintRows rows, int m, double[] body) {
         double[] d = rows.row;
         int r = m * ROW;
         int t = r + TURN + 12;
@@ -340,15 +340,15 @@ final class RowKernels {
         int b = rows.link[m * LINK + 1];
         double bound = 0;
         int first = ContactStore.POINTS * m * POINT;
-        int end = first + rows.link[m * LINK + ContactRows.COUNT] * POINT;
+        int end = first + rows.link[m * LINK + ConstraintRows.COUNT] * POINT;
         for (int o = first; o < end; o += POINT) {
             bound += rows.point[o + REACH] * rows.point[o + IMPULSE];
         }
-        bound *= d[r + ContactRows.FRICTION];
+        bound *= d[r + ConstraintRows.FRICTION];
         double speed = PrepareRow.dot(d, r, body, b + 3) - PrepareRow.dot(d, r, body, a + 3);
         double old = d[r + LAMBDA + 2];
         double next =
-                Math.max(-bound, Math.min(bound, old - d[r + ContactRows.TWIST_MASS] * speed));
+                Math.max(-bound, Math.min(bound, old - d[r + ConstraintRows.TWIST_MASS] * speed));
         double delta = next - old;
         d[r + LAMBDA + 2] = next;
         body[a + 3] -= delta * d[t];
@@ -359,16 +359,16 @@ final class RowKernels {
         body[b + 5] += delta * d[t + 5];
     }
 
-    private static void total(ContactRows rows, int m) {
+    private static void total(ConstraintRows rows, int m) {
         double[] d = rows.row;
         int r = m * ROW;
-        d[r + ContactRows.TOTAL] += d[r + LAMBDA];
-        d[r + ContactRows.TOTAL + 1] += d[r + LAMBDA + 1];
-        d[r + ContactRows.TOTAL + 2] += d[r + LAMBDA + 2];
+        d[r + ConstraintRows.TOTAL] += d[r + LAMBDA];
+        d[r + ConstraintRows.TOTAL + 1] += d[r + LAMBDA + 1];
+        d[r + ConstraintRows.TOTAL + 2] += d[r + LAMBDA + 2];
         int first = ContactStore.POINTS * m * POINT;
-        int end = first + rows.link[m * LINK + ContactRows.COUNT] * POINT;
+        int end = first + rows.link[m * LINK + ConstraintRows.COUNT] * POINT;
         for (int o = first; o < end; o += POINT) {
-            rows.point[o + ContactRows.SUM] += rows.point[o + IMPULSE];
+            rows.point[o + ConstraintRows.SUM] += rows.point[o + IMPULSE];
         }
     }
 }

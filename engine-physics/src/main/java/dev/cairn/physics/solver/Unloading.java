@@ -28,7 +28,7 @@ final class Unloading {
      * @param g gravity, m/s²
      * @return whether there is one
      */
-    boolean find(BodyStore b, ContactStore c, ContactRows rows, double perImpulse, double g) {
+    boolean find(BodyStore b, ContactStore c, ConstraintRows rows, double perImpulse, double g) {
         if (now.length < b.slotCount) {
             now = new double[b.kind.length];
             contactsNow = new int[now.length];
@@ -37,8 +37,8 @@ final class Unloading {
         Arrays.fill(now, 0, b.slotCount, 0.0);
         Arrays.fill(contactsNow, 0, b.slotCount, 0);
         for (int m = 0; m < rows.count; m++) {
-            rows.link[m * ContactRows.LINK + ContactRows.UNLOADED] = 0;
-            int source = rows.link[m * ContactRows.LINK + ContactRows.SOURCE];
+            rows.link[m * ConstraintRows.LINK + ConstraintRows.UNLOADED] = 0;
+            int source = rows.link[m * ConstraintRows.LINK + ConstraintRows.SOURCE];
             double sum = force(c, source, perImpulse);
             now[c.bodyA[source]] += sum;
             now[c.bodyB[source]] += sum;
@@ -61,21 +61,21 @@ final class Unloading {
         return any;
     }
 
-    private void spread(BodyStore b, ContactStore c, ContactRows rows) {
+    private void spread(BodyStore b, ContactStore c, ConstraintRows rows) {
         boolean again = true;
         for (boolean forward = true; again; forward = !forward) {
             again = false;
             for (int k = 0; k < rows.count; k++) {
                 int m = forward ? k : rows.count - 1 - k;
-                int l = m * ContactRows.LINK;
-                if (rows.link[l + ContactRows.UNLOADED] != 0) {
+                int l = m * ConstraintRows.LINK;
+                if (rows.link[l + ConstraintRows.UNLOADED] != 0) {
                     continue;
                 }
-                int source = rows.link[l + ContactRows.SOURCE];
+                int source = rows.link[l + ConstraintRows.SOURCE];
                 int i = c.bodyA[source];
                 int j = c.bodyB[source];
                 if (marked[i] || marked[j]) {
-                    rows.link[l + ContactRows.UNLOADED] = 1;
+                    rows.link[l + ConstraintRows.UNLOADED] = 1;
                     marked[i] = b.kind[i] == BodyStore.DYNAMIC;
                     marked[j] = b.kind[j] == BodyStore.DYNAMIC;
                     again = true;
@@ -84,7 +84,7 @@ final class Unloading {
         }
     }
 
-    void settle(ContactRows rows, double[] body, double h, SolverSettings settings) {
+    void settle(ConstraintRows rows, double[] body, double h, SolverSettings settings) {
         RowKernels.settle(rows, body, h, settings.unloadSweeps(), settings.innerSweeps());
     }
 

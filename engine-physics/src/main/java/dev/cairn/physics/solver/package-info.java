@@ -29,7 +29,7 @@
  * without restitution runs no impact, one without friction no tangent rows. Steps use + - * / and
  * square roots only, and allocate nothing.
  *
- * <p>The seam for a wide solver: {@code ContactRows} is the whole input of a sweep besides the
+ * <p>The seam for a wide solver: {@code ConstraintRows} is the whole input of a sweep besides the
  * bodies' velocities; kernels are static methods over its arrays.
  *
  * <p>Sources: E. Catto, Solver2D and the Soft Step solver (2023-24); M. Macklin et al., "Small

@@ -7,7 +7,7 @@ import java.util.Arrays;
  * #POINT} doubles per point, four points to a contact. Kernels loop over rows; what a row holds is
  * all that a sweep needs besides the two bodies.
  */
-final class ContactRows {
+final class ConstraintRows {
     /** Doubles to a contact. */
     static final int ROW = 58;
 
