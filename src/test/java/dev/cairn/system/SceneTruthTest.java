@@ -53,7 +53,7 @@ final class SceneTruthTest {
         SceneReport stick =
                 Scenes.run("slope-box", 60, Map.of("friction", "0.5", "drop", "0", "speed", "0"));
 
-        assertBelow(1e-3, "distanceMetres", stick);
+        assertBelow(1e-5, "distanceMetres", stick);
     }
 
     @Test
