@@ -72,6 +72,13 @@ final class SceneTruthTest {
     }
 
     @Test
+    void elasticBoxesWithoutFrictionKeepTheirEnergyThroughTiltsAndTumbles() {
+        SceneReport bounce = Scenes.run("stack-4", 30, Map.of("restitution", "1", "friction", "0"));
+
+        assertBelow(1e-9, "energyRelative", bounce);
+    }
+
+    @Test
     void twoPairsOfThreeCollide() {
         SceneReport pairs = Scenes.run("pairs-3", 1, Map.of());
 

@@ -18,8 +18,8 @@ import java.util.List;
  * Unit boxes dropped from different heights onto each other.
  *
  * <p>Truth, for restitution 0: they come to rest as a stack of touching boxes, the k-th at {@code k
- * + 1/2}; each level carries the weight above it; nothing creeps sideways. For restitution 1 the
- * energy stays what it was.
+ * + 1/2}; each level carries the weight above it; nothing creeps sideways. For restitution 1 and
+ * friction 0 the energy stays what it was; friction takes it once a box has tilted.
  */
 public final class StackOfBoxes {
     private static final double HALF = 0.5;
@@ -39,7 +39,7 @@ public final class StackOfBoxes {
                 "stack-4",
                 "Stack of four",
                 "Four boxes fall from different heights onto each other and stand; with restitution"
-                        + " 1 they bounce for ever.",
+                        + " 1 and friction 0 they bounce for ever.",
                 "stacks",
                 List.of(
                         Parameter.count("boxes", 4, 1, 100, "number of boxes"),
