@@ -45,6 +45,7 @@ public final class ContactRows {
             drop(events, jobs);
         }
         append(bodies, store, pairs);
+        store.activateAll();
     }
 
     private void drop(TouchEvents events, Jobs jobs) {

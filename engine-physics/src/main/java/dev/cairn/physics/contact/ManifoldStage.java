@@ -71,14 +71,14 @@ public final class ManifoldStage {
                 scratch[w] = new Scratch();
             }
         }
-        jobs.run(job, Blocks.count(rows.count, ROWS_PER_BLOCK));
+        jobs.run(job, Blocks.count(rows.activeCount, ROWS_PER_BLOCK));
     }
 
     private void block(int block, int worker) {
-        int end = Blocks.end(block, ROWS_PER_BLOCK, contacts.count);
+        int end = Blocks.end(block, ROWS_PER_BLOCK, contacts.activeCount);
         Scratch own = scratch[worker];
-        for (int row = Blocks.begin(block, ROWS_PER_BLOCK); row < end; row++) {
-            collide(row, own);
+        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
+            collide(contacts.active[i], own);
         }
     }
 

@@ -22,6 +22,15 @@ public final class ContactStore {
     /** Rows in use. */
     public int count;
 
+    /** Rows that take part in this tick: entries of {@link #active} in use. */
+    public int activeCount;
+
+    /**
+     * The rows that take part in this tick, ascending. Rows of bodies that sleep are not among
+     * them: their points and impulses stay as they are.
+     */
+    public int[] active = {};
+
     /** Slots of the two bodies; at least one of them is dynamic. */
     public int[] bodyA = {}, bodyB = {};
 
@@ -84,6 +93,14 @@ public final class ContactStore {
      */
     public double[] totalNormalImpulse = {};
 
+    /** Makes every row take part. */
+    public void activateAll() {
+        for (int row = 0; row < count; row++) {
+            active[row] = row;
+        }
+        activeCount = count;
+    }
+
     /**
      * Grows every column to at least {@code capacity} rows; between phases only.
      *
@@ -95,6 +112,7 @@ public final class ContactStore {
         }
         int n = Math.max(capacity, Math.max(64, bodyA.length + (bodyA.length >> 1)));
         int m = n * POINTS;
+        active = Arrays.copyOf(active, n);
         bodyA = Arrays.copyOf(bodyA, n);
         bodyB = Arrays.copyOf(bodyB, n);
         pointCount = Arrays.copyOf(pointCount, n);

@@ -166,7 +166,8 @@ public final class ContactSolver {
         int n = 0;
         int bouncing = 0;
         stacked = false;
-        for (int c = 0; c < contacts.count; c++) {
+        for (int i = 0; i < contacts.activeCount; i++) {
+            int c = contacts.active[i];
             if (contacts.pointCount[c] == 0) {
                 continue;
             }
@@ -269,7 +270,8 @@ public final class ContactSolver {
         Arrays.fill(bodies.pressed, 0, bodies.slotCount, 0.0);
         Arrays.fill(bodies.pressing, 0, bodies.slotCount, 0);
         int m = 0;
-        for (int c = 0; c < contacts.count; c++) {
+        for (int i = 0; i < contacts.activeCount; i++) {
+            int c = contacts.active[i];
             contacts.frictionImpulseX[c] = 0;
             contacts.frictionImpulseY[c] = 0;
             contacts.frictionImpulseZ[c] = 0;

@@ -120,6 +120,7 @@ final class SolverScene {
         contacts.bodyA[row] = a;
         contacts.bodyB[row] = b;
         contacts.count = pairs.size();
+        contacts.activateAll();
         return row;
     }
 
