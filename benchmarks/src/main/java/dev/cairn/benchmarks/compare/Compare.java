@@ -133,9 +133,7 @@ public final class Compare implements Callable<Integer> {
                         .map(Case::of)
                         .map(one -> quick ? one.with(one.quick()) : one)
                         .toList(),
-                engines.isEmpty()
-                        ? List.of(Engine.values())
-                        : engines.stream().map(Engine::of).toList(),
+                engines.isEmpty() ? Engine.available() : engines.stream().map(Engine::of).toList(),
                 workers,
                 steps.stream().sorted().distinct().toList(),
                 rounds > 0 ? rounds : quick ? 3 : 10,

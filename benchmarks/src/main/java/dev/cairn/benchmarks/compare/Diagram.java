@@ -44,6 +44,7 @@ final class Diagram {
         COLOURS.put(Engine.PHYSX, new Color(0x000000));
         COLOURS.put(Engine.ODE4J, new Color(0xCC79A7));
         COLOURS.put(Engine.JBULLET, new Color(0xE69F00));
+        COLOURS.put(Engine.BOX3D, new Color(0x56B4E9));
     }
 
     private Diagram() {}
@@ -157,6 +158,7 @@ final class Diagram {
                     case PHYSX -> SeriesMarkers.TRIANGLE_UP;
                     case ODE4J -> SeriesMarkers.TRIANGLE_DOWN;
                     case JBULLET -> SeriesMarkers.PLUS;
+                    case BOX3D -> SeriesMarkers.CROSS;
                 });
     }
 

@@ -32,7 +32,9 @@ public enum Engine {
     /** The Java port of ODE. */
     ODE4J("ode4j", "0.5.3", "double, pure Java", 1, "quick steps of 1/(60 N) s"),
     /** The Java port of Bullet 2.72. */
-    JBULLET("JBullet", "20101010-1", "float, pure Java", 1, "steps of 1/(60 N) s");
+    JBULLET("JBullet", "20101010-1", "float, pure Java", 1, "steps of 1/(60 N) s"),
+    /** Box3D from a shared library that the user names. */
+    BOX3D("Box3D", "0.2.0", "float, C by java.lang.foreign", 64, "sub-steps of one step");
 
     private final String title;
     private final String version;
@@ -103,6 +105,20 @@ public enum Engine {
     }
 
     /**
+     * The engines that are there without further ado: all, but Box3D only where its library is
+     * named.
+     *
+     * @return in the order of the report
+     */
+    public static List<Engine> available() {
+        List<Engine> engines = new ArrayList<>(List.of(values()));
+        if (System.getProperty(Box3dPeer.LIBRARY) == null) {
+            engines.remove(BOX3D);
+        }
+        return engines;
+    }
+
+    /**
      * Finds an engine.
      *
      * @param id its name, any case
@@ -144,6 +160,7 @@ public enum Engine {
                 case PHYSX -> new PhysxPeer(scene, settings);
                 case ODE4J -> new OdePeer(scene, settings);
                 case JBULLET -> new JBulletPeer(scene, settings);
+                case BOX3D -> new Box3dPeer(scene, settings);
             };
         } catch (LinkageError absent) {
             throw new MissingEngineException(title + " cannot be loaded: " + absent, absent);
