@@ -4,6 +4,7 @@
 module dev.cairn.physics {
     requires static org.jspecify;
     requires static jdk.incubator.vector;
+    requires static jdk.jfr;
     requires transitive dev.cairn.core;
     requires transitive org.joml;
 

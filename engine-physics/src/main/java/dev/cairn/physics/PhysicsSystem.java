@@ -31,6 +31,7 @@ public final class PhysicsSystem implements WorldSystem {
     final TouchEvents events = new TouchEvents();
     final ContactView view;
     final PhysicsSettings settings;
+    final StepProfile profile = new StepProfile();
 
     private final ContactRows rows = new ContactRows();
     private final ManifoldStage manifolds;
@@ -76,14 +77,20 @@ public final class PhysicsSystem implements WorldSystem {
 
     /** The table of contents. */
     private void step(Tick tick) {
+        profile.begin();
         events.clear();
         readRoster(tick);
+        profile.end(StepStage.ROSTER);
         moveBounds(tick);
+        profile.end(StepStage.BOUNDS);
         table.broadPhase.findPairs(tick.jobs());
+        profile.end(StepStage.PAIRS);
         rows.update(table.bodies, contacts, table.broadPhase, events, tick.jobs());
         table.broadPhase.endTick();
         table.freeGone();
+        profile.end(StepStage.ROWS);
         manifolds.run(table.bodies, contacts, table.bounds, tick.stepSeconds(), tick.jobs());
+        profile.end(StepStage.POINTS);
         solver.step(
                 table.bodies,
                 contacts,
@@ -92,9 +99,13 @@ public final class PhysicsSystem implements WorldSystem {
                 gravityZ,
                 tick.stepSeconds(),
                 tick.jobs());
+        profile.end(StepStage.SOLVE);
         publishPoses(tick);
+        profile.end(StepStage.PUBLISH);
         events.update(contacts, tick.jobs());
         view.update(events);
+        profile.end(StepStage.TOUCH);
+        profile.end(table.bodies.slotCount, contacts.count);
     }
 
     boolean isRunning() {

@@ -97,6 +97,15 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
+     * The clock of the physics step's stages; off until it is enabled.
+     *
+     * @return the same object each time
+     */
+    public StepProfile profile() {
+        return physics.profile;
+    }
+
+    /**
      * The bodies that were quarantined so far and are still there, in the order that it happened. A
      * body whose force, velocity or position is no longer a number that can be computed with is
      * stopped where it last was valid, and fixed there, so that its neighbours stay finite.

@@ -61,6 +61,10 @@ final class ReportText {
         object.add("errors", errors);
         object.addProperty("digest", report.digest());
         object.add("allocatedBytesPerTick", number(report.allocatedBytesPerTick()));
+        JsonObject stages = new JsonObject();
+        report.stageMicros()
+                .forEach((name, value) -> stages.add(name, number(Math.rint(1e3 * value) / 1e3)));
+        object.add("stageMicros", stages);
         return object;
     }
 

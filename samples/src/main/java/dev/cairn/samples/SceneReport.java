@@ -21,6 +21,7 @@ import java.util.Map;
  * @param errors metrics against the scene's closed form, by name
  * @param digest state digest after the last tick, 16 hexadecimal digits
  * @param allocatedBytesPerTick bytes that a steady tick allocates, all threads of the simulation
+ * @param stageMicros mean duration of each stage of the physics step, µs of wall time, in order
  * @param remarks lines that the scene wants printed; not part of the JSON
  */
 public record SceneReport(
@@ -38,4 +39,5 @@ public record SceneReport(
         Map<String, Double> errors,
         String digest,
         double allocatedBytesPerTick,
+        Map<String, Double> stageMicros,
         List<String> remarks) {}

@@ -4,6 +4,8 @@ import dev.cairn.core.snapshot.SnapshotExchange;
 import dev.cairn.physics.Contacts;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.StepProfile;
+import dev.cairn.physics.StepStage;
 import dev.cairn.render.app.Offscreen;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.Light;
@@ -108,10 +110,15 @@ public final class SceneRun {
                             ticks, Math.max(1, built.bodies().size() / BODIES_PER_SKIPPED_TICK));
             SnapshotExchange exchange = picture == null ? null : new SnapshotExchange();
             measures.depth(built);
+            world.profile().enable();
             for (int tick = 1; tick <= ticks; tick++) {
                 built.beforeTick();
                 measures.step(world, meter, tick);
                 built.afterTick();
+                if (tick == 1) {
+                    // the first tick loads classes and grows every store
+                    world.profile().reset();
+                }
                 measures.overlap(built, tick);
                 if (exchange != null && tick >= pictureTick - 1 && tick <= pictureTick) {
                     exchange.publish(world.ecs());
@@ -174,7 +181,16 @@ public final class SceneRun {
                 built.errors(),
                 String.format(Locale.ROOT, "%016x", world.digest()),
                 measures.bytes.perTick(),
+                stages(world.profile()),
                 List.copyOf(built.remarks()));
+    }
+
+    private static Map<String, Double> stages(StepProfile profile) {
+        Map<String, Double> micros = new LinkedHashMap<>();
+        for (StepStage stage : StepStage.values()) {
+            micros.put(stage.name().toLowerCase(Locale.ROOT), 1e6 * profile.meanSeconds(stage));
+        }
+        return micros;
     }
 
     /** What is noted tick by tick, without allocation inside the measured part. */

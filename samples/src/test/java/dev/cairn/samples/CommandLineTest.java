@@ -148,7 +148,8 @@ class CommandLineTest {
                         "maxPenetrationMetres",
                         "errors",
                         "digest",
-                        "allocatedBytesPerTick"),
+                        "allocatedBytesPerTick",
+                        "stageMicros"),
                 names);
         assertEquals("slope-box", report.get("scene").getAsString());
         assertEquals(20, report.get("ticks").getAsInt());

@@ -1,0 +1,96 @@
+package dev.cairn.physics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.physics.shape.Box;
+
+import jdk.jfr.Recording;
+import jdk.jfr.consumer.RecordedEvent;
+import jdk.jfr.consumer.RecordingFile;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+
+/** What a step cost can be read, by program and by a recording of the Flight Recorder. */
+class StepProfileTest {
+    private static final double STEP = 1.0 / 60;
+
+    private static PhysicsWorld stack() {
+        PhysicsWorld world = PhysicsWorld.builder().gravity(0, -9.81, 0).build();
+        world.add(Body.fixed().shape(Box.of(5, 1, 5)).at(0, -1, 0));
+        world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 0));
+        world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 1.5, 0));
+        return world;
+    }
+
+    private static void step(PhysicsWorld world, int ticks) {
+        for (int tick = 0; tick < ticks; tick++) {
+            world.step(STEP);
+        }
+    }
+
+    @Test
+    void timesOnlyWhatIsAskedFor() {
+        try (PhysicsWorld world = stack()) {
+            StepProfile profile = world.profile();
+            step(world, 3);
+            assertEquals(0, profile.steps());
+            profile.enable();
+            step(world, 5);
+            profile.disable();
+            step(world, 2);
+            assertEquals(5, profile.steps());
+            long sum = 0;
+            double mean = 0;
+            for (StepStage stage : StepStage.values()) {
+                assertTrue(profile.lastNanos(stage) >= 0, stage.name());
+                sum += profile.lastNanos(stage);
+                mean += profile.meanSeconds(stage);
+            }
+            assertTrue(sum > 0 && mean > 0, sum + " ns, " + mean + " s");
+            profile.reset();
+            assertEquals(0, profile.steps());
+            assertEquals(0, profile.meanSeconds(StepStage.SOLVE));
+        }
+    }
+
+    @Test
+    void theClockDoesNotChangeTheBits() {
+        try (PhysicsWorld plain = stack();
+                PhysicsWorld timed = stack()) {
+            timed.profile().enable();
+            step(plain, 30);
+            step(timed, 30);
+            assertEquals(plain.digest(), timed.digest());
+        }
+    }
+
+    @Test
+    void aRecordingHasOneEventForEachStep(@TempDir Path folder) throws IOException {
+        Path file = folder.resolve("steps.jfr");
+        try (PhysicsWorld world = stack();
+                Recording recording = new Recording()) {
+            step(world, 4);
+            recording.enable("dev.cairn.PhysicsStep").withoutThreshold();
+            recording.start();
+            step(world, 7);
+            recording.stop();
+            recording.dump(file);
+        }
+        List<RecordedEvent> events =
+                RecordingFile.readAllEvents(file).stream()
+                        .filter(e -> e.getEventType().getName().equals("dev.cairn.PhysicsStep"))
+                        .toList();
+        assertEquals(7, events.size());
+        for (RecordedEvent event : events) {
+            assertEquals(3, event.getInt("bodies"));
+            assertEquals(2, event.getInt("contacts"));
+            assertTrue(event.getDuration("solve").toNanos() > 0, event.toString());
+        }
+    }
+}
