@@ -88,7 +88,8 @@ public final class Body {
     /**
      * Turns the shape's frame; no rotation by default.
      *
-     * @param worldFromBody unit quaternion, its length within 1e-6 of 1 (it is then normalised)
+     * @param worldFromBody unit quaternion, its length within 1e-6 of 1; it is normalised, unless
+     *     only the last digits of its length differ
      * @return this
      * @throws IllegalArgumentException if it is not finite or not of unit length
      */

@@ -4,6 +4,7 @@ import dev.cairn.core.ecs.EcsSystem;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.job.Jobs;
 
+import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
@@ -249,6 +250,17 @@ public final class PhysicsWorld implements AutoCloseable {
         physics.gravityX = x;
         physics.gravityY = y;
         physics.gravityZ = z;
+    }
+
+    /**
+     * The gravity in force.
+     *
+     * @param destination receives m/s²
+     * @return destination
+     */
+    public Vector3d gravity(Vector3d destination) {
+        Checks.notNull("destination", destination);
+        return destination.set(physics.gravityX, physics.gravityY, physics.gravityZ);
     }
 
     private void requireOpen(String call) {

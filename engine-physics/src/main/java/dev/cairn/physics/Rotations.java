@@ -5,6 +5,9 @@ final class Rotations {
     /** How far from 1 the length of a quaternion may be to be taken as rounding. */
     static final double TOLERANCE = 1e-6;
 
+    /** Four units in the last place of 1. */
+    private static final double ROUNDING = 0x1p-50;
+
     private Rotations() {}
 
     /** The factor that makes the quaternion a unit one, if it is one but for rounding. */
@@ -27,7 +30,9 @@ final class Rotations {
                             + TOLERANCE
                             + " of 1: normalise it first");
         }
-        return 1 / length;
+        // A quaternion that is normalised but for rounding is kept bit for bit, so that what one
+        // body says of its orientation turns another one into exactly the same.
+        return Math.abs(length - 1) <= ROUNDING ? 1 : 1 / length;
     }
 
     /** Rotates (vx, vy, vz) by the unit quaternion: v + 2 w (q x v) + 2 q x (q x v). */

@@ -38,6 +38,8 @@ import java.util.Map;
             "  samples --scene slope-box --set friction=0.2",
             "  samples --headless --scene pyramid --set base=100 --workers 2 --json -",
             "  samples --headless --obj rock.obj --picture rock.png --at 120",
+            "  samples --scene pyramid --set base=5 --export-scene five.json",
+            "  samples --headless --scene-file five.json --picture five.png",
             "  samples --scene room,pyramid,obj-drop --contact-sheet scenes.png",
             "",
             "Exit codes: 0 done; 1 a scene failed; 2 the options make no sense (one line says why)."
@@ -68,6 +70,19 @@ public final class Main {
             paramLabel = "ID",
             description = "Scene to run; repeat it, or separate by commas.")
     List<String> scenes = new ArrayList<>();
+
+    @Option(
+            names = "--scene-file",
+            paramLabel = "FILE.json",
+            description =
+                    "Run a scene file instead of a scene of the list; see docs/scene-files.md.")
+    @Nullable String sceneFile;
+
+    @Option(
+            names = "--export-scene",
+            paramLabel = "FILE.json",
+            description = "Write the only scene of the run as a scene file, and run nothing.")
+    @Nullable String exportScene;
 
     @Option(names = "--obj", paramLabel = "FILE", description = "Mesh for scene obj-drop.")
     @Nullable String obj;

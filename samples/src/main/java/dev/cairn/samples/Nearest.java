@@ -6,17 +6,29 @@ import java.util.List;
 import java.util.Locale;
 
 /** Finds what the user may have meant, by edit distance. Stateless. */
-final class Nearest {
+public final class Nearest {
     private Nearest() {}
 
-    /** Returns {@code " (did you mean X?)"}, or nothing if nothing is near. */
-    static String hint(String typed, List<String> known) {
+    /**
+     * Words the suggestion.
+     *
+     * @param typed what the user wrote
+     * @param known what it may have been
+     * @return {@code " (did you mean X?)"}, or nothing if nothing is near
+     */
+    public static String hint(String typed, List<String> known) {
         String nearest = of(typed, known);
         return nearest == null ? "" : " (did you mean " + nearest + "?)";
     }
 
-    /** Returns the known word that is nearest to what was typed, or null if all are far away. */
-    static @Nullable String of(String typed, List<String> known) {
+    /**
+     * Finds the known word that is nearest to what was typed.
+     *
+     * @param typed what the user wrote
+     * @param known what it may have been
+     * @return the nearest, or null if all are far away
+     */
+    public static @Nullable String of(String typed, List<String> known) {
         String wanted = typed.toLowerCase(Locale.ROOT);
         String best = null;
         int bestDistance = Integer.MAX_VALUE;

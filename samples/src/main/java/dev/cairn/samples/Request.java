@@ -2,6 +2,10 @@ package dev.cairn.samples;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.PhysicsSettings;
+import dev.cairn.samples.scenefile.SceneFile;
+import dev.cairn.samples.scenefile.SceneFileException;
+import dev.cairn.samples.scenefile.SceneLoader;
+import dev.cairn.samples.scenefile.SceneReader;
 
 import org.jspecify.annotations.Nullable;
 
@@ -32,6 +36,8 @@ import java.util.Map;
  * @param at tick of that picture, or null for the last
  * @param gallery true if every scene gets a picture in a folder
  * @param contactSheet where these pictures also go side by side, or null
+ * @param stepSeconds length of a tick in a window, s
+ * @param export where the only scene is written as a scene file, or null
  */
 record Request(
         Mode mode,
@@ -44,12 +50,16 @@ record Request(
         @Nullable Path picture,
         @Nullable Integer at,
         boolean gallery,
-        @Nullable Path contactSheet) {
+        @Nullable Path contactSheet,
+        double stepSeconds,
+        @Nullable Path export) {
 
     /** What to do. */
     enum Mode {
         /** Print what there is. */
         LIST,
+        /** Write a scene file. */
+        EXPORT,
         /** Run without a window. */
         HEADLESS,
         /** Open a window, or complain. */
@@ -87,12 +97,21 @@ record Request(
                                             ? "this is a folder"
                                             : "there is no such file"));
         }
-        List<SampleScene> scenes = scenes(typed.scenes, obj);
+        Path file = path("--scene-file", typed.sceneFile);
+        SceneFile described = file == null ? null : read(file);
+        List<SampleScene> scenes =
+                file == null || described == null
+                        ? scenes(typed.scenes, obj)
+                        : List.of(SceneLoader.sample(file, described));
         Map<String, SceneOptions> options =
                 options(scenes, settings(typed.settings), seed(typed.seed), obj);
         Path picture = path("--picture", typed.picture);
         if (picture != null) {
             checkPicture(picture, scenes, at, ticks);
+        }
+        Path export = path("--export-scene", typed.exportScene);
+        if (export != null) {
+            checkExport(export, scenes);
         }
         Path sheet = path("--contact-sheet", typed.contactSheet);
         if (sheet != null) {
@@ -111,17 +130,52 @@ record Request(
                 options,
                 ticks,
                 workers == null ? Jobs.defaultWorkers() : workers,
-                substeps == null ? PhysicsSettings.DEFAULT.substeps() : substeps,
+                substeps == null ? substeps(described) : substeps,
                 typed.json,
                 picture,
                 at,
-                sheet != null || (typed.scenes.isEmpty() && obj == null && typed.json == null),
-                sheet);
+                sheet != null
+                        || (typed.scenes.isEmpty()
+                                && file == null
+                                && obj == null
+                                && typed.json == null),
+                sheet,
+                described == null ? SampleScene.STEP_SECONDS : described.tick().seconds(),
+                export);
+    }
+
+    private static int substeps(@Nullable SceneFile described) {
+        return described == null ? PhysicsSettings.DEFAULT.substeps() : described.tick().substeps();
+    }
+
+    private static SceneFile read(Path file) {
+        try {
+            return SceneReader.read(file);
+        } catch (SceneFileException broken) {
+            throw new UsageException("--scene-file " + broken.getMessage(), broken);
+        }
+    }
+
+    private static void checkExport(Path export, List<SampleScene> scenes) {
+        if (scenes.size() != 1) {
+            throw new UsageException(
+                    "--export-scene %s: holds one scene, not %d; add --scene ID"
+                            .formatted(export, scenes.size()));
+        }
+        if (!export.toString().endsWith(".json")) {
+            throw new UsageException(
+                    "--export-scene %s: the name must end in .json".formatted(export));
+        }
+        checkFolder("--export-scene", export);
+        checkWritable("--export-scene", export);
     }
 
     private static Mode mode(Main typed) {
         if (typed.list) {
             return Mode.LIST;
+        }
+        if (typed.exportScene != null) {
+            return Mode.EXPORT;
         }
         if (typed.window) {
             return Mode.WINDOW;
@@ -141,6 +195,21 @@ record Request(
                         || !typed.scenes.isEmpty()
                         || typed.json != null)) {
             throw new UsageException("--list only prints the scenes; leave the other options out");
+        }
+        if (typed.sceneFile != null && (!typed.scenes.isEmpty() || typed.obj != null)) {
+            throw new UsageException(
+                    "--scene-file %s: is the scene; leave --scene and --obj out"
+                            .formatted(typed.sceneFile));
+        }
+        if (typed.exportScene != null
+                && (typed.window
+                        || typed.sceneFile != null
+                        || typed.json != null
+                        || typed.picture != null
+                        || typed.contactSheet != null)) {
+            throw new UsageException(
+                    "--export-scene %s: only writes the file; it goes with --scene, --set, --seed"
+                            .formatted(typed.exportScene));
         }
         if (typed.window && typed.headless) {
             throw new UsageException(

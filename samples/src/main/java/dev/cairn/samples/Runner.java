@@ -1,6 +1,8 @@
 package dev.cairn.samples;
 
 import dev.cairn.render.app.Offscreen;
+import dev.cairn.samples.scenefile.SceneExport;
+import dev.cairn.samples.scenefile.SceneWriter;
 
 import me.tongfei.progressbar.ConsoleProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBar;
@@ -41,6 +43,7 @@ final class Runner {
     int run() {
         return switch (request.mode()) {
             case LIST -> list();
+            case EXPORT -> export();
             case HEADLESS -> headless();
             case WINDOW -> {
                 if (!display) {
@@ -78,6 +81,24 @@ final class Runner {
         return Main.DONE;
     }
 
+    private int export() {
+        Path file = request.export();
+        SampleScene scene = request.scenes().get(0);
+        if (file == null) {
+            throw new IllegalStateException("no file to export to");
+        }
+        Path folder = file.toAbsolutePath().getParent();
+        SceneWriter.write(
+                SceneExport.of(
+                        scene,
+                        request.options().getOrDefault(scene.id(), SceneOptions.defaults(scene)),
+                        request.substeps(),
+                        folder == null ? file : folder),
+                file);
+        out.println("Scene " + scene.id() + " is in " + file.toAbsolutePath());
+        return Main.DONE;
+    }
+
     private int window() {
         SampleWindow window =
                 new SampleWindow(
@@ -86,6 +107,7 @@ final class Runner {
                         request.workers(),
                         request.substeps(),
                         out);
+        window.step(request.stepSeconds());
         try {
             window.start();
         } catch (UsageException misuse) {

@@ -1,6 +1,5 @@
 package dev.cairn.samples;
 
-import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.render.app.Application;
 import dev.cairn.render.app.Scene;
@@ -9,7 +8,6 @@ import dev.cairn.render.input.Key;
 import org.jspecify.annotations.Nullable;
 
 import java.io.PrintStream;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
@@ -103,11 +101,7 @@ final class SampleWindow extends Application {
         current = Math.floorMod(index, scenes.size());
         Scene screen = scene();
         if (built != null) {
-            for (BodyRef body : new ArrayList<>(built.bodies())) {
-                if (body.isAlive()) {
-                    body.remove();
-                }
-            }
+            built.clear();
         }
         SampleScene chosen = scenes.get(current);
         SceneOptions values = options.getOrDefault(chosen.id(), SceneOptions.defaults(chosen));
@@ -115,15 +109,8 @@ final class SampleWindow extends Application {
         built = next;
         inTick = false;
         remarksShown = 0;
-        SceneBuilder.View view = next.view();
-        screen.camera()
-                .lookAt(
-                        view.eyeX(),
-                        view.eyeY(),
-                        view.eyeZ(),
-                        view.targetX(),
-                        view.targetY(),
-                        view.targetZ());
+        next.view().place(screen.camera());
+        screen.light(next.light());
         screen.title(
                 "Cairn: %s (%d of %d: %s) | 1-9, 0, PageUp/PageDown: scene, R: restart, P: pause"
                         .formatted(chosen.title(), current + 1, scenes.size(), chosen.id()));

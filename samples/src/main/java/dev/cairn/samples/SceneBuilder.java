@@ -1,11 +1,14 @@
 package dev.cairn.samples;
 
+import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.Visual;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.render.camera.Camera;
+import dev.cairn.render.camera.Light;
 import dev.cairn.render.mesh.Model;
 
 import org.jspecify.annotations.Nullable;
@@ -51,7 +54,10 @@ public final class SceneBuilder {
     private final Map<String, DoubleSupplier> errors = new LinkedHashMap<>();
     private final List<String> remarks = new ArrayList<>();
     private final IdentityHashMap<Shape, Model> models = new IdentityHashMap<>();
+    private final List<Long> visuals = new ArrayList<>();
     private View view = new View(0, 4, 14, 0, 1, 0);
+    private Light light = Light.DAYLIGHT;
+    private double stepSeconds = SampleScene.STEP_SECONDS;
     private long tick;
 
     /**
@@ -63,6 +69,7 @@ public final class SceneBuilder {
      * @param targetX what it looks at, x
      * @param targetY what it looks at, y
      * @param targetZ what it looks at, z
+     * @param fieldOfView angle between the upper and the lower edge of the picture, rad
      */
     public record View(
             double eyeX,
@@ -70,7 +77,42 @@ public final class SceneBuilder {
             double eyeZ,
             double targetX,
             double targetY,
-            double targetZ) {}
+            double targetZ,
+            double fieldOfView) {
+        /** Angle between the upper and the lower edge of the picture where none is named. */
+        private static final double FIELD_OF_VIEW = Math.toRadians(50);
+
+        /**
+         * A view through the usual lens.
+         *
+         * @param eyeX camera, x
+         * @param eyeY camera, y
+         * @param eyeZ camera, z
+         * @param targetX what it looks at, x
+         * @param targetY what it looks at, y
+         * @param targetZ what it looks at, z
+         */
+        public View(
+                double eyeX,
+                double eyeY,
+                double eyeZ,
+                double targetX,
+                double targetY,
+                double targetZ) {
+            this(eyeX, eyeY, eyeZ, targetX, targetY, targetZ, FIELD_OF_VIEW);
+        }
+
+        /**
+         * Places a camera.
+         *
+         * @param camera which one
+         * @return the same camera
+         */
+        public Camera place(Camera camera) {
+            return camera.lookAt(eyeX, eyeY, eyeZ, targetX, targetY, targetZ)
+                    .fieldOfView(fieldOfView);
+        }
+    }
 
     /**
      * Creates a builder.
@@ -179,6 +221,35 @@ public final class SceneBuilder {
         return remember(world.add(body.shape(shape)));
     }
 
+    /**
+     * Adds something that is drawn but has no part in the physics.
+     *
+     * @param pose where
+     * @param model its look
+     * @return its entity
+     */
+    public long addVisual(Pose pose, Model model) {
+        long entity = world.ecs().spawn(pose, new Visual(model));
+        visuals.add(entity);
+        return entity;
+    }
+
+    /** Removes what was added and is still there, and gives the world its usual gravity back. */
+    public void clear() {
+        for (BodyRef body : bodies) {
+            if (body.isAlive()) {
+                body.remove();
+            }
+        }
+        for (long entity : visuals) {
+            if (world.ecs().isAlive(entity)) {
+                world.ecs().delete(entity);
+            }
+        }
+        visuals.clear();
+        world.setGravity(0, -SampleScene.GRAVITY, 0);
+    }
+
     private BodyRef remember(BodyRef body) {
         bodies.add(body);
         return body;
@@ -224,12 +295,57 @@ public final class SceneBuilder {
     }
 
     /**
+     * Says in which light the scene wants to be seen.
+     *
+     * @param value the light; {@link Light#DAYLIGHT} if nothing is said
+     */
+    public void light(Light value) {
+        light = value;
+    }
+
+    /**
+     * In which light the scene wants to be seen.
+     *
+     * @return the light
+     */
+    public Light light() {
+        return light;
+    }
+
+    /**
+     * Changes the length of a tick for runs without a window.
+     *
+     * @param value s, above 0; {@link SampleScene#STEP_SECONDS} if nothing is said
+     */
+    public void stepSeconds(double value) {
+        stepSeconds = value;
+    }
+
+    /**
+     * The length of a tick.
+     *
+     * @return s
+     */
+    public double stepSeconds() {
+        return stepSeconds;
+    }
+
+    /**
      * Has something done before every tick: forces, bodies that come and go.
      *
      * @param hook called with the number of the tick to come and the time at its end
      */
     public void beforeTick(Hook hook) {
         before.add(hook);
+    }
+
+    /**
+     * Whether the scene does something before ticks, which a scene file cannot hold.
+     *
+     * @return true if {@link #beforeTick(Hook)} was called
+     */
+    public boolean actsBeforeTicks() {
+        return !before.isEmpty();
     }
 
     /**
@@ -298,7 +414,7 @@ public final class SceneBuilder {
     public void beforeTick() {
         long next = tick + 1;
         for (int i = 0; i < before.size(); i++) {
-            before.get(i).run(next, next * SampleScene.STEP_SECONDS);
+            before.get(i).run(next, next * stepSeconds);
         }
     }
 
@@ -306,7 +422,7 @@ public final class SceneBuilder {
     public void afterTick() {
         tick++;
         for (int i = 0; i < after.size(); i++) {
-            after.get(i).run(tick, tick * SampleScene.STEP_SECONDS);
+            after.get(i).run(tick, tick * stepSeconds);
         }
     }
 

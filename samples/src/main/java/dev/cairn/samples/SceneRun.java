@@ -8,7 +8,6 @@ import dev.cairn.physics.StepProfile;
 import dev.cairn.physics.StepStage;
 import dev.cairn.render.app.Offscreen;
 import dev.cairn.render.camera.Camera;
-import dev.cairn.render.camera.Light;
 
 import org.jspecify.annotations.Nullable;
 
@@ -113,7 +112,7 @@ public final class SceneRun {
             world.profile().enable();
             for (int tick = 1; tick <= ticks; tick++) {
                 built.beforeTick();
-                measures.step(world, meter, tick);
+                measures.step(world, meter, tick, built.stepSeconds());
                 built.afterTick();
                 if (tick == 1) {
                     // the first tick loads classes and grows every store
@@ -123,31 +122,23 @@ public final class SceneRun {
                 if (exchange != null && tick >= pictureTick - 1 && tick <= pictureTick) {
                     exchange.publish(world.ecs());
                     if (tick == pictureTick) {
-                        draw(exchange, built.view());
+                        draw(exchange, built);
                     }
                 }
                 progress.tick();
             }
             if (exchange != null && pictureTick == 0) {
                 exchange.publish(world.ecs());
-                draw(exchange, built.view());
+                draw(exchange, built);
             }
             return report(world, built, measures);
         }
     }
 
-    private void draw(SnapshotExchange exchange, SceneBuilder.View view) {
-        Camera camera =
-                new Camera()
-                        .lookAt(
-                                view.eyeX(),
-                                view.eyeY(),
-                                view.eyeZ(),
-                                view.targetX(),
-                                view.targetY(),
-                                view.targetZ());
+    private void draw(SnapshotExchange exchange, SceneBuilder built) {
+        Camera camera = built.view().place(new Camera());
         try (Offscreen screen = Offscreen.open(1280, 720)) {
-            screen.draw(exchange.latest(), 1, camera, Light.DAYLIGHT);
+            screen.draw(exchange.latest(), 1, camera, built.light());
             if (picture != null) {
                 screen.savePng(picture);
             }
@@ -208,10 +199,10 @@ public final class SceneRun {
             this.bytes = new SteadyBytes(ticks);
         }
 
-        void step(PhysicsWorld world, AllocationMeter meter, int tick) {
+        void step(PhysicsWorld world, AllocationMeter meter, int tick, double seconds) {
             long allocated = meter.bytes();
             long start = System.nanoTime();
-            world.step(SampleScene.STEP_SECONDS);
+            world.step(seconds);
             nanos[tick - 1] = System.nanoTime() - start;
             bytes.add(meter.bytes() - allocated);
         }

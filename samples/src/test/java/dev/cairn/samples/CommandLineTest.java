@@ -82,6 +82,14 @@ class CommandLineTest {
                 "help                           | --help lists them",
                 "--ticks 1 --ticks 2            | only once",
                 "--scene pyramid --json src     | cannot write there",
+                "--scene-file no/such.json      | nothing there",
+                "--scene-file src               | a folder",
+                "--scene-file pom.xml           | pom.xml:1: $: expected JSON",
+                "--scene-file a.json --scene room | leave --scene and --obj out",
+                "--export-scene a.json          | add --scene",
+                "--scene room --export-scene a.txt | .json",
+                "--scene room --export-scene a.json --json - | only writes the file",
+                "--scene room --export-scene no/such/a.json | in a folder that exists",
                 "--list --headless              | leave the other options out",
             })
     void aMistakeIsOneLineThatTeachesAndExitCode2(String arguments, String hint) {
@@ -178,6 +186,18 @@ class CommandLineTest {
         assertEquals(2, reports.size());
         assertTrue(answer.out.contains("collision 2"), answer.out);
         assertFalse(answer.out.contains("collision 3"), answer.out);
+    }
+
+    @Test
+    void anExportedSceneRunsFromItsFile(@TempDir Path folder) {
+        String file = folder.resolve("Five Rows.json").toString();
+        Answer written = samples("--scene", "pyramid", "--set", "base=3", "--export-scene", file);
+        assertEquals(0, written.code, written.err);
+        Answer run = samples("--scene-file", file, "--ticks", "3", "--json", "-");
+        assertEquals(0, run.code, run.err);
+        JsonObject report = JsonParser.parseString(run.out).getAsJsonObject();
+        assertEquals("five-rows", report.get("scene").getAsString());
+        assertEquals(1 + 6, report.get("bodies").getAsInt());
     }
 
     @Test

@@ -88,6 +88,16 @@ public record Model(
     }
 
     /**
+     * What is drawn where a mesh cannot be read: a cube from (-1, -1, -1) to (1, 1, 1) with a
+     * checker of magenta and black.
+     *
+     * @return the model
+     */
+    public static Model placeholder() {
+        return of(Meshes.CUBE).texture(Texture.missing()).color(0xFFFFFF);
+    }
+
+    /**
      * One of twelve colours that can be told apart and look well together.
      *
      * @param index any number; they repeat

@@ -5,6 +5,7 @@ final class Patterns {
     static final Texture GRID = grid(256);
     static final Texture PANEL = panel(128);
     static final Texture BEACH_BALL = beachBall(256, 128);
+    static final Texture MISSING = missing(64);
 
     private Patterns() {}
 
@@ -37,6 +38,16 @@ final class Patterns {
             }
         }
         return Texture.of("panel", size, size, argb);
+    }
+
+    private static Texture missing(int size) {
+        int[] argb = new int[size * size];
+        int square = size / 4;
+        for (int i = 0; i < argb.length; i++) {
+            boolean even = (i % size / square + i / size / square) % 2 == 0;
+            argb[i] = even ? 0xFFFF00FF : 0xFF000000;
+        }
+        return Texture.of("missing", size, size, argb);
     }
 
     private static Texture beachBall(int width, int height) {

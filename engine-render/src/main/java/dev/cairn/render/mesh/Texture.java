@@ -153,6 +153,16 @@ public final class Texture {
     }
 
     /**
+     * What is shown where a picture cannot be read: a checker of magenta and black, which nobody
+     * takes for the real one.
+     *
+     * @return the texture, 64 x 64, with four by four squares
+     */
+    public static Texture missing() {
+        return Patterns.MISSING;
+    }
+
+    /**
      * The same picture laid over the model by its coordinates in metres instead of by the mesh's
      * texture coordinates: each face takes the two axes that it lies in. A floor of any size keeps
      * its pattern's size so.

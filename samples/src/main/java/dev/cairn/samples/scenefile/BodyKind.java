@@ -1,0 +1,26 @@
+package dev.cairn.samples.scenefile;
+
+/** What part an entity has in the physics. */
+public enum BodyKind {
+    /** Forces and contacts move it. */
+    DYNAMIC("dynamic"),
+    /** Others collide with it, nothing moves it. */
+    FIXED("fixed"),
+    /** It is only drawn. */
+    NONE("none");
+
+    private final String word;
+
+    BodyKind(String word) {
+        this.word = word;
+    }
+
+    /**
+     * The word in the file.
+     *
+     * @return lower case
+     */
+    public String word() {
+        return word;
+    }
+}

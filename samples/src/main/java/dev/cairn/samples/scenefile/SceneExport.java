@@ -1,0 +1,153 @@
+package dev.cairn.samples.scenefile;
+
+import dev.cairn.core.snapshot.Pose;
+import dev.cairn.core.snapshot.Visual;
+import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.Material;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
+import dev.cairn.render.mesh.Model;
+import dev.cairn.samples.SampleScene;
+import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneOptions;
+import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
+import dev.cairn.samples.scenefile.SceneFile.TickSpec;
+import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
+import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
+import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+
+import org.joml.Vector3d;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * Turns what a script has built into a scene file: the bodies as they are before the first tick.
+ * What a script does from tick to tick (hooks, truths) is code and stays behind.
+ */
+public final class SceneExport {
+    /** Ends the description of a scene that a file holds only a part of. */
+    public static final String LEFT_OUT =
+            "(What the original does from tick to tick is code, and not in this file.)";
+
+    private final Path folder;
+
+    private SceneExport(Path folder) {
+        this.folder = folder;
+    }
+
+    /**
+     * Builds a scene and describes it.
+     *
+     * @param scene which one
+     * @param options values of its parameters
+     * @param substeps sub-steps of the solver
+     * @param folder what paths in the file become relative to
+     * @return the file's contents
+     */
+    public static SceneFile of(SampleScene scene, SceneOptions options, int substeps, Path folder) {
+        try (PhysicsWorld world =
+                PhysicsWorld.builder().gravity(0, -SampleScene.GRAVITY, 0).workers(1).build()) {
+            SceneBuilder built = scene.build(new SceneBuilder(world, options));
+            Vector3d g = world.gravity(new Vector3d());
+            SceneExport export = new SceneExport(folder.toAbsolutePath().normalize());
+            List<EntitySpec> entities = new ArrayList<>();
+            for (BodyRef body : built.bodies()) {
+                entities.add(export.entity(world, body));
+            }
+            SceneBuilder.View view = built.view();
+            return new SceneFile(
+                    scene.title(),
+                    built.actsBeforeTicks()
+                            ? scene.description() + " " + LEFT_OUT
+                            : scene.description(),
+                    new Xyz(g.x, g.y, g.z),
+                    new TickSpec(built.stepSeconds(), substeps, scene.ticks(), scene.pictureTick()),
+                    new CameraSpec(
+                            new Xyz(view.eyeX(), view.eyeY(), view.eyeZ()),
+                            new Xyz(view.targetX(), view.targetY(), view.targetZ()),
+                            Math.toDegrees(view.fieldOfView())),
+                    built.light(),
+                    entities);
+        }
+    }
+
+    private EntitySpec entity(PhysicsWorld world, BodyRef body) {
+        // The pose as it was given; the body itself keeps its centre of mass, which may round.
+        Pose pose = world.ecs().get(body.entity(), Pose.COMPONENT);
+        Material material = body.material();
+        boolean ownMass =
+                !body.isFixed()
+                        && body.mass()
+                                != 1 / (1 / body.shape().massProperties(material.density()).mass());
+        EntitySpec entity =
+                EntitySpec.of(
+                                body.name(),
+                                body.isFixed() ? BodyKind.FIXED : BodyKind.DYNAMIC,
+                                shape(body.shape()))
+                        .at(
+                                new Xyz(pose.x(), pose.y(), pose.z()),
+                                new Turn(pose.qx(), pose.qy(), pose.qz(), pose.qw()))
+                        .withMaterial(material, ownMass ? (Double) body.mass() : null)
+                        .withLook(look(world, body));
+        if (body.isFixed()) {
+            return entity;
+        }
+        Vector3d v = body.velocity();
+        Vector3d w = body.angularVelocity();
+        return entity.moving(new Xyz(v.x, v.y, v.z), new Xyz(w.x, w.y, w.z));
+    }
+
+    private static ShapeSpec shape(Shape shape) {
+        return switch (shape) {
+            case Box box -> new BoxShape(new Xyz(box.halfX(), box.halfY(), box.halfZ()));
+            case Sphere sphere -> new SphereShape(sphere.radius());
+            case ConvexHull hull -> {
+                double[] xyz = hull.vertices();
+                List<Xyz> points = new ArrayList<>();
+                for (int i = 0; i < xyz.length; i += 3) {
+                    points.add(new Xyz(xyz[i], xyz[i + 1], xyz[i + 2]));
+                }
+                yield new HullShape(points);
+            }
+        };
+    }
+
+    private LookSpec look(PhysicsWorld world, BodyRef body) {
+        if (!world.ecs().has(body.entity(), Visual.COMPONENT)
+                || !(world.ecs().get(body.entity(), Visual.COMPONENT).model()
+                        instanceof Model model)) {
+            return new LookSpec(false, null, null, 0, null, Xyz.ONE);
+        }
+        Model own = Model.of(body.shape());
+        LookSpec look = LookSpec.DEFAULT.withRgb(model.rgb());
+        if (!model.texture().equals(own.texture())) {
+            String name = Textures.nameOf(model.texture());
+            look =
+                    look.withTexture(
+                            name != null ? name : relative(model.texture().name()),
+                            model.texture().tileMetres());
+        }
+        if (!model.mesh().equals(own.mesh())) {
+            return new LookSpec(
+                    true,
+                    look.rgb(),
+                    look.texture(),
+                    look.tileMetres(),
+                    relative(model.mesh().name()),
+                    new Xyz(model.scaleX(), model.scaleY(), model.scaleZ()));
+        }
+        return look;
+    }
+
+    private String relative(String file) {
+        Path whole = Path.of(file).toAbsolutePath().normalize();
+        boolean sameRoot = Objects.equals(whole.getRoot(), folder.getRoot());
+        return (sameRoot ? folder.relativize(whole) : whole).toString().replace('\\', '/');
+    }
+}

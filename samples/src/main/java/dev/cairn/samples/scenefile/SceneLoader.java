@@ -1,0 +1,272 @@
+package dev.cairn.samples.scenefile;
+
+import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.Body;
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.DegenerateShapeException;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.render.mesh.Mesh;
+import dev.cairn.render.mesh.Model;
+import dev.cairn.render.mesh.ObjFormatException;
+import dev.cairn.render.mesh.ObjReader;
+import dev.cairn.render.mesh.Texture;
+import dev.cairn.samples.Palette;
+import dev.cairn.samples.SampleScene;
+import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.UsageException;
+import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
+import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
+
+import org.joml.Quaterniond;
+import org.jspecify.annotations.Nullable;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * Puts a scene file's contents into a world. One thread, the simulation's; one build per object.
+ */
+public final class SceneLoader {
+    /** Half the edge of the cube that collides and is drawn where a mesh cannot be used, m. */
+    private static final double PLACEHOLDER_HALF = 0.5;
+
+    private final Path folder;
+    private final SceneBuilder into;
+    private final Map<String, @Nullable Mesh> meshes = new HashMap<>();
+    private final Map<String, @Nullable Texture> textures = new HashMap<>();
+    private final Map<Shared, Shape> shapes = new HashMap<>();
+
+    /** Entities of equal shape and scale share one collision shape, and so one mesh to draw. */
+    private record Shared(ShapeSpec shape, Xyz scale) {}
+
+    private SceneLoader(Path folder, SceneBuilder into) {
+        this.folder = folder;
+        this.into = into;
+    }
+
+    /**
+     * A scene file as a scene among the others.
+     *
+     * @param file where it was read, for its id and its relative paths
+     * @param scene what is in it
+     * @return the scene
+     */
+    public static SampleScene sample(Path file, SceneFile scene) {
+        Path whole = file.toAbsolutePath();
+        Path parent = whole.getParent();
+        Path folder = parent == null ? whole : parent;
+        String name = String.valueOf(whole.getFileName()).replaceAll("\\.json$", "");
+        return new SampleScene(
+                id(name),
+                scene.name().isEmpty() ? name : scene.name(),
+                scene.description().isEmpty() ? "A scene file." : scene.description(),
+                "files",
+                List.of(),
+                scene.tick().ticks(),
+                scene.tick().pictureTick(),
+                builder -> {
+                    try {
+                        build(scene, folder, builder);
+                    } catch (IllegalArgumentException refused) {
+                        throw new UsageException(
+                                "--scene-file %s: %s".formatted(file, refused.getMessage()),
+                                refused);
+                    }
+                });
+    }
+
+    private static String id(String name) {
+        String id =
+                name.toLowerCase(Locale.ROOT)
+                        .replaceAll("[^a-z0-9]+", "-")
+                        .replaceAll("^-+|-+$", "");
+        return id.isEmpty() ? "scene" : id;
+    }
+
+    /**
+     * Builds a scene. A mesh or picture that cannot be used is noted as a remark of the builder and
+     * replaced by a placeholder.
+     *
+     * @param scene what to build
+     * @param folder what relative paths are relative to
+     * @param into an empty builder; its world gets the scene's gravity
+     * @throws IllegalArgumentException if the world refuses an entity (a mass whose inverse
+     *     overflows); the message names it
+     */
+    public static void build(SceneFile scene, Path folder, SceneBuilder into) {
+        SceneLoader loader = new SceneLoader(folder, into);
+        into.world().setGravity(scene.gravity().x(), scene.gravity().y(), scene.gravity().z());
+        into.stepSeconds(scene.tick().seconds());
+        into.light(scene.light());
+        CameraSpec camera = scene.camera();
+        into.view(
+                new SceneBuilder.View(
+                        camera.eye().x(),
+                        camera.eye().y(),
+                        camera.eye().z(),
+                        camera.target().x(),
+                        camera.target().y(),
+                        camera.target().z(),
+                        Math.toRadians(camera.fieldOfViewDegrees())));
+        for (int i = 0; i < scene.entities().size(); i++) {
+            EntitySpec entity = scene.entities().get(i);
+            try {
+                loader.add(entity, i);
+            } catch (IllegalArgumentException refused) {
+                throw new IllegalArgumentException(
+                        "$.entities[%d] \"%s\": %s"
+                                .formatted(i, entity.name(), refused.getMessage()),
+                        refused);
+            }
+        }
+    }
+
+    private void add(EntitySpec entity, int index) {
+        Shape shape = shape(entity, index);
+        LookSpec look = entity.look();
+        Model model = look.visible() ? model(entity, shape, index) : null;
+        Turn turn = entity.rotation();
+        Xyz at = entity.position();
+        if (entity.body() == BodyKind.NONE) {
+            if (model != null) {
+                Quaterniond q = new Quaterniond(turn.x(), turn.y(), turn.z(), turn.w()).normalize();
+                into.addVisual(new Pose(at.x(), at.y(), at.z(), q.x, q.y, q.z, q.w, 0), model);
+            }
+            return;
+        }
+        boolean fixed = entity.body() == BodyKind.FIXED;
+        Body body =
+                (fixed ? Body.fixed() : Body.dynamic())
+                        .at(at.x(), at.y(), at.z())
+                        .rotation(new Quaterniond(turn.x(), turn.y(), turn.z(), turn.w()))
+                        .material(entity.material())
+                        .name(entity.name());
+        Double mass = entity.mass();
+        if (mass != null) {
+            body.mass(mass);
+        }
+        Xyz v = entity.velocity();
+        Xyz w = entity.angularVelocity();
+        body.velocity(v.x(), v.y(), v.z()).angularVelocity(w.x(), w.y(), w.z());
+        Shape collider = shape == null ? placeholderShape(entity) : shape;
+        if (model == null) {
+            into.addUnseen(collider, body);
+        } else {
+            into.add(collider, model, body);
+        }
+    }
+
+    private static Shape placeholderShape(EntitySpec entity) {
+        Xyz s = entity.scale();
+        return Box.of(PLACEHOLDER_HALF * s.x(), PLACEHOLDER_HALF * s.y(), PLACEHOLDER_HALF * s.z());
+    }
+
+    /** The collision shape; null if there is none: a broken mesh, or one that is only drawn. */
+    private @Nullable Shape shape(EntitySpec entity, int index) {
+        Shared key = new Shared(entity.shape(), entity.scale());
+        Shape known = shapes.get(key);
+        if (known == null) {
+            if (!(entity.shape() instanceof MeshShape(String file))) {
+                known = entity.shape().collider(entity.scale());
+            } else if (entity.body() != BodyKind.NONE) {
+                known = hull(file, entity, index);
+            }
+            if (known != null) {
+                shapes.put(key, known);
+            }
+        }
+        return known;
+    }
+
+    private @Nullable Shape hull(String file, EntitySpec entity, int index) {
+        Mesh mesh = mesh(file, index);
+        if (mesh == null) {
+            return null;
+        }
+        double[] points = mesh.points();
+        double[] scale = {entity.scale().x(), entity.scale().y(), entity.scale().z()};
+        for (int i = 0; i < points.length; i++) {
+            points[i] *= scale[i % 3];
+        }
+        try {
+            return ConvexHull.of(points);
+        } catch (DegenerateShapeException flat) {
+            meshes.put(file, null);
+            complain(index, file + ": no convex hull of its points: " + flat.getMessage());
+            return null;
+        }
+    }
+
+    private Model model(EntitySpec entity, @Nullable Shape shape, int index) {
+        LookSpec look = entity.look();
+        Xyz s = entity.scale();
+        Model model;
+        String file =
+                look.mesh() != null
+                        ? look.mesh()
+                        : entity.shape() instanceof MeshShape(String own) ? own : null;
+        if (file != null) {
+            Mesh mesh = mesh(file, index);
+            if (mesh == null) {
+                return Model.placeholder()
+                        .scale(
+                                PLACEHOLDER_HALF * s.x(),
+                                PLACEHOLDER_HALF * s.y(),
+                                PLACEHOLDER_HALF * s.z());
+            }
+            Xyz m = look.meshScale();
+            model = Model.of(mesh).scale(m.x() * s.x(), m.y() * s.y(), m.z() * s.z());
+        } else if (shape != null) {
+            model = Model.of(shape);
+        } else {
+            throw new IllegalStateException("entity " + index + " has neither shape nor mesh");
+        }
+        Integer rgb = look.rgb();
+        model = model.color(rgb != null ? rgb : Palette.body(index));
+        String texture = look.texture();
+        if (texture != null) {
+            model = model.texture(texture(texture, index).tiledEvery(look.tileMetres()));
+        }
+        return model;
+    }
+
+    private @Nullable Mesh mesh(String file, int index) {
+        if (!meshes.containsKey(file)) {
+            Mesh mesh = null;
+            try {
+                mesh = ObjReader.read(folder.resolve(file));
+            } catch (ObjFormatException | InvalidPathException broken) {
+                complain(index, String.valueOf(broken.getMessage()));
+            }
+            meshes.put(file, mesh);
+        }
+        return meshes.get(file);
+    }
+
+    private Texture texture(String name, int index) {
+        Texture builtIn = Textures.builtIn(name);
+        if (builtIn != null) {
+            return builtIn;
+        }
+        Texture known = textures.get(name);
+        if (known == null) {
+            try {
+                known = Texture.read(folder.resolve(name));
+            } catch (IllegalArgumentException broken) {
+                complain(index, String.valueOf(broken.getMessage()));
+                known = Texture.missing();
+            }
+            textures.put(name, known);
+        }
+        return known;
+    }
+
+    private void complain(int index, String message) {
+        into.remark("entity %d shows a placeholder: %s".formatted(index, message));
+    }
+}

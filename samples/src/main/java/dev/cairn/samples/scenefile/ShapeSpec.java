@@ -1,0 +1,109 @@
+package dev.cairn.samples.scenefile;
+
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
+
+import java.util.List;
+
+/** What an entity is shaped like, before its scale. Immutable. */
+public sealed interface ShapeSpec {
+    /**
+     * The word in the file.
+     *
+     * @return the value of {@code type}
+     */
+    String type();
+
+    /**
+     * A block around the origin of its frame.
+     *
+     * @param halfExtents half its width, height and depth, m
+     */
+    record BoxShape(Xyz halfExtents) implements ShapeSpec {
+        @Override
+        public String type() {
+            return "box";
+        }
+    }
+
+    /**
+     * A ball around the origin of its frame.
+     *
+     * @param radius m
+     */
+    record SphereShape(double radius) implements ShapeSpec {
+        @Override
+        public String type() {
+            return "sphere";
+        }
+    }
+
+    /**
+     * The convex hull of points.
+     *
+     * @param points at least four that are not in a plane, m
+     */
+    record HullShape(List<Xyz> points) implements ShapeSpec {
+        /** Copies the list. */
+        public HullShape {
+            points = List.copyOf(points);
+        }
+
+        @Override
+        public String type() {
+            return "hull";
+        }
+    }
+
+    /**
+     * A file of triangles: drawn as it is, collides as the convex hull of its points.
+     *
+     * @param file path of an {@code .obj} file
+     */
+    record MeshShape(String file) implements ShapeSpec {
+        @Override
+        public String type() {
+            return "mesh";
+        }
+    }
+
+    /**
+     * The collision shape. A mesh has none before its file is read.
+     *
+     * @param scale factors along the shape's axes, &gt; 0; a round shape wants three equal ones
+     * @return the shape at its size
+     * @throws IllegalArgumentException if a size is out of range, the hull is flat, or a round
+     *     shape would be squashed
+     * @throws IllegalStateException for a mesh
+     */
+    default Shape collider(Xyz scale) {
+        return switch (this) {
+            case BoxShape(Xyz half) ->
+                    Box.of(half.x() * scale.x(), half.y() * scale.y(), half.z() * scale.z());
+            case SphereShape(double radius) -> Sphere.of(radius * uniform(scale));
+            case HullShape(List<Xyz> points) -> {
+                double[] xyz = new double[3 * points.size()];
+                for (int i = 0; i < points.size(); i++) {
+                    xyz[3 * i] = points.get(i).x() * scale.x();
+                    xyz[3 * i + 1] = points.get(i).y() * scale.y();
+                    xyz[3 * i + 2] = points.get(i).z() * scale.z();
+                }
+                yield ConvexHull.of(xyz);
+            }
+            case MeshShape(String file) ->
+                    throw new IllegalStateException(
+                            "mesh " + file + " has no collision shape before it is read");
+        };
+    }
+
+    private static double uniform(Xyz scale) {
+        if (scale.x() != scale.y() || scale.x() != scale.z()) {
+            throw new IllegalArgumentException(
+                    "scale of a round shape is (%s, %s, %s), expected three equal factors"
+                            .formatted(scale.x(), scale.y(), scale.z()));
+        }
+        return scale.x();
+    }
+}
