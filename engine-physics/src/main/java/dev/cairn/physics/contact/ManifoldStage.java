@@ -6,34 +6,38 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.narrowphase.BoxContacts;
 import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
+import dev.cairn.physics.narrowphase.wide.BoxBatch;
+import dev.cairn.physics.shape.Box;
 
 import java.util.Arrays;
 
 /**
- * The narrow phase over all rows, in blocks, one writer to a row. Points that were there in the
- * last tick, by feature id, keep their impulse.
+ * The narrow phase over all active rows, sorted by the kind of pair, in blocks of one kind, one
+ * writer to a row. Points that were there in the last tick, by feature id, keep their impulse.
  *
- * <p>Simulation thread; allocates only when the number of workers grows.
+ * <p>Simulation thread; allocates only when the number of workers or rows grows.
  */
 public final class ManifoldStage {
-    /**
-     * A point whose features are new is an old one within this share of the smaller inner radius.
-     */
-    private static final double NEAR = 0.1;
+    /** A batch of boxes, about 5 microseconds. */
+    private static final int BOXES_PER_BLOCK = BoxBatch.CAPACITY;
 
-    /** A pair costs from some hundred nanoseconds to some microseconds. */
-    private static final int ROWS_PER_BLOCK = 32;
+    /** Other pairs cost from some hundred nanoseconds to some microseconds. */
+    private static final int OTHERS_PER_BLOCK = 32;
 
     private final PhysicsSettings settings;
     private final BlockJob job = this::block;
+    private final PairKinds kinds = new PairKinds();
+    private final PointStore points = new PointStore();
     private Scratch[] scratch = {};
 
     private BodyStore bodies = new BodyStore();
     private ContactStore contacts = new ContactStore();
     private BoundsStage bounds;
     private double reach;
+    private int boxBlocks;
 
     /**
      * A stage.
@@ -46,7 +50,7 @@ public final class ManifoldStage {
     }
 
     /**
-     * Collides all rows.
+     * Collides all active rows.
      *
      * @param bodyStore poses at the start of the tick
      * @param rows the rows, whose points are written
@@ -71,14 +75,70 @@ public final class ManifoldStage {
                 scratch[w] = new Scratch();
             }
         }
-        jobs.run(job, Blocks.count(rows.activeCount, ROWS_PER_BLOCK));
+        points.use(bodyStore, rows);
+        kinds.sort(bodyStore, rows, jobs);
+        int boxes = kinds.begin(PairKinds.OTHERS);
+        boxBlocks = Blocks.count(boxes, BOXES_PER_BLOCK);
+        jobs.run(job, boxBlocks + Blocks.count(rows.activeCount - boxes, OTHERS_PER_BLOCK));
     }
 
     private void block(int block, int worker) {
-        int end = Blocks.end(block, ROWS_PER_BLOCK, contacts.activeCount);
         Scratch own = scratch[worker];
-        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
-            collide(contacts.active[i], own);
+        int others = kinds.begin(PairKinds.OTHERS);
+        if (block < boxBlocks) {
+            int begin = Blocks.begin(block, BOXES_PER_BLOCK);
+            boxes(begin, Blocks.end(block, BOXES_PER_BLOCK, others) - begin, own);
+            return;
+        }
+        int[] order = kinds.order();
+        int b = block - boxBlocks;
+        int end = others + Blocks.end(b, OTHERS_PER_BLOCK, contacts.activeCount - others);
+        for (int i = others + Blocks.begin(b, OTHERS_PER_BLOCK); i < end; i++) {
+            collide(order[i], own);
+        }
+    }
+
+    private void boxes(int begin, int count, Scratch own) {
+        BodyStore s = bodies;
+        ContactStore c = contacts;
+        int[] order = kinds.order();
+        BoxContacts batch = own.boxes;
+        for (int i = 0; i < count; i++) {
+            int row = order[begin + i];
+            int a = c.bodyA[row];
+            int b = c.bodyB[row];
+            batch.put(
+                    i,
+                    (Box) s.shape[a],
+                    (Box) s.shape[b],
+                    s.orientationX[a],
+                    s.orientationY[a],
+                    s.orientationZ[a],
+                    s.orientationW[a],
+                    s.orientationX[b],
+                    s.orientationY[b],
+                    s.orientationZ[b],
+                    s.orientationW[b],
+                    s.positionX[b] - s.positionX[a],
+                    s.positionY[b] - s.positionY[a],
+                    s.positionZ[b] - s.positionZ[a]);
+        }
+        batch.findAxes(count);
+        for (int i = 0; i < count; i++) {
+            int row = order[begin + i];
+            int a = c.bodyA[row];
+            int b = c.bodyB[row];
+            double inner = Math.min(s.innerRadius[a], s.innerRadius[b]);
+            c.cache[row] =
+                    batch.collide(
+                            i,
+                            (Box) s.shape[a],
+                            (Box) s.shape[b],
+                            inner,
+                            margin(a, b),
+                            c.cache[row],
+                            own.manifold);
+            points.store(row, own.manifold, own.points);
         }
     }
 
@@ -87,9 +147,6 @@ public final class ManifoldStage {
         ContactStore c = contacts;
         int a = c.bodyA[row];
         int b = c.bodyB[row];
-        double dx = s.positionX[b] - s.positionX[a];
-        double dy = s.positionY[b] - s.positionY[a];
-        double dz = s.positionZ[b] - s.positionZ[a];
         c.cache[row] =
                 own.narrowPhase.collide(
                         s.shape[a],
@@ -102,13 +159,13 @@ public final class ManifoldStage {
                         s.orientationY[b],
                         s.orientationZ[b],
                         s.orientationW[b],
-                        dx,
-                        dy,
-                        dz,
+                        s.positionX[b] - s.positionX[a],
+                        s.positionY[b] - s.positionY[a],
+                        s.positionZ[b] - s.positionZ[a],
                         margin(a, b),
                         c.cache[row],
                         own.manifold);
-        store(row, own, dx, dy, dz);
+        points.store(row, own.manifold, own.points);
     }
 
     /** The speculative margin of a pair; see the package's essay. */
@@ -123,106 +180,11 @@ public final class ManifoldStage {
                 + settings.speculativeFraction() * smaller;
     }
 
-    private void store(int row, Scratch own, double dx, double dy, double dz) {
-        ContactStore c = contacts;
-        Manifold m = own.manifold;
-        int first = ContactStore.POINTS * row;
-        int before = c.pointCount[row];
-        System.arraycopy(c.feature, first, own.feature, 0, before);
-        System.arraycopy(c.normalImpulse, first, own.impulse, 0, before);
-        System.arraycopy(c.preload, first, own.preload, 0, before);
-        System.arraycopy(c.anchorAX, first, own.x, 0, before);
-        System.arraycopy(c.anchorAY, first, own.y, 0, before);
-        System.arraycopy(c.anchorAZ, first, own.z, 0, before);
-        int points = m.pointCount;
-        boolean persists = false;
-        c.pointCount[row] = points;
-        c.normalX[row] = m.normalX;
-        c.normalY[row] = m.normalY;
-        c.normalZ[row] = m.normalZ;
-        for (int p = 0; p < points; p++) {
-            int at = first + p;
-            c.anchorAX[at] = m.pointX[p];
-            c.anchorAY[at] = m.pointY[p];
-            c.anchorAZ[at] = m.pointZ[p];
-            c.anchorBX[at] = m.pointX[p] - dx;
-            c.anchorBY[at] = m.pointY[p] - dy;
-            c.anchorBZ[at] = m.pointZ[p] - dz;
-            c.separation[at] = m.separation[p];
-            c.feature[at] = m.feature[p];
-            c.totalNormalImpulse[at] = 0;
-            c.normalImpulse[at] = 0;
-            c.preload[at] = 0;
-            own.unmatched[p] = true;
-            for (int q = 0; q < before; q++) {
-                if (own.feature[q] == m.feature[p] && !Double.isNaN(own.x[q])) {
-                    inherit(own, first, p, q);
-                    persists = true;
-                    break;
-                }
-            }
-        }
-        if (before > 0) {
-            double near =
-                    NEAR
-                            * Math.min(
-                                    bodies.innerRadius[c.bodyA[row]],
-                                    bodies.innerRadius[c.bodyB[row]]);
-            for (int p = 0; p < points; p++) {
-                if (own.unmatched[p]) {
-                    persists |= inheritNearest(own, first, p, before, near * near);
-                }
-            }
-        }
-        if (!persists) {
-            c.frictionImpulseX[row] = 0;
-            c.frictionImpulseY[row] = 0;
-            c.frictionImpulseZ[row] = 0;
-            c.twistImpulse[row] = 0;
-        }
-    }
-
-    private void inherit(Scratch own, int first, int p, int q) {
-        contacts.normalImpulse[first + p] = own.impulse[q];
-        contacts.preload[first + p] = own.preload[q];
-        own.unmatched[p] = false;
-        own.x[q] = Double.NaN;
-    }
-
-    /**
-     * Features swap where faces are equally good; the point is the same while it stays where it
-     * was.
-     */
-    private boolean inheritNearest(Scratch own, int first, int p, int before, double limit) {
-        int best = -1;
-        double least = limit;
-        for (int q = 0; q < before; q++) {
-            double x = contacts.anchorAX[first + p] - own.x[q];
-            double y = contacts.anchorAY[first + p] - own.y[q];
-            double z = contacts.anchorAZ[first + p] - own.z[q];
-            double square = x * x + y * y + z * z;
-            if (square < least) {
-                least = square;
-                best = q;
-            }
-        }
-        if (best < 0) {
-            return false;
-        }
-        inherit(own, first, p, best);
-        return true;
-    }
-
     /** What one worker needs. */
     private static final class Scratch {
         final NarrowPhase narrowPhase = new NarrowPhase();
+        final BoxContacts boxes = new BoxContacts(narrowPhase);
         final Manifold manifold = new Manifold();
-        final int[] feature = new int[ContactStore.POINTS];
-        final double[] impulse = new double[ContactStore.POINTS];
-        final double[] preload = new double[ContactStore.POINTS];
-        final double[] x = new double[ContactStore.POINTS];
-        final double[] y = new double[ContactStore.POINTS];
-        final double[] z = new double[ContactStore.POINTS];
-        final boolean[] unmatched = new boolean[ContactStore.POINTS];
+        final PointStore.Scratch points = new PointStore.Scratch();
     }
 }

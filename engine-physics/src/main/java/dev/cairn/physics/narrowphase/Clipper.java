@@ -19,7 +19,7 @@ final class Clipper {
      * Of the smaller shape's inner radius: corners this near to a side plane count as on it, so
      * that flush boxes keep their names.
      */
-    private static final double ON_PLANE = 1e-5;
+    static final double ON_PLANE = 1e-5;
 
     /**
      * The same for a corner that was a point of the last tick: it leaves the plane later than it

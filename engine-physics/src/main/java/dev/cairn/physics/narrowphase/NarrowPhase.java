@@ -22,9 +22,9 @@ public final class NarrowPhase {
         SPECIALISED
     }
 
-    private static final long FACE_A = 1;
-    private static final long FACE_B = 2;
-    private static final long EDGES = 3;
+    static final long FACE_A = 1;
+    static final long FACE_B = 2;
+    static final long EDGES = 3;
 
     /** Cosine of 0.1 rad: nearer axes are the same direction, seen through rounding. */
     private static final double NEARLY_PARALLEL = 0.995;
@@ -32,7 +32,7 @@ public final class NarrowPhase {
     /**
      * Of the smaller inner radius: what one kind of contact must be better by to replace another.
      */
-    private static final double CALM = 1e-3;
+    static final double CALM = 1e-3;
 
     private final Method method;
     private final Pair pair = new Pair();
@@ -334,7 +334,12 @@ public final class NarrowPhase {
 
     private long word(long kind, int names) {
         long i = kind == FACE_A ? axes.faceA : kind == FACE_B ? axes.faceB : 0;
-        return kind << 62 | i << 47 | (names & 0xFFFFFFFFL);
+        return word(kind, i, names);
+    }
+
+    /** The warm-start word of a kind of contact, a face and the names of the points. */
+    static long word(long kind, long face, int names) {
+        return kind << 62 | face << 47 | (names & 0xFFFFFFFFL);
     }
 
     /** The face that separated or carried the pair last time separates it now. */

@@ -85,6 +85,6 @@ final class FacePlanes {
         sideX[slot] = sx / length;
         sideY[slot] = sy / length;
         sideZ[slot] = sz / length;
-        sideOffset[slot] = (sx * ax + sy * ay + sz * az) / length;
+        sideOffset[slot] = sideX[slot] * ax + sideY[slot] * ay + sideZ[slot] * az;
     }
 }

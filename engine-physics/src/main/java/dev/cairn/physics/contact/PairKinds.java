@@ -1,0 +1,106 @@
+package dev.cairn.physics.contact;
+
+import dev.cairn.core.job.BlockJob;
+import dev.cairn.core.job.Blocks;
+import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.narrowphase.BoxContacts;
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Shape;
+
+import java.util.Arrays;
+
+/**
+ * The active rows in order of the kind of their pair: a stable counting sort, so that a loop meets
+ * one kind only and each kind keeps its rows ascending. Counted and written in blocks; the order
+ * depends on the rows alone.
+ */
+final class PairKinds {
+    /** Two boxes: collided in batches. */
+    static final int BOXES = 0;
+
+    /** All the rest: one after another. */
+    static final int OTHERS = 1;
+
+    private static final int KINDS = 2;
+    private static final int ROWS_PER_BLOCK = 512;
+
+    private final BlockJob countJob = this::countBlock;
+    private final BlockJob writeJob = this::writeBlock;
+    private final int[] begin = new int[KINDS + 1];
+    private byte[] kind = {};
+    private int[] sorted = {};
+    private int[] cursor = {};
+    private int[] order = {};
+    private BodyStore bodies = new BodyStore();
+    private ContactStore contacts = new ContactStore();
+
+    /** Sorts the active rows. */
+    void sort(BodyStore bodyStore, ContactStore rows, Jobs jobs) {
+        bodies = bodyStore;
+        contacts = rows;
+        int blocks = Blocks.count(rows.activeCount, ROWS_PER_BLOCK);
+        if (kind.length < rows.activeCount) {
+            kind = new byte[rows.active.length];
+            sorted = new int[rows.active.length];
+            cursor = new int[KINDS * Blocks.count(kind.length, ROWS_PER_BLOCK)];
+        }
+        Arrays.fill(cursor, 0, KINDS * blocks, 0);
+        jobs.run(countJob, blocks);
+        int sum = 0;
+        boolean mixed = false;
+        for (int k = 0; k < KINDS; k++) {
+            begin[k] = sum;
+            for (int b = 0; b < blocks; b++) {
+                int here = cursor[KINDS * b + k];
+                cursor[KINDS * b + k] = sum;
+                sum += here;
+            }
+            mixed |= sum > begin[k] && sum < rows.activeCount;
+        }
+        begin[KINDS] = sum;
+        order = rows.active;
+        if (mixed) {
+            jobs.run(writeJob, blocks);
+            order = sorted;
+        }
+    }
+
+    /** Where the rows of a kind begin in {@link #order}; they end where the next kind begins. */
+    int begin(int pairKind) {
+        return begin[pairKind];
+    }
+
+    /** The rows, sorted by kind. */
+    int[] order() {
+        return order;
+    }
+
+    private void countBlock(int block, int worker) {
+        int end = Blocks.end(block, ROWS_PER_BLOCK, contacts.activeCount);
+        int boxes = 0;
+        int first = Blocks.begin(block, ROWS_PER_BLOCK);
+        for (int i = first; i < end; i++) {
+            int row = contacts.active[i];
+            boolean both =
+                    batched(bodies.shape[contacts.bodyA[row]])
+                            && batched(bodies.shape[contacts.bodyB[row]]);
+            kind[i] = (byte) (both ? BOXES : OTHERS);
+            boxes += both ? 1 : 0;
+        }
+        cursor[KINDS * block + BOXES] = boxes;
+        cursor[KINDS * block + OTHERS] = end - first - boxes;
+    }
+
+    private static boolean batched(Shape shape) {
+        return shape instanceof Box box && BoxContacts.fits(box);
+    }
+
+    private void writeBlock(int block, int worker) {
+        int end = Blocks.end(block, ROWS_PER_BLOCK, contacts.activeCount);
+        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
+            sorted[cursor[KINDS * block + kind[i]]++] = contacts.active[i];
+        }
+    }
+}

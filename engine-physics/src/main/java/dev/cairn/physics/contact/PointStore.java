@@ -1,0 +1,167 @@
+package dev.cairn.physics.contact;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.narrowphase.Manifold;
+
+/**
+ * Writes a manifold into its row. A point keeps the impulse of the point of the last tick that has
+ * its feature id; a new id takes over from an old point that was hardly elsewhere.
+ */
+final class PointStore {
+    /**
+     * A point whose features are new is an old one within this share of the smaller inner radius.
+     */
+    private static final double NEAR = 0.1;
+
+    private BodyStore bodies = new BodyStore();
+    private ContactStore contacts = new ContactStore();
+
+    /** Chooses the columns. */
+    void use(BodyStore bodyStore, ContactStore rows) {
+        bodies = bodyStore;
+        contacts = rows;
+    }
+
+    /** Writes one row; no other worker may touch it. */
+    void store(int row, Manifold m, Scratch own) {
+        ContactStore c = contacts;
+        int points = m.pointCount;
+        int before = c.pointCount[row];
+        c.normalX[row] = m.normalX;
+        c.normalY[row] = m.normalY;
+        c.normalZ[row] = m.normalZ;
+        if (points != before || !sameNames(row, m)) {
+            match(row, m, own);
+        }
+        place(row, m);
+    }
+
+    private boolean sameNames(int row, Manifold m) {
+        int first = ContactStore.POINTS * row;
+        for (int p = 0; p < m.pointCount; p++) {
+            if (contacts.feature[first + p] != m.feature[p]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void place(int row, Manifold m) {
+        ContactStore c = contacts;
+        BodyStore s = bodies;
+        int a = c.bodyA[row];
+        int b = c.bodyB[row];
+        double dx = s.positionX[b] - s.positionX[a];
+        double dy = s.positionY[b] - s.positionY[a];
+        double dz = s.positionZ[b] - s.positionZ[a];
+        int at = ContactStore.POINTS * row;
+        for (int p = 0; p < m.pointCount; p++, at++) {
+            c.anchorAX[at] = m.pointX[p];
+            c.anchorAY[at] = m.pointY[p];
+            c.anchorAZ[at] = m.pointZ[p];
+            c.anchorBX[at] = m.pointX[p] - dx;
+            c.anchorBY[at] = m.pointY[p] - dy;
+            c.anchorBZ[at] = m.pointZ[p] - dz;
+            c.separation[at] = m.separation[p];
+            c.totalNormalImpulse[at] = 0;
+        }
+    }
+
+    /** The names have changed: hands the impulses on. */
+    private void match(int row, Manifold m, Scratch own) {
+        ContactStore c = contacts;
+        int first = ContactStore.POINTS * row;
+        int before = c.pointCount[row];
+        int points = m.pointCount;
+        own.take(c, first, before);
+        c.pointCount[row] = points;
+        boolean persists = false;
+        for (int p = 0; p < points; p++) {
+            int at = first + p;
+            c.feature[at] = m.feature[p];
+            c.normalImpulse[at] = 0;
+            c.preload[at] = 0;
+            own.unmatched[p] = true;
+            for (int q = 0; q < before; q++) {
+                if (own.feature[q] == m.feature[p] && !Double.isNaN(own.x[q])) {
+                    inherit(own, first, p, q);
+                    persists = true;
+                    break;
+                }
+            }
+        }
+        if (before > 0) {
+            double near =
+                    NEAR
+                            * Math.min(
+                                    bodies.innerRadius[c.bodyA[row]],
+                                    bodies.innerRadius[c.bodyB[row]]);
+            for (int p = 0; p < points; p++) {
+                if (own.unmatched[p]) {
+                    persists |= inheritNearest(m, own, first, p, before, near * near);
+                }
+            }
+        }
+        if (!persists) {
+            c.frictionImpulseX[row] = 0;
+            c.frictionImpulseY[row] = 0;
+            c.frictionImpulseZ[row] = 0;
+            c.twistImpulse[row] = 0;
+        }
+    }
+
+    private void inherit(Scratch own, int first, int p, int q) {
+        contacts.normalImpulse[first + p] = own.impulse[q];
+        contacts.preload[first + p] = own.preload[q];
+        own.unmatched[p] = false;
+        own.x[q] = Double.NaN;
+    }
+
+    /**
+     * Features swap where faces are equally good; the point is the same while it stays where it
+     * was.
+     */
+    private boolean inheritNearest(
+            Manifold m, Scratch own, int first, int p, int before, double limit) {
+        int best = -1;
+        double least = limit;
+        for (int q = 0; q < before; q++) {
+            double x = m.pointX[p] - own.x[q];
+            double y = m.pointY[p] - own.y[q];
+            double z = m.pointZ[p] - own.z[q];
+            double square = x * x + y * y + z * z;
+            if (square < least) {
+                least = square;
+                best = q;
+            }
+        }
+        if (best < 0) {
+            return false;
+        }
+        inherit(own, first, p, best);
+        return true;
+    }
+
+    /** The points of the last tick, of one worker. */
+    static final class Scratch {
+        final int[] feature = new int[ContactStore.POINTS];
+        final double[] impulse = new double[ContactStore.POINTS];
+        final double[] preload = new double[ContactStore.POINTS];
+        final double[] x = new double[ContactStore.POINTS];
+        final double[] y = new double[ContactStore.POINTS];
+        final double[] z = new double[ContactStore.POINTS];
+        final boolean[] unmatched = new boolean[ContactStore.POINTS];
+
+        void take(ContactStore c, int first, int count) {
+            for (int p = 0; p < count; p++) {
+                feature[p] = c.feature[first + p];
+                impulse[p] = c.normalImpulse[first + p];
+                preload[p] = c.preload[first + p];
+                x[p] = c.anchorAX[first + p];
+                y[p] = c.anchorAY[first + p];
+                z[p] = c.anchorAZ[first + p];
+            }
+        }
+    }
+}

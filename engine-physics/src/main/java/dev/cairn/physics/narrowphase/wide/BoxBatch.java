@@ -1,0 +1,59 @@
+package dev.cairn.physics.narrowphase.wide;
+
+/**
+ * Up to {@link #CAPACITY} pairs of boxes for {@link BoxAxes}: one array, cut into columns, so that
+ * a kernel keeps one base address. Entry {@code i} of column {@code c} is at {@code c + i}. One per
+ * worker.
+ */
+public final class BoxBatch {
+    /** Pairs in a batch; a multiple of every number of lanes. */
+    public static final int CAPACITY = 64;
+
+    /** Orientation of A, world from body, unit quaternion: columns x, y, z, w. */
+    public static final int TURN_A = 0;
+
+    /** Orientation of B, likewise. */
+    public static final int TURN_B = 4 * CAPACITY;
+
+    /** Centre of B minus centre of A, world axes, m: columns x, y, z. */
+    public static final int OFFSET = 8 * CAPACITY;
+
+    /** Half extents of A, m: columns x, y, z. */
+    public static final int HALF_A = 11 * CAPACITY;
+
+    /** Half extents of B, m: columns x, y, z. */
+    public static final int HALF_B = 14 * CAPACITY;
+
+    /** Turns A's axes into the world's: nine columns, row by row. */
+    public static final int WORLD = 17 * CAPACITY;
+
+    /** Turns B's axes into A's: nine columns, row by row. */
+    public static final int RELATIVE = 26 * CAPACITY;
+
+    /** Centre of B in A's frame, m: columns x, y, z. */
+    public static final int CENTRE = 35 * CAPACITY;
+
+    /** Largest separation along a face normal of A, m, and the face. */
+    public static final int SEPARATION_A = 38 * CAPACITY, FACE_A = 39 * CAPACITY;
+
+    /** Largest separation along a face normal of B, m, and the face. */
+    public static final int SEPARATION_B = 40 * CAPACITY, FACE_B = 41 * CAPACITY;
+
+    /**
+     * Largest separation along the common perpendicular of two edges, m, and 3 i + j of the edge
+     * directions i of A and j of B; {@code -Double.MAX_VALUE} and -1 when all are parallel.
+     */
+    public static final int SEPARATION_EDGE = 42 * CAPACITY, EDGE = 43 * CAPACITY;
+
+    /** Of the best edge axis: separation times its size, and squared length, before the root. */
+    static final int SIGNED_SQUARE = 44 * CAPACITY, SQUARE = 45 * CAPACITY;
+
+    /** All columns. */
+    public final double[] data = new double[46 * CAPACITY];
+
+    /** A batch of unit quaternions and zeros. */
+    public BoxBatch() {
+        java.util.Arrays.fill(data, TURN_A + 3 * CAPACITY, TURN_B, 1);
+        java.util.Arrays.fill(data, TURN_B + 3 * CAPACITY, OFFSET, 1);
+    }
+}
