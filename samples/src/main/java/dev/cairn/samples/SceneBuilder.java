@@ -52,12 +52,14 @@ public final class SceneBuilder {
     private final List<Hook> before = new ArrayList<>();
     private final List<Hook> after = new ArrayList<>();
     private final Map<String, DoubleSupplier> errors = new LinkedHashMap<>();
+    private final List<ConstantForce> forces = new ArrayList<>();
     private final List<String> remarks = new ArrayList<>();
     private final IdentityHashMap<Shape, Model> models = new IdentityHashMap<>();
     private final List<Long> visuals = new ArrayList<>();
     private View view = new View(0, 4, 14, 0, 1, 0);
     private Light light = Light.DAYLIGHT;
     private double stepSeconds = SampleScene.STEP_SECONDS;
+    private double gravityTurn;
     private long tick;
 
     /**
@@ -113,6 +115,16 @@ public final class SceneBuilder {
                     .fieldOfView(fieldOfView);
         }
     }
+
+    /**
+     * A force that never changes.
+     *
+     * @param body index of the body in {@link #bodies}
+     * @param fx at the centre of mass, world, N
+     * @param fy at the centre of mass, world, N
+     * @param fz at the centre of mass, world, N
+     */
+    public record ConstantForce(int body, double fx, double fy, double fz) {}
 
     /**
      * Creates a builder.
@@ -355,6 +367,55 @@ public final class SceneBuilder {
      */
     public void afterTick(Hook hook) {
         after.add(hook);
+    }
+
+    /**
+     * Has a force act on a body in every tick. As data, so that whoever runs the scene in another
+     * engine can apply it there.
+     *
+     * @param body a body that was added here
+     * @param fx at the centre of mass, world, N
+     * @param fy at the centre of mass, world, N
+     * @param fz at the centre of mass, world, N
+     */
+    public void constantForce(BodyRef body, double fx, double fy, double fz) {
+        forces.add(new ConstantForce(bodies.indexOf(body), fx, fy, fz));
+        beforeTick((next, seconds) -> body.applyForce(fx, fy, fz));
+    }
+
+    /**
+     * The forces that act in every tick.
+     *
+     * @return a live, unmodifiable view
+     */
+    public List<ConstantForce> forces() {
+        return Collections.unmodifiableList(forces);
+    }
+
+    /**
+     * Turns gravity about the z axis, as it looks from inside a drum that turns the other way.
+     *
+     * @param radiansPerSecond angular speed, from -y towards +x if positive; 0 stops it
+     */
+    public void gravityTurn(double radiansPerSecond) {
+        gravityTurn = radiansPerSecond;
+        beforeTick((next, seconds) -> {
+            double angle = gravityAngle(next);
+            world.setGravity(
+                    SampleScene.GRAVITY * StrictMath.sin(angle),
+                    -SampleScene.GRAVITY * StrictMath.cos(angle),
+                    0);
+        });
+    }
+
+    /**
+     * The direction of gravity in a tick.
+     *
+     * @param number of the tick, 1 for the first
+     * @return its angle from -y towards +x, radians
+     */
+    public double gravityAngle(long number) {
+        return gravityTurn * (number - 1) * SampleScene.STEP_SECONDS;
     }
 
     /**

@@ -1,15 +1,22 @@
 package dev.cairn.samples;
 
+import dev.cairn.samples.scenes.BouncingBall;
 import dev.cairn.samples.scenes.CubesOnPlane;
 import dev.cairn.samples.scenes.FreeFall;
+import dev.cairn.samples.scenes.ManyPyramids;
 import dev.cairn.samples.scenes.ObjDrop;
 import dev.cairn.samples.scenes.Pairs;
+import dev.cairn.samples.scenes.Pile;
 import dev.cairn.samples.scenes.Pyramid;
+import dev.cairn.samples.scenes.RollingLoad;
 import dev.cairn.samples.scenes.Room;
 import dev.cairn.samples.scenes.SlopeBall;
 import dev.cairn.samples.scenes.SlopeBox;
+import dev.cairn.samples.scenes.SphereGrid;
 import dev.cairn.samples.scenes.StackOfBoxes;
 import dev.cairn.samples.scenes.StaticCubes;
+import dev.cairn.samples.scenes.Tumble;
+import dev.cairn.samples.scenes.Washer;
 
 import java.util.List;
 
@@ -26,7 +33,20 @@ public final class SceneRegistry {
                     Pairs.scene(),
                     ObjDrop.scene(),
                     Pyramid.scene(),
-                    FreeFall.scene());
+                    FreeFall.scene(),
+                    BouncingBall.scene(),
+                    Tumble.scene(),
+                    RollingLoad.scene(),
+                    SphereGrid.bouncing(),
+                    SphereGrid.inelastic(),
+                    SphereGrid.elastic(),
+                    ManyPyramids.scene(),
+                    Pile.spheres(),
+                    Pile.boxes(),
+                    Pile.mixed(),
+                    Pile.hulls(),
+                    Pile.junkyard(),
+                    Washer.scene());
 
     private SceneRegistry() {}
 
