@@ -22,6 +22,9 @@ import java.util.TreeMap;
  * @param error what the metric is, with its unit
  * @param failure an error above this is a failure, not a number
  * @param truth what is known about the scene
+ * @param maxSubsteps the largest number of sub-steps that a full run takes
+ * @param scaling true if it has enough bodies for several workers
+ * @param lookCost how much longer overlaps take to measure than between boxes
  */
 record Case(
         String id,
@@ -33,118 +36,71 @@ record Case(
         String metric,
         String error,
         double failure,
-        String truth) {
+        String truth,
+        int maxSubsteps,
+        boolean scaling,
+        int lookCost) {
 
-    private static final List<Case> ALL =
-            List.of(
-                    new Case(
-                            "free-flight",
-                            "Free flight",
-                            SceneRegistry.get("free-fall"),
-                            Map.of("height", "100"),
-                            Map.of(),
-                            90,
-                            "positionMetres",
-                            "largest distance from the parabola, m",
-                            10,
-                            "Five spinning bodies follow x0 + v0 t + g t²/2 for 1.5 s. A"
-                                + " first-order integrator (semi-implicit Euler) is off by g T h/2"
-                                + " at the end: 0.123 m at N = 1."),
-                    new Case(
-                            "slope",
-                            "Box slides down a slope",
-                            SceneRegistry.get("slope-box"),
-                            Map.of(
-                                    "angle",
-                                    "20",
-                                    "friction",
-                                    "0.2",
-                                    "drop",
-                                    "0",
-                                    "speed",
-                                    "0",
-                                    "length",
-                                    "14"),
-                            Map.of(),
-                            180,
-                            "distanceRelative",
-                            "distance error, share of the distance",
-                            0.5,
-                            "A box on 20 degrees with mu = 0.2 starts from rest: s = g (sin - mu"
-                                    + " cos) t²/2, 6.80 m after 3 s."),
-                    new Case(
-                            "roll",
-                            "Ball rolls down a slope",
-                            SceneRegistry.get("slope-ball"),
-                            Map.of("restitution", "0", "length", "14"),
-                            Map.of(),
-                            150,
-                            "rollRelative",
-                            "distance error, share of the distance",
-                            0.5,
-                            "A solid ball on 15 degrees rolls without slipping: s = 5/7 g sin"
-                                    + " t²/2."),
-                    new Case(
-                            "bounce",
-                            "Bouncing ball",
-                            Bounce.scene(),
-                            Map.of(),
-                            Map.of(),
-                            120,
-                            "heightRelative",
-                            "RMS height error, share of the height",
-                            0.5,
-                            "A ball falls 1 m and bounces with e = 0.7: parabolas between impacts,"
-                                    + " apexes e² of the one before."),
-                    new Case(
-                            "stack-4",
-                            "Stack of four",
-                            SceneRegistry.get("stack-4"),
-                            Map.of(),
-                            Map.of(),
-                            300,
-                            "sagMetres",
-                            "largest height error at rest, m",
-                            0.25,
-                            "Four 1 m boxes fall onto each other and stand: centres at 0.5, 1.5,"
-                                    + " 2.5, 3.5 m."),
-                    new Case(
-                            "cubes-18",
-                            "Eighteen cubes",
-                            SceneRegistry.get("cubes-18"),
-                            Map.of(),
-                            Map.of(),
-                            240,
-                            "sagMetres",
-                            "largest height error at rest, m",
-                            0.25,
-                            "Nine columns of two 1 m cubes fall a little and stand: centres at 0.5"
-                                    + " and 1.5 m."),
-                    new Case(
-                            "pyramid",
-                            "Pyramid",
-                            SceneRegistry.get("pyramid"),
-                            Map.of("base", "20"),
-                            Map.of("base", "10"),
-                            200,
-                            "driftMetres",
-                            "largest displacement, m",
-                            0.5,
-                            "A one-thick pyramid of 1 m boxes, touching from the start, stands as"
-                                    + " built. More than half a box off is a collapse."));
+    /** Name of the metric that the judge measures itself: deepest overlap in the last quarter. */
+    static final String REST_OVERLAP = "restOverlapMetres";
 
     Case {
         settings = Map.copyOf(settings);
         quick = Map.copyOf(quick);
     }
 
+    /** Returns a small scene with a closed form. */
+    static Case small(
+            String id,
+            String title,
+            String scene,
+            Map<String, String> settings,
+            int ticks,
+            String metric,
+            String error,
+            double failure,
+            String truth) {
+        return new Case(
+                id,
+                title,
+                SceneRegistry.get(scene),
+                settings,
+                Map.of(),
+                ticks,
+                metric,
+                error,
+                failure,
+                truth,
+                32,
+                false,
+                1);
+    }
+
+    /** Returns this scene as one of many bodies. */
+    Case large(int mostSubsteps, int costOfLooks, Map<String, String> quickSettings) {
+        return new Case(
+                id,
+                title,
+                scene,
+                settings,
+                quickSettings,
+                ticks,
+                metric,
+                error,
+                failure,
+                truth,
+                mostSubsteps,
+                true,
+                costOfLooks);
+    }
+
     static List<Case> all() {
-        return ALL;
+        return Cases.ALL;
     }
 
     static Case of(String id) {
         List<String> known = new ArrayList<>();
-        for (Case one : ALL) {
+        for (Case one : Cases.ALL) {
             if (one.id.equals(id)) {
                 return one;
             }
@@ -159,7 +115,20 @@ record Case(
     Case with(Map<String, String> values) {
         Map<String, String> merged = new TreeMap<>(settings);
         merged.putAll(values);
-        return new Case(id, title, scene, merged, quick, ticks, metric, error, failure, truth);
+        return new Case(
+                id,
+                title,
+                scene,
+                merged,
+                quick,
+                ticks,
+                metric,
+                error,
+                failure,
+                truth,
+                maxSubsteps,
+                scaling,
+                lookCost);
     }
 
     SceneOptions options() {

@@ -1,11 +1,7 @@
 package dev.cairn.benchmarks.compare;
 
 import dev.cairn.benchmarks.peer.Engine;
-
-import me.tongfei.progressbar.ConsoleProgressBarConsumer;
-import me.tongfei.progressbar.ProgressBar;
-import me.tongfei.progressbar.ProgressBarBuilder;
-import me.tongfei.progressbar.ProgressBarStyle;
+import dev.cairn.benchmarks.peer.PeerSettings.Tuning;
 
 import org.jspecify.annotations.Nullable;
 
@@ -13,7 +9,6 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
-import java.io.Console;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -31,9 +26,6 @@ import java.util.concurrent.Callable;
         sortOptions = false,
         description = "Measures speed against error: scenes x engines x workers x sub-steps.")
 public final class Compare implements Callable<Integer> {
-    private static final int BAR_WIDTH = 100;
-    private static final double LINE_SECONDS = 10;
-
     @Option(
             names = "--scenes",
             split = ",",
@@ -59,8 +51,15 @@ public final class Compare implements Callable<Integer> {
             names = "--workers",
             split = ",",
             paramLabel = "N",
-            description = "threads; 1 by default; engines that cannot are left out above that")
-    private List<Integer> workers = List.of(1);
+            description =
+                    "threads; 1,2 by default, in scenes of many bodies; engines that cannot are"
+                            + " left out above 1; with --quick 1")
+    private List<Integer> workers = List.of();
+
+    @Option(
+            names = "--defaults-only",
+            description = "leaves out the engines' best-effort settings")
+    private boolean defaultsOnly;
 
     @Option(names = "--rounds", paramLabel = "N", description = "timed rounds; 10, with --quick 3")
     private int rounds;
@@ -98,8 +97,20 @@ public final class Compare implements Callable<Integer> {
         }
         Files.createDirectories(out);
         Results results;
-        try (Reporter reporter = new Reporter(err, plan.requests())) {
-            results = new Campaign(plan, out, reporter::done).run();
+        try (CellStore store = new CellStore(out.resolve("cells.jsonl"), plan.setup())) {
+            if (store.changed() != null) {
+                err.printf("Starting over: since the last run in %s, %s%n", out, store.changed());
+            }
+            Campaign campaign = new Campaign(plan, out, store);
+            double seconds = campaign.estimate();
+            err.printf(
+                    Locale.ROOT,
+                    "About %.0f min. Can be stopped at any time; the same command goes on.%s%n",
+                    Math.ceil(seconds / 60),
+                    store.size() == 0 ? "" : " Kept from before: " + store.size() + " cells.");
+            try (Reporter reporter = new Reporter(err, seconds)) {
+                results = campaign.run(reporter::done);
+            }
         }
         Page page = new Page(results);
         Path report = out.resolve("report.html");
@@ -128,17 +139,28 @@ public final class Compare implements Callable<Integer> {
         }
         positive("--substeps", steps);
         positive("--workers", workers);
+        List<Integer> threads = workers;
+        if (threads.isEmpty()) {
+            boolean two = !quick && Runtime.getRuntime().availableProcessors() > 1;
+            threads = two ? List.of(1, 2) : List.of(1);
+        }
         return new Campaign.Plan(
                 chosen.stream()
                         .map(Case::of)
                         .map(one -> quick ? one.with(one.quick()) : one)
                         .toList(),
-                engines.isEmpty() ? Engine.available() : engines.stream().map(Engine::of).toList(),
-                workers,
+                engines.isEmpty()
+                        ? Engine.available()
+                        : engines.stream().map(Engine::of).toList(),
+                defaultsOnly ? List.of(Tuning.DEFAULT) : List.of(Tuning.values()),
+                threads,
                 steps.stream().sorted().distinct().toList(),
                 rounds > 0 ? rounds : quick ? 3 : 10,
-                quick ? 0.05 : 0.3,
-                quick ? 1 : 30);
+                quick ? 0.04 : 0.1,
+                quick ? 0.8 : 5,
+                quick ? 4 : 12,
+                quick ? 2 : 5,
+                !quick);
     }
 
     private static void positive(String option, List<Integer> values) {
@@ -155,9 +177,9 @@ public final class Compare implements Callable<Integer> {
             String failure = point.failure();
             System.out.printf(
                     Locale.ROOT,
-                    "%-12s%-8s w%d N%-3d %s%n",
+                    "%-14s%-21s w%d N%-3d %s%n",
                     point.scene(),
-                    point.engine().title(),
+                    point.title(),
                     point.workers(),
                     point.substeps(),
                     failure != null
@@ -172,66 +194,5 @@ public final class Compare implements Callable<Integer> {
 
     private static String shown(@Nullable Double value) {
         return value == null ? "?" : Page.number(value);
-    }
-
-    /** A bar on a terminal, a line now and then elsewhere. */
-    private static final class Reporter implements AutoCloseable {
-        private final PrintStream err;
-        private final int total;
-        private final long start = System.nanoTime();
-        private final @Nullable ProgressBar bar;
-        private long lastLine = start;
-        private int done;
-
-        Reporter(PrintStream err, int total) {
-            this.err = err;
-            this.total = total;
-            bar =
-                    onTerminal()
-                            ? new ProgressBarBuilder()
-                                    .setTaskName("compare")
-                                    .setInitialMax(total)
-                                    .setStyle(ProgressBarStyle.ASCII)
-                                    .setConsumer(new ConsoleProgressBarConsumer(err, BAR_WIDTH))
-                                    .build()
-                            : null;
-        }
-
-        @SuppressWarnings(
-                "SystemConsoleNull") // The JDK promises a console but declares that it may be null.
-        private static boolean onTerminal() {
-            Console console = System.console();
-            return console != null && console.isTerminal();
-        }
-
-        void done(int requests, String underWay) {
-            done += requests;
-            if (bar != null) {
-                bar.stepBy(requests);
-                if (!underWay.isEmpty()) {
-                    bar.setExtraMessage(underWay);
-                }
-                return;
-            }
-            long now = System.nanoTime();
-            if ((now - lastLine) / 1e9 > LINE_SECONDS && done > 0) {
-                lastLine = now;
-                double spent = (now - start) / 1e9;
-                err.printf(
-                        Locale.ROOT,
-                        "%d of %d, about %.0f s left %s%n",
-                        done,
-                        total,
-                        spent * (total - done) / done,
-                        underWay);
-            }
-        }
-
-        @Override
-        public void close() {
-            if (bar != null) {
-                bar.close();
-            }
-        }
     }
 }

@@ -4,59 +4,55 @@ import dev.cairn.benchmarks.peer.Engine;
 
 import org.jspecify.annotations.Nullable;
 import org.knowm.xchart.AnnotationText;
-import org.knowm.xchart.VectorGraphicsEncoder;
 import org.knowm.xchart.XYChart;
-import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
-import org.knowm.xchart.style.Styler;
-import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
-import java.awt.BasicStroke;
-import java.awt.Color;
-import java.awt.Font;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.DoubleUnaryOperator;
 import java.util.function.Function;
 
 /**
- * A work-precision diagram as SVG: error against CPU time, both logarithmic, one curve per engine.
- * Failures are crosses at the top edge. Colours are those of Okabe and Ito, told apart by colour
- * blind readers, and markers differ as well.
+ * A work-precision diagram as SVG: error against CPU time, both logarithmic; a full curve per
+ * engine with its own defaults, a dashed one with its best effort. Failures are crosses at the top
+ * edge.
  */
 final class Diagram {
     /** Errors below are drawn here: rounding of double is all that is left. */
     static final double FLOOR = 1e-16;
 
-    private static final Map<Engine, Color> COLOURS = new EnumMap<>(Engine.class);
+    /** Labels nearer to each other than this, as shares of the diagram, are not written. */
+    private static final double LABEL_WIDTH = 0.055;
 
-    static {
-        COLOURS.put(Engine.CAIRN, new Color(0xD55E00));
-        COLOURS.put(Engine.JOLT, new Color(0x0072B2));
-        COLOURS.put(Engine.BULLET, new Color(0x009E73));
-        COLOURS.put(Engine.PHYSX, new Color(0x000000));
-        COLOURS.put(Engine.ODE4J, new Color(0xCC79A7));
-        COLOURS.put(Engine.JBULLET, new Color(0xE69F00));
-        COLOURS.put(Engine.BOX3D, new Color(0x56B4E9));
+    private static final double LABEL_HEIGHT = 0.045;
+
+    private final Function<Results.Point, @Nullable Double> error;
+    private final List<double[]> labels = new ArrayList<>();
+    private double bottom;
+    private double top;
+    private double left;
+    private double right;
+
+    private Diagram(Function<Results.Point, @Nullable Double> error) {
+        this.error = error;
     }
 
-    private Diagram() {}
-
-    /** Draws one curve per engine from the points of one scene and one number of workers. */
+    /** Draws the curves from the points of one scene and one number of workers. */
     static String svg(
             List<Results.Point> points,
             String yTitle,
             Function<Results.Point, @Nullable Double> error)
             throws IOException {
-        Map<Engine, List<Results.Point>> good = new EnumMap<>(Engine.class);
-        Map<Engine, List<Results.Point>> bad = new EnumMap<>(Engine.class);
+        return new Diagram(error).draw(points, yTitle);
+    }
+
+    private String draw(List<Results.Point> points, String yTitle) throws IOException {
+        Map<String, List<Results.Point>> good = new LinkedHashMap<>();
+        Map<Engine, List<Results.Point>> bad = new LinkedHashMap<>();
         double lowest = Double.POSITIVE_INFINITY;
         double highest = 0;
         double cheapest = Double.POSITIVE_INFINITY;
@@ -69,7 +65,7 @@ final class Diagram {
             dearest = Math.max(dearest, point.cpuMicros());
             Double value = error.apply(point);
             if (point.failure() == null && value != null) {
-                good.computeIfAbsent(point.engine(), _ -> new ArrayList<>()).add(point);
+                good.computeIfAbsent(point.title(), _ -> new ArrayList<>()).add(point);
                 lowest = Math.min(lowest, Math.max(FLOOR, value));
                 highest = Math.max(highest, Math.max(FLOOR, value));
             } else {
@@ -80,104 +76,77 @@ final class Diagram {
             lowest = 0.1;
             highest = 1;
         }
-        double bottom = decade(lowest, Math::floor);
-        double top = Math.max(10 * bottom, decade(highest, Math::ceil));
-
+        bottom = Charts.decade(lowest, Math::floor);
+        // A decade of air, so that crosses at the top edge are not taken for the worst numbers.
+        top = Math.max(10 * bottom, 10 * Charts.decade(highest, Math::ceil));
+        left = Charts.decade(cheapest, Math::floor);
+        right = Math.max(10 * left, Charts.decade(dearest, Math::ceil));
         XYChart chart =
-                new XYChartBuilder()
-                        .width(860)
-                        .height(460)
-                        .xAxisTitle(
-                                "CPU time per body and tick of 1/60 s, \u00B5s   (left is better)")
-                        .yAxisTitle(yTitle + "   (down is better)")
-                        .build();
-        style(chart.getStyler());
+                Charts.chart(
+                        "CPU time per body and tick of 1/60 s, \u00B5s   (left is better)",
+                        yTitle + "   (down is better)");
+        chart.getStyler().setXAxisLogarithmic(true);
+        chart.getStyler().setYAxisLogarithmic(true);
         chart.getStyler().setYAxisMin(bottom).setYAxisMax(top);
-        if (cheapest < dearest) {
-            chart.getStyler().setXAxisMin(decade(cheapest, Math::floor));
-            chart.getStyler().setXAxisMax(decade(dearest, Math::ceil));
+        if (cheapest <= dearest) {
+            chart.getStyler().setXAxisMin(left);
+            chart.getStyler().setXAxisMax(right);
         }
-        // Labels stand a fortieth of the diagram above their points.
-        double lift = StrictMath.pow(top / bottom, 1.0 / 40);
-        for (Engine engine : Engine.values()) {
-            List<Results.Point> curve = good.get(engine);
-            if (curve != null) {
-                double[] y = new double[curve.size()];
-                for (int i = 0; i < y.length; i++) {
-                    Double value = error.apply(curve.get(i));
-                    y[i] = Math.max(FLOOR, value == null ? FLOOR : value);
-                }
-                double[] x = costs(curve);
-                XYSeries series = chart.addSeries(engine.title(), x, y);
-                paint(series, engine);
-                for (int i : ends(x.length)) {
-                    String text = "N=" + curve.get(i).substeps();
-                    chart.addAnnotation(new AnnotationText(text, x[i], y[i] * lift, false));
-                }
-            }
-            List<Results.Point> failures = bad.get(engine);
-            if (failures != null) {
-                double[] y = new double[failures.size()];
-                Arrays.fill(y, top);
-                XYSeries series = chart.addSeries(engine.title() + ", failed", costs(failures), y);
-                paint(series, engine);
-                series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
-                series.setMarker(SeriesMarkers.CROSS);
-            }
-        }
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        VectorGraphicsEncoder.saveVectorGraphic(
-                chart, out, VectorGraphicsEncoder.VectorGraphicsFormat.SVG);
-        return out.toString(StandardCharsets.UTF_8);
+        good.values().forEach(curve -> curve(chart, curve));
+        bad.forEach((engine, failures) -> {
+            double[] y = new double[failures.size()];
+            Arrays.fill(y, top);
+            XYSeries series = chart.addSeries(engine.title() + ", failed", costs(failures), y);
+            Charts.paint(series, engine, false);
+            series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
+            series.setMarker(SeriesMarkers.CROSS);
+        });
+        return Charts.svg(chart);
     }
 
-    /** Returns the power of ten next to a value. */
-    private static double decade(double value, DoubleUnaryOperator rounding) {
-        return StrictMath.pow(10, rounding.applyAsDouble(StrictMath.log10(value)));
+    private void curve(XYChart chart, List<Results.Point> curve) {
+        double[] y = new double[curve.size()];
+        for (int i = 0; i < y.length; i++) {
+            Double value = error.apply(curve.get(i));
+            y[i] = Math.max(FLOOR, value == null ? FLOOR : value);
+        }
+        double[] x = costs(curve);
+        Results.Point first = curve.getFirst();
+        Charts.paint(chart.addSeries(first.title(), x, y), first.engine(), first.best());
+        if (!first.best()) {
+            label(chart, first, x[0], y[0]);
+            if (x.length > 1) {
+                label(chart, curve.getLast(), x[x.length - 1], y[x.length - 1]);
+            }
+        }
     }
 
-    /** Returns the first and the last index. */
-    private static int[] ends(int length) {
-        return length == 1 ? new int[] {0} : new int[] {0, length - 1};
+    /** Writes N above a point, or below, or not at all where another label is. */
+    private void label(XYChart chart, Results.Point point, double x, double y) {
+        double u = StrictMath.log(x / left) / StrictMath.log(right / left);
+        double v = StrictMath.log(y / bottom) / StrictMath.log(top / bottom);
+        for (double lift : new double[] {0.03, -0.03}) {
+            double at = v + lift;
+            boolean free = at > 0.01 && at < 0.97;
+            for (double[] other : labels) {
+                free &=
+                        Math.abs(other[0] - u) > LABEL_WIDTH
+                                || Math.abs(other[1] - at) > LABEL_HEIGHT;
+            }
+            if (free) {
+                labels.add(new double[] {u, at});
+                chart.addAnnotation(
+                        new AnnotationText(
+                                "N=" + point.substeps(),
+                                x,
+                                bottom * StrictMath.pow(top / bottom, at),
+                                false));
+                return;
+            }
+        }
     }
 
     private static double[] costs(List<Results.Point> points) {
         return points.stream().mapToDouble(Results.Point::cpuMicros).toArray();
-    }
-
-    private static void paint(XYSeries series, Engine engine) {
-        Color colour = COLOURS.getOrDefault(engine, Color.GRAY);
-        series.setLineColor(colour);
-        series.setMarkerColor(colour);
-        series.setLineStyle(new BasicStroke(engine == Engine.CAIRN ? 2.6f : 1.5f));
-        series.setMarker(
-                switch (engine) {
-                    case CAIRN -> SeriesMarkers.CIRCLE;
-                    case JOLT -> SeriesMarkers.SQUARE;
-                    case BULLET -> SeriesMarkers.DIAMOND;
-                    case PHYSX -> SeriesMarkers.TRIANGLE_UP;
-                    case ODE4J -> SeriesMarkers.TRIANGLE_DOWN;
-                    case JBULLET -> SeriesMarkers.PLUS;
-                    case BOX3D -> SeriesMarkers.CROSS;
-                });
-    }
-
-    private static void style(XYStyler styler) {
-        Font font = new Font(Font.SANS_SERIF, Font.PLAIN, 13);
-        styler.setXAxisLogarithmic(true);
-        styler.setYAxisLogarithmic(true);
-        styler.setChartBackgroundColor(Color.WHITE);
-        styler.setPlotBackgroundColor(Color.WHITE);
-        styler.setPlotBorderColor(Color.GRAY);
-        styler.setPlotGridLinesColor(new Color(0xDDDDDD));
-        styler.setAxisTitleFont(font);
-        styler.setAxisTickLabelsFont(font);
-        styler.setLegendFont(font);
-        styler.setLegendPosition(Styler.LegendPosition.OutsideE);
-        styler.setLegendBorderColor(Color.WHITE);
-        styler.setAnnotationTextFont(font.deriveFont(10f));
-        styler.setMarkerSize(8);
-        styler.setDefaultSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Line);
-        styler.setChartTitleVisible(false);
     }
 }

@@ -32,6 +32,7 @@ final class EngineProcess implements AutoCloseable {
                     "-Xms512m",
                     "-Xmx1g",
                     "-XX:+UseSerialGC",
+                    "-XX:-UseDynamicNumberOfCompilerThreads",
                     "-XX:-CreateCoredumpOnCrash",
                     "--add-modules=jdk.incubator.vector",
                     "--enable-native-access=ALL-UNNAMED",
@@ -107,7 +108,7 @@ final class EngineProcess implements AutoCloseable {
                         .formatted(
                                 how,
                                 request.scene(),
-                                request.substeps(),
+                                request.peer().substeps(),
                                 request.kind(),
                                 logFile().getFileName());
         return Protocol.Answer.failed(lastDeath, false);

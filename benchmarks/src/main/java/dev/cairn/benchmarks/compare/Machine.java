@@ -2,6 +2,7 @@ package dev.cairn.benchmarks.compare;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
+import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -56,7 +57,29 @@ final class Machine {
         return ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage();
     }
 
-    private static String processor() {
+    /**
+     * Returns what tells one build of this jar from another: size and time of the file, or the
+     * newest class.
+     */
+    static String build() {
+        try {
+            Path code =
+                    Path.of(
+                            Machine.class
+                                    .getProtectionDomain()
+                                    .getCodeSource()
+                                    .getLocation()
+                                    .toURI());
+            if (Files.isRegularFile(code)) {
+                return Files.size(code) + " bytes of " + Files.getLastModifiedTime(code);
+            }
+            return "classes";
+        } catch (IOException | URISyntaxException | RuntimeException unknown) {
+            return "unknown";
+        }
+    }
+
+    static String processor() {
         try {
             for (String line : Files.readAllLines(Path.of("/proc/cpuinfo"))) {
                 if (line.startsWith("model name")) {

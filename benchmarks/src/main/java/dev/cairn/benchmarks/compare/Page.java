@@ -65,8 +65,9 @@ final class Page {
                 <p>Every engine simulates the same scenes. Each point below is one engine with one
                 number N of sub-steps per tick of 1/60 s; the curve joins its points from small N
                 to large. <b>Down is more accurate, left is cheaper: better is down-left.</b>
-                Both axes are logarithmic. A cross at the top edge is a run that failed; the table
-                below the diagram says why.</p>
+                Both axes are logarithmic. A full line is the engine with its own default settings,
+                a dashed one its best effort: what its documentation offers for accuracy. A cross
+                at the top edge is a run that failed; the table below the diagram says why.</p>
                 """);
         how();
         Set<String> scenes = new LinkedHashSet<>();
@@ -74,6 +75,9 @@ final class Page {
         for (String scene : scenes) {
             scene(Case.of(scene));
         }
+        checks();
+        budgets();
+        cold();
         engines();
         facts("How it was run", results.settings());
         facts("Machine", results.machine());
@@ -88,9 +92,10 @@ final class Page {
                 as numbers: poses, shapes, mass, inertia, friction, restitution. Errors are computed
                 from the engines' poses by one piece of code, in runs of their own; overlaps are
                 measured by an exact separating-axis test outside all engines. CPU time is that of
-                the stepping thread and of the garbage collector, without building the scene,
-                without the first tick, per movable body. Engines run with their own defaults,
-                except for what is listed under “Engines”.</p>
+                the whole process, all threads and the garbage collector in it, the JIT compilers
+                left out where the system tells them apart (Linux), without building the scene,
+                without the first tick, per movable body. Sleeping and damping are off in all.
+                What else was set is listed under “Engines”.</p>
                 """);
     }
 
@@ -107,28 +112,47 @@ final class Page {
         for (int count : workers) {
             List<Results.Point> points =
                     all.stream().filter(point -> point.workers() == count).toList();
-            if (count == 1) {
-                String name = scene.id() + "-error";
-                picture(
-                        name,
-                        scene.title() + ": " + scene.error() + " against CPU time",
-                        Diagram.svg(points, scene.error(), point -> point.judged().error()));
-                if (overlaps(points)) {
-                    picture(
-                            scene.id() + "-overlap",
-                            scene.title() + ": deepest overlap against CPU time",
-                            Diagram.svg(
-                                    points,
-                                    "deepest overlap, m",
-                                    point -> point.judged().deepest()));
-                }
+            if (count == workers.iterator().next()) {
+                pictures(scene, points);
             } else {
                 html.append("<h3>").append(count).append(" workers</h3>\n");
-                html.append("<p class=\"note\">CPU time is that of the calling thread only: read");
-                html.append(" the wall times.</p>\n");
             }
             table(scene, points);
         }
+        scaling(scene, all, workers);
+    }
+
+    private void pictures(Case scene, List<Results.Point> points) throws IOException {
+        picture(
+                scene.id() + "-error",
+                scene.title() + ": " + scene.error() + " against CPU time",
+                Diagram.svg(points, scene.error(), point -> point.judged().error()));
+        if (!scene.metric().equals(Case.REST_OVERLAP) && overlaps(points)) {
+            picture(
+                    scene.id() + "-overlap",
+                    scene.title() + ": deepest overlap against CPU time",
+                    Diagram.svg(points, "deepest overlap, m", point -> point.judged().deepest()));
+        }
+    }
+
+    /** Wall time over workers, at the number of sub-steps nearest to 4 that all have. */
+    private void scaling(Case scene, List<Results.Point> all, Set<Integer> workers)
+            throws IOException {
+        if (workers.size() < 2) {
+            return;
+        }
+        int substeps = all.getFirst().substeps();
+        for (Results.Point point : all) {
+            substeps = point.substeps() <= 4 ? Math.max(substeps, point.substeps()) : substeps;
+        }
+        int n = substeps;
+        html.append("<h3>Scaling over workers, N = ").append(n).append("</h3>\n");
+        picture(
+                scene.id() + "-scaling",
+                scene.title() + ": wall time of a tick against workers",
+                Charts.scaling(all.stream().filter(point -> point.substeps() == n).toList()));
+        html.append("<p class=\"note\">An engine with a single point has no threads in the build");
+        html.append(" that is used here. Default settings.</p>\n");
     }
 
     private static boolean overlaps(List<Results.Point> points) {
@@ -157,8 +181,9 @@ final class Page {
         int usual = usualPairs(points);
         for (Results.Point point : points) {
             Protocol.Answer judged = point.judged();
-            html.append("<tr><td class=\"text\">").append(text(point.engine().title()));
-            html.append("</td><td>").append(point.substeps()).append("</td>");
+            html.append("<tr><td class=\"text\">");
+            html.append(onFront(point, points) ? "<b>" : "").append(text(point.title()));
+            html.append(onFront(point, points) ? "</b>" : "").append("</td><td>").append(point.substeps()).append("</td>");
             String failure = point.failure();
             if (failure != null) {
                 html.append("<td class=\"text failed\" colspan=\"4\">").append(text(failure));
@@ -180,7 +205,91 @@ final class Page {
         html.append("<p class=\"note\">contacts, points: touching pairs and contact points after");
         html.append(" the last tick, as the engine counts them; – where it does not say.");
         html.append(" * more than 5 % off the median of the column: not the same work, so do not");
-        html.append(" compare the times.</p>\n");
+        html.append(" compare the times. <b>Bold</b>: no other point is both cheaper and more");
+        html.append(" accurate. CPU time of what was stopped as too slow is its wall time.</p>\n");
+    }
+
+    /** Says whether no other point is at least as good in both and better in one. */
+    private static boolean onFront(Results.Point point, List<Results.Point> points) {
+        Double error = point.judged().error();
+        if (point.failure() != null || error == null || Double.isNaN(point.cpuMicros())) {
+            return false;
+        }
+        for (Results.Point other : points) {
+            Double rival = other.judged().error();
+            if (other.failure() == null
+                    && rival != null
+                    && rival <= error
+                    && other.cpuMicros() <= point.cpuMicros()
+                    && (rival < error || other.cpuMicros() < point.cpuMicros())) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void checks() {
+        List<Checks.Row> rows = Checks.of(results);
+        if (rows.isEmpty()) {
+            return;
+        }
+        html.append("<h2>Does the instrument read right?</h2>\n");
+        html.append("<p>Cases whose error is known beforehand, by closed form or because somebody");
+        html.append(" published it for the same engine, brought to the step used here. Order: the");
+        html.append(" slope of the error between the two smallest steps up to N = 16.</p>\n");
+        html.append("<table><tr><th class=\"text\">quantity</th><th class=\"text\">engine</th>");
+        html.append("<th>N</th><th>expected</th><th>found</th><th>found / expected</th>");
+        html.append("<th>order</th><th class=\"text\">where the expectation is from</th></tr>\n");
+        for (Checks.Row row : rows) {
+            html.append("<tr><td class=\"text\">").append(text(row.what()));
+            html.append("</td><td class=\"text\">").append(text(row.engine().title()));
+            html.append("</td><td>").append(row.substeps()).append("</td>");
+            cell(row.expected());
+            cell(row.found());
+            cell(row.found() / row.expected());
+            cell(row.order());
+            html.append("<td class=\"text\">").append(text(row.source())).append("</td></tr>\n");
+        }
+        html.append("</table>\n");
+    }
+
+    private void budgets() {
+        if (results.budgets().isEmpty()) {
+            return;
+        }
+        List<String> columns =
+                List.of(Budget.BASE, Budget.CONTACTS, Budget.SOLVER, Budget.STEP, Budget.ALL);
+        html.append("<h2>Where the error comes from</h2>\n");
+        html.append("<p>Error of the default settings at N = 4, and what is left of it when one");
+        html.append(" thing is refined: the narrow phase (contacts found in each sub-step, for");
+        html.append(" engines that find them once a tick; the others do so anyway), the solver");
+        html.append(" (8 x its iterations, where it has any), the step (16 x the sub-steps:");
+        html.append(" integrator, and solver in time). The column with the smallest number names");
+        html.append(" the part that the error is made of; where none helps, it is the model");
+        html.append(" (margins, thresholds, pyramids of friction).</p>\n");
+        html.append("<table><tr><th class=\"text\">scene</th><th class=\"text\">engine</th>");
+        columns.forEach(column -> html.append("<th>").append(text(column)).append("</th>"));
+        html.append("</tr>\n");
+        for (Budget budget : results.budgets()) {
+            html.append("<tr><td class=\"text\">").append(text(Case.of(budget.scene()).title()));
+            html.append("</td><td class=\"text\">").append(text(budget.engine().title()));
+            html.append("</td>");
+            columns.forEach(column -> cell(budget.errors().get(column)));
+            html.append("</tr>\n");
+        }
+        html.append("</table>\n");
+    }
+
+    private void cold() throws IOException {
+        if (results.colds().isEmpty()) {
+            return;
+        }
+        html.append("<h2 id=\"cold\">Cold start</h2>\n");
+        html.append("<p>Scene “pyramid”, N = 4, one worker, default settings: the median time of a");
+        html.append(" tick in spans of time since the start of the JVM. The curve begins where the");
+        html.append(" engine has built the scene; this program loads its classes and runs the");
+        html.append(" scene's script before that, the same for all.</p>\n");
+        picture("cold-start", "Cold start: time of a tick", Charts.cold(results.colds()));
     }
 
     private void engines() {

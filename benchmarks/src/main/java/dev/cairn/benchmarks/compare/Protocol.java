@@ -1,5 +1,7 @@
 package dev.cairn.benchmarks.compare;
 
+import dev.cairn.benchmarks.peer.PeerSettings;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.List;
@@ -19,7 +21,9 @@ final class Protocol {
         /** Run until times settle. */
         WARM,
         /** Take times. */
-        TIME
+        TIME,
+        /** Take the time of every tick since the JVM started. */
+        COLD
     }
 
     /**
@@ -28,16 +32,14 @@ final class Protocol {
      * @param kind what to do
      * @param scene id of the case
      * @param settings parameters of the scene that differ from the case's own
-     * @param workers threads
-     * @param substeps sub-steps per tick
-     * @param seconds how long to step at least, for {@code TIME}, or at most, for {@code WARM}
+     * @param peer how the engine is set
+     * @param seconds how long to step: at least, for {@code TIME}; at most, for the others
      */
     record Request(
             Kind kind,
             String scene,
             Map<String, String> settings,
-            int workers,
-            int substeps,
+            PeerSettings peer,
             double seconds) {}
 
     /**
@@ -46,20 +48,24 @@ final class Protocol {
      * @param failure null, or why there are no numbers
      * @param missing true if the engine is not there at all
      * @param error the drawn error
+     * @param errors all of the scene's errors that apply, by name
      * @param deepest deepest overlap, m
      * @param pairs contacts after the last tick
      * @param points contact points after the last tick
      * @param bodies movable bodies
      * @param ticks ticks timed, or judged
-     * @param cpuMicros CPU time per movable body and tick
+     * @param cpuMicros CPU time of the process per movable body and tick, compilers' left out
      * @param medianMillis wall time of a tick, median
      * @param p99Millis wall time of a tick, 99th percentile
+     * @param compilerShare CPU time of the JIT compilers as a share of what counts, or -1
+     * @param cold pairs of ms since the start of the JVM and ms of the tick that ended then
      * @param notes of the engine
      */
     record Answer(
             @Nullable String failure,
             boolean missing,
             @Nullable Double error,
+            Map<String, Double> errors,
             @Nullable Double deepest,
             int pairs,
             int points,
@@ -68,10 +74,21 @@ final class Protocol {
             @Nullable Double cpuMicros,
             @Nullable Double medianMillis,
             @Nullable Double p99Millis,
+            double compilerShare,
+            List<Double> cold,
             List<String> notes) {
 
         static Answer failed(String why, boolean missing) {
-            return new Answer(why, missing, null, null, -1, -1, 0, 0, null, null, null, List.of());
+            return new Answer(
+                    why, missing, null, Map.of(), null, -1, -1, 0, 0, null, null, null, -1,
+                    List.of(), List.of());
+        }
+
+        static Answer timed(
+                int bodies, long ticks, double cpu, double median, double p99, double compilers) {
+            return new Answer(
+                    null, false, null, Map.of(), null, -1, -1, bodies, ticks, cpu, median, p99,
+                    compilers, List.of(), List.of());
         }
     }
 }

@@ -3,6 +3,7 @@ package dev.cairn.benchmarks.compare;
 import com.google.gson.GsonBuilder;
 
 import dev.cairn.benchmarks.peer.Engine;
+import dev.cairn.benchmarks.peer.PeerSettings;
 
 import org.jspecify.annotations.Nullable;
 
@@ -24,7 +25,8 @@ import java.util.function.Function;
  * @param settings how it was run, by name
  * @param points one per scene, engine, number of workers and number of sub-steps
  */
-record Results(Map<String, String> machine, Map<String, String> settings, List<Point> points) {
+record Results(Map<String, String> machine, Map<String, String> settings, List<Point> points,
+        List<Budget> budgets, List<Cold> colds) {
 
     /**
      * One point of a diagram.
@@ -32,8 +34,7 @@ record Results(Map<String, String> machine, Map<String, String> settings, List<P
      * @param scene id of the case
      * @param parameters of the scene
      * @param engine the engine
-     * @param workers threads
-     * @param substeps sub-steps per tick
+     * @param peer how it is set
      * @param judged the error run
      * @param rounds the timed runs, in order
      */
@@ -41,10 +42,26 @@ record Results(Map<String, String> machine, Map<String, String> settings, List<P
             String scene,
             Map<String, String> parameters,
             Engine engine,
-            int workers,
-            int substeps,
+            PeerSettings peer,
             Protocol.Answer judged,
             List<Protocol.Answer> rounds) {
+
+        int workers() {
+            return peer.workers();
+        }
+
+        int substeps() {
+            return peer.substeps();
+        }
+
+        boolean best() {
+            return peer.tuning() == PeerSettings.Tuning.BEST;
+        }
+
+        /** Returns the engine, and whose settings if not its own. */
+        String title() {
+            return engine.title() + (best() ? ", best effort" : "");
+        }
 
         /** Returns why there is no number, or null. */
         @Nullable String failure() {
@@ -61,6 +78,10 @@ record Results(Map<String, String> machine, Map<String, String> settings, List<P
 
         /** CPU time per movable body and tick, microseconds: median of the rounds, or NaN. */
         double cpuMicros() {
+            if (rounds.isEmpty() && tooSlow(judged)) {
+                Double roughly = judged.cpuMicros();
+                return roughly == null ? Double.NaN : roughly;
+            }
             return quantile(Protocol.Answer::cpuMicros, 0.5);
         }
 
@@ -99,6 +120,20 @@ record Results(Map<String, String> machine, Map<String, String> settings, List<P
         }
     }
 
+    /**
+     * A cold start.
+     *
+     * @param scene id of the case
+     * @param engine the engine
+     * @param ticks pairs of ms since the start of the JVM and ms of a tick around then
+     */
+    record Cold(String scene, Engine engine, List<Double> ticks) {}
+
+    /** Says whether an error run was stopped because it took too long. */
+    static boolean tooSlow(Protocol.Answer judged) {
+        return judged.failure() != null && judged.failure().startsWith("too slow");
+    }
+
     List<Point> of(String scene) {
         return points.stream().filter(point -> point.scene().equals(scene)).toList();
     }
@@ -110,7 +145,7 @@ record Results(Map<String, String> machine, Map<String, String> settings, List<P
     void writeCsv(Path file) throws IOException {
         StringBuilder text =
                 new StringBuilder(
-                        "scene,parameters,engine,version,workers,substeps,metric,error,"
+                        "scene,parameters,engine,version,settings,workers,substeps,metric,error,"
                                 + "deepest_overlap_m,contact_pairs,contact_points,movable_bodies,"
                                 + "cpu_us_per_body_tick,cpu_us_low,cpu_us_high,wall_ms_median,"
                                 + "wall_ms_p99,rounds,failure\n");
@@ -120,6 +155,7 @@ record Results(Map<String, String> machine, Map<String, String> settings, List<P
                 point.parameters(),
                 point.engine().id(),
                 point.engine().version(),
+                point.best() ? "best" : "default",
                 point.workers(),
                 point.substeps(),
                 Case.of(point.scene()).metric(),

@@ -7,6 +7,7 @@ import dev.cairn.benchmarks.peer.MissingEngineException;
 import dev.cairn.benchmarks.peer.Peer;
 import dev.cairn.benchmarks.peer.PeerSettings;
 import dev.cairn.benchmarks.peer.SceneDescription;
+import dev.cairn.samples.SceneBuilder;
 
 import org.jspecify.annotations.Nullable;
 
@@ -14,12 +15,12 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
-import java.lang.management.GarbageCollectorMXBean;
 import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 
 /**
  * The main class of an engine's JVM: answers requests from standard input until it ends. What goes
@@ -36,7 +37,7 @@ final class Worker {
     private static final int BUILD_SHARE = 3;
 
     private final Engine engine;
-    private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    private final CpuClock cpu = new CpuClock();
     private long[] nanos = new long[4096];
 
     Worker(Engine engine) {
@@ -70,6 +71,7 @@ final class Worker {
                 case JUDGE -> judge(scene, request);
                 case WARM -> warm(scene, request);
                 case TIME -> time(scene, request, request.seconds());
+                case COLD -> cold(scene, request);
             };
         } catch (MissingEngineException absent) {
             return Protocol.Answer.failed(String.valueOf(absent.getMessage()), true);
@@ -79,28 +81,51 @@ final class Worker {
     }
 
     private Protocol.Answer judge(Case scene, Protocol.Request request) {
-        PeerSettings settings = new PeerSettings(request.workers(), request.substeps(), true);
+        PeerSettings set = request.peer();
+        PeerSettings counting =
+                new PeerSettings(
+                        set.workers(),
+                        set.substeps(),
+                        true,
+                        set.tuning(),
+                        set.iterationFactor(),
+                        set.collisionsPerTick());
         try (Judge judge = new Judge(scene);
-                Peer peer = engine.create(judge.description(), settings)) {
-            for (int tick = 1; tick <= scene.ticks(); tick++) {
+                Peer peer = engine.create(judge.description(), counting)) {
+            String failure = null;
+            long stepped = 0;
+            int tick = 0;
+            while (tick < scene.ticks() && failure == null) {
+                tick++;
+                Judge.turnGravity(judge.built(), peer, tick);
+                long before = System.nanoTime();
                 peer.step();
+                stepped += System.nanoTime() - before;
                 if (!judge.tick(peer)) {
-                    return Protocol.Answer.failed("a pose is not a number, tick " + tick, false);
+                    failure = "a pose is not a number, tick " + tick;
+                } else if (stepped > request.seconds() * 1e9 && tick < scene.ticks()) {
+                    failure =
+                            "too slow: stopped after %.0f s at tick %d of %d"
+                                    .formatted(stepped / 1e9, tick, scene.ticks());
                 }
             }
+            int bodies = judge.description().movable();
             double error = judge.error();
             return new Protocol.Answer(
-                    failure(scene, error),
+                    failure == null ? failure(scene, error) : failure,
                     false,
                     finite(error),
+                    judge.errors(),
                     finite(judge.deepest()),
                     peer.contactPairs(),
                     peer.contactPoints(),
-                    judge.description().movable(),
-                    scene.ticks(),
+                    bodies,
+                    tick,
+                    stepped / 1e3 / tick / bodies,
                     null,
                     null,
-                    null,
+                    -1,
+                    List.of(),
                     peer.notes());
         }
     }
@@ -141,69 +166,115 @@ final class Worker {
     }
 
     private Protocol.Answer time(Case scene, Protocol.Request request, double seconds) {
-        SceneDescription description;
-        try (Judge judge = new Judge(scene)) {
-            description = judge.description();
-        }
-        PeerSettings settings = new PeerSettings(request.workers(), request.substeps(), false);
         long start = System.nanoTime();
         long wanted = (long) (seconds * 1e9);
         Clock clock = new Clock();
-        while (clock.wall < wanted && System.nanoTime() - start < BUILD_SHARE * wanted) {
-            try (Peer peer = engine.create(description, settings)) {
-                run(scene, peer, clock, wanted);
+        try (Judge judge = new Judge(scene)) {
+            SceneDescription description = judge.description();
+            while (clock.wall < wanted && System.nanoTime() - start < BUILD_SHARE * wanted) {
+                try (Peer peer = engine.create(description, request.peer())) {
+                    run(scene, judge.built(), peer, clock, wanted);
+                }
             }
+            long[] sorted = Arrays.copyOf(nanos, clock.ticks);
+            Arrays.sort(sorted);
+            int bodies = description.movable();
+            return Protocol.Answer.timed(
+                    bodies,
+                    clock.ticks,
+                    clock.cpu / 1e3 / clock.ticks / bodies,
+                    percentile(sorted, 0.5) / 1e6,
+                    percentile(sorted, 0.99) / 1e6,
+                    clock.compilers < 0 ? -1 : clock.compilers / (double) clock.cpu);
         }
-        long[] sorted = Arrays.copyOf(nanos, clock.ticks);
-        Arrays.sort(sorted);
-        return new Protocol.Answer(
-                null,
-                false,
-                null,
-                null,
-                Peer.UNKNOWN,
-                Peer.UNKNOWN,
-                description.movable(),
-                clock.ticks,
-                (clock.cpu + clock.collector) / 1e3 / clock.ticks / description.movable(),
-                percentile(sorted, 0.5) / 1e6,
-                percentile(sorted, 0.99) / 1e6,
-                List.of());
     }
 
     private static final class Clock {
         private long wall;
         private long cpu;
-        private long collector;
+        private long compilers;
         private int ticks;
     }
 
     /** Steps once through the scene, or until four times the wanted time has gone. */
-    private void run(Case scene, Peer peer, Clock clock, long wanted) {
+    private void run(Case scene, SceneBuilder built, Peer peer, Clock clock, long wanted) {
         peer.step();
         if (nanos.length < clock.ticks + scene.ticks()) {
             nanos = Arrays.copyOf(nanos, 2 * (clock.ticks + scene.ticks()));
         }
-        long collectedBefore = collectorNanos();
-        long cpuBefore = threads.getCurrentThreadCpuTime();
+        cpu.start();
         long stop = clock.wall + 4 * wanted;
-        for (int tick = 1; tick < scene.ticks() && clock.wall < stop; tick++) {
+        for (int tick = 2; tick <= scene.ticks() && clock.wall < stop; tick++) {
+            Judge.turnGravity(built, peer, tick);
             long before = System.nanoTime();
             peer.step();
             long took = System.nanoTime() - before;
             nanos[clock.ticks++] = took;
             clock.wall += took;
         }
-        clock.cpu += threads.getCurrentThreadCpuTime() - cpuBefore;
-        clock.collector += collectorNanos() - collectedBefore;
+        clock.cpu += cpu.stop();
+        clock.compilers = cpu.compilerNanos() < 0 ? -1 : clock.compilers + cpu.compilerNanos();
     }
 
-    private static long collectorNanos() {
-        long millis = 0;
-        for (GarbageCollectorMXBean bean : ManagementFactory.getGarbageCollectorMXBeans()) {
-            millis += Math.max(0, bean.getCollectionTime());
+    /** Steps from the start of the JVM on, over and over through the scene. */
+    private Protocol.Answer cold(Case scene, Protocol.Request request) {
+        // The JVM's own start, on the clock of nanoTime.
+        long started =
+                System.nanoTime()
+                        - 1_000_000
+                                * (System.currentTimeMillis()
+                                        - ManagementFactory.getRuntimeMXBean().getStartTime());
+        List<Double> cold = new ArrayList<>();
+        long end = started + (long) (request.seconds() * 1e9);
+        try (Judge judge = new Judge(scene)) {
+            while (System.nanoTime() < end) {
+                try (Peer peer = engine.create(judge.description(), request.peer())) {
+                    for (int tick = 1; tick <= scene.ticks() && System.nanoTime() < end; tick++) {
+                        long before = System.nanoTime();
+                        peer.step();
+                        long now = System.nanoTime();
+                        cold.add((now - started) / 1e6);
+                        cold.add((now - before) / 1e6);
+                    }
+                }
+            }
+            return new Protocol.Answer(
+                    null,
+                    false,
+                    null,
+                    Map.of(),
+                    null,
+                    -1,
+                    -1,
+                    judge.description().movable(),
+                    cold.size() / 2,
+                    null,
+                    null,
+                    null,
+                    -1,
+                    thinned(cold),
+                    List.of());
         }
-        return millis * 1_000_000;
+    }
+
+    /** Returns the median tick of each of some spans of time, each a tenth longer than the last. */
+    static List<Double> thinned(List<Double> ticks) {
+        List<Double> kept = new ArrayList<>();
+        int from = 0;
+        while (from < ticks.size()) {
+            double until = ticks.get(from) * 1.1;
+            List<Double> span = new ArrayList<>();
+            int at = from;
+            while (at < ticks.size() && ticks.get(at) <= until) {
+                span.add(ticks.get(at + 1));
+                at += 2;
+            }
+            span.sort(null);
+            kept.add(ticks.get(at - 2));
+            kept.add(span.get(span.size() / 2));
+            from = at;
+        }
+        return kept;
     }
 
     private static double percentile(long[] sorted, double share) {

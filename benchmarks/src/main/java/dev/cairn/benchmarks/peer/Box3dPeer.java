@@ -11,6 +11,7 @@ import static java.lang.foreign.ValueLayout.JAVA_LONG;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Matrix3dc;
 import org.joml.Vector3d;
@@ -60,12 +61,18 @@ final class Box3dPeer implements Peer {
     private final MethodHandle position;
     private final MethodHandle rotation;
     private final MethodHandle counters;
+    private final MethodHandle linear;
+    private final MethodHandle angular;
+    private final MethodHandle applyForce;
+    private final MethodHandle gravity;
+    private final SceneDescription scene;
     private final MethodHandle destroyWorld;
     private final SegmentAllocator vectorSpace;
     private final int world;
     private final long[] bodies;
 
     Box3dPeer(SceneDescription scene, PeerSettings settings) {
+        this.scene = scene;
         this.settings = settings;
         stepSeconds = (float) scene.stepSeconds();
         library = open(arena);
@@ -74,6 +81,13 @@ final class Box3dPeer implements Peer {
         position = find("b3Body_GetPosition", FunctionDescriptor.of(VECTOR, JAVA_LONG));
         rotation = find("b3Body_GetRotation", FunctionDescriptor.of(QUATERNION, JAVA_LONG));
         counters = find("b3World_GetCounters", FunctionDescriptor.of(COUNTERS, WORLD_ID));
+        linear = find("b3Body_GetLinearVelocity", FunctionDescriptor.of(VECTOR, JAVA_LONG));
+        angular = find("b3Body_GetAngularVelocity", FunctionDescriptor.of(VECTOR, JAVA_LONG));
+        applyForce =
+                find(
+                        "b3Body_ApplyForceToCenter",
+                        FunctionDescriptor.ofVoid(JAVA_LONG, VECTOR, JAVA_BYTE));
+        gravity = find("b3World_SetGravity", FunctionDescriptor.ofVoid(WORLD_ID, VECTOR));
         destroyWorld = find("b3DestroyWorld", FunctionDescriptor.ofVoid(WORLD_ID));
         vectorSpace = SegmentAllocator.prefixAllocator(arena.allocate(COUNTERS));
         world = createWorld(scene);
@@ -275,6 +289,13 @@ final class Box3dPeer implements Peer {
 
     @Override
     public void step() {
+        for (int f = 0; f < scene.forces().size(); f++) {
+            // Cleared by the engine after each step.
+            ConstantForce force = scene.forces().get(f);
+            MemorySegment value = vectorSpace.allocate(VECTOR);
+            vector(value, 0, new Vector3d(force.fx(), force.fy(), force.fz()));
+            call(applyForce, bodies[force.body()], value, (byte) 1);
+        }
         try {
             step.invokeExact(world, stepSeconds, settings.substeps());
         } catch (Throwable failure) {
@@ -293,6 +314,28 @@ final class Box3dPeer implements Peer {
             MemorySegment turned = (MemorySegment) call(rotation, vectorSpace, bodies[i]);
             for (int k = 0; k < 4; k++) {
                 poses[o + 3 + k] = turned.getAtIndex(JAVA_FLOAT, k);
+            }
+        }
+    }
+
+    @Override
+    public void setGravity(double x, double y, double z) {
+        MemorySegment value = vectorSpace.allocate(VECTOR);
+        vector(value, 0, new Vector3d(x, y, z));
+        call(gravity, world, value);
+    }
+
+    @Override
+    public void readVelocities(double[] velocities) {
+        for (int i = 0; i < bodies.length; i++) {
+            int o = i * VELOCITY_STRIDE;
+            MemorySegment v = (MemorySegment) call(linear, vectorSpace, bodies[i]);
+            for (int k = 0; k < 3; k++) {
+                velocities[o + k] = v.getAtIndex(JAVA_FLOAT, k);
+            }
+            MemorySegment w = (MemorySegment) call(angular, vectorSpace, bodies[i]);
+            for (int k = 0; k < 3; k++) {
+                velocities[o + 3 + k] = w.getAtIndex(JAVA_FLOAT, k);
             }
         }
     }
@@ -319,6 +362,7 @@ final class Box3dPeer implements Peer {
                 "Box3D 0.2.0, single precision, from the library that " + LIBRARY + " names",
                 "defaults: 30 Hz contacts, damping ratio 10, push out at most at 3 m/s, restitution"
                         + " above 1 m/s, continuous collision on, recycling of contacts on",
+                "best effort is the same",
                 "sleeping off; boxes are its box hulls; mass and inertia as given, read back",
                 "position is that of the body's origin, which is the centre of mass here");
     }

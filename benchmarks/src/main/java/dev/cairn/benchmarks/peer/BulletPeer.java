@@ -1,9 +1,12 @@
 package dev.cairn.benchmarks.peer;
 
 import com.jme3.bullet.PhysicsSpace;
+import com.jme3.bullet.SolverInfo;
+import com.jme3.bullet.SolverMode;
 import com.jme3.bullet.collision.PersistentManifolds;
 import com.jme3.bullet.collision.shapes.BoxCollisionShape;
 import com.jme3.bullet.collision.shapes.CollisionShape;
+import com.jme3.bullet.collision.shapes.HullCollisionShape;
 import com.jme3.bullet.collision.shapes.SphereCollisionShape;
 import com.jme3.bullet.objects.PhysicsRigidBody;
 import com.jme3.bullet.util.NativeLibrary;
@@ -15,11 +18,14 @@ import com.simsilica.mathd.Vec3d;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Vector3dc;
 
 import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 
@@ -30,19 +36,35 @@ final class BulletPeer implements Peer {
 
     private static boolean ready;
 
+    private static final int BEST_ITERATIONS = 50;
+    private static final float BEST_MARGIN = 1e-3f;
+
+    private final SceneDescription scene;
     private final PeerSettings settings;
+    private final boolean best;
     private final float substepSeconds;
     private final PhysicsSpace space;
     private final List<PhysicsRigidBody> bodies = new ArrayList<>();
+    private final Map<ConvexHull, HullCollisionShape> hulls = new IdentityHashMap<>();
     private final Vec3d at = new Vec3d();
     private final Quatd turned = new Quatd();
 
     BulletPeer(SceneDescription scene, PeerSettings settings) {
+        this.scene = scene;
         this.settings = settings;
+        this.best = settings.tuning() == PeerSettings.Tuning.BEST;
         this.substepSeconds = (float) (scene.stepSeconds() / settings.substeps());
         prepare();
         space = new PhysicsSpace(PhysicsSpace.BroadphaseType.DBVT);
         space.setGravity(new Vector3f(0, (float) -scene.gravity(), 0));
+        SolverInfo solver = space.getSolverInfo();
+        if (best) {
+            solver.setNumIterations(BEST_ITERATIONS);
+            solver.setSplitImpulseEnabled(true);
+            solver.setSplitImpulseThreshold(-BEST_MARGIN);
+            solver.setMode(solver.mode() | SolverMode.Use2Directions);
+        }
+        solver.setNumIterations(settings.iterationFactor() * solver.numIterations());
         double common = Restitutions.common(scene);
         for (SceneDescription.Solid solid : scene.bodies()) {
             add(solid, common);
@@ -76,11 +98,16 @@ final class BulletPeer implements Peer {
                             new BoxCollisionShape(
                                     (float) box.halfX(), (float) box.halfY(), (float) box.halfZ());
                     case Sphere sphere -> new SphereCollisionShape((float) sphere.radius());
-                    case ConvexHull _ ->
-                            throw new IllegalArgumentException(
-                                    "Bullet: takes no inertia with products, so hulls are left"
-                                            + " out");
+                    case ConvexHull hull ->
+                            hulls.computeIfAbsent(
+                                    hull,
+                                    _ ->
+                                            new HullCollisionShape(
+                                                    SceneDescription.Solid.points(hull)));
                 };
+        if (solid.shape() instanceof ConvexHull && best) {
+            shape.setMargin(BEST_MARGIN);
+        }
         PhysicsRigidBody body = new PhysicsRigidBody(shape, (float) solid.mass());
         body.setPhysicsLocation(vector(solid.centre()));
         body.setPhysicsRotation(
@@ -115,6 +142,16 @@ final class BulletPeer implements Peer {
     @Override
     public void step() {
         for (int n = 0; n < settings.substeps(); n++) {
+            for (int f = 0; f < scene.forces().size(); f++) {
+                // Cleared by the engine after each update.
+                ConstantForce force = scene.forces().get(f);
+                bodies.get(force.body())
+                        .applyCentralForce(
+                                new Vector3f(
+                                        (float) force.fx(),
+                                        (float) force.fy(),
+                                        (float) force.fz()));
+            }
             // maxSubSteps 0: one step of exactly this length, no listeners.
             space.update(substepSeconds, 0, false, false, false);
         }
@@ -139,6 +176,36 @@ final class BulletPeer implements Peer {
     }
 
     @Override
+    public void setGravity(double x, double y, double z) {
+        Vector3f gravity = new Vector3f((float) x, (float) y, (float) z);
+        space.setGravity(gravity);
+        // The engine copies gravity into a body when the body is added.
+        for (PhysicsRigidBody body : bodies) {
+            if (body.getMass() > 0) {
+                body.setGravity(gravity);
+            }
+        }
+    }
+
+    @Override
+    public void readVelocities(double[] velocities) {
+        for (int i = 0; i < bodies.size(); i++) {
+            if (scene.bodies().get(i).fixed()) {
+                continue;
+            }
+            int o = VELOCITY_STRIDE * i;
+            bodies.get(i).getLinearVelocityDp(at);
+            velocities[o] = at.x;
+            velocities[o + 1] = at.y;
+            velocities[o + 2] = at.z;
+            bodies.get(i).getAngularVelocityDp(at);
+            velocities[o + 3] = at.x;
+            velocities[o + 4] = at.y;
+            velocities[o + 5] = at.z;
+        }
+    }
+
+    @Override
     public int contactPairs() {
         int pairs = 0;
         for (long manifold : space.listManifoldIds()) {
@@ -159,7 +226,9 @@ final class BulletPeer implements Peer {
     @Override
     public List<String> notes() {
         return List.of(
-                "10 iterations, ERP and margins (4 cm, inside boxes) as they come",
+                "10 iterations, ERP and margins (4 cm: inside boxes, around hulls) as they come",
+                "best effort: 50 iterations, split impulse from 1 mm on, two friction directions,"
+                        + " margin of hulls 1 mm",
                 "sleeping and damping off",
                 "frictions of a pair are multiplied by the engine: bodies carry the square root",
                 "restitutions are multiplied: bodies carry e or 1, right if one e > 0 per scene",

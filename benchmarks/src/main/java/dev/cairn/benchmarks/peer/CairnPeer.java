@@ -5,6 +5,7 @@ import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Contacts;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -15,6 +16,7 @@ import java.util.List;
 /** Cairn, built from the description like all others. */
 final class CairnPeer implements Peer {
     private final SceneDescription scene;
+    private final int collisionsPerTick;
     private final PhysicsWorld world;
     private final List<BodyRef> bodies = new ArrayList<>();
     private final Vector3d at = new Vector3d();
@@ -22,11 +24,12 @@ final class CairnPeer implements Peer {
 
     CairnPeer(SceneDescription scene, PeerSettings settings) {
         this.scene = scene;
+        this.collisionsPerTick = settings.collisionsPerTick();
         this.world =
                 PhysicsWorld.builder()
                         .gravity(0, -scene.gravity(), 0)
                         .workers(settings.workers())
-                        .substeps(settings.substeps())
+                        .substeps(settings.substeps() / collisionsPerTick)
                         .build();
         for (SceneDescription.Solid solid : scene.bodies()) {
             Vector3d shift = solid.rotation().transform(solid.shape().centreOfMass(new Vector3d()));
@@ -49,7 +52,35 @@ final class CairnPeer implements Peer {
 
     @Override
     public void step() {
-        world.step(scene.stepSeconds());
+        for (int part = 0; part < collisionsPerTick; part++) {
+            for (int f = 0; f < scene.forces().size(); f++) {
+                ConstantForce force = scene.forces().get(f);
+                bodies.get(force.body()).applyForce(force.fx(), force.fy(), force.fz());
+            }
+            world.step(scene.stepSeconds() / collisionsPerTick);
+        }
+    }
+
+    @Override
+    public void setGravity(double x, double y, double z) {
+        world.setGravity(x, y, z);
+    }
+
+    @Override
+    public void readVelocities(double[] velocities) {
+        int o = 0;
+        for (int i = 0; i < bodies.size(); i++) {
+            BodyRef body = bodies.get(i);
+            body.velocity(at);
+            velocities[o] = at.x;
+            velocities[o + 1] = at.y;
+            velocities[o + 2] = at.z;
+            body.angularVelocity(at);
+            velocities[o + 3] = at.x;
+            velocities[o + 4] = at.y;
+            velocities[o + 5] = at.z;
+            o += VELOCITY_STRIDE;
+        }
     }
 
     @Override
@@ -93,7 +124,8 @@ final class CairnPeer implements Peer {
     @Override
     public List<String> notes() {
         return List.of(
-                "defaults throughout; no sleeping, no damping exist",
+                "defaults; one sweep per sub-step, contacts found once a tick; no damping exists",
+                "best effort is the same: nothing else is offered for accuracy",
                 "inertia: taken from shape and mass, the source of the description");
     }
 

@@ -119,6 +119,34 @@ public enum Engine {
     }
 
     /**
+     * Says whether the engine documents settings for accuracy besides sub-steps.
+     *
+     * @return false if its best effort is its default
+     */
+    public boolean hasBest() {
+        return this != CAIRN && this != BOX3D;
+    }
+
+    /**
+     * Says whether the number of iterations of its solver can be set.
+     *
+     * @return false where a sub-step is one sweep
+     */
+    public boolean hasIterations() {
+        return this != CAIRN && this != BOX3D;
+    }
+
+    /**
+     * Says whether contacts are found once a tick, whatever the number of sub-steps, and this can
+     * be refined.
+     *
+     * @return false where each sub-step is a whole step
+     */
+    public boolean collidesOncePerTick() {
+        return this == CAIRN;
+    }
+
+    /**
      * Finds an engine.
      *
      * @param id its name, any case

@@ -3,6 +3,7 @@ package dev.cairn.benchmarks.peer;
 import com.github.stephengold.joltjni.BodyCreationSettings;
 import com.github.stephengold.joltjni.BodyInterface;
 import com.github.stephengold.joltjni.BoxShape;
+import com.github.stephengold.joltjni.ConvexHullShapeSettings;
 import com.github.stephengold.joltjni.CustomContactListener;
 import com.github.stephengold.joltjni.JobSystem;
 import com.github.stephengold.joltjni.JobSystemSingleThreaded;
@@ -17,6 +18,7 @@ import com.github.stephengold.joltjni.PhysicsSettings;
 import com.github.stephengold.joltjni.PhysicsSystem;
 import com.github.stephengold.joltjni.Quat;
 import com.github.stephengold.joltjni.RVec3;
+import com.github.stephengold.joltjni.ShapeResult;
 import com.github.stephengold.joltjni.SphereShape;
 import com.github.stephengold.joltjni.TempAllocator;
 import com.github.stephengold.joltjni.TempAllocatorImplWithMallocFallback;
@@ -26,17 +28,21 @@ import com.github.stephengold.joltjni.enumerate.EMotionType;
 import com.github.stephengold.joltjni.enumerate.EOverrideMassProperties;
 import com.github.stephengold.joltjni.enumerate.ValidateResult;
 import com.github.stephengold.joltjni.readonly.ConstShape;
+import com.github.stephengold.joltjni.readonly.Vec3Arg;
 
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Matrix3dc;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 
 /** Jolt by way of jolt-jni. */
 final class JoltPeer implements Peer {
@@ -44,9 +50,15 @@ final class JoltPeer implements Peer {
     private static final int JOBS = 2048;
     private static final int BARRIERS = 8;
     private static final int SCRATCH_BYTES = 32 << 20;
+    private static final int BEST_VELOCITY_STEPS = 30;
+    private static final int BEST_POSITION_STEPS = 6;
+    private static final float BEST_SLOP = 1e-3f;
     private static boolean ready;
 
+    private final SceneDescription scene;
     private final PeerSettings settings;
+    private final boolean best;
+    private final Map<ConvexHull, ConstShape> hulls = new IdentityHashMap<>();
     private final float stepSeconds;
     private final PhysicsSystem system;
     private final BodyInterface interfaceOfBodies;
@@ -59,6 +71,7 @@ final class JoltPeer implements Peer {
     private final Quat turned = new Quat();
 
     JoltPeer(SceneDescription scene, PeerSettings settings) {
+        this.scene = scene;
         this.settings = settings;
         this.stepSeconds = (float) scene.stepSeconds();
         prepare();
@@ -78,6 +91,14 @@ final class JoltPeer implements Peer {
         system.setGravity(0, (float) -scene.gravity(), 0);
         PhysicsSettings tuned = system.getPhysicsSettings();
         tuned.setAllowSleeping(false);
+        best = settings.tuning() == PeerSettings.Tuning.BEST;
+        if (best) {
+            tuned.setNumVelocitySteps(BEST_VELOCITY_STEPS);
+            tuned.setNumPositionSteps(BEST_POSITION_STEPS);
+            tuned.setPenetrationSlop(BEST_SLOP);
+        }
+        tuned.setNumVelocitySteps(settings.iterationFactor() * tuned.getNumVelocitySteps());
+        tuned.setNumPositionSteps(settings.iterationFactor() * tuned.getNumPositionSteps());
         system.setPhysicsSettings(tuned);
         interfaceOfBodies = system.getBodyInterface();
         ids = new int[count];
@@ -117,9 +138,7 @@ final class JoltPeer implements Peer {
                 switch (solid.shape()) {
                     case Box box -> box(box);
                     case Sphere sphere -> new SphereShape((float) sphere.radius());
-                    case ConvexHull _ ->
-                            throw new IllegalArgumentException(
-                                    "Jolt: hulls are not handed over yet; see docs/benchmarks.md");
+                    case ConvexHull hull -> hulls.computeIfAbsent(hull, this::hull);
                 };
         BodyCreationSettings body =
                 new BodyCreationSettings(
@@ -158,9 +177,25 @@ final class JoltPeer implements Peer {
                 body, solid.fixed() ? EActivation.DontActivate : EActivation.Activate);
     }
 
-    private static BoxShape box(Box box) {
+    private ConstShape hull(ConvexHull hull) {
+        float[] xyz = SceneDescription.Solid.points(hull);
+        List<Vec3Arg> points = new ArrayList<>();
+        for (int i = 0; i < xyz.length; i += 3) {
+            points.add(new Vec3(xyz[i], xyz[i + 1], xyz[i + 2]));
+        }
+        ConvexHullShapeSettings recipe =
+                new ConvexHullShapeSettings(points, best ? 0 : Jolt.cDefaultConvexRadius);
+        ShapeResult made = recipe.create();
+        if (!made.isValid()) {
+            throw new IllegalArgumentException("Jolt: it makes no hull: " + made.getError());
+        }
+        kept.addAll(List.of(recipe, made));
+        return made.get();
+    }
+
+    private BoxShape box(Box box) {
         double thinnest = Math.min(box.halfX(), Math.min(box.halfY(), box.halfZ()));
-        float rounding = (float) Math.min(Jolt.cDefaultConvexRadius, thinnest);
+        float rounding = best ? 0 : (float) Math.min(Jolt.cDefaultConvexRadius, thinnest);
         return new BoxShape(
                 new Vec3((float) box.halfX(), (float) box.halfY(), (float) box.halfZ()), rounding);
     }
@@ -197,6 +232,13 @@ final class JoltPeer implements Peer {
         if (counter != null) {
             counter.manifolds = 0;
         }
+        for (int f = 0; f < scene.forces().size(); f++) {
+            // Cleared by the engine after each update.
+            ConstantForce force = scene.forces().get(f);
+            interfaceOfBodies.addForce(
+                    ids[force.body()],
+                    new Vec3((float) force.fx(), (float) force.fy(), (float) force.fz()));
+        }
         int errors = system.update(stepSeconds, settings.substeps(), scratch, jobs);
         if (errors != 0) {
             throw new IllegalStateException(
@@ -223,6 +265,29 @@ final class JoltPeer implements Peer {
     }
 
     @Override
+    public void setGravity(double x, double y, double z) {
+        system.setGravity((float) x, (float) y, (float) z);
+    }
+
+    @Override
+    public void readVelocities(double[] velocities) {
+        for (int i = 0; i < ids.length; i++) {
+            if (scene.bodies().get(i).fixed()) {
+                continue;
+            }
+            int o = VELOCITY_STRIDE * i;
+            Vec3 v = interfaceOfBodies.getLinearVelocity(ids[i]);
+            velocities[o] = v.getX();
+            velocities[o + 1] = v.getY();
+            velocities[o + 2] = v.getZ();
+            Vec3 w = interfaceOfBodies.getAngularVelocity(ids[i]);
+            velocities[o + 3] = w.getX();
+            velocities[o + 4] = w.getY();
+            velocities[o + 5] = w.getZ();
+        }
+    }
+
+    @Override
     public int contactPairs() {
         return counter == null
                 ? UNKNOWN
@@ -238,7 +303,8 @@ final class JoltPeer implements Peer {
     public List<String> notes() {
         return List.of(
                 "10 velocity and 2 position iterations, slop 2 cm, Baumgarte 0.2 as they come",
-                "boxes rounded by the default convex radius 0.05 m, within their size",
+                "best effort: 30 velocity and 6 position iterations, slop 1 mm, no rounding",
+                "boxes and hulls rounded by the default convex radius 0.05 m, within their size",
                 "sleeping and damping off, speed caps raised, gyroscopic torque on",
                 "bounce threshold 1 m/s cannot be set from Java in this version",
                 "contact points are not counted, only pairs");

@@ -3,8 +3,10 @@ package dev.cairn.benchmarks.peer;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Matrix3dc;
+import org.joml.Vector3d;
 import org.ode4j.math.DQuaternion;
 import org.ode4j.math.DQuaternionC;
 import org.ode4j.math.DVector3C;
@@ -26,7 +28,11 @@ import java.util.List;
 final class OdePeer implements Peer {
     private static final int MAX_POINTS = 8;
 
+    private static final int BEST_ITERATIONS = 100;
+    private static final double BEST_BOUNCE_SPEED = 0.01;
+
     private final PeerSettings settings;
+    private final double bounceSpeed;
     private final double substepSeconds;
     private final DWorld world;
     private final DSpace space;
@@ -46,6 +52,10 @@ final class OdePeer implements Peer {
         world.setGravity(0, -scene.gravity(), 0);
         world.setAutoDisableFlag(false);
         world.setDamping(0, 0);
+        boolean best = settings.tuning() == PeerSettings.Tuning.BEST;
+        bounceSpeed = best ? BEST_BOUNCE_SPEED : 0.1;
+        int iterations = best ? BEST_ITERATIONS : world.getQuickStepNumIterations();
+        world.setQuickStepNumIterations(settings.iterationFactor() * iterations);
         space = OdeHelper.createHashSpace();
         joints = OdeHelper.createJointGroup();
         for (int i = 0; i < scene.bodies().size(); i++) {
@@ -60,10 +70,7 @@ final class OdePeer implements Peer {
                             OdeHelper.createBox(
                                     space, 2 * box.halfX(), 2 * box.halfY(), 2 * box.halfZ());
                     case Sphere sphere -> OdeHelper.createSphere(space, sphere.radius());
-                    case ConvexHull _ ->
-                            throw new IllegalArgumentException(
-                                    "ode4j: its convex shapes collide with few others; hulls are"
-                                            + " left out");
+                    case ConvexHull hull -> convex(hull);
                 };
         DQuaternion q =
                 new DQuaternion(
@@ -94,6 +101,40 @@ final class OdePeer implements Peer {
         geom.setBody(body);
     }
 
+    /** Planes (normal, offset), points, and polygons as lists led by their length. */
+    private DGeom convex(ConvexHull hull) {
+        double[] points = hull.vertices().clone();
+        int[][] loops = hull.faceLoops();
+        double[] planes = new double[4 * loops.length];
+        int words = 0;
+        for (int[] loop : loops) {
+            words += 1 + loop.length;
+        }
+        int[] polygons = new int[words];
+        int at = 0;
+        Vector3d a = new Vector3d();
+        Vector3d b = new Vector3d();
+        for (int f = 0; f < loops.length; f++) {
+            int[] loop = loops[f];
+            polygons[at++] = loop.length;
+            // Newell's normal: exact for a plane polygon, kind to a nearly plane one.
+            Vector3d normal = new Vector3d();
+            for (int i = 0; i < loop.length; i++) {
+                polygons[at++] = loop[i];
+                a.set(points, 3 * loop[i]);
+                b.set(points, 3 * loop[(i + 1) % loop.length]);
+                normal.add(a.cross(b));
+            }
+            normal.normalize();
+            planes[4 * f] = normal.x;
+            planes[4 * f + 1] = normal.y;
+            planes[4 * f + 2] = normal.z;
+            planes[4 * f + 3] = normal.dot(a.set(points, 3 * loop[0]));
+        }
+        return OdeHelper.createConvex(
+                space, planes, loops.length, points, points.length / 3, polygons);
+    }
+
     private void near(DGeom a, DGeom b) {
         DBody bodyA = a.getBody();
         DBody bodyB = b.getBody();
@@ -114,7 +155,7 @@ final class OdePeer implements Peer {
                     OdeConstants.dContactApprox1 | (bounce > 0 ? OdeConstants.dContactBounce : 0);
             contact.surface.mu = friction;
             contact.surface.bounce = bounce;
-            contact.surface.bounce_vel = 0.1;
+            contact.surface.bounce_vel = bounceSpeed;
             OdeHelper.createContactJoint(world, joints, contact).attach(bodyA, bodyB);
         }
         pairs++;
@@ -124,6 +165,11 @@ final class OdePeer implements Peer {
     @Override
     public void step() {
         for (int n = 0; n < settings.substeps(); n++) {
+            for (int f = 0; f < scene.forces().size(); f++) {
+                // Cleared by the engine after each step.
+                ConstantForce force = scene.forces().get(f);
+                geoms.get(force.body()).getBody().addForce(force.fx(), force.fy(), force.fz());
+            }
             pairs = 0;
             points = 0;
             space.collide(null, (data, a, b) -> near(a, b));
@@ -151,6 +197,30 @@ final class OdePeer implements Peer {
     }
 
     @Override
+    public void setGravity(double x, double y, double z) {
+        world.setGravity(x, y, z);
+    }
+
+    @Override
+    public void readVelocities(double[] velocities) {
+        for (int i = 0; i < geoms.size(); i++) {
+            DBody body = geoms.get(i).getBody();
+            if (body == null) {
+                continue;
+            }
+            int o = VELOCITY_STRIDE * i;
+            DVector3C v = body.getLinearVel();
+            velocities[o] = v.get0();
+            velocities[o + 1] = v.get1();
+            velocities[o + 2] = v.get2();
+            DVector3C w = body.getAngularVel();
+            velocities[o + 3] = w.get0();
+            velocities[o + 4] = w.get1();
+            velocities[o + 5] = w.get2();
+        }
+    }
+
+    @Override
     public int contactPairs() {
         return pairs;
     }
@@ -164,6 +234,7 @@ final class OdePeer implements Peer {
     public List<String> notes() {
         return List.of(
                 "quickStep with its default of 20 iterations; ERP and CFM as they come",
+                "best effort: 100 iterations, bounce above 0.01 m/s",
                 "friction as pyramid (dContactApprox1); pairs mixed by the callback as described",
                 "auto-disable and damping off; up to 8 points per pair; bounce above 0.1 m/s");
     }

@@ -10,6 +10,9 @@ public interface Peer extends AutoCloseable {
     /** Values per body in {@link #readPoses}: x y z of the centre of mass, then x y z w. */
     int POSE_STRIDE = 7;
 
+    /** Values per body in {@link #readVelocities}. */
+    int VELOCITY_STRIDE = 6;
+
     /** Answer of the counters where an engine does not tell. */
     int UNKNOWN = -1;
 
@@ -23,6 +26,23 @@ public interface Peer extends AutoCloseable {
      *     the quaternion worldFromBody
      */
     void readPoses(double[] poses);
+
+    /**
+     * Reads how the bodies move, in the order of the description; zeros for fixed ones.
+     *
+     * @param velocities receives {@value #VELOCITY_STRIDE} values per body: of the centre of mass,
+     *     world, m/s, then the angular velocity, world, rad/s
+     */
+    void readVelocities(double[] velocities);
+
+    /**
+     * Sets gravity for the ticks to come.
+     *
+     * @param x world, m/s²
+     * @param y world, m/s²
+     * @param z world, m/s²
+     */
+    void setGravity(double x, double y, double z);
 
     /**
      * The pairs of bodies that the last step had in contact.

@@ -1,8 +1,11 @@
 package dev.cairn.benchmarks.peer;
 
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.samples.SampleScene;
+import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Matrix3d;
 import org.joml.Matrix3dc;
@@ -12,20 +15,28 @@ import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
 import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * A scene as plain data: what every engine is given. SI units, y up. Immutable.
  *
+ * <p>Hulls are given about their centre of mass and turned into their principal axes, so that no
+ * engine has to be told an offset or products of inertia.
+ *
  * @param bodies the bodies, fixed and movable, in the order in which the scene added them
+ * @param forces that act in every tick
  * @param gravity m/s² along -y
  * @param stepSeconds length of a tick, s
  */
-public record SceneDescription(List<Solid> bodies, double gravity, double stepSeconds) {
+public record SceneDescription(
+        List<Solid> bodies, List<ConstantForce> forces, double gravity, double stepSeconds) {
 
-    /** Copies the list. */
+    /** Copies the lists. */
     public SceneDescription {
         bodies = List.copyOf(bodies);
+        forces = List.copyOf(forces);
     }
 
     /**
@@ -41,6 +52,7 @@ public record SceneDescription(List<Solid> bodies, double gravity, double stepSe
      * @param angularVelocity world, rad/s
      * @param friction Coulomb coefficient; that of a pair is the square root of the product
      * @param restitution coefficient of restitution; that of a pair is the larger one
+     * @param sceneFromShape what the shape was turned by against the scene's own
      */
     public record Solid(
             Shape shape,
@@ -52,53 +64,94 @@ public record SceneDescription(List<Solid> bodies, double gravity, double stepSe
             Vector3dc velocity,
             Vector3dc angularVelocity,
             double friction,
-            double restitution) {
+            double restitution,
+            Quaterniondc sceneFromShape) {
 
         /**
-         * Says whether the axes of the shape are principal axes, as for boxes and spheres.
+         * The vertices of a hull, as floats.
          *
-         * @return true if the inertia is diagonal to 1e-9 of its size
+         * @param hull the shape
+         * @return x y z of each
          */
-        public boolean isDiagonal() {
-            double size = inertia.m00() + inertia.m11() + inertia.m22();
-            double off =
-                    Math.abs(inertia.m01()) + Math.abs(inertia.m02()) + Math.abs(inertia.m12());
-            return off <= 1e-9 * size;
+        static float[] points(ConvexHull hull) {
+            double[] xyz = hull.vertices();
+            float[] floats = new float[xyz.length];
+            for (int i = 0; i < xyz.length; i++) {
+                floats[i] = (float) xyz[i];
+            }
+            return floats;
         }
     }
 
     /**
      * Reads the bodies of a scene back from the world that its script built.
      *
-     * @param bodies the bodies, before the first tick
+     * @param scene the scene, before the first tick
      * @return what the other engines are given
      */
-    public static SceneDescription of(List<BodyRef> bodies) {
+    public static SceneDescription of(SceneBuilder scene) {
         List<Solid> solids = new ArrayList<>();
-        for (BodyRef body : bodies) {
-            boolean fixed = body.isFixed();
-            Quaterniond rotation = body.orientation();
-            Matrix3d inertia = new Matrix3d().zero();
-            if (!fixed) {
-                // World axes to the shape's: R^T I R.
-                Matrix3d r = new Matrix3d().rotation(rotation);
-                Matrix3d world = body.inverseInertia(new Matrix3d()).invert();
-                inertia = new Matrix3d(r).transpose().mul(world).mul(r);
-            }
-            solids.add(
-                    new Solid(
-                            body.shape(),
-                            body.centreOfMass(new Vector3d()),
-                            rotation,
-                            fixed,
-                            fixed ? 0 : body.mass(),
-                            inertia,
-                            fixed ? new Vector3d() : body.velocity(),
-                            fixed ? new Vector3d() : body.angularVelocity(),
-                            body.material().friction(),
-                            body.material().restitution()));
+        Map<Shape, Turned> turned = new IdentityHashMap<>();
+        for (BodyRef body : scene.bodies()) {
+            solids.add(solid(body, turned));
         }
-        return new SceneDescription(solids, SampleScene.GRAVITY, SampleScene.STEP_SECONDS);
+        return new SceneDescription(
+                solids, scene.forces(), SampleScene.GRAVITY, SampleScene.STEP_SECONDS);
+    }
+
+    private static Solid solid(BodyRef body, Map<Shape, Turned> known) {
+        boolean fixed = body.isFixed();
+        Quaterniond rotation = body.orientation();
+        Matrix3d inertia = new Matrix3d().zero();
+        if (!fixed) {
+            // World axes to the shape's: R^T I R.
+            Matrix3d world = body.inverseInertia(new Matrix3d()).invert();
+            inertia = turnedInto(rotation, world);
+        }
+        Shape shape = body.shape();
+        Quaterniond sceneFromShape = new Quaterniond();
+        if (shape instanceof ConvexHull hull) {
+            Matrix3d about = fixed ? new Matrix3d() : inertia;
+            Turned principal = known.computeIfAbsent(shape, _ -> Turned.of(hull, about));
+            shape = principal.hull();
+            sceneFromShape.set(principal.sceneFromShape());
+            rotation.mul(sceneFromShape);
+            inertia = turnedInto(sceneFromShape, inertia);
+        }
+        return new Solid(
+                shape,
+                body.centreOfMass(new Vector3d()),
+                rotation,
+                fixed,
+                fixed ? 0 : body.mass(),
+                inertia,
+                fixed ? new Vector3d() : body.velocity(),
+                fixed ? new Vector3d() : body.angularVelocity(),
+                body.material().friction(),
+                body.material().restitution(),
+                sceneFromShape);
+    }
+
+    private static Matrix3d turnedInto(Quaterniondc rotation, Matrix3d tensor) {
+        Matrix3d r = new Matrix3d().rotation(rotation);
+        return new Matrix3d(r).transpose().mul(tensor).mul(r);
+    }
+
+    /** A hull in its principal axes. */
+    private record Turned(ConvexHull hull, Quaterniond sceneFromShape) {
+        static Turned of(ConvexHull hull, Matrix3d inertia) {
+            Quaterniond axes = Principal.axes(inertia);
+            Vector3d centre = hull.centreOfMass(new Vector3d());
+            double[] xyz = hull.vertices().clone();
+            Vector3d p = new Vector3d();
+            for (int i = 0; i < xyz.length; i += 3) {
+                axes.transformInverse(p.set(xyz[i], xyz[i + 1], xyz[i + 2]).sub(centre));
+                xyz[i] = p.x;
+                xyz[i + 1] = p.y;
+                xyz[i + 2] = p.z;
+            }
+            return new Turned(ConvexHull.of(xyz), axes);
+        }
     }
 
     /**

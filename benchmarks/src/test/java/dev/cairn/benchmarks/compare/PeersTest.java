@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import dev.cairn.benchmarks.peer.Engine;
+import dev.cairn.benchmarks.peer.PeerSettings;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -26,7 +27,16 @@ class PeersTest {
     @TempDir private Path logs;
 
     private static Protocol.Request judge(String scene, int substeps) {
-        return new Protocol.Request(Protocol.Kind.JUDGE, scene, Map.of(), 1, substeps, 0);
+        return new Protocol.Request(
+                Protocol.Kind.JUDGE,
+                scene,
+                Map.of(),
+                peer(substeps),
+                30);
+    }
+
+    private static PeerSettings peer(int substeps) {
+        return new PeerSettings(1, substeps, false, PeerSettings.Tuning.DEFAULT);
     }
 
     private static double error(EngineProcess engine, String scene, int substeps) {
@@ -54,7 +64,74 @@ class PeersTest {
                 assertEquals(firstOrder, flight, 2e-4, "flight, N = " + n);
                 assertTrue(roll < 0.012 / n, "roll, N = " + n + ": " + roll);
             }
+            sceneOfManyKindsArrives(engine, process);
         }
+    }
+
+    /**
+     * Elastic bouncing (catalogue 1.2): the energy error of an engine that flies by semi-implicit
+     * Euler and reflects exactly is that of one ball in one dimension; published for ODE.
+     */
+    @ParameterizedTest
+    @EnumSource(names = {"CAIRN", "JOLT", "ODE4J"})
+    void energyOfBouncingBallsIsThatOfTheIntegrator(Engine engine) {
+        int n = 4;
+        try (EngineProcess process =
+                new EngineProcess(engine, logs, List.of("-XX:TieredStopAtLevel=1"))) {
+            double found = error(process, "bouncing", n);
+            if (engine == Engine.CAIRN) {
+                assertTrue(found < 1e-12, "exact flight, exact impacts: " + found);
+            } else {
+                assertEquals(1, found / semiImplicitEuler(n), 0.02, engine + ": " + found);
+            }
+        }
+    }
+
+    /** Mean of (E - E0)² of 49 balls of 10 kg that fall 5 m to a centre height of 0.1 m, 20 s. */
+    private static double semiImplicitEuler(int n) {
+        double h = TICK / n;
+        double y = 5;
+        double v = 0;
+        double start = G * y;
+        double sum = 0;
+        for (int tick = 0; tick < 1200; tick++) {
+            for (int step = 0; step < n; step++) {
+                if (y <= 0.1 && v < 0) {
+                    v = -v;
+                } else {
+                    v -= G * h;
+                }
+                y += v * h;
+            }
+            double off = 49 * 10 * (G * y + v * v / 2 - start);
+            sum += off * off;
+        }
+        return sum / 1200;
+    }
+
+    /** Hulls, forces and a turning gravity arrive. */
+    private static void sceneOfManyKindsArrives(Engine engine, EngineProcess process) {
+        Map<String, String> few = Map.of("side", "2", "layers", "2");
+        Protocol.Answer hulls =
+                process.ask(
+                        new Protocol.Request(
+                                Protocol.Kind.JUDGE, "convex-pile", few, peer(4), 30),
+                        LIMIT);
+        assumeFalse(hulls.missing(), () -> "skipped: " + hulls.failure());
+        // Four 4 m hulls at most on top of each other: rounding and margins are centimetres.
+        assertNull(hulls.failure());
+        assertTrue(hulls.error() != null && hulls.error() < 0.3, "overlap " + hulls.error());
+        assertTrue(hulls.pairs() >= 8, "each hull rests on something: " + hulls.pairs());
+        if (engine != Engine.ODE4J) {
+            // 3.15 is a plate that never moves: a force that does not arrive.
+            assertTrue(error(process, "rolling", 4) < 0.1);
+        }
+        Protocol.Answer drum =
+                process.ask(
+                        new Protocol.Request(
+                                Protocol.Kind.JUDGE, "washer", Map.of("side", "2"), peer(4), 30),
+                        LIMIT);
+        assertNull(drum.failure());
     }
 
     @Test

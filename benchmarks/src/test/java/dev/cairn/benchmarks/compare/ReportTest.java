@@ -6,6 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.Peer;
+import dev.cairn.benchmarks.peer.PeerSettings;
+
+import dev.cairn.samples.scenes.BouncingBall;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,6 +32,7 @@ class ReportTest {
                         failure,
                         false,
                         error,
+                        Map.of(),
                         1e-3,
                         4,
                         Peer.UNKNOWN,
@@ -37,14 +41,14 @@ class ReportTest {
                         null,
                         null,
                         null,
+                        -1,
+                        List.of(),
                         List.of("a <note> & more"));
         List<Protocol.Answer> rounds = new ArrayList<>();
         for (double cpu : new double[] {3 * n, 1 * n, 2 * n}) {
-            rounds.add(
-                    new Protocol.Answer(
-                            null, false, null, null, -1, -1, 4, 300, cpu, 0.1, 0.2, List.of()));
+            rounds.add(Protocol.Answer.timed(4, 300, cpu, 0.1, 0.2, 0));
         }
-        return new Results.Point("stack-4", Map.of("boxes", "4"), engine, 1, n, judged, rounds);
+        return new Results.Point("stack-4", Map.of("boxes", "4"), engine, set(n), judged, rounds);
     }
 
     private static final Results RESULTS =
@@ -59,10 +63,18 @@ class ReportTest {
                                     "stack-4",
                                     Map.of("boxes", "4"),
                                     Engine.PHYSX,
-                                    1,
-                                    1,
+                                    set(1),
                                     Protocol.Answer.failed("PhysX is not here", true),
-                                    List.of())));
+                                    List.of())),
+                    List.of(new Budget("stack-4", Engine.CAIRN, Map.of(Budget.BASE, 1e-3))),
+                    List.of(new Results.Cold(
+                                    "pyramid",
+                                    Engine.CAIRN,
+                                    List.of(400.0, 20.0, 600.0, 2.0, 4000.0, 0.2))));
+
+    private static PeerSettings set(int n) {
+        return new PeerSettings(1, n, false, PeerSettings.Tuning.DEFAULT);
+    }
 
     private static Document parse(String xml) throws Exception {
         DocumentBuilderFactory factory = DocumentBuilderFactory.newInstance();
@@ -79,7 +91,9 @@ class ReportTest {
         assertTrue(text.contains("fell <over>"));
         assertTrue(text.contains("not measured: PhysX is not here"));
         assertTrue(text.contains("a <note> & more"));
-        assertEquals(2, document.getElementsByTagName("img").getLength());
+        assertEquals(3, document.getElementsByTagName("img").getLength());
+        assertTrue(text.contains("Cold start"));
+        assertTrue(text.contains("Where the error comes from"));
         for (String svg : page.svgs().values()) {
             assertTrue(parse(svg).getElementsByTagName("path").getLength() > 10);
         }
@@ -107,11 +121,11 @@ class ReportTest {
     @Test
     void bounceMeetsItsApexes() {
         double fall = Math.sqrt(2 / 9.81);
-        assertEquals(1, Bounce.height(1, 0.5, 0));
-        assertEquals(0, Bounce.height(1, 0.5, fall), 1e-12);
-        assertEquals(0.25, Bounce.height(1, 0.5, 1.5 * fall), 1e-12);
-        assertEquals(0, Bounce.height(1, 0.5, 2 * fall), 1e-12);
-        assertTrue(Double.isNaN(Bounce.height(1, 0.5, 2.1 * fall)));
+        assertEquals(1, BouncingBall.height(1, 0.5, 0));
+        assertEquals(0, BouncingBall.height(1, 0.5, fall), 1e-12);
+        assertEquals(0.25, BouncingBall.height(1, 0.5, 1.5 * fall), 1e-12);
+        assertEquals(0, BouncingBall.height(1, 0.5, 2 * fall), 1e-12);
+        assertTrue(Double.isNaN(BouncingBall.height(1, 0.5, 2.1 * fall)));
     }
 
     @Test

@@ -1,0 +1,220 @@
+package dev.cairn.benchmarks.compare;
+
+import java.util.List;
+import java.util.Map;
+
+/** The scenes of the report, in its order. */
+final class Cases {
+    private static final String OVERLAP = "deepest overlap at rest, m";
+
+    static final List<Case> ALL =
+            List.of(
+                    Case.small(
+                            "free-flight",
+                            "Free flight",
+                            "free-fall",
+                            Map.of("height", "100"),
+                            90,
+                            "positionMetres",
+                            "largest distance from the parabola, m",
+                            10,
+                            "Five spinning bodies follow x0 + v0 t + g t²/2 for 1.5 s. A"
+                                + " first-order integrator (semi-implicit Euler) is off by g T h/2"
+                                + " at the end: 0.123 m at N = 1."),
+                    Case.small(
+                            "tumble",
+                            "Tumbling box",
+                            "tumble",
+                            Map.of(),
+                            600,
+                            "momentumRelative",
+                            "change of angular momentum, share",
+                            100,
+                            "A thrown box turns about its middle axis for 10 s (Gazebo boxes"
+                                + " study, complex case). Its angular momentum is a constant"
+                                + " vector."),
+                    Case.small(
+                            "slope",
+                            "Box slides down a slope",
+                            "slope-box",
+                            Map.of(
+                                    "angle",
+                                    "20",
+                                    "friction",
+                                    "0.2",
+                                    "drop",
+                                    "0",
+                                    "speed",
+                                    "0",
+                                    "length",
+                                    "14"),
+                            180,
+                            "distanceRelative",
+                            "distance error, share of the distance",
+                            0.5,
+                            "A box on 20 degrees with mu = 0.2 starts from rest: s = g (sin - mu"
+                                    + " cos) t²/2, 6.80 m after 3 s."),
+                    Case.small(
+                            "roll",
+                            "Ball rolls down a slope",
+                            "slope-ball",
+                            Map.of("restitution", "0", "length", "14"),
+                            150,
+                            "rollRelative",
+                            "distance error, share of the distance",
+                            0.5,
+                            "A solid ball on 15 degrees rolls without slipping: s = 5/7 g sin"
+                                    + " t²/2."),
+                    Case.small(
+                            "rolling",
+                            "Balls on a pulled plate (SimBenchmark rolling)",
+                            "rolling",
+                            Map.of(),
+                            240,
+                            "velocitySquared",
+                            "mean squared velocity error, m²/s²",
+                            100,
+                            "A 10 kg plate is pulled by 150 N over ground with mu = 0.4; 25 balls"
+                                + " of 1 kg roll on it: 0.7385 and 0.2110 m/s². A plate that never"
+                                + " moves has an error of 3.15."),
+                    Case.small(
+                            "bounce",
+                            "Bouncing ball",
+                            "bouncing-ball",
+                            Map.of(),
+                            120,
+                            "heightRelative",
+                            "RMS height error, share of the height",
+                            0.5,
+                            "A ball falls 1 m and bounces with e = 0.7: parabolas between impacts,"
+                                    + " apexes e² of the one before."),
+                    Case.small(
+                            "bouncing",
+                            "Elastic bouncing (SimBenchmark bouncing)",
+                            "bouncing",
+                            Map.of(),
+                            1200,
+                            "energySquaredJoules2",
+                            "mean squared energy error, J²",
+                            5e8,
+                            "49 balls fall 5 m and bounce with e = 1 for 20 s; the energy stays"
+                                + " 24 034.5 J. Semi-implicit Euler alone: 185 J² at 1 ms, growing"
+                                + " with h²."),
+                    Case.small(
+                            "spheres-666",
+                            "216 spheres fall (SimBenchmark 666)",
+                            "spheres-666",
+                            Map.of(),
+                            600,
+                            "overlapSquaredMetres2",
+                            "mean sum of squared overlaps, m²",
+                            100,
+                            "6 x 6 x 6 frictionless inelastic spheres collapse and flow apart;"
+                                    + " nothing may overlap."),
+                    Case.small(
+                            "elastic-666",
+                            "216 elastic spheres (SimBenchmark elastic 666)",
+                            "elastic-666",
+                            Map.of(),
+                            600,
+                            "energySquaredJoules2",
+                            "mean squared energy error, J²",
+                            5e9,
+                            "6 x 6 x 6 frictionless elastic spheres fall; the energy stays"
+                                    + " 34.5 kJ."),
+                    Case.small(
+                            "stack-4",
+                            "Stack of four",
+                            "stack-4",
+                            Map.of(),
+                            300,
+                            "sagMetres",
+                            "largest height error at rest, m",
+                            0.25,
+                            "Four 1 m boxes fall onto each other and stand: centres at 0.5, 1.5,"
+                                    + " 2.5, 3.5 m."),
+                    Case.small(
+                            "cubes-18",
+                            "Eighteen cubes",
+                            "cubes-18",
+                            Map.of(),
+                            240,
+                            "sagMetres",
+                            "largest height error at rest, m",
+                            0.25,
+                            "Nine columns of two 1 m cubes fall a little and stand: centres at 0.5"
+                                    + " and 1.5 m."),
+                    Case.small(
+                                    "pyramid",
+                                    "Pyramid",
+                                    "pyramid",
+                                    Map.of("base", "20"),
+                                    200,
+                                    "driftMetres",
+                                    "largest displacement, m",
+                                    0.5,
+                                    "A one-thick pyramid of 1 m boxes, touching from the start,"
+                                        + " stands as built. More than half a box off is a"
+                                        + " collapse.")
+                            .large(32, 1, Map.of("base", "10")),
+                    pile("pile-spheres", "Pile of 500 spheres", "10", "5", 0.25, 1),
+                    pile("pile-boxes", "Pile of 500 boxes", "10", "5", 0.25, 1),
+                    pile("pile-mixed", "Pile of 500 spheres, boxes, hulls", "10", "5", 0.25, 4),
+                    pile("convex-pile", "Pile of 256 hulls (convex_pile)", "8", "4", 1, 10),
+                    pile("junkyard", "Junkyard, 512 rocks", "16", "2", 0.75, 4),
+                    Case.small(
+                                    "washer",
+                                    "Washer, 1000 boxes",
+                                    "washer",
+                                    Map.of("side", "10"),
+                                    300,
+                                    Case.REST_OVERLAP,
+                                    "deepest overlap in the last quarter, m",
+                                    0.1,
+                                    "0.4 m boxes tumble in a drum, seen from the drum: gravity"
+                                        + " turns by 25 degrees a second. Nothing may overlap.")
+                            .large(8, 1, Map.of("side", "4")),
+                    Case.small(
+                                    "many-pyramids",
+                                    "Many pyramids (10780 boxes)",
+                                    "many-pyramids",
+                                    Map.of("side", "14", "base", "10"),
+                                    60,
+                                    "driftMetres",
+                                    "largest displacement, m",
+                                    0.5,
+                                    "14 x 14 pyramids of 55 boxes stand as built (Box3D's"
+                                            + " many_pyramids).")
+                            .large(4, 1, Map.of("side", "2", "base", "5")),
+                    Case.small(
+                                    "large-pyramid",
+                                    "Large pyramid (5050 boxes)",
+                                    "pyramid",
+                                    Map.of("base", "100"),
+                                    200,
+                                    "driftMetres",
+                                    "largest displacement, m",
+                                    2,
+                                    "A pyramid of 100 rows stands as built (Box3D's large_pyramid:"
+                                        + " 200 steps, density 100, friction 0.6). More than two"
+                                        + " boxes off is a collapse.")
+                            .large(8, 1, Map.of("base", "12")));
+
+    private Cases() {}
+
+    private static Case pile(
+            String id, String title, String side, String layers, double failure, int lookCost) {
+        return Case.small(
+                        id,
+                        title,
+                        id,
+                        Map.of("side", side, "layers", layers),
+                        300,
+                        Case.REST_OVERLAP,
+                        OVERLAP,
+                        failure,
+                        "Bodies fall into a pit and come to rest; nothing may overlap. How they"
+                                + " lie is chaotic, so nothing else is compared.")
+                .large(8, lookCost, Map.of("side", "4", "layers", "2"));
+    }
+}

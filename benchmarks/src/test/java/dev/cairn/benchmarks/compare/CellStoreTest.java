@@ -1,0 +1,118 @@
+package dev.cairn.benchmarks.compare;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.benchmarks.peer.Engine;
+import dev.cairn.benchmarks.peer.PeerSettings.Tuning;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** Interrupted campaigns go on; changed ones start over. */
+class CellStoreTest {
+    private static final Map<String, String> SETUP = Map.of("seconds", "0.1");
+
+    @TempDir private Path folder;
+
+    private static Protocol.Answer answer(double cpu) {
+        return Protocol.Answer.timed(4, 300, cpu, 1, 2, 0);
+    }
+
+    @Test
+    void goesOnWhereItStopped() throws Exception {
+        Path file = folder.resolve("cells.jsonl");
+        try (CellStore store = new CellStore(file, SETUP)) {
+            store.put("a", answer(1));
+            store.put("b", answer(2));
+        }
+        // Stopped in the middle of a line.
+        Files.writeString(file, Files.readString(file) + "{\"key\":\"c\",\"answ");
+        try (CellStore store = new CellStore(file, SETUP)) {
+            assertNull(store.changed());
+            assertEquals(2, store.size());
+            Protocol.Answer b = store.get("b");
+            assertNotNull(b);
+            assertEquals(2, b.cpuMicros());
+            assertNull(store.get("c"));
+            store.put("c", answer(3));
+        }
+        try (CellStore store = new CellStore(file, SETUP)) {
+            assertEquals(3, store.size());
+        }
+    }
+
+    @Test
+    void changedSetupStartsOverAndSaysWhatChanged() throws Exception {
+        Path file = folder.resolve("cells.jsonl");
+        try (CellStore store = new CellStore(file, SETUP)) {
+            store.put("a", answer(1));
+        }
+        try (CellStore store = new CellStore(file, Map.of("seconds", "0.3"))) {
+            assertEquals("seconds was \"0.1\" and is \"0.3\"", store.changed());
+            assertEquals(0, store.size());
+        }
+    }
+
+    /** A campaign whose cells are all there measures nothing and still reports everything. */
+    @Test
+    void finishedCampaignOnlyReports() throws Exception {
+        Campaign.Plan plan =
+                new Campaign.Plan(
+                        List.of(Case.of("stack-4"), Case.of("pyramid")),
+                        List.of(Engine.CAIRN, Engine.JBULLET),
+                        List.of(Tuning.values()),
+                        List.of(1, 2),
+                        List.of(1, 4),
+                        3,
+                        0.1,
+                        1,
+                        1,
+                        1,
+                        true);
+        try (CellStore store = new CellStore(folder.resolve("cells.jsonl"), plan.setup())) {
+            Campaign campaign = new Campaign(plan, folder, store);
+            double before = campaign.estimate();
+            assertTrue(before > 10, "estimate " + before);
+            Set<String> keys = new HashSet<>();
+            int cells = 0;
+            for (Case scene : plan.scenes()) {
+                for (Cell cell : campaign.cells(scene)) {
+                    store.put(cell.key(), answer(1));
+                    keys.add(cell.key());
+                    cells++;
+                }
+            }
+            // The budget's first line is the curve's own point.
+            assertTrue(keys.size() >= cells - 4, keys.size() + " keys of " + cells + " cells");
+            assertEquals(0, campaign.estimate());
+            Results results = campaign.run((seconds, underWay) -> {});
+            // stack-4: 2 N x (Cairn + JBullet x 2); pyramid: the same, and Cairn with 2 workers.
+            assertEquals(6 + 8, results.points().size());
+            for (Results.Point point : results.points()) {
+                assertEquals(3, point.rounds().size());
+            }
+            try (var files = Files.list(folder)) {
+                assertEquals(1, files.count(), "no engine was started, so none has a log");
+            }
+        }
+    }
+
+    @Test
+    void coldStartIsThinnedToMediansOfSpans() {
+        // Two spans: from 100 ms to 110 ms, and from 200 ms on.
+        assertEquals(
+                List.of(109.0, 5.0, 201.0, 7.0),
+                Worker.thinned(
+                        List.of(100.0, 9.0, 105.0, 5.0, 109.0, 1.0, 200.0, 2.0, 201.0, 7.0)));
+    }
+}
