@@ -190,11 +190,13 @@ final class Campaign {
         refined.put(Budget.BASE, base());
         if (engine.collidesOncePerTick()) {
             refined.put(
-                    Budget.CONTACTS, new PeerSettings(1, BASE_SUBSTEPS, false, own, 1, BASE_SUBSTEPS));
+                    Budget.CONTACTS,
+                    new PeerSettings(1, BASE_SUBSTEPS, false, own, 1, BASE_SUBSTEPS));
         }
         if (engine.hasIterations()) {
             refined.put(
-                    Budget.SOLVER, new PeerSettings(1, BASE_SUBSTEPS, false, own, MORE_ITERATIONS, 1));
+                    Budget.SOLVER,
+                    new PeerSettings(1, BASE_SUBSTEPS, false, own, MORE_ITERATIONS, 1));
         }
         int fine = BASE_SUBSTEPS * REFINED;
         refined.put(Budget.STEP, new PeerSettings(1, fine, false, own));
@@ -238,8 +240,9 @@ final class Campaign {
         double estimate = estimate(cell);
         progress.done(
                 0,
-                "%s %s N=%d".formatted(
-                        cell.scene().id(), cell.engine().title(), cell.peer().substeps()));
+                "%s %s N=%d"
+                        .formatted(
+                                cell.scene().id(), cell.engine().title(), cell.peer().substeps()));
         if (cell.kind() == Protocol.Kind.COLD) {
             try (EngineProcess fresh = new EngineProcess(cell.engine(), logs, List.of())) {
                 store.put(cell.key(), ask(fresh, cell, plan.coldSeconds()));

@@ -31,8 +31,8 @@ final class Cases {
                             "change of angular momentum, share",
                             100,
                             "A thrown box turns about its middle axis for 10 s (Gazebo boxes"
-                                + " study, complex case). Its angular momentum is a constant"
-                                + " vector."),
+                                    + " study, complex case). Its angular momentum is a constant"
+                                    + " vector."),
                     Case.small(
                             "slope",
                             "Box slides down a slope",
@@ -97,9 +97,9 @@ final class Cases {
                             "energySquaredJoules2",
                             "mean squared energy error, J²",
                             5e8,
-                            "49 balls fall 5 m and bounce with e = 1 for 20 s; the energy stays"
-                                + " 24 034.5 J. Semi-implicit Euler alone: 185 J² at 1 ms, growing"
-                                + " with h²."),
+                            "49 balls fall 5 m and bounce with e = 1 for 20 s; the energy stays 24"
+                                    + " 034.5 J. Semi-implicit Euler alone: 185 J² at 1 ms, growing"
+                                    + " with h²."),
                     Case.small(
                             "spheres-666",
                             "216 spheres fall (SimBenchmark 666)",
@@ -154,8 +154,8 @@ final class Cases {
                                     "largest displacement, m",
                                     0.5,
                                     "A one-thick pyramid of 1 m boxes, touching from the start,"
-                                        + " stands as built. More than half a box off is a"
-                                        + " collapse.")
+                                            + " stands as built. More than half a box off is a"
+                                            + " collapse.")
                             .large(32, 1, Map.of("base", "10")),
                     pile("pile-spheres", "Pile of 500 spheres", "10", "5", 0.25, 1),
                     pile("pile-boxes", "Pile of 500 boxes", "10", "5", 0.25, 1),
@@ -172,7 +172,7 @@ final class Cases {
                                     "deepest overlap in the last quarter, m",
                                     0.1,
                                     "0.4 m boxes tumble in a drum, seen from the drum: gravity"
-                                        + " turns by 25 degrees a second. Nothing may overlap.")
+                                            + " turns by 25 degrees a second. Nothing may overlap.")
                             .large(8, 1, Map.of("side", "4")),
                     Case.small(
                                     "many-pyramids",

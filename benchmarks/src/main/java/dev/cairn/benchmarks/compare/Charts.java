@@ -133,7 +133,9 @@ final class Charts {
     /** Draws the time of a tick against the time since the start of the JVM. */
     static String cold(List<Results.Cold> starts) throws IOException {
         XYChart chart =
-                chart("seconds since the start of the JVM", "time of a tick, ms   (down is better)");
+                chart(
+                        "seconds since the start of the JVM",
+                        "time of a tick, ms   (down is better)");
         for (Results.Cold start : starts) {
             int n = start.ticks().size() / 2;
             if (n == 0) {

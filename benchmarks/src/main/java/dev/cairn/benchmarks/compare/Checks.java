@@ -94,7 +94,7 @@ final class Checks {
                             BULLET,
                             h -> 1.25e-2 * h / MILLI,
                             "Gazebo boxes: Bullet 1.25e-2 at 1 ms, order 1; their Bullet had an"
-                                + " explicit gyroscopic term, since 2.83 it is implicit"),
+                                    + " explicit gyroscopic term, since 2.83 it is implicit"),
                     new Rule(
                             "tumble",
                             "momentumRelative",

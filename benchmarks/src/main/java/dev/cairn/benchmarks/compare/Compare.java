@@ -56,9 +56,7 @@ public final class Compare implements Callable<Integer> {
                             + " left out above 1; with --quick 1")
     private List<Integer> workers = List.of();
 
-    @Option(
-            names = "--defaults-only",
-            description = "leaves out the engines' best-effort settings")
+    @Option(names = "--defaults-only", description = "leaves out the engines' best-effort settings")
     private boolean defaultsOnly;
 
     @Option(names = "--rounds", paramLabel = "N", description = "timed rounds; 10, with --quick 3")
@@ -149,9 +147,7 @@ public final class Compare implements Callable<Integer> {
                         .map(Case::of)
                         .map(one -> quick ? one.with(one.quick()) : one)
                         .toList(),
-                engines.isEmpty()
-                        ? Engine.available()
-                        : engines.stream().map(Engine::of).toList(),
+                engines.isEmpty() ? Engine.available() : engines.stream().map(Engine::of).toList(),
                 defaultsOnly ? List.of(Tuning.DEFAULT) : List.of(Tuning.values()),
                 threads,
                 steps.stream().sorted().distinct().toList(),

@@ -183,7 +183,10 @@ final class Page {
             Protocol.Answer judged = point.judged();
             html.append("<tr><td class=\"text\">");
             html.append(onFront(point, points) ? "<b>" : "").append(text(point.title()));
-            html.append(onFront(point, points) ? "</b>" : "").append("</td><td>").append(point.substeps()).append("</td>");
+            html.append(onFront(point, points) ? "</b>" : "")
+                    .append("</td><td>")
+                    .append(point.substeps())
+                    .append("</td>");
             String failure = point.failure();
             if (failure != null) {
                 html.append("<td class=\"text failed\" colspan=\"4\">").append(text(failure));
@@ -285,8 +288,10 @@ final class Page {
             return;
         }
         html.append("<h2 id=\"cold\">Cold start</h2>\n");
-        html.append("<p>Scene “pyramid”, N = 4, one worker, default settings: the median time of a");
-        html.append(" tick in spans of time since the start of the JVM. The curve begins where the");
+        html.append(
+                "<p>Scene “pyramid”, N = 4, one worker, default settings: the median time of a");
+        html.append(
+                " tick in spans of time since the start of the JVM. The curve begins where the");
         html.append(" engine has built the scene; this program loads its classes and runs the");
         html.append(" scene's script before that, the same for all.</p>\n");
         picture("cold-start", "Cold start: time of a tick", Charts.cold(results.colds()));

@@ -25,8 +25,12 @@ import java.util.function.Function;
  * @param settings how it was run, by name
  * @param points one per scene, engine, number of workers and number of sub-steps
  */
-record Results(Map<String, String> machine, Map<String, String> settings, List<Point> points,
-        List<Budget> budgets, List<Cold> colds) {
+record Results(
+        Map<String, String> machine,
+        Map<String, String> settings,
+        List<Point> points,
+        List<Budget> budgets,
+        List<Cold> colds) {
 
     /**
      * One point of a diagram.

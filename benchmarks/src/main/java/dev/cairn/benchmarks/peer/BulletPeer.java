@@ -25,7 +25,6 @@ import org.joml.Vector3dc;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 
@@ -45,7 +44,7 @@ final class BulletPeer implements Peer {
     private final float substepSeconds;
     private final PhysicsSpace space;
     private final List<PhysicsRigidBody> bodies = new ArrayList<>();
-    private final Map<ConvexHull, HullCollisionShape> hulls = new IdentityHashMap<>();
+    private final IdentityHashMap<ConvexHull, HullCollisionShape> hulls = new IdentityHashMap<>();
     private final Vec3d at = new Vec3d();
     private final Quatd turned = new Quatd();
 

@@ -27,7 +27,6 @@ import org.joml.Vector3dc;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 
 import javax.vecmath.Quat4f;
 import javax.vecmath.Vector3f;
@@ -40,7 +39,7 @@ final class JBulletPeer implements Peer {
     private final SceneDescription scene;
     private final PeerSettings settings;
     private final boolean best;
-    private final Map<ConvexHull, ConvexHullShape> hulls = new IdentityHashMap<>();
+    private final IdentityHashMap<ConvexHull, ConvexHullShape> hulls = new IdentityHashMap<>();
     private final float substepSeconds;
     private final CollisionDispatcher dispatcher;
     private final DiscreteDynamicsWorld world;

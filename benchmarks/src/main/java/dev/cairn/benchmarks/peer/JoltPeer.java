@@ -42,7 +42,6 @@ import org.jspecify.annotations.Nullable;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 
 /** Jolt by way of jolt-jni. */
 final class JoltPeer implements Peer {
@@ -58,7 +57,7 @@ final class JoltPeer implements Peer {
     private final SceneDescription scene;
     private final PeerSettings settings;
     private final boolean best;
-    private final Map<ConvexHull, ConstShape> hulls = new IdentityHashMap<>();
+    private final IdentityHashMap<ConvexHull, ConstShape> hulls = new IdentityHashMap<>();
     private final float stepSeconds;
     private final PhysicsSystem system;
     private final BodyInterface interfaceOfBodies;

@@ -8,8 +8,8 @@ package dev.cairn.benchmarks.peer;
  * @param counting true to count contacts where that costs time; never true while time is taken
  * @param tuning whose settings
  * @param iterationFactor the engine's solver iterations are multiplied by it, at least 1
- * @param collisionsPerTick parts of a tick in each of which contacts are found anew, at least 1; for
- *     engines that find them once a tick
+ * @param collisionsPerTick parts of a tick in each of which contacts are found anew, at least 1;
+ *     for engines that find them once a tick
  */
 public record PeerSettings(
         int workers,
@@ -24,7 +24,8 @@ public record PeerSettings(
         if (workers < 1 || substeps < 1 || iterationFactor < 1 || collisionsPerTick < 1) {
             throw new IllegalArgumentException(
                     "workers %d, substeps %d, iterationFactor %d, collisionsPerTick %d: all start"
-                            .formatted(workers, substeps, iterationFactor, collisionsPerTick)
+                                    .formatted(
+                                            workers, substeps, iterationFactor, collisionsPerTick)
                             + " at 1");
         }
         if (substeps % collisionsPerTick != 0) {

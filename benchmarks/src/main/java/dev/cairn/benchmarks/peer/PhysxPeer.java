@@ -44,7 +44,6 @@ import java.lang.foreign.Arena;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 
 /** PhysX on the CPU, by way of physx-jni. */
 final class PhysxPeer implements Peer {
@@ -60,7 +59,7 @@ final class PhysxPeer implements Peer {
     private final boolean best;
     private final Arena arena = Arena.ofConfined();
     private final PxVec3 force = new PxVec3();
-    private final Map<ConvexHull, PxConvexMesh> hulls = new IdentityHashMap<>();
+    private final IdentityHashMap<ConvexHull, PxConvexMesh> hulls = new IdentityHashMap<>();
     private final float substepSeconds;
     private final PxPhysics physics;
     private final PxDefaultCpuDispatcher dispatcher;

@@ -17,7 +17,6 @@ import org.joml.Vector3dc;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 
 /**
  * A scene as plain data: what every engine is given. SI units, y up. Immutable.
@@ -91,7 +90,7 @@ public record SceneDescription(
      */
     public static SceneDescription of(SceneBuilder scene) {
         List<Solid> solids = new ArrayList<>();
-        Map<Shape, Turned> turned = new IdentityHashMap<>();
+        IdentityHashMap<Shape, Turned> turned = new IdentityHashMap<>();
         for (BodyRef body : scene.bodies()) {
             solids.add(solid(body, turned));
         }
@@ -99,7 +98,7 @@ public record SceneDescription(
                 solids, scene.forces(), SampleScene.GRAVITY, SampleScene.STEP_SECONDS);
     }
 
-    private static Solid solid(BodyRef body, Map<Shape, Turned> known) {
+    private static Solid solid(BodyRef body, IdentityHashMap<Shape, Turned> known) {
         boolean fixed = body.isFixed();
         Quaterniond rotation = body.orientation();
         Matrix3d inertia = new Matrix3d().zero();

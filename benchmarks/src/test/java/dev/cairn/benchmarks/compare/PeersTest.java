@@ -27,12 +27,7 @@ class PeersTest {
     @TempDir private Path logs;
 
     private static Protocol.Request judge(String scene, int substeps) {
-        return new Protocol.Request(
-                Protocol.Kind.JUDGE,
-                scene,
-                Map.of(),
-                peer(substeps),
-                30);
+        return new Protocol.Request(Protocol.Kind.JUDGE, scene, Map.of(), peer(substeps), 30);
     }
 
     private static PeerSettings peer(int substeps) {
@@ -114,8 +109,7 @@ class PeersTest {
         Map<String, String> few = Map.of("side", "2", "layers", "2");
         Protocol.Answer hulls =
                 process.ask(
-                        new Protocol.Request(
-                                Protocol.Kind.JUDGE, "convex-pile", few, peer(4), 30),
+                        new Protocol.Request(Protocol.Kind.JUDGE, "convex-pile", few, peer(4), 30),
                         LIMIT);
         assumeFalse(hulls.missing(), () -> "skipped: " + hulls.failure());
         // Four 4 m hulls at most on top of each other: rounding and margins are centimetres.

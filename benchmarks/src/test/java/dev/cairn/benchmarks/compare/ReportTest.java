@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.Peer;
 import dev.cairn.benchmarks.peer.PeerSettings;
-
 import dev.cairn.samples.scenes.BouncingBall;
 
 import org.junit.jupiter.api.Test;
@@ -67,7 +66,8 @@ class ReportTest {
                                     Protocol.Answer.failed("PhysX is not here", true),
                                     List.of())),
                     List.of(new Budget("stack-4", Engine.CAIRN, Map.of(Budget.BASE, 1e-3))),
-                    List.of(new Results.Cold(
+                    List.of(
+                            new Results.Cold(
                                     "pyramid",
                                     Engine.CAIRN,
                                     List.of(400.0, 20.0, 600.0, 2.0, 4000.0, 0.2))));

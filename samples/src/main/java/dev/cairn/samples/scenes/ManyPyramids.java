@@ -61,7 +61,8 @@ public final class ManyPyramids {
         List<Vector3d> starts = new ArrayList<>();
         for (int p = 0; p < side * side; p++) {
             double x0 = pitchX * (p % side - (side - 1) / 2.0);
-            double z0 = AISLE * (p / side - (side - 1) / 2.0);
+            int line = p / side;
+            double z0 = AISLE * (line - (side - 1) / 2.0);
             for (int row = 0; row < base; row++) {
                 for (int i = 0; i < base - row; i++) {
                     Vector3d at =

@@ -121,14 +121,13 @@ public final class Pile {
             for (int i = 0; i < side * side; i++) {
                 double shake = 0.05 * radius;
                 double x = pitch * (i % side - (side - 1) / 2.0) + scene.random(-shake, shake);
-                double z = pitch * (i / side - (side - 1) / 2.0) + scene.random(-shake, shake);
+                int line = i / side;
+                double z = pitch * (line - (side - 1) / 2.0) + scene.random(-shake, shake);
                 double y = radius + scene.get("drop") + layer * pitch;
                 scene.add(
                         shapes.get(count % shapes.size()),
                         Palette.body(count),
-                        Body.dynamic()
-                                .at(x, y, z)
-                                .material(Palette.material(friction, 0)));
+                        Body.dynamic().at(x, y, z).material(Palette.material(friction, 0)));
                 count++;
             }
         }
@@ -173,7 +172,9 @@ public final class Pile {
         return shapes;
     }
 
-    /** A hull of points drawn evenly from a sphere: the z of such points is uniform (Archimedes). */
+    /**
+     * A hull of points drawn evenly from a sphere: the z of such points is uniform (Archimedes).
+     */
     private static ConvexHull hull(SceneBuilder scene, double radius, int points) {
         double[] xyz = new double[3 * points];
         for (int p = 0; p < points; p++) {

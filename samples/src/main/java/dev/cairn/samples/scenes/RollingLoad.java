@@ -73,6 +73,7 @@ public final class RollingLoad {
         Sphere sphere = Sphere.of(HALF);
         BodyRef middle = plate;
         for (int i = 0; i < SIDE * SIDE; i++) {
+            int line = i / SIDE;
             BodyRef ball =
                     scene.add(
                             sphere,
@@ -81,7 +82,7 @@ public final class RollingLoad {
                                     .at(
                                             PITCH * (i % SIDE - (SIDE - 1) / 2.0),
                                             3 * HALF - 2 * OVERLAP,
-                                            PITCH * (i / SIDE - (SIDE - 1) / 2.0))
+                                            PITCH * (line - (SIDE - 1) / 2.0))
                                     .mass(BALL_MASS)
                                     .material(Palette.material(ballFriction, 0)));
             if (i == SIDE * SIDE / 2) {
@@ -92,11 +93,7 @@ public final class RollingLoad {
         scene.view(new SceneBuilder.View(8, 12, 22, 0, 0, 0));
 
         int n = SIDE * SIDE;
-        double pull =
-                force
-                        - GROUND_FRICTION
-                                * SampleScene.GRAVITY
-                                * (PLATE_MASS + n * BALL_MASS);
+        double pull = force - GROUND_FRICTION * SampleScene.GRAVITY * (PLATE_MASS + n * BALL_MASS);
         double ballAcceleration =
                 pull / PLATE_MASS / (3.5 / BALL_MASS + n / PLATE_MASS) / BALL_MASS;
         double[] sums = new double[2];

@@ -93,7 +93,8 @@ public final class SphereGrid {
         for (int i = 0; i < side * side * scene.count("layers"); i++) {
             double x = pitch * (i % side - (side - 1) / 2.0);
             double z = pitch * (i / side % side - (side - 1) / 2.0);
-            double y = scene.get("height") + pitch * (i / (side * side));
+            int layer = i / (side * side);
+            double y = scene.get("height") + pitch * layer;
             if (shake > 0) {
                 x += scene.random(0, shake);
                 y += scene.random(0, shake);

@@ -74,6 +74,7 @@ public final class Washer {
         }
         Box box = Box.cube(HALF);
         for (int i = 0; i < side * side * side; i++) {
+            int layer = i / (side * side);
             scene.add(
                     box,
                     Palette.body(i / side),
@@ -81,7 +82,7 @@ public final class Washer {
                             .at(
                                     pitch * (i % side - (side - 1) / 2.0),
                                     pitch * (i / side % side - (side - 1) / 2.0),
-                                    pitch * (i / (side * side) - (side - 1) / 2.0))
+                                    pitch * (layer - (side - 1) / 2.0))
                             .material(Palette.material(friction, 0)));
         }
         scene.view(new SceneBuilder.View(0, 0, 3.2 * radius, 0, 0, 0));
