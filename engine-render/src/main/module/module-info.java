@@ -9,6 +9,7 @@ module dev.cairn.render {
     requires transitive org.joml;
     requires org.lwjgl;
     requires org.lwjgl.glfw;
+    requires org.lwjgl.nuklear;
     requires org.lwjgl.opengl;
     requires org.lwjgl.stb;
 
@@ -16,4 +17,5 @@ module dev.cairn.render {
     exports dev.cairn.render.camera;
     exports dev.cairn.render.input;
     exports dev.cairn.render.mesh;
+    exports dev.cairn.render.ui;
 }

@@ -3,6 +3,7 @@ package dev.cairn.physics;
 import dev.cairn.core.ecs.EcsSystem;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.internal.BodyStore;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -181,6 +182,39 @@ public final class PhysicsWorld implements AutoCloseable {
      */
     public Kinetics kinetics() {
         return Kinetics.of(physics.table.bodies);
+    }
+
+    /**
+     * The potential energy of all dynamic bodies in the world's gravity, zero at the origin.
+     * Between steps; does not allocate.
+     *
+     * @return J
+     */
+    public double potentialEnergy() {
+        BodyStore b = physics.table.bodies;
+        double sum = 0;
+        for (int s = 0; s < b.slotCount; s++) {
+            if (b.kind[s] == BodyStore.DYNAMIC) {
+                sum -=
+                        (physics.gravityX * b.positionX[s]
+                                        + physics.gravityY * b.positionY[s]
+                                        + physics.gravityZ * b.positionZ[s])
+                                / b.inverseMass[s];
+            }
+        }
+        return sum;
+    }
+
+    /**
+     * Copies contacts and bodies for another thread to look at. Between steps; allocates only while
+     * their numbers grow.
+     *
+     * @param into what to fill
+     * @return {@code into}
+     */
+    public DebugData capture(DebugData into) {
+        Checks.notNull("into", into).fill(physics);
+        return into;
     }
 
     /**

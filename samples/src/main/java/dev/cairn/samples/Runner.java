@@ -100,8 +100,8 @@ final class Runner {
     }
 
     private int window() {
-        SampleWindow window =
-                new SampleWindow(
+        Sandbox window =
+                new Sandbox(
                         request.scenes(),
                         request.options(),
                         request.workers(),

@@ -14,7 +14,7 @@
  *   SceneRegistry ── SampleScene ── script ──▶ SceneBuilder ──▶ PhysicsWorld
  *        │             (id, parameters)          │ bodies, camera, hooks, truths
  *        │                                       │
- *   Main ┼─ SampleWindow ─ steps, draws ─────────┤
+ *   Main ┼─ Sandbox ────── steps, draws ─────────┤
  *        └─ SceneRun ───── steps, measures ──────┘──▶ SceneReport ──▶ table, JSON, picture
  *                              │
  *                Penetration, AllocationMeter: look at the engine from outside

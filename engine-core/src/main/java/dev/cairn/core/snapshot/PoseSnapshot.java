@@ -27,6 +27,8 @@ public final class PoseSnapshot {
     private @Nullable Object[] models = new Object[FIRST_CAPACITY];
     private double[] previous = new double[FIRST_CAPACITY * STRIDE];
     private double[] current = new double[FIRST_CAPACITY * STRIDE];
+    private @Nullable Object extra;
+    private @Nullable Object spareExtra;
 
     PoseSnapshot() {}
 
@@ -56,6 +58,15 @@ public final class PoseSnapshot {
         publishedNanos = nanos;
     }
 
+    /** Has the extra data filled, into the object that this slot used before if there is one. */
+    void attach(@Nullable SnapshotExtra source) {
+        Object filled = source == null ? null : source.fill(spareExtra);
+        extra = filled;
+        if (filled != null) {
+            spareExtra = filled;
+        }
+    }
+
     /**
      * The tick that this is the state after.
      *
@@ -81,6 +92,15 @@ public final class PoseSnapshot {
      */
     public long publishedNanos() {
         return publishedNanos;
+    }
+
+    /**
+     * What a {@link SnapshotExtra} added to this tick, such as data for debug drawing.
+     *
+     * @return the reader's own like the snapshot itself, or null if nothing was added
+     */
+    public @Nullable Object extra() {
+        return extra;
     }
 
     /**

@@ -55,6 +55,19 @@ public final class SnapshotExchange {
      * @throws IllegalStateException during a step
      */
     public void publish(World world) {
+        publish(world, null);
+    }
+
+    /**
+     * Publishes the present state together with data of the caller's, which the reader finds in
+     * {@link PoseSnapshot#extra}; all else as in {@link #publish(World)}.
+     *
+     * @param world the world; another one than before starts anew
+     * @param extra fills the data, called once, on this thread; null = no data
+     * @throws NullPointerException if the world is null
+     * @throws IllegalStateException during a step
+     */
+    public void publish(World world, @Nullable SnapshotExtra extra) {
         Query query = visibleOf(world);
         int chunks = query.chunkCount();
         int rows = 0;
@@ -72,6 +85,7 @@ public final class SnapshotExchange {
             row += chunk.size();
         }
         lastTick = tick;
+        snapshot.attach(extra);
         snapshot.end(System.nanoTime());
         buffer.publish();
     }

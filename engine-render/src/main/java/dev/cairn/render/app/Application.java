@@ -6,6 +6,7 @@ import dev.cairn.render.gl.GlContext;
 import dev.cairn.render.gl.GlUnavailableException;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Key;
+import dev.cairn.render.ui.Ui;
 
 import org.jspecify.annotations.Nullable;
 
@@ -30,14 +31,15 @@ import java.util.Objects;
  * <p>Keys from the start, all of which can be rebound: W A S D fly, E and Q rise and sink, Shift is
  * faster, the arrow keys or the mouse with its right button held turn the view, Tab keeps the mouse
  * turning it; P or Space pauses the physics, N does one step, [ and ] slow down and speed up, \
- * returns to real time; F12 saves a picture, F1 lists the keys on the console, Escape quits.
+ * returns to real time; F12 saves a picture, F11 fills the screen, F1 lists the keys, Escape quits.
  *
  * <p>Where there is no display, {@link #start} says so and draws one picture instead. The system
  * properties {@code cairn.picture} (a file), {@code cairn.tick} and {@code cairn.size} ({@code
  * 1280x720}) do what {@link #headless} and {@link #size} do.
  *
- * <p>Threads: {@code createPhysics}, {@code initScene}, {@code update} and bound functions run on
- * the simulation thread; {@code start} on the main thread; the other methods say so.
+ * <p>Threads: {@code createPhysics}, {@code initScene}, {@code update}, {@code updated} and bound
+ * functions run on the simulation thread; {@code start} and {@code panels} on the main thread; the
+ * other methods say so.
  */
 public abstract class Application {
     private static final long DEFAULT_TICK = 120;
@@ -55,12 +57,16 @@ public abstract class Application {
     private volatile boolean quitting;
     private volatile boolean screenshot;
     private volatile boolean mouseLook;
+    private volatile boolean helpShown;
+    private volatile boolean fullscreen;
+    private volatile boolean vsync = true;
+    private volatile double panelScale = 1;
 
     /** An application with a window of 1280 x 720 and 60 ticks a second. */
     protected Application() {}
 
     /**
-     * Makes the world that the scene is filled into; called once, on the simulation thread, before
+     * Makes the world that the scene is filled into; called on the simulation thread before each
      * {@link #initScene}. Override to choose gravity, workers, settings or systems.
      *
      * @return a new world; the application closes it
@@ -70,7 +76,8 @@ public abstract class Application {
     }
 
     /**
-     * Fills the scene; called once, on the simulation thread.
+     * Fills the scene; called on the simulation thread, once, and again after each {@link
+     * #restart}.
      *
      * @param newScene an empty scene with the default bindings
      */
@@ -83,6 +90,137 @@ public abstract class Application {
      * @param seconds the step, s
      */
     protected void update(double seconds) {}
+
+    /**
+     * Called after each tick, on the simulation thread, with the world at its new state and before
+     * it is handed to the window; not while the physics is paused.
+     *
+     * @param seconds the step, s
+     */
+    protected void updated(double seconds) {}
+
+    /**
+     * Draws panels over the picture; called in each frame. Window thread: read the view's snapshot
+     * and whatever the application itself hands over, and act on the world by {@link #post} only.
+     *
+     * @param ui what panels are made of
+     * @param view what the frame shows
+     */
+    protected void panels(Ui ui, View view) {}
+
+    /**
+     * Runs an action on the simulation thread before its next tick, also during a pause. Any
+     * thread.
+     *
+     * @param action what to do
+     */
+    public final void post(Runnable action) {
+        running().post(action);
+    }
+
+    /**
+     * Throws the world away and makes it anew by {@link #createPhysics} and {@link #initScene},
+     * between two ticks. Tick numbers begin again, so a scene goes through the same states each
+     * time. Any thread.
+     */
+    public final void restart() {
+        running().restart();
+    }
+
+    /**
+     * Shows or hides a layer of debug drawing. Any thread.
+     *
+     * @param layer which
+     * @param shown whether it is drawn
+     */
+    public final void debug(DebugLayer layer, boolean shown) {
+        running().debug(layer.bit(), shown);
+    }
+
+    /**
+     * Whether a layer of debug drawing is shown. Any thread.
+     *
+     * @param layer which
+     * @return true while it is drawn
+     */
+    public final boolean isDebug(DebugLayer layer) {
+        return (debugMask() & layer.bit()) != 0;
+    }
+
+    /**
+     * Fills the screen, or goes back to a window. Any thread.
+     *
+     * @param value true to fill the screen
+     */
+    public final void fullscreen(boolean value) {
+        fullscreen = value;
+    }
+
+    /**
+     * Whether the window fills the screen, or is about to. Any thread.
+     *
+     * @return true if so
+     */
+    public final boolean isFullscreen() {
+        return fullscreen;
+    }
+
+    /**
+     * Waits for the screen with each frame, or draws as fast as it goes. Any thread.
+     *
+     * @param value true (the default) to wait
+     */
+    public final void vsync(boolean value) {
+        vsync = value;
+    }
+
+    /**
+     * Whether frames wait for the screen. Any thread.
+     *
+     * @return true if so
+     */
+    public final boolean isVsync() {
+        return vsync;
+    }
+
+    /**
+     * Enlarges panels and lines on top of what the screen's density asks for. Any thread.
+     *
+     * @param factor 0.5..4; 1 by default, or the system property {@code cairn.ui.scale}
+     */
+    public final void panelScale(double factor) {
+        if (!(factor >= 0.5 && factor <= 4)) {
+            throw new IllegalArgumentException("panel scale is " + factor + ", expected 0.5..4");
+        }
+        panelScale = factor;
+    }
+
+    /**
+     * By how much panels are enlarged. Any thread.
+     *
+     * @return the factor
+     */
+    public final double panelScale() {
+        return panelScale;
+    }
+
+    /**
+     * Shows or hides the list of keys. Any thread.
+     *
+     * @param value true to show it
+     */
+    public final void showHelp(boolean value) {
+        helpShown = value;
+    }
+
+    /**
+     * Whether the list of keys is shown. Any thread.
+     *
+     * @return true while it is
+     */
+    public final boolean isHelpShown() {
+        return helpShown;
+    }
 
     /**
      * The scene.
@@ -275,6 +413,11 @@ public abstract class Application {
                             public void update(double seconds) {
                                 Application.this.update(seconds);
                             }
+
+                            @Override
+                            public void updated(double seconds) {
+                                Application.this.updated(seconds);
+                            }
                         },
                         stepSeconds,
                         ticks);
@@ -283,17 +426,17 @@ public abstract class Application {
     }
 
     private void bindDefaults() {
-        bindings.onHold(Key.W, WindowLoop.FORWARD)
-                .onHold(Key.S, WindowLoop.BACK)
-                .onHold(Key.A, WindowLoop.LEFT)
-                .onHold(Key.D, WindowLoop.RIGHT)
-                .onHold(Key.E, WindowLoop.UP)
-                .onHold(Key.Q, WindowLoop.DOWN)
-                .onHold(Key.LEFT_SHIFT, WindowLoop.FAST)
-                .onHold(Key.LEFT, WindowLoop.TURN_LEFT)
-                .onHold(Key.RIGHT, WindowLoop.TURN_RIGHT)
-                .onHold(Key.UP, WindowLoop.TURN_UP)
-                .onHold(Key.DOWN, WindowLoop.TURN_DOWN)
+        bindings.onHold(Key.W, WindowInput.FORWARD)
+                .onHold(Key.S, WindowInput.BACK)
+                .onHold(Key.A, WindowInput.LEFT)
+                .onHold(Key.D, WindowInput.RIGHT)
+                .onHold(Key.E, WindowInput.UP)
+                .onHold(Key.Q, WindowInput.DOWN)
+                .onHold(Key.LEFT_SHIFT, WindowInput.FAST)
+                .onHold(Key.LEFT, WindowInput.TURN_LEFT)
+                .onHold(Key.RIGHT, WindowInput.TURN_RIGHT)
+                .onHold(Key.UP, WindowInput.TURN_UP)
+                .onHold(Key.DOWN, WindowInput.TURN_DOWN)
                 .onKey(Key.TAB, "mouse look", () -> mouseLook = !mouseLook)
                 .onKey(Key.P, "pause", this::togglePause)
                 .onKey(Key.SPACE, "pause", this::togglePause)
@@ -305,14 +448,9 @@ public abstract class Application {
                 .onKey(Key.RIGHT_BRACKET, "faster", () -> timeScale(Math.min(timeScale() * 2, 16)))
                 .onKey(Key.BACKSLASH, "real time", () -> timeScale(1))
                 .onKey(Key.F12, "save picture", () -> screenshot = true)
-                .onKey(Key.F1, "list keys", this::listKeys)
+                .onKey(Key.F11, "full screen", () -> fullscreen = !fullscreen)
+                .onKey(Key.F1, "list keys", () -> helpShown = !helpShown)
                 .onKey(Key.ESCAPE, "quit", this::quit);
-    }
-
-    private void listKeys() {
-        for (Bindings.Binding binding : bindings.actions()) {
-            System.out.printf(Locale.ROOT, "%-20s %s%n", binding.triggers(), binding.action());
-        }
     }
 
     private void readProperties() {
@@ -324,6 +462,15 @@ public abstract class Application {
                         "cairn.size is '" + size + "', expected WIDTHxHEIGHT such as 1280x720");
             }
             size((int) number("cairn.size", parts[0]), (int) number("cairn.size", parts[1]));
+        }
+        String scale = System.getProperty("cairn.ui.scale");
+        if (scale != null) {
+            try {
+                panelScale(Double.parseDouble(scale));
+            } catch (NumberFormatException e) {
+                throw new IllegalArgumentException(
+                        "cairn.ui.scale holds '" + scale + "', expected a number", e);
+            }
         }
         String tick = System.getProperty("cairn.tick");
         if (tick != null) {
@@ -410,7 +557,7 @@ public abstract class Application {
     }
 
     /**
-     * How many ticks were done. Any thread.
+     * How many ticks were done since the scene was made. Any thread.
      *
      * @return the count, paused ones included
      */
@@ -425,6 +572,10 @@ public abstract class Application {
                     "the application does not run yet; call this from initScene or later");
         }
         return known;
+    }
+
+    int debugMask() {
+        return running().debugMask();
     }
 
     boolean isQuitting() {

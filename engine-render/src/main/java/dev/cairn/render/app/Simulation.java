@@ -1,7 +1,9 @@
 package dev.cairn.render.app;
 
 import dev.cairn.core.snapshot.SnapshotExchange;
+import dev.cairn.core.snapshot.SnapshotExtra;
 import dev.cairn.core.tick.TickLoop;
+import dev.cairn.physics.DebugData;
 import dev.cairn.physics.PhysicsWorld;
 
 import org.jspecify.annotations.Nullable;
@@ -25,6 +27,9 @@ final class Simulation {
         void begin(PhysicsWorld physics);
 
         void update(double seconds);
+
+        /** After the step, before it is published. */
+        default void updated(double seconds) {}
     }
 
     private final Host host;
@@ -34,6 +39,9 @@ final class Simulation {
     private final Thread thread;
     private volatile boolean paused;
     private volatile boolean stopping;
+    private volatile boolean restarting;
+    private final AtomicInteger debugMask = new AtomicInteger();
+    private final SnapshotExtra debugData = this::debugData;
     private volatile long ticks;
     private volatile @Nullable Throwable failure;
     private long done;
@@ -61,10 +69,8 @@ final class Simulation {
     }
 
     private void run(double stepSeconds, long ticksInAll) {
-        try (PhysicsWorld world = host.createPhysics()) {
-            physics = world;
-            host.begin(world);
-            exchange.publish(world.ecs());
+        try {
+            begin();
             if (ticksInAll >= 0) {
                 while (ticks < ticksInAll && !stopping) {
                     tick(stepSeconds);
@@ -74,6 +80,37 @@ final class Simulation {
             }
         } catch (Throwable e) {
             failure = e;
+        } finally {
+            closeWorld();
+        }
+    }
+
+    private void begin() {
+        closeWorld();
+        PhysicsWorld world = host.createPhysics();
+        physics = world;
+        done = 0;
+        ticks = 0;
+        host.begin(world);
+        publish(world);
+    }
+
+    private void closeWorld() {
+        PhysicsWorld last = physics;
+        physics = null;
+        if (last != null) {
+            last.close();
+        }
+    }
+
+    private void publish(PhysicsWorld world) {
+        exchange.publish(world.ecs(), debugMask.get() == 0 ? null : debugData);
+    }
+
+    private void beginAgainIfAsked() {
+        if (restarting) {
+            restarting = false;
+            begin();
         }
     }
 
@@ -83,6 +120,7 @@ final class Simulation {
             long now = System.nanoTime();
             loop.advance((now - before) * 1e-9);
             before = now;
+            beginAgainIfAsked();
             double untilDue = (1 - loop.alpha()) * stepSeconds / Math.max(loop.timeScale(), 1e-3);
             LockSupport.parkNanos(
                     Math.clamp((long) (untilDue * 1e9), SHORTEST_PARK_NANOS, LONGEST_PARK_NANOS));
@@ -90,6 +128,7 @@ final class Simulation {
     }
 
     private void tick(double seconds) {
+        beginAgainIfAsked();
         PhysicsWorld world = physics;
         if (world == null) {
             throw new IllegalStateException("a tick before the scene was made");
@@ -102,8 +141,32 @@ final class Simulation {
             host.update(seconds);
         }
         world.step(seconds);
-        exchange.publish(world.ecs());
+        if (!still) {
+            host.updated(seconds);
+        }
+        publish(world);
         ticks = ++done;
+    }
+
+    private @Nullable Object debugData(@Nullable Object used) {
+        PhysicsWorld world = physics;
+        return world == null
+                ? null
+                : world.capture(used instanceof DebugData data ? data : new DebugData());
+    }
+
+    /** Makes the world anew before the next tick. Any thread. */
+    void restart() {
+        restarting = true;
+    }
+
+    /** Asks for debug data in the snapshots while any bit is set. Any thread. */
+    void debug(int bit, boolean set) {
+        debugMask.updateAndGet(mask -> set ? mask | bit : mask & ~bit);
+    }
+
+    int debugMask() {
+        return debugMask.get();
     }
 
     private boolean takeSingleStep() {

@@ -1,22 +1,14 @@
 package dev.cairn.render.app;
 
-import static org.lwjgl.glfw.GLFW.GLFW_CURSOR;
-import static org.lwjgl.glfw.GLFW.GLFW_CURSOR_DISABLED;
-import static org.lwjgl.glfw.GLFW.GLFW_CURSOR_NORMAL;
-import static org.lwjgl.glfw.GLFW.GLFW_PRESS;
-import static org.lwjgl.glfw.GLFW.GLFW_RAW_MOUSE_MOTION;
-import static org.lwjgl.glfw.GLFW.GLFW_RELEASE;
-import static org.lwjgl.glfw.GLFW.GLFW_TRUE;
-import static org.lwjgl.glfw.GLFW.glfwGetCursorPos;
+import static org.lwjgl.glfw.GLFW.GLFW_DONT_CARE;
 import static org.lwjgl.glfw.GLFW.glfwGetFramebufferSize;
+import static org.lwjgl.glfw.GLFW.glfwGetPrimaryMonitor;
+import static org.lwjgl.glfw.GLFW.glfwGetVideoMode;
+import static org.lwjgl.glfw.GLFW.glfwGetWindowContentScale;
+import static org.lwjgl.glfw.GLFW.glfwGetWindowPos;
+import static org.lwjgl.glfw.GLFW.glfwGetWindowSize;
 import static org.lwjgl.glfw.GLFW.glfwPollEvents;
-import static org.lwjgl.glfw.GLFW.glfwRawMouseMotionSupported;
-import static org.lwjgl.glfw.GLFW.glfwSetCursorPosCallback;
-import static org.lwjgl.glfw.GLFW.glfwSetInputMode;
-import static org.lwjgl.glfw.GLFW.glfwSetKeyCallback;
-import static org.lwjgl.glfw.GLFW.glfwSetMouseButtonCallback;
-import static org.lwjgl.glfw.GLFW.glfwSetScrollCallback;
-import static org.lwjgl.glfw.GLFW.glfwSetWindowFocusCallback;
+import static org.lwjgl.glfw.GLFW.glfwSetWindowMonitor;
 import static org.lwjgl.glfw.GLFW.glfwSetWindowTitle;
 import static org.lwjgl.glfw.GLFW.glfwShowWindow;
 import static org.lwjgl.glfw.GLFW.glfwSwapBuffers;
@@ -25,57 +17,49 @@ import static org.lwjgl.glfw.GLFW.glfwWaitEventsTimeout;
 import static org.lwjgl.glfw.GLFW.glfwWindowShouldClose;
 
 import dev.cairn.core.snapshot.PoseSnapshot;
+import dev.cairn.physics.DebugData;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.Light;
+import dev.cairn.render.gl.DebugLines;
 import dev.cairn.render.gl.FrameTarget;
 import dev.cairn.render.gl.GlContext;
 import dev.cairn.render.gl.SceneRenderer;
-import dev.cairn.render.input.Bindings;
-import dev.cairn.render.input.Key;
-import dev.cairn.render.input.MouseButton;
+import dev.cairn.render.ui.nuklear.NuklearUi;
 
+import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
+import org.lwjgl.glfw.GLFWVidMode;
 
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import java.util.EnumSet;
 import java.util.Locale;
 
-/** The main thread of an application with a window: events, camera, frames. */
+/** The main thread of an application with a window: events, camera, frames, panels. */
 final class WindowLoop {
-    static final String FORWARD = "fly forward";
-    static final String BACK = "fly back";
-    static final String LEFT = "fly left";
-    static final String RIGHT = "fly right";
-    static final String UP = "rise";
-    static final String DOWN = "sink";
-    static final String FAST = "fly faster";
-    static final String TURN_LEFT = "turn left";
-    static final String TURN_RIGHT = "turn right";
-    static final String TURN_UP = "turn up";
-    static final String TURN_DOWN = "turn down";
-
     private static final int SAMPLES = 4;
-    private static final double FAST_FACTOR = 5;
-    private static final double TURN_RADIANS_PER_SECOND = 1.2;
-    private static final double LOOK_RADIANS_PER_PIXEL = 0.0025;
     private static final double TITLE_SECONDS = 0.5;
 
     private final Application application;
     private final Simulation simulation;
     private final GlContext context;
     private final Camera camera;
-    private final Bindings bindings;
-    private final EnumSet<Key> held = EnumSet.noneOf(Key.class);
+    private final WindowInput input;
+    private final View view;
+    private final HelpPanel help = new HelpPanel();
     private final int[] framebufferWidth = new int[1];
     private final int[] framebufferHeight = new int[1];
-    private boolean lookButton;
-    private boolean captured;
-    private final double[] startX = new double[1];
-    private final double[] startY = new double[1];
-    private double cursorX;
-    private double cursorY;
+    private final int[] windowX = new int[1];
+    private final int[] windowY = new int[1];
+    private final int[] windowWidth = new int[1];
+    private final int[] windowHeight = new int[1];
+    private final float[] contentScale = new float[1];
+    private final Vector3d eye = new Vector3d();
     private @Nullable FrameTarget target;
+    private @Nullable NuklearUi panels;
+    private boolean panelsFailed;
+    private boolean fullscreen;
+    private boolean vsync = true;
+    private final int[] placeBefore = new int[4];
     private long frames;
     private long framesAtTitle;
     private double titleAge;
@@ -85,16 +69,20 @@ final class WindowLoop {
         this.simulation = simulation;
         this.context = context;
         this.camera = application.camera();
-        this.bindings = application.bindings();
+        this.input = new WindowInput(application, simulation, context.handle());
+        this.view = new View(camera, input.pointer(), simulation.exchange().latest());
     }
 
     /** Runs until the window is closed, the application quits, or the simulation ends. */
     void run() {
         long window = context.handle();
-        listen(window);
+        input.listen();
         glfwSwapInterval(1);
         glfwShowWindow(window);
-        try (SceneRenderer renderer = new SceneRenderer(context.isSoftware())) {
+        try (SceneRenderer renderer = new SceneRenderer(context.isSoftware());
+                DebugLines lines = new DebugLines()) {
+            renderer.overlay(lines);
+            view.lines(lines);
             long before = System.nanoTime();
             while (!glfwWindowShouldClose(window)
                     && !application.isQuitting()
@@ -103,14 +91,18 @@ final class WindowLoop {
                 long now = System.nanoTime();
                 double elapsed = Math.min((now - before) * 1e-9, 0.1);
                 before = now;
-                captureCursor(window);
-                moveCamera(elapsed);
+                applyWishes(window);
                 glfwGetFramebufferSize(window, framebufferWidth, framebufferHeight);
+                glfwGetWindowSize(window, windowWidth, windowHeight);
                 if (framebufferWidth[0] == 0 || framebufferHeight[0] == 0) {
                     glfwWaitEventsTimeout(0.05);
                     continue;
                 }
-                frame(renderer, window);
+                double pixelsPerPoint = (double) framebufferWidth[0] / Math.max(1, windowWidth[0]);
+                preparePanels(window, pixelsPerPoint);
+                input.handOut(panels, windowWidth[0], windowHeight[0], pixelsPerPoint);
+                input.moveCamera(elapsed);
+                frame(renderer, lines, window);
                 frames++;
                 showTitle(window, elapsed);
             }
@@ -118,33 +110,120 @@ final class WindowLoop {
             if (target != null) {
                 target.close();
             }
+            if (panels != null) {
+                panels.close();
+            }
         }
     }
 
-    private void frame(SceneRenderer renderer, long window) {
+    private void frame(SceneRenderer renderer, DebugLines lines, long window) {
         FrameTarget into = target(framebufferWidth[0], framebufferHeight[0]);
         PoseSnapshot snapshot = simulation.exchange().latest();
         Scene scene = application.sceneOrNull();
         Light light = scene == null ? Light.DAYLIGHT : scene.light();
-        renderer.draw(snapshot, alpha(snapshot), camera, light, into);
+        double alpha = alpha(snapshot);
+        camera.position(eye);
+        lines.begin(DebugDrawing.anchor(eye), panels == null ? 1 : panels.scale());
+        if (snapshot.extra() instanceof DebugData data) {
+            DebugDrawing.draw(data, application.debugMask(), lines);
+        }
+        view.next(snapshot, alpha, (double) into.width() / into.height(), frames);
+        arrangePanels(into);
+        renderer.draw(snapshot, alpha, camera, light, into);
+        if (panels != null) {
+            into.bindResolved();
+            panels.paint();
+        }
         into.show();
         GlContext.checkErrors("a frame of the window");
         if (application.takeScreenshotRequest()) {
-            Path file =
-                    Path.of(
-                            application.getClass().getSimpleName()
-                                    + "-"
-                                    + snapshot.tick()
-                                    + ".png");
-            try {
-                new Picture(into.width(), into.height(), into.read()).savePng(file);
-                System.out.println("Saved " + file.toAbsolutePath());
-            } catch (UncheckedIOException unwritable) {
-                // A full disk is no reason to close the window.
-                System.err.println(unwritable.getMessage());
-            }
+            saveScreenshot(into, snapshot.tick());
         }
         glfwSwapBuffers(window);
+    }
+
+    /** Before the scene is drawn, since panels may add lines to it. */
+    private void arrangePanels(FrameTarget into) {
+        NuklearUi ui = panels;
+        if (ui != null) {
+            ui.begin(into.width(), into.height());
+            application.panels(ui, view);
+            if (application.isHelpShown()) {
+                help.draw(ui, application.bindings());
+            }
+        }
+    }
+
+    private void saveScreenshot(FrameTarget from, long tick) {
+        Path file = Path.of(application.getClass().getSimpleName() + "-" + tick + ".png");
+        try {
+            new Picture(from.width(), from.height(), from.read()).savePng(file);
+            System.out.println("Saved " + file.toAbsolutePath());
+        } catch (UncheckedIOException unwritable) {
+            // A full disk is no reason to close the window.
+            System.err.println(unwritable.getMessage());
+        }
+    }
+
+    /** Panels are made anew when the density of the screen, or the wish, changes. */
+    private void preparePanels(long window, double pixelsPerPoint) {
+        if (panelsFailed) {
+            return;
+        }
+        glfwGetWindowContentScale(window, contentScale, null);
+        double scale =
+                Math.clamp(
+                        Math.max(contentScale[0], pixelsPerPoint) * application.panelScale(),
+                        0.5,
+                        4.0);
+        NuklearUi known = panels;
+        if (known != null && known.scale() == scale) {
+            return;
+        }
+        panels = null;
+        if (known != null) {
+            known.close();
+        }
+        try {
+            panels = new NuklearUi(scale);
+        } catch (LinkageError missing) {
+            panelsFailed = true;
+            System.err.println(
+                    "There are no panels: the native library of lwjgl-nuklear cannot be loaded ("
+                            + missing.getMessage()
+                            + "); add that artifact with the classifier natives-<your system>");
+        }
+    }
+
+    private void applyWishes(long window) {
+        if (application.isVsync() != vsync) {
+            vsync = !vsync;
+            glfwSwapInterval(vsync ? 1 : 0);
+        }
+        if (application.isFullscreen() != fullscreen) {
+            fullscreen = !fullscreen;
+            long monitor = fullscreen ? glfwGetPrimaryMonitor() : 0;
+            GLFWVidMode mode = monitor == 0 ? null : glfwGetVideoMode(monitor);
+            if (mode != null) {
+                glfwGetWindowPos(window, windowX, windowY);
+                glfwGetWindowSize(window, windowWidth, windowHeight);
+                placeBefore[0] = windowX[0];
+                placeBefore[1] = windowY[0];
+                placeBefore[2] = windowWidth[0];
+                placeBefore[3] = windowHeight[0];
+                glfwSetWindowMonitor(
+                        window, monitor, 0, 0, mode.width(), mode.height(), mode.refreshRate());
+            } else if (!fullscreen && placeBefore[2] > 0) {
+                glfwSetWindowMonitor(
+                        window,
+                        0,
+                        placeBefore[0],
+                        placeBefore[1],
+                        placeBefore[2],
+                        placeBefore[3],
+                        GLFW_DONT_CARE);
+            }
+        }
     }
 
     /** How far real time is from the previous tick to the current one. */
@@ -170,114 +249,14 @@ final class WindowLoop {
         return known;
     }
 
-    // GLFW owns the callbacks; GlContext.close frees them.
-    @SuppressWarnings("resource")
-    private void listen(long window) {
-        glfwSetKeyCallback(
-                window,
-                (w, code, scancode, action, mods) -> {
-                    Key key = Key.ofCode(code);
-                    if (key != null && action == GLFW_PRESS) {
-                        held.add(key);
-                        post(() -> bindings.press(key));
-                    } else if (key != null && action == GLFW_RELEASE) {
-                        held.remove(key);
-                        post(() -> bindings.release(key));
-                    }
-                });
-        glfwSetMouseButtonCallback(
-                window,
-                (w, code, action, mods) -> {
-                    MouseButton button = MouseButton.ofCode(code);
-                    boolean down = action == GLFW_PRESS;
-                    if (button == MouseButton.RIGHT) {
-                        lookButton = down;
-                    }
-                    post(down ? () -> bindings.press(button) : () -> bindings.release(button));
-                });
-        glfwSetScrollCallback(window, (w, x, y) -> post(() -> bindings.scroll(y)));
-        glfwSetCursorPosCallback(window, (w, x, y) -> look(x, y));
-        glfwSetWindowFocusCallback(
-                window,
-                (w, focused) -> {
-                    if (!focused) {
-                        held.clear();
-                        lookButton = false;
-                        post(bindings::releaseAll);
-                    }
-                });
-    }
-
-    private void post(Runnable action) {
-        try {
-            simulation.post(action);
-        } catch (IllegalStateException full) {
-            // 65 536 events wait: the scene hangs in update. An exception would leave through
-            // GLFW's C code, so the event is let go.
-            return;
-        }
-    }
-
-    private void captureCursor(long window) {
-        boolean wanted = lookButton || application.isMouseLook();
-        if (wanted != captured) {
-            captured = wanted;
-            glfwSetInputMode(
-                    window, GLFW_CURSOR, wanted ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
-            if (glfwRawMouseMotionSupported()) {
-                glfwSetInputMode(window, GLFW_RAW_MOUSE_MOTION, wanted ? GLFW_TRUE : 0);
-            }
-            // From here on, moves count from where the cursor is now.
-            glfwGetCursorPos(window, startX, startY);
-            cursorX = startX[0];
-            cursorY = startY[0];
-        }
-    }
-
-    private void look(double x, double y) {
-        if (captured) {
-            camera.turn(
-                    (x - cursorX) * LOOK_RADIANS_PER_PIXEL, (cursorY - y) * LOOK_RADIANS_PER_PIXEL);
-        }
-        cursorX = x;
-        cursorY = y;
-    }
-
-    private void moveCamera(double seconds) {
-        double metres = seconds * camera.speed() * (isHeld(FAST) ? FAST_FACTOR : 1);
-        double forward = axis(FORWARD, BACK);
-        double right = axis(RIGHT, LEFT);
-        double up = axis(UP, DOWN);
-        if (forward != 0 || right != 0 || up != 0) {
-            camera.fly(forward * metres, right * metres, up * metres);
-        }
-        double yaw = axis(TURN_RIGHT, TURN_LEFT);
-        double pitch = axis(TURN_UP, TURN_DOWN);
-        if (yaw != 0 || pitch != 0) {
-            double radians = seconds * TURN_RADIANS_PER_SECOND;
-            camera.turn(yaw * radians, pitch * radians);
-        }
-    }
-
-    private double axis(String positive, String negative) {
-        return (isHeld(positive) ? 1 : 0) - (isHeld(negative) ? 1 : 0);
-    }
-
-    private boolean isHeld(String action) {
-        for (Key key : bindings.keys(action)) {
-            if (held.contains(key)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
     private void showTitle(long window, double elapsed) {
         titleAge += elapsed;
         Scene scene = application.sceneOrNull();
         if (titleAge < TITLE_SECONDS || scene == null) {
             return;
         }
+        double rate = (frames - framesAtTitle) / titleAge;
+        view.rate(rate);
         String state = simulation.isPaused() ? "paused" : "x" + trimmed(simulation.timeScale());
         glfwSetWindowTitle(
                 window,
@@ -287,7 +266,7 @@ final class WindowLoop {
                         scene.title(),
                         simulation.ticks(),
                         state,
-                        (frames - framesAtTitle) / titleAge));
+                        rate));
         titleAge = 0;
         framesAtTitle = frames;
     }

@@ -118,6 +118,11 @@ public final class FrameTarget implements AutoCloseable {
                 0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     }
 
+    /** Makes the resolved picture what is drawn into, for what needs no depth. */
+    public void bindResolved() {
+        glBindFramebuffer(GL_FRAMEBUFFER, resolved);
+    }
+
     /** Copies the resolved picture to the window. */
     public void show() {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved);

@@ -51,6 +51,7 @@ public final class SceneRenderer implements AutoCloseable {
     private final int emptyVertexArray = glGenVertexArrays();
     private final Instances instances = new Instances();
     private @Nullable ShadowMap shadowMap;
+    private @Nullable SceneOverlay overlay;
 
     private final Vector3d eye = new Vector3d();
     private final Vector3d forward = new Vector3d();
@@ -125,6 +126,9 @@ public final class SceneRenderer implements AutoCloseable {
                 .translate(-eye.x, -eye.y, -eye.z);
         drawScene(alpha, light, shadows);
         drawSky(camera, aspect, light);
+        if (overlay != null) {
+            overlay.draw(clipFromAnchored, anchor, target.width(), target.height());
+        }
         target.resolve();
     }
 
@@ -191,6 +195,15 @@ public final class SceneRenderer implements AutoCloseable {
         SceneUniforms.setColour(skyHorizon, light.horizonRgb());
         glBindVertexArray(emptyVertexArray);
         glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+
+    /**
+     * Chooses what is drawn over the scene and behind nothing, such as lines that explain it.
+     *
+     * @param value called in each frame, or null
+     */
+    public void overlay(@Nullable SceneOverlay value) {
+        overlay = value;
     }
 
     /**

@@ -34,7 +34,7 @@ import java.nio.FloatBuffer;
 import java.nio.charset.StandardCharsets;
 
 /** A vertex and a fragment shader, from the resources beside this class. */
-final class ShaderProgram implements AutoCloseable {
+public final class ShaderProgram implements AutoCloseable {
     private final int id;
     private final String name;
 
@@ -46,7 +46,7 @@ final class ShaderProgram implements AutoCloseable {
      * @param vertex resource files that make up the vertex shader
      * @param fragment resource files that make up the fragment shader
      */
-    ShaderProgram(String name, String defines, String[] vertex, String[] fragment) {
+    public ShaderProgram(String name, String defines, String[] vertex, String[] fragment) {
         this.name = name;
         int program = 0;
         int first = 0;
@@ -106,12 +106,18 @@ final class ShaderProgram implements AutoCloseable {
         }
     }
 
-    void use() {
+    /** Makes this the program that draws. */
+    public void use() {
         glUseProgram(id);
     }
 
-    /** Where a uniform is; asked once, when the program is made. */
-    int uniform(String uniform) {
+    /**
+     * Where a uniform is; asked once, when the program is made.
+     *
+     * @param uniform its name in the shaders
+     * @return its location
+     */
+    public int uniform(String uniform) {
         int location = glGetUniformLocation(id, uniform);
         if (location < 0) {
             throw new IllegalStateException(
@@ -120,19 +126,45 @@ final class ShaderProgram implements AutoCloseable {
         return location;
     }
 
-    static void set(int location, int value) {
+    /**
+     * Sets a uniform of the program in use.
+     *
+     * @param location from {@link #uniform}
+     * @param value an int or a sampler's texture unit
+     */
+    public static void set(int location, int value) {
         glUniform1i(location, value);
     }
 
-    static void set(int location, double value) {
+    /**
+     * Sets a uniform of the program in use.
+     *
+     * @param location from {@link #uniform}
+     * @param value a float
+     */
+    public static void set(int location, double value) {
         glUniform1f(location, (float) value);
     }
 
-    static void set(int location, double x, double y, double z) {
+    /**
+     * Sets a uniform of the program in use.
+     *
+     * @param location from {@link #uniform}
+     * @param x of a vec3
+     * @param y same
+     * @param z same
+     */
+    public static void set(int location, double x, double y, double z) {
         glUniform3f(location, (float) x, (float) y, (float) z);
     }
 
-    static void set(int location, Matrix4d matrix) {
+    /**
+     * Sets a uniform of the program in use.
+     *
+     * @param location from {@link #uniform}
+     * @param matrix a mat4
+     */
+    public static void set(int location, Matrix4d matrix) {
         try (MemoryStack stack = MemoryStack.stackPush()) {
             FloatBuffer buffer = stack.mallocFloat(16);
             glUniformMatrix4fv(location, false, matrix.get(buffer));

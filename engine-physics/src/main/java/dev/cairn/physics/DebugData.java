@@ -1,0 +1,221 @@
+package dev.cairn.physics;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+
+import java.util.Arrays;
+
+/**
+ * What the engine knows beyond poses, copied so that another thread may look at it: contact points
+ * with normals and impulses; boxes, velocities and centres of mass of the bodies. {@link
+ * PhysicsWorld#capture} fills it. World frame, SI units.
+ *
+ * <p>One thread at a time; the arrays belong to the object and are at least as long as the counts
+ * say. Filling one again allocates only while the numbers grow.
+ */
+public final class DebugData {
+    /** A body that never moves. */
+    public static final byte FIXED = 0;
+
+    /** A body that is simulated. */
+    public static final byte AWAKE = 1;
+
+    /** A body that rests and is left out until something touches it. */
+    public static final byte ASLEEP = 2;
+
+    private int pointCount;
+    private double[] points = {};
+    private double[] normals = {};
+    private double[] impulses = {};
+    private double[] separations = {};
+    private int bodyCount;
+    private double[] centres = {};
+    private double[] velocities = {};
+    private double[] boxes = {};
+    private byte[] states = {};
+    private long[] entities = {};
+
+    /** Empty data. */
+    public DebugData() {}
+
+    /** Copies. Simulation thread, between steps. */
+    void fill(PhysicsSystem physics) {
+        fillPoints(physics.table.bodies, physics.contacts);
+        fillBodies(physics.table);
+    }
+
+    private void fillPoints(BodyStore bodies, ContactStore rows) {
+        int most = rows.count * ContactStore.POINTS;
+        if (impulses.length < most) {
+            int capacity = most + (most >> 1);
+            points = new double[3 * capacity];
+            normals = new double[3 * capacity];
+            impulses = new double[capacity];
+            separations = new double[capacity];
+        }
+        int n = 0;
+        for (int row = 0; row < rows.count; row++) {
+            int a = rows.bodyA[row];
+            for (int p = 0; p < rows.pointCount[row]; p++, n++) {
+                int at = ContactStore.POINTS * row + p;
+                points[3 * n] = bodies.positionX[a] + rows.anchorAX[at];
+                points[3 * n + 1] = bodies.positionY[a] + rows.anchorAY[at];
+                points[3 * n + 2] = bodies.positionZ[a] + rows.anchorAZ[at];
+                normals[3 * n] = rows.normalX[row];
+                normals[3 * n + 1] = rows.normalY[row];
+                normals[3 * n + 2] = rows.normalZ[row];
+                impulses[n] = rows.totalNormalImpulse[at];
+                separations[n] = rows.separation[at];
+            }
+        }
+        pointCount = n;
+    }
+
+    private void fillBodies(BodyTable table) {
+        BodyStore b = table.bodies;
+        if (states.length < b.slotCount) {
+            int capacity = b.slotCount + (b.slotCount >> 1);
+            centres = new double[3 * capacity];
+            velocities = new double[3 * capacity];
+            boxes = new double[6 * capacity];
+            states = new byte[capacity];
+            entities = new long[capacity];
+        }
+        double[] fat = table.broadPhase.fatBoxes();
+        int n = 0;
+        for (int s = 0; s < b.slotCount; s++) {
+            if (b.kind[s] == BodyStore.FREE) {
+                continue;
+            }
+            entities[n] = b.entity[s];
+            states[n] = b.kind[s] == BodyStore.DYNAMIC ? AWAKE : FIXED;
+            centres[3 * n] = b.positionX[s];
+            centres[3 * n + 1] = b.positionY[s];
+            centres[3 * n + 2] = b.positionZ[s];
+            velocities[3 * n] = b.velocityX[s];
+            velocities[3 * n + 1] = b.velocityY[s];
+            velocities[3 * n + 2] = b.velocityZ[s];
+            if (table.broadPhase.contains(s)) {
+                System.arraycopy(fat, 6 * s, boxes, 6 * n, 6);
+            } else {
+                Arrays.fill(boxes, 6 * n, 6 * n + 6, 0);
+            }
+            n++;
+        }
+        bodyCount = n;
+    }
+
+    /**
+     * How many contact points there are.
+     *
+     * @return at least 0
+     */
+    public int pointCount() {
+        return pointCount;
+    }
+
+    /**
+     * Where the contact points are: midway between the surfaces at the start of the step, carried
+     * along with the centre of mass of the first body.
+     *
+     * @return x, y, z each, m
+     */
+    public double[] points() {
+        return points;
+    }
+
+    /**
+     * The direction from the first body of each point to the second.
+     *
+     * @return x, y, z each, unit vectors
+     */
+    public double[] normals() {
+        return normals;
+    }
+
+    /**
+     * What the bodies pushed each other with at each point.
+     *
+     * @return N s, summed over the step
+     */
+    public double[] impulses() {
+        return impulses;
+    }
+
+    /**
+     * The distance of the surfaces at each point, at the start of the step.
+     *
+     * @return m, negative where they overlap
+     */
+    public double[] separations() {
+        return separations;
+    }
+
+    /**
+     * The deepest overlap at any point.
+     *
+     * @return m, at least 0
+     */
+    public double deepestOverlap() {
+        double deepest = 0;
+        for (int i = 0; i < pointCount; i++) {
+            deepest = Math.max(deepest, -separations[i]);
+        }
+        return deepest;
+    }
+
+    /**
+     * How many bodies there are, fixed ones included.
+     *
+     * @return at least 0
+     */
+    public int bodyCount() {
+        return bodyCount;
+    }
+
+    /**
+     * The entity of each body.
+     *
+     * @return entities
+     */
+    public long[] entities() {
+        return entities;
+    }
+
+    /**
+     * What each body does.
+     *
+     * @return {@link #FIXED}, {@link #AWAKE} or {@link #ASLEEP} each
+     */
+    public byte[] states() {
+        return states;
+    }
+
+    /**
+     * The centres of mass.
+     *
+     * @return x, y, z each, m
+     */
+    public double[] centres() {
+        return centres;
+    }
+
+    /**
+     * The velocities of the centres of mass.
+     *
+     * @return x, y, z each, m/s
+     */
+    public double[] velocities() {
+        return velocities;
+    }
+
+    /**
+     * The boxes by which the broad phase finds neighbours, margin included.
+     *
+     * @return minX, minY, minZ, maxX, maxY, maxZ each, m; six zeros for a body that was never
+     *     stepped
+     */
+    public double[] boxes() {
+        return boxes;
+    }
+}

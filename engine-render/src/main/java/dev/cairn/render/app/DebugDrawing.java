@@ -1,0 +1,124 @@
+package dev.cairn.render.app;
+
+import dev.cairn.physics.DebugData;
+import dev.cairn.render.gl.DebugLines;
+
+import org.joml.Vector3d;
+
+/** Turns the debug data of a snapshot into lines. Window thread. */
+final class DebugDrawing {
+    private static final int CONTACT = 0xFFD23F;
+    private static final int OVERLAP = 0xFF4D4D;
+    private static final int NORMAL = 0x4FC3F7;
+    private static final int IMPULSE = 0xFF8A3D;
+    private static final int BOX = 0x8BC34A;
+    private static final int FIXED_BOX = 0x607D8B;
+    private static final int VELOCITY = 0xE040FB;
+    private static final int CENTRE = 0xFFFFFF;
+    private static final int ASLEEP = 0x5C6BC0;
+    private static final double NORMAL_METRES = 0.25;
+    private static final double VELOCITY_SECONDS = 0.25;
+
+    /** Below this overlap a contact counts as a touch; the solver's own slop is of this size. */
+    private static final double OVERLAP_METRES = 0.001;
+
+    private DebugDrawing() {}
+
+    static void draw(DebugData data, int mask, DebugLines lines) {
+        if (has(mask, DebugLayer.BOXES) || has(mask, DebugLayer.SLEEP)) {
+            boxes(data, mask, lines);
+        }
+        if (has(mask, DebugLayer.VELOCITIES)) {
+            velocities(data, lines);
+        }
+        if (has(mask, DebugLayer.CENTRES)) {
+            double[] c = data.centres();
+            for (int i = 0; i < data.bodyCount(); i++) {
+                if (data.states()[i] != DebugData.FIXED) {
+                    dot(lines, c, 3 * i, CENTRE, 4);
+                }
+            }
+        }
+        if (has(mask, DebugLayer.NORMALS)) {
+            along(data, lines, NORMAL, false);
+        }
+        if (has(mask, DebugLayer.IMPULSES)) {
+            along(data, lines, IMPULSE, true);
+        }
+        if (has(mask, DebugLayer.CONTACTS)) {
+            for (int i = 0; i < data.pointCount(); i++) {
+                boolean deep = data.separations()[i] < -OVERLAP_METRES;
+                dot(lines, data.points(), 3 * i, deep ? OVERLAP : CONTACT, 3.5);
+            }
+        }
+    }
+
+    private static boolean has(int mask, DebugLayer layer) {
+        return (mask & layer.bit()) != 0;
+    }
+
+    private static void dot(DebugLines lines, double[] at, int i, int rgb, double pixels) {
+        lines.line(at[i], at[i + 1], at[i + 2], at[i], at[i + 1], at[i + 2], rgb, pixels);
+    }
+
+    private static void boxes(DebugData data, int mask, DebugLines lines) {
+        double[] box = data.boxes();
+        for (int i = 0; i < data.bodyCount(); i++) {
+            byte state = data.states()[i];
+            boolean sleeps = state == DebugData.ASLEEP && has(mask, DebugLayer.SLEEP);
+            if (sleeps || has(mask, DebugLayer.BOXES)) {
+                int rgb = sleeps ? ASLEEP : state == DebugData.FIXED ? FIXED_BOX : BOX;
+                lines.box(box, 6 * i, rgb, sleeps ? 1.5 : 0.75);
+            }
+        }
+    }
+
+    private static void velocities(DebugData data, DebugLines lines) {
+        double[] c = data.centres();
+        double[] v = data.velocities();
+        for (int i = 0; i < data.bodyCount(); i++) {
+            int at = 3 * i;
+            if (data.states()[i] == DebugData.AWAKE) {
+                lines.line(
+                        c[at],
+                        c[at + 1],
+                        c[at + 2],
+                        c[at] + VELOCITY_SECONDS * v[at],
+                        c[at + 1] + VELOCITY_SECONDS * v[at + 1],
+                        c[at + 2] + VELOCITY_SECONDS * v[at + 2],
+                        VELOCITY,
+                        1.25);
+            }
+        }
+    }
+
+    private static void along(DebugData data, DebugLines lines, int rgb, boolean byImpulse) {
+        double[] p = data.points();
+        double[] n = data.normals();
+        double[] impulse = data.impulses();
+        double most = 0;
+        for (int i = 0; i < data.pointCount(); i++) {
+            most = Math.max(most, impulse[i]);
+        }
+        for (int i = 0; i < data.pointCount(); i++) {
+            int at = 3 * i;
+            double length = byImpulse ? impulse[i] / Math.max(most, 1e-300) : NORMAL_METRES;
+            if (length > 0) {
+                lines.line(
+                        p[at],
+                        p[at + 1],
+                        p[at + 2],
+                        p[at] + length * n[at],
+                        p[at + 1] + length * n[at + 1],
+                        p[at + 2] + length * n[at + 2],
+                        rgb,
+                        byImpulse ? 2 : 1.25);
+            }
+        }
+    }
+
+    /** Where lines are measured from: a point near the camera, so that floats are fine enough. */
+    static Vector3d anchor(Vector3d eye) {
+        return eye.set(Math.rint(eye.x), Math.rint(eye.y), Math.rint(eye.z));
+    }
+}

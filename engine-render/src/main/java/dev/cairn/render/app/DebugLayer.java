@@ -1,0 +1,40 @@
+package dev.cairn.render.app;
+
+/** What can be drawn over the scene to explain it; see {@link Application#debug}. */
+public enum DebugLayer {
+    /** Contact points: yellow, red where the bodies overlap. */
+    CONTACTS("contact points", 1),
+    /** Contact normals, 0.25 m long, from the first body to the second. */
+    NORMALS("contact normals", 2),
+    /** Impulses along the normals; the largest is 1 m long. */
+    IMPULSES("impulses", 4),
+    /** The boxes by which the broad phase finds neighbours, margin included. */
+    BOXES("broad-phase boxes", 8),
+    /** Velocities: where the centre of mass would be in a quarter of a second. */
+    VELOCITIES("velocities", 16),
+    /** Centres of mass. */
+    CENTRES("centres of mass", 32),
+    /** Boxes around bodies that sleep. */
+    SLEEP("sleeping bodies", 64);
+
+    private final String title;
+    private final int bit;
+
+    DebugLayer(String title, int bit) {
+        this.title = title;
+        this.bit = bit;
+    }
+
+    /**
+     * A few words for a list.
+     *
+     * @return the title
+     */
+    public String title() {
+        return title;
+    }
+
+    int bit() {
+        return bit;
+    }
+}

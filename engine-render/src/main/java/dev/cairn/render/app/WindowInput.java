@@ -1,0 +1,319 @@
+package dev.cairn.render.app;
+
+import static org.lwjgl.glfw.GLFW.GLFW_CURSOR;
+import static org.lwjgl.glfw.GLFW.GLFW_CURSOR_DISABLED;
+import static org.lwjgl.glfw.GLFW.GLFW_CURSOR_NORMAL;
+import static org.lwjgl.glfw.GLFW.GLFW_PRESS;
+import static org.lwjgl.glfw.GLFW.GLFW_RAW_MOUSE_MOTION;
+import static org.lwjgl.glfw.GLFW.GLFW_RELEASE;
+import static org.lwjgl.glfw.GLFW.GLFW_TRUE;
+import static org.lwjgl.glfw.GLFW.glfwGetCursorPos;
+import static org.lwjgl.glfw.GLFW.glfwRawMouseMotionSupported;
+import static org.lwjgl.glfw.GLFW.glfwSetCharCallback;
+import static org.lwjgl.glfw.GLFW.glfwSetCursorPosCallback;
+import static org.lwjgl.glfw.GLFW.glfwSetInputMode;
+import static org.lwjgl.glfw.GLFW.glfwSetKeyCallback;
+import static org.lwjgl.glfw.GLFW.glfwSetMouseButtonCallback;
+import static org.lwjgl.glfw.GLFW.glfwSetScrollCallback;
+import static org.lwjgl.glfw.GLFW.glfwSetWindowFocusCallback;
+
+import dev.cairn.render.camera.Camera;
+import dev.cairn.render.input.Bindings;
+import dev.cairn.render.input.Key;
+import dev.cairn.render.input.MouseButton;
+import dev.cairn.render.input.Pointer;
+import dev.cairn.render.ui.nuklear.NuklearUi;
+
+import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
+import java.util.EnumSet;
+
+/**
+ * What keys and mouse do in a window. GLFW's callbacks only note events; each frame hands them out
+ * in order: to the panels first, and what these do not want to the camera and the bindings. A
+ * button belongs, from press to release, to whoever was under the cursor at the press.
+ *
+ * <p>A release that follows its own press in one frame waits for the next, so that a click is seen
+ * however slow the frames are.
+ */
+final class WindowInput {
+    static final String FORWARD = "fly forward";
+    static final String BACK = "fly back";
+    static final String LEFT = "fly left";
+    static final String RIGHT = "fly right";
+    static final String UP = "rise";
+    static final String DOWN = "sink";
+    static final String FAST = "fly faster";
+    static final String TURN_LEFT = "turn left";
+    static final String TURN_RIGHT = "turn right";
+    static final String TURN_UP = "turn up";
+    static final String TURN_DOWN = "turn down";
+
+    private static final double FAST_FACTOR = 5;
+    private static final double TURN_RADIANS_PER_SECOND = 1.2;
+    private static final double LOOK_RADIANS_PER_PIXEL = 0.0025;
+    private static final int CONTROL = 2;
+    private static final int REPEAT = 2;
+
+    private static final byte KEY = 0;
+    private static final byte BUTTON = 1;
+    private static final byte CURSOR = 2;
+    private static final byte WHEEL = 3;
+    private static final byte LETTER = 4;
+    private static final byte FOCUS = 5;
+
+    private final Application application;
+    private final Simulation simulation;
+    private final long window;
+    private final Camera camera;
+    private final Bindings bindings;
+    private final Pointer pointer = new Pointer();
+    private final EnumSet<Key> held = EnumSet.noneOf(Key.class);
+    private final EnumSet<MouseButton> ofPanels = EnumSet.noneOf(MouseButton.class);
+    private final EnumSet<MouseButton> pressedNow = EnumSet.noneOf(MouseButton.class);
+    private byte[] kind = new byte[64];
+    private int[] code = new int[64];
+    private int[] detail = new int[64];
+    private double[] eventX = new double[64];
+    private double[] eventY = new double[64];
+    private int events;
+    private boolean lookButton;
+    private boolean captured;
+    private final double[] startX = new double[1];
+    private final double[] startY = new double[1];
+    private double cursorX;
+    private double cursorY;
+
+    WindowInput(Application application, Simulation simulation, long window) {
+        this.application = application;
+        this.simulation = simulation;
+        this.window = window;
+        this.camera = application.camera();
+        this.bindings = application.bindings();
+    }
+
+    Pointer pointer() {
+        return pointer;
+    }
+
+    // GLFW owns the callbacks; GlContext.close frees them.
+    @SuppressWarnings("resource")
+    void listen() {
+        glfwSetKeyCallback(
+                window, (w, key, scan, action, mods) -> note(KEY, key, action | mods << 2, 0, 0));
+        glfwSetMouseButtonCallback(
+                window, (w, button, action, mods) -> note(BUTTON, button, action, 0, 0));
+        glfwSetScrollCallback(window, (w, x, y) -> note(WHEEL, 0, 0, x, y));
+        glfwSetCursorPosCallback(window, (w, x, y) -> note(CURSOR, 0, 0, x, y));
+        glfwSetCharCallback(window, (w, letter) -> note(LETTER, letter, 0, 0, 0));
+        glfwSetWindowFocusCallback(window, (w, focused) -> note(FOCUS, focused ? 1 : 0, 0, 0, 0));
+        glfwGetCursorPos(window, startX, startY);
+        cursorX = startX[0];
+        cursorY = startY[0];
+    }
+
+    private void note(byte what, int which, int how, double x, double y) {
+        if (events == kind.length) {
+            kind = Arrays.copyOf(kind, 2 * events);
+            code = Arrays.copyOf(code, 2 * events);
+            detail = Arrays.copyOf(detail, 2 * events);
+            eventX = Arrays.copyOf(eventX, 2 * events);
+            eventY = Arrays.copyOf(eventY, 2 * events);
+        }
+        kind[events] = what;
+        code[events] = which;
+        detail[events] = how;
+        eventX[events] = x;
+        eventY[events] = y;
+        events++;
+    }
+
+    /**
+     * Hands out the events of a frame.
+     *
+     * @param panels who gets them first, or null
+     * @param widthPoints of the window, screen coordinates
+     * @param heightPoints same
+     * @param pixelsPerPoint of the picture
+     */
+    void handOut(
+            @Nullable NuklearUi panels,
+            double widthPoints,
+            double heightPoints,
+            double pixelsPerPoint) {
+        pointer.nextFrame();
+        pressedNow.clear();
+        captureCursor();
+        if (panels != null) {
+            panels.beginInput();
+        }
+        int done = 0;
+        while (done < events && handle(done, panels, pixelsPerPoint)) {
+            done++;
+        }
+        keep(done);
+        if (panels != null) {
+            panels.endInput();
+        }
+        boolean over = panels != null && panels.wantsMouse();
+        pointer.place(cursorX / widthPoints, cursorY / heightPoints, captured, over);
+    }
+
+    private void keep(int from) {
+        int left = events - from;
+        System.arraycopy(kind, from, kind, 0, left);
+        System.arraycopy(code, from, code, 0, left);
+        System.arraycopy(detail, from, detail, 0, left);
+        System.arraycopy(eventX, from, eventX, 0, left);
+        System.arraycopy(eventY, from, eventY, 0, left);
+        events = left;
+    }
+
+    /** False if the event has to wait for the next frame. */
+    private boolean handle(int i, @Nullable NuklearUi panels, double pixelsPerPoint) {
+        switch (kind[i]) {
+            case KEY -> key(code[i], detail[i] & 3, detail[i] >> 2, panels);
+            case BUTTON -> {
+                MouseButton button = MouseButton.ofCode(code[i]);
+                boolean down = detail[i] == GLFW_PRESS;
+                if (!down && pressedNow.contains(button)) {
+                    return false;
+                }
+                button(button, down, panels, pixelsPerPoint);
+            }
+            case CURSOR -> {
+                look(eventX[i], eventY[i]);
+                if (panels != null && !captured) {
+                    panels.moved(cursorX * pixelsPerPoint, cursorY * pixelsPerPoint);
+                }
+            }
+            case WHEEL -> {
+                double steps = eventY[i];
+                if (panels != null && !captured && panels.wantsMouse()) {
+                    panels.scrolled(steps);
+                } else {
+                    post(() -> bindings.scroll(steps));
+                }
+            }
+            case LETTER -> {
+                if (panels != null && panels.wantsKeys()) {
+                    panels.typed(code[i]);
+                }
+            }
+            default -> {
+                if (code[i] == 0) {
+                    held.clear();
+                    lookButton = false;
+                    pointer.releaseAll();
+                    post(bindings::releaseAll);
+                }
+            }
+        }
+        return true;
+    }
+
+    private void key(int keyCode, int action, int mods, @Nullable NuklearUi panels) {
+        Key key = Key.ofCode(keyCode);
+        if (key == null) {
+            return;
+        }
+        if (panels != null && (panels.wantsKeys() || action == GLFW_RELEASE)) {
+            panels.key(key, action != GLFW_RELEASE, (mods & CONTROL) != 0);
+        }
+        boolean edits = panels != null && panels.wantsKeys();
+        if (action == GLFW_RELEASE) {
+            held.remove(key);
+            post(() -> bindings.release(key));
+        } else if (action != REPEAT && !edits) {
+            held.add(key);
+            post(() -> bindings.press(key));
+        }
+    }
+
+    private void button(
+            MouseButton button, boolean down, @Nullable NuklearUi panels, double pixelsPerPoint) {
+        if (panels != null && !captured) {
+            panels.button(button, cursorX * pixelsPerPoint, cursorY * pixelsPerPoint, down);
+        }
+        if (down) {
+            pressedNow.add(button);
+            if (panels != null && !captured && panels.wantsMouse()) {
+                ofPanels.add(button);
+                return;
+            }
+        } else if (ofPanels.remove(button)) {
+            return;
+        }
+        if (button == MouseButton.RIGHT) {
+            lookButton = down;
+        }
+        pointer.button(button, down);
+        post(down ? () -> bindings.press(button) : () -> bindings.release(button));
+    }
+
+    private void post(Runnable action) {
+        try {
+            simulation.post(action);
+        } catch (IllegalStateException full) {
+            // 65 536 events wait: the scene hangs in update. The window must stay usable, so the
+            // event is let go.
+            return;
+        }
+    }
+
+    private void captureCursor() {
+        boolean wanted = lookButton || application.isMouseLook();
+        if (wanted != captured) {
+            captured = wanted;
+            glfwSetInputMode(
+                    window, GLFW_CURSOR, wanted ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+            if (glfwRawMouseMotionSupported()) {
+                glfwSetInputMode(window, GLFW_RAW_MOUSE_MOTION, wanted ? GLFW_TRUE : 0);
+            }
+            // From here on, moves count from where the cursor is now.
+            glfwGetCursorPos(window, startX, startY);
+            cursorX = startX[0];
+            cursorY = startY[0];
+        }
+    }
+
+    private void look(double x, double y) {
+        if (captured) {
+            camera.turn(
+                    (x - cursorX) * LOOK_RADIANS_PER_PIXEL, (cursorY - y) * LOOK_RADIANS_PER_PIXEL);
+        }
+        cursorX = x;
+        cursorY = y;
+    }
+
+    /** Moves the camera by the keys that are held. */
+    void moveCamera(double seconds) {
+        double metres = seconds * camera.speed() * (isHeld(FAST) ? FAST_FACTOR : 1);
+        double forward = axis(FORWARD, BACK);
+        double right = axis(RIGHT, LEFT);
+        double up = axis(UP, DOWN);
+        if (forward != 0 || right != 0 || up != 0) {
+            camera.fly(forward * metres, right * metres, up * metres);
+        }
+        double yaw = axis(TURN_RIGHT, TURN_LEFT);
+        double pitch = axis(TURN_UP, TURN_DOWN);
+        if (yaw != 0 || pitch != 0) {
+            double radians = seconds * TURN_RADIANS_PER_SECOND;
+            camera.turn(yaw * radians, pitch * radians);
+        }
+    }
+
+    private double axis(String positive, String negative) {
+        return (isHeld(positive) ? 1 : 0) - (isHeld(negative) ? 1 : 0);
+    }
+
+    private boolean isHeld(String action) {
+        for (Key key : bindings.keys(action)) {
+            if (held.contains(key)) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

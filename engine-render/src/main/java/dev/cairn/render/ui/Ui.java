@@ -1,0 +1,208 @@
+package dev.cairn.render.ui;
+
+import org.jspecify.annotations.Nullable;
+
+import java.util.List;
+
+/**
+ * Panels of widgets over the picture, in immediate mode: each frame the application says what is
+ * there, and each call draws a widget and returns what the user did with it.
+ *
+ * <pre>{@code
+ * if (ui.panel("Ball", 12, 12, 260, 200)) {
+ *     mass = ui.slider("mass", mass, 0.1, 100, 0, "kg");
+ *     if (ui.button("Throw")) { post(this::throwBall); }
+ * }
+ * ui.endPanel();
+ * }</pre>
+ *
+ * <p>Lengths are logical pixels: {@link #scale()} real ones each, so that a layout is as readable
+ * on a screen of double density. The origin is the upper left corner. Window thread, inside {@code
+ * Application.panels} only.
+ */
+public interface Ui {
+    /**
+     * Width of the window.
+     *
+     * @return logical pixels
+     */
+    double width();
+
+    /**
+     * Height of the window.
+     *
+     * @return logical pixels
+     */
+    double height();
+
+    /**
+     * Real pixels to a logical one.
+     *
+     * @return 0.5..4
+     */
+    double scale();
+
+    /**
+     * Begins a panel with a title bar by which the user can fold it. Call {@link #endPanel} in any
+     * case.
+     *
+     * @param title heading; also what tells panels apart, at most 60 letters
+     * @param left its left edge
+     * @param top its upper edge
+     * @param panelWidth its width
+     * @param panelHeight its height; what does not fit scrolls
+     * @return false if it is folded, so that its widgets can be left out
+     */
+    boolean panel(String title, double left, double top, double panelWidth, double panelHeight);
+
+    /** Ends the panel. */
+    void endPanel();
+
+    /**
+     * Puts the next widgets beside each other.
+     *
+     * @param columns how many to a row, at least 1; widgets of their own row such as {@link
+     *     #slider} and {@link #text} end this
+     */
+    void columns(int columns);
+
+    /**
+     * One line of text.
+     *
+     * @param text the text, cut off where the panel ends
+     */
+    void label(String text);
+
+    /**
+     * One line of text in a colour.
+     *
+     * @param text the text
+     * @param rgb 0xRRGGBB in sRGB
+     */
+    void label(String text, int rgb);
+
+    /**
+     * A name on the left and a value on the right, on a row of their own.
+     *
+     * @param name dimmed
+     * @param value bright
+     */
+    void value(String name, String value);
+
+    /**
+     * A heading on a row of its own, with space above.
+     *
+     * @param text the heading
+     */
+    void heading(String text);
+
+    /**
+     * Text on as many rows of its own as it needs.
+     *
+     * @param text words, wrapped between them
+     */
+    void text(String text);
+
+    /**
+     * A button.
+     *
+     * @param label what is written on it
+     * @return true once for each click
+     */
+    boolean button(String label);
+
+    /**
+     * A box to tick.
+     *
+     * @param label what is written beside it
+     * @param checked its present state
+     * @return its new state
+     */
+    boolean checkbox(String label, boolean checked);
+
+    /**
+     * A slider with its name on the left and its value on the right, on a row of its own. Where
+     * {@code min > 0} and {@code max > 1000 min} it is logarithmic.
+     *
+     * @param label name of the value
+     * @param value present value, shown even where it lies outside the bounds
+     * @param min left end
+     * @param max right end, above min
+     * @param step the value is a multiple of this; 0 = any value, rounded to three digits
+     * @param hint shown while the mouse is over it, such as meaning and unit; may be empty
+     * @return the value, moved by the user or the same bits as before
+     */
+    double slider(String label, double value, double min, double max, double step, String hint);
+
+    /**
+     * A list that opens on a click, on a row of its own.
+     *
+     * @param label its name
+     * @param options what can be chosen
+     * @param selected index of what is chosen
+     * @return index of what is chosen now
+     */
+    int choice(String label, List<String> options, int selected);
+
+    /**
+     * A line of a list that can be chosen.
+     *
+     * @param label what is written on it
+     * @param selected whether it is the chosen one
+     * @param hint shown while the mouse is over it; may be empty
+     * @return true once when the user chooses it
+     */
+    boolean item(String label, boolean selected, String hint);
+
+    /**
+     * A heading that opens and closes what is below it.
+     *
+     * @param title the heading; its state is kept by this name
+     * @param open whether it is open the first time
+     * @return true if it is open: draw what is below, then call {@link #endSection}
+     */
+    boolean section(String title, boolean open);
+
+    /** Ends an open section; not to be called for a closed one. */
+    void endSection();
+
+    /**
+     * A curve, with its name above.
+     *
+     * @param label its name
+     * @param value the present value, written on the right
+     * @param values a ring of values, not changed meanwhile
+     * @param first index of the oldest
+     * @param count how many, at most {@code values.length}; values that are NaN are left out
+     * @param rgb colour of the curve
+     */
+    void plot(String label, String value, float[] values, int first, int count, int rgb);
+
+    /**
+     * A line of text that the user can edit, on a row of its own. While it is edited, keys go to
+     * it.
+     *
+     * @param label its name; what tells fields apart
+     * @param content present text
+     * @return the text, edited or the same object
+     */
+    String textField(String label, String content);
+
+    /**
+     * A cross over the picture, outside all panels.
+     *
+     * @param x its centre
+     * @param y its centre
+     * @param rgb its colour
+     */
+    void cross(double x, double y, int rgb);
+
+    /**
+     * Where a widget was drawn last, for tests and guided tours.
+     *
+     * @param label what was passed to the call that drew it
+     * @return left, top, width, height in logical pixels, or null if it was never drawn; the part
+     *     that the user can move for a slider
+     */
+    double @Nullable [] boundsOf(String label);
+}

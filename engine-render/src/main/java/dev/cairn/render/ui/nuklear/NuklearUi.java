@@ -1,0 +1,534 @@
+package dev.cairn.render.ui.nuklear;
+
+import static org.lwjgl.nuklear.Nuklear.*;
+
+import dev.cairn.render.input.Key;
+import dev.cairn.render.input.MouseButton;
+import dev.cairn.render.ui.Ui;
+
+import org.jspecify.annotations.Nullable;
+import org.lwjgl.nuklear.NkColor;
+import org.lwjgl.nuklear.NkCommandBuffer;
+import org.lwjgl.nuklear.NkContext;
+import org.lwjgl.nuklear.NkRect;
+import org.lwjgl.nuklear.NkStyleItem;
+import org.lwjgl.nuklear.NkVec2;
+import org.lwjgl.system.MemoryStack;
+import org.lwjgl.system.MemoryUtil;
+
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+
+/**
+ * {@link Ui} by Nuklear. One frame is {@link #beginInput}, events, {@link #endInput}, {@link
+ * #begin}, widgets, {@link #paint}. Everything that Nuklear keeps lies in one block of memory that
+ * is made once.
+ */
+public final class NuklearUi implements Ui, AutoCloseable {
+    private static final int MEMORY_BYTES = 4 << 20;
+    private static final double ROW = 24;
+    private static final double LINE = 19;
+    private static final double PLOT = 46;
+    private static final int TEXT_BYTES = 1024;
+
+    private final double scale;
+    private final UiFont font;
+    private final UiPainter painter;
+    private final ByteBuffer memory = MemoryUtil.memAlignedAlloc(64, MEMORY_BYTES);
+    private final ByteBuffer edited = MemoryUtil.memAlloc(TEXT_BYTES);
+    private final NkContext context = NkContext.calloc();
+    private final NkRect rect = NkRect.calloc();
+    private final NkVec2 vector = NkVec2.calloc();
+    private final NkColor first = NkColor.calloc();
+    private final NkColor second = NkColor.calloc();
+    private final float[] oneFloat = new float[1];
+    private final int[] oneInt = new int[1];
+    // Nuklear keeps a pointer to the shares until the row ends, so they lie outside the heap.
+    private final FloatBuffer sliderColumns = shares(0.36f, 0.43f, 0.18f);
+    private final FloatBuffer choiceColumns = shares(0.36f, 0.61f);
+    private final FloatBuffer valueColumns = shares(0.58f, 0.40f);
+    private final Map<String, double[]> bounds = new HashMap<>();
+    private final Map<String, int[]> sections = new HashMap<>();
+    private final SliderText sliderText = new SliderText();
+    private int pixelWidth;
+    private int pixelHeight;
+    private boolean editing;
+    private boolean wasEditing;
+    private boolean panelOpen;
+    private int columns;
+    private int cell;
+
+    /**
+     * Bakes letters and compiles the shader; with a current context.
+     *
+     * @param scale real pixels to a logical one
+     */
+    public NuklearUi(double scale) {
+        this.scale = scale;
+        font = new UiFont(scale);
+        painter = new UiPainter(font);
+        nk_init_fixed(context, memory, font.regular());
+        UiStyle.apply(context, scale);
+    }
+
+    // Input ------------------------------------------------------------------------------------
+
+    /** Begins to take events. */
+    public void beginInput() {
+        nk_input_begin(context);
+    }
+
+    /** Ends to take events. */
+    public void endInput() {
+        nk_input_end(context);
+    }
+
+    /**
+     * The cursor moved.
+     *
+     * @param x real pixels from the left
+     * @param y real pixels from above
+     */
+    public void moved(double x, double y) {
+        nk_input_motion(context, (int) x, (int) y);
+    }
+
+    /**
+     * A mouse button went down or up.
+     *
+     * @param which the button
+     * @param x cursor, real pixels
+     * @param y cursor, real pixels
+     * @param down whether it went down
+     */
+    public void button(MouseButton which, double x, double y, boolean down) {
+        int code =
+                switch (which) {
+                    case LEFT -> NK_BUTTON_LEFT;
+                    case RIGHT -> NK_BUTTON_RIGHT;
+                    case MIDDLE -> NK_BUTTON_MIDDLE;
+                    default -> -1;
+                };
+        if (code >= 0) {
+            nk_input_button(context, code, (int) x, (int) y, down);
+        }
+    }
+
+    /**
+     * The wheel turned.
+     *
+     * @param steps away from the user
+     */
+    public void scrolled(double steps) {
+        nk_input_scroll(context, vector.set(0, (float) steps));
+    }
+
+    /**
+     * A letter was typed.
+     *
+     * @param codePoint Unicode
+     */
+    public void typed(int codePoint) {
+        nk_input_unicode(context, codePoint);
+    }
+
+    /**
+     * A key went down (or repeats), or up.
+     *
+     * @param key the key
+     * @param down whether it went down
+     * @param control whether control is held
+     */
+    public void key(Key key, boolean down, boolean control) {
+        int code =
+                switch (key) {
+                    case BACKSPACE -> NK_KEY_BACKSPACE;
+                    case DELETE -> NK_KEY_DEL;
+                    case ENTER, KEYPAD_ENTER -> NK_KEY_ENTER;
+                    case TAB -> NK_KEY_TAB;
+                    case LEFT -> control ? NK_KEY_TEXT_WORD_LEFT : NK_KEY_LEFT;
+                    case RIGHT -> control ? NK_KEY_TEXT_WORD_RIGHT : NK_KEY_RIGHT;
+                    case UP -> NK_KEY_UP;
+                    case DOWN -> NK_KEY_DOWN;
+                    case HOME -> NK_KEY_TEXT_LINE_START;
+                    case END -> NK_KEY_TEXT_LINE_END;
+                    case LEFT_SHIFT, RIGHT_SHIFT -> NK_KEY_SHIFT;
+                    case A -> control ? NK_KEY_TEXT_SELECT_ALL : NK_KEY_NONE;
+                    case Z -> control ? NK_KEY_TEXT_UNDO : NK_KEY_NONE;
+                    case ESCAPE -> NK_KEY_TEXT_RESET_MODE;
+                    default -> NK_KEY_NONE;
+                };
+        if (code != NK_KEY_NONE) {
+            nk_input_key(context, code, down);
+        }
+    }
+
+    /**
+     * Whether the mouse belongs to the panels: it is over one, or moves one of their sliders.
+     *
+     * @return true if nobody else should act on it
+     */
+    public boolean wantsMouse() {
+        return nk_window_is_any_hovered(context) || nk_item_is_any_active(context);
+    }
+
+    /**
+     * Whether keys belong to the panels: a text is edited.
+     *
+     * @return true if nobody else should act on them
+     */
+    public boolean wantsKeys() {
+        return wasEditing;
+    }
+
+    // Frame ------------------------------------------------------------------------------------
+
+    /**
+     * Begins a frame.
+     *
+     * @param width of the picture, real pixels
+     * @param height of the picture, real pixels
+     */
+    public void begin(int width, int height) {
+        pixelWidth = width;
+        pixelHeight = height;
+        editing = false;
+    }
+
+    /** Draws all panels into the bound framebuffer and forgets them. */
+    public void paint() {
+        painter.draw(context, pixelWidth, pixelHeight);
+        nk_clear(context);
+        wasEditing = editing;
+    }
+
+    @Override
+    public double width() {
+        return pixelWidth / scale;
+    }
+
+    @Override
+    public double height() {
+        return pixelHeight / scale;
+    }
+
+    @Override
+    public double scale() {
+        return scale;
+    }
+
+    // Panels -----------------------------------------------------------------------------------
+
+    @Override
+    public boolean panel(
+            String title, double left, double top, double panelWidth, double panelHeight) {
+        place(left, top, panelWidth, panelHeight);
+        nk_style_push_font(context, font.title());
+        panelOpen =
+                nk_begin(
+                        context,
+                        title,
+                        rect,
+                        NK_WINDOW_TITLE | NK_WINDOW_BORDER | NK_WINDOW_MINIMIZABLE);
+        nk_style_pop_font(context);
+        endColumns();
+        return panelOpen;
+    }
+
+    private void place(double left, double top, double w, double h) {
+        rect.set(px(left), px(top), px(Math.max(w, 1)), px(Math.max(h, 1)));
+    }
+
+    private float px(double logical) {
+        return (float) Math.rint(logical * scale);
+    }
+
+    @Override
+    public void endPanel() {
+        nk_end(context);
+    }
+
+    @Override
+    public void columns(int count) {
+        columns = Math.max(1, count);
+        cell = 0;
+    }
+
+    private void endColumns() {
+        columns = 1;
+        cell = 0;
+    }
+
+    /** Starts a row where the last one is full. */
+    private void cell(double height) {
+        if (cell % columns == 0) {
+            nk_layout_row_dynamic(context, px(height), columns);
+        }
+        cell++;
+    }
+
+    private void row(double height, FloatBuffer shares) {
+        endColumns();
+        nk_layout_row(context, NK_DYNAMIC, px(height), shares);
+    }
+
+    private static FloatBuffer shares(float... values) {
+        return MemoryUtil.memAllocFloat(values.length).put(values).flip();
+    }
+
+    private double[] remember(String label) {
+        nk_widget_bounds(context, rect);
+        double[] at = bounds.computeIfAbsent(label, key -> new double[4]);
+        at[0] = rect.x() / scale;
+        at[1] = rect.y() / scale;
+        at[2] = rect.w() / scale;
+        at[3] = rect.h() / scale;
+        return at;
+    }
+
+    @Override
+    public double @Nullable [] boundsOf(String label) {
+        double[] known = bounds.get(label);
+        return known == null ? null : known.clone();
+    }
+
+    private void hint(String text) {
+        if (!text.isEmpty() && nk_widget_is_hovered(context)) {
+            nk_tooltip(context, text);
+        }
+    }
+
+    // Text -------------------------------------------------------------------------------------
+
+    @Override
+    public void label(String text) {
+        cell(LINE);
+        nk_label(context, text, NK_TEXT_LEFT);
+    }
+
+    @Override
+    public void label(String text, int rgb) {
+        cell(LINE);
+        nk_label_colored(context, text, NK_TEXT_LEFT, UiStyle.set(first, 0xFF000000 | rgb));
+    }
+
+    @Override
+    public void value(String name, String value) {
+        row(LINE, valueColumns);
+        nk_label_colored(context, name, NK_TEXT_LEFT, UiStyle.set(first, UiStyle.DIM));
+        nk_label(context, value, NK_TEXT_RIGHT);
+    }
+
+    @Override
+    public void heading(String text) {
+        endColumns();
+        nk_layout_row_dynamic(context, px(ROW), 1);
+        nk_style_push_font(context, font.title());
+        nk_label_colored(context, text, NK_TEXT_LEFT, UiStyle.set(first, UiStyle.ACCENT));
+        nk_style_pop_font(context);
+    }
+
+    @Override
+    public void text(String text) {
+        endColumns();
+        float width = nk_window_get_width(context) / (float) scale - 34;
+        // Seven logical pixels to a letter is Roboto's mean at this size, on the safe side.
+        int rows = Math.max(1, (int) Math.ceil(text.length() * 7.0 / Math.max(width, 40)));
+        nk_layout_row_dynamic(context, px(LINE * rows), 1);
+        nk_label_colored_wrap(context, text, UiStyle.set(first, UiStyle.DIM));
+    }
+
+    // Widgets ----------------------------------------------------------------------------------
+
+    @Override
+    public boolean button(String label) {
+        cell(ROW);
+        remember(label);
+        return nk_button_label(context, label);
+    }
+
+    @Override
+    public boolean checkbox(String label, boolean checked) {
+        cell(ROW - 2);
+        remember(label);
+        return nk_check_label(context, label, checked);
+    }
+
+    @Override
+    public double slider(
+            String label, double value, double min, double max, double step, String hint) {
+        if (!(max > min)) {
+            value(label, sliderText.of(label, value));
+            return value;
+        }
+        row(ROW, sliderColumns);
+        hint(hint);
+        nk_label(context, label, NK_TEXT_LEFT);
+        boolean logarithmic = min > 0 && max > 1000 * min;
+        double low = logarithmic ? Math.log(min) : min;
+        double high = logarithmic ? Math.log(max) : max;
+        double share =
+                Math.clamp(
+                        ((logarithmic ? Math.log(value) : value) - low) / (high - low), 0.0, 1.0);
+        remember(label);
+        hint(hint);
+        oneFloat[0] = (float) share;
+        float before = oneFloat[0];
+        nk_slider_float(context, 0, oneFloat, 1, 0.001f);
+        double moved = value;
+        if (Math.abs(oneFloat[0] - before) > 1e-4f) {
+            double at = low + oneFloat[0] * (high - low);
+            double raw = logarithmic ? Math.exp(at) : at;
+            moved = Math.clamp(SliderText.round(raw, step), min, max);
+        }
+        nk_label(context, sliderText.of(label, moved), NK_TEXT_RIGHT);
+        return moved;
+    }
+
+    @Override
+    public int choice(String label, List<String> options, int selected) {
+        row(ROW, choiceColumns);
+        nk_label(context, label, NK_TEXT_LEFT);
+        double width = remember(label)[2];
+        int chosen = selected;
+        double height = Math.min(12 + (ROW + 4) * options.size(), 320);
+        vector.set(px(width), px(height));
+        if (nk_combo_begin_label(context, options.get(selected), vector)) {
+            nk_layout_row_dynamic(context, px(ROW), 1);
+            for (int i = 0; i < options.size(); i++) {
+                if (nk_combo_item_label(context, options.get(i), NK_TEXT_LEFT)) {
+                    chosen = i;
+                }
+            }
+            nk_combo_end(context);
+        }
+        return chosen;
+    }
+
+    @Override
+    public boolean item(String label, boolean selected, String hint) {
+        cell(ROW - 2);
+        remember(label);
+        hint(hint);
+        return nk_select_label(context, label, NK_TEXT_LEFT, selected) != selected;
+    }
+
+    @Override
+    public boolean section(String title, boolean open) {
+        endColumns();
+        int[] state = sections.computeIfAbsent(title, key -> new int[] {open ? 1 : 0});
+        remember(title);
+        return nk_tree_state_push(context, NK_TREE_TAB, title, state);
+    }
+
+    @Override
+    public void endSection() {
+        nk_tree_state_pop(context);
+        endColumns();
+    }
+
+    @Override
+    public void plot(String label, String value, float[] values, int begin, int count, int rgb) {
+        value(label, value);
+        nk_layout_row_dynamic(context, px(PLOT), 1);
+        float min = Float.POSITIVE_INFINITY;
+        float max = Float.NEGATIVE_INFINITY;
+        for (int i = 0; i < count; i++) {
+            float v = values[(begin + i) % values.length];
+            if (!Float.isNaN(v)) {
+                min = Math.min(min, v);
+                max = Math.max(max, v);
+            }
+        }
+        if (min > max) {
+            min = 0;
+            max = 1;
+        }
+        // From zero where all is positive, so that the height of the curve means something.
+        float low = Math.min(min, 0);
+        float high = Math.max(max, low + Float.MIN_NORMAL);
+        UiStyle.set(first, 0xFF000000 | rgb);
+        UiStyle.set(second, 0xFFFFFFFF);
+        if (nk_chart_begin_colored(
+                context, NK_CHART_LINES, first, second, Math.max(count, 2), low, high)) {
+            for (int i = 0; i < count; i++) {
+                float v = values[(begin + i) % values.length];
+                nk_chart_push(context, Float.isNaN(v) ? low : v);
+            }
+            nk_chart_end(context);
+        }
+    }
+
+    @Override
+    public String textField(String label, String content) {
+        row(ROW, choiceColumns);
+        nk_label(context, label, NK_TEXT_LEFT);
+        remember(label);
+        byte[] bytes = content.getBytes(StandardCharsets.UTF_8);
+        int length = Math.min(bytes.length, TEXT_BYTES - 8);
+        edited.clear();
+        edited.put(0, bytes, 0, length);
+        oneInt[0] = length;
+        int state = nk_edit_string(context, NK_EDIT_FIELD, edited, oneInt, TEXT_BYTES - 4, null);
+        editing |= (state & NK_EDIT_ACTIVE) != 0;
+        byte[] now = new byte[oneInt[0]];
+        edited.get(0, now);
+        return Arrays.equals(now, 0, now.length, bytes, 0, length)
+                ? content
+                : new String(now, StandardCharsets.UTF_8);
+    }
+
+    @Override
+    public void cross(double x, double y, int rgb) {
+        place(x - 12, y - 12, 24, 24);
+        UiStyle.set(first, 0);
+        try (MemoryStack stack = MemoryStack.stackPush()) {
+            NkStyleItem background = context.style().window().fixed_background();
+            NkStyleItem saved = NkStyleItem.malloc(stack).set(background);
+            nk_style_item_color(first, background);
+            if (nk_begin(
+                    context,
+                    "cross",
+                    rect,
+                    NK_WINDOW_NO_INPUT | NK_WINDOW_BACKGROUND | NK_WINDOW_NO_SCROLLBAR)) {
+                NkCommandBuffer canvas =
+                        Objects.requireNonNull(nk_window_get_canvas(context), "canvas");
+                UiStyle.set(second, 0xD0000000 | rgb);
+                float cx = px(x);
+                float cy = px(y);
+                float arm = px(8);
+                float gap = px(2);
+                float thick = px(2);
+                nk_stroke_line(canvas, cx - arm, cy, cx - gap, cy, thick, second);
+                nk_stroke_line(canvas, cx + gap, cy, cx + arm, cy, thick, second);
+                nk_stroke_line(canvas, cx, cy - arm, cx, cy - gap, thick, second);
+                nk_stroke_line(canvas, cx, cy + gap, cx, cy + arm, thick, second);
+            }
+            nk_end(context);
+            background.set(saved);
+        }
+    }
+
+    @Override
+    public void close() {
+        nk_free(context);
+        painter.close();
+        font.close();
+        MemoryUtil.memAlignedFree(memory);
+        MemoryUtil.memFree(edited);
+        MemoryUtil.memFree(sliderColumns);
+        MemoryUtil.memFree(choiceColumns);
+        MemoryUtil.memFree(valueColumns);
+        context.free();
+        rect.free();
+        vector.free();
+        first.free();
+        second.free();
+    }
+}

@@ -1,0 +1,219 @@
+package dev.cairn.render.ui.nuklear;
+
+import static org.lwjgl.nuklear.Nuklear.*;
+import static org.lwjgl.opengl.GL11.*;
+import static org.lwjgl.opengl.GL13.GL_ACTIVE_TEXTURE;
+import static org.lwjgl.opengl.GL13.GL_TEXTURE0;
+import static org.lwjgl.opengl.GL13.glActiveTexture;
+import static org.lwjgl.opengl.GL14.GL_BLEND_DST_ALPHA;
+import static org.lwjgl.opengl.GL14.GL_BLEND_DST_RGB;
+import static org.lwjgl.opengl.GL14.GL_BLEND_SRC_ALPHA;
+import static org.lwjgl.opengl.GL14.GL_BLEND_SRC_RGB;
+import static org.lwjgl.opengl.GL14.glBlendFuncSeparate;
+import static org.lwjgl.opengl.GL15.GL_ARRAY_BUFFER;
+import static org.lwjgl.opengl.GL15.GL_ARRAY_BUFFER_BINDING;
+import static org.lwjgl.opengl.GL15.GL_ELEMENT_ARRAY_BUFFER;
+import static org.lwjgl.opengl.GL15.GL_STREAM_DRAW;
+import static org.lwjgl.opengl.GL15.glBindBuffer;
+import static org.lwjgl.opengl.GL15.glBufferData;
+import static org.lwjgl.opengl.GL15.glDeleteBuffers;
+import static org.lwjgl.opengl.GL15.glGenBuffers;
+import static org.lwjgl.opengl.GL15.nglBufferSubData;
+import static org.lwjgl.opengl.GL20.GL_CURRENT_PROGRAM;
+import static org.lwjgl.opengl.GL20.glEnableVertexAttribArray;
+import static org.lwjgl.opengl.GL20.glUseProgram;
+import static org.lwjgl.opengl.GL20.glVertexAttribPointer;
+import static org.lwjgl.opengl.GL30.GL_VERTEX_ARRAY_BINDING;
+import static org.lwjgl.opengl.GL30.glBindVertexArray;
+import static org.lwjgl.opengl.GL30.glDeleteVertexArrays;
+import static org.lwjgl.opengl.GL30.glGenVertexArrays;
+
+import dev.cairn.render.gl.ShaderProgram;
+
+import org.lwjgl.nuklear.NkBuffer;
+import org.lwjgl.nuklear.NkContext;
+import org.lwjgl.nuklear.NkConvertConfig;
+import org.lwjgl.nuklear.NkDrawCommand;
+import org.lwjgl.nuklear.NkDrawVertexLayoutElement;
+import org.lwjgl.nuklear.NkRect;
+import org.lwjgl.system.MemoryUtil;
+
+import java.nio.ByteBuffer;
+
+/**
+ * Draws what Nuklear has collected, by one shader and as many scissored calls as it has batches.
+ * Buffers have fixed sizes (indices are 16 bits wide); what does not fit is an error that says so.
+ * All state that it changes is put back, so that whoever draws next need not know.
+ */
+final class UiPainter implements AutoCloseable {
+    private static final int VERTEX_BYTES = 20;
+    private static final int MOST_VERTICES = 65_536;
+    private static final int MOST_INDEX_BYTES = 1 << 19;
+    private static final int COMMAND_BYTES = 1 << 17;
+
+    private final ShaderProgram program =
+            new ShaderProgram("ui", "", new String[] {"ui.vert"}, new String[] {"ui.frag"});
+    private final int scaleUniform = program.uniform("clipPerPixel");
+    private final int textureUniform = program.uniform("letters");
+    private final int vertexArray = glGenVertexArrays();
+    private final int vertexBuffer = glGenBuffers();
+    private final int indexBuffer = glGenBuffers();
+    private final ByteBuffer vertexMemory = MemoryUtil.memAlloc(MOST_VERTICES * VERTEX_BYTES);
+    private final ByteBuffer indexMemory = MemoryUtil.memAlloc(MOST_INDEX_BYTES);
+    private final ByteBuffer commandMemory = MemoryUtil.memAlignedAlloc(64, COMMAND_BYTES);
+    private final NkBuffer vertices = NkBuffer.calloc();
+    private final NkBuffer indices = NkBuffer.calloc();
+    private final NkBuffer commands = NkBuffer.calloc();
+    private final NkDrawVertexLayoutElement.Buffer layout = NkDrawVertexLayoutElement.calloc(4);
+    private final NkConvertConfig config = NkConvertConfig.calloc();
+    private final NkRect clip = NkRect.calloc();
+    private final int[] fourInts = new int[4];
+
+    UiPainter(UiFont font) {
+        layout.get(0).set(NK_VERTEX_POSITION, NK_FORMAT_FLOAT, 0);
+        layout.get(1).set(NK_VERTEX_TEXCOORD, NK_FORMAT_FLOAT, 8);
+        layout.get(2).set(NK_VERTEX_COLOR, NK_FORMAT_R8G8B8A8, 16);
+        layout.get(3).set(NK_VERTEX_ATTRIBUTE_COUNT, NK_FORMAT_COUNT, 0);
+        config.vertex_layout(layout)
+                .vertex_size(VERTEX_BYTES)
+                .vertex_alignment(4)
+                .tex_null(font.whiteTexel())
+                .circle_segment_count(22)
+                .curve_segment_count(22)
+                .arc_segment_count(22)
+                .global_alpha(1)
+                .shape_AA(NK_ANTI_ALIASING_ON)
+                .line_AA(NK_ANTI_ALIASING_ON);
+        int before = glGetInteger(GL_VERTEX_ARRAY_BINDING);
+        glBindVertexArray(vertexArray);
+        glBindBuffer(GL_ARRAY_BUFFER, vertexBuffer);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indexBuffer);
+        glEnableVertexAttribArray(0);
+        glVertexAttribPointer(0, 2, GL_FLOAT, false, VERTEX_BYTES, 0);
+        glEnableVertexAttribArray(1);
+        glVertexAttribPointer(1, 2, GL_FLOAT, false, VERTEX_BYTES, 8);
+        glEnableVertexAttribArray(2);
+        glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, true, VERTEX_BYTES, 16);
+        glBindVertexArray(before);
+    }
+
+    /** Draws into the bound framebuffer of the given size, pixels. */
+    void draw(NkContext context, int width, int height) {
+        nk_buffer_init_fixed(vertices, vertexMemory);
+        nk_buffer_init_fixed(indices, indexMemory);
+        nk_buffer_init_fixed(commands, commandMemory);
+        int result = nk_convert(context, commands, vertices, indices, config);
+        if (result != NK_CONVERT_SUCCESS) {
+            throw new IllegalStateException(
+                    "the panels need more than "
+                            + MOST_VERTICES
+                            + " vertices (Nuklear's code "
+                            + result
+                            + "); draw fewer widgets or shorter plots");
+        }
+        boolean depth = glIsEnabled(GL_DEPTH_TEST);
+        boolean cull = glIsEnabled(GL_CULL_FACE);
+        boolean blend = glIsEnabled(GL_BLEND);
+        boolean scissor = glIsEnabled(GL_SCISSOR_TEST);
+        int sourceRgb = glGetInteger(GL_BLEND_SRC_RGB);
+        int targetRgb = glGetInteger(GL_BLEND_DST_RGB);
+        int sourceAlpha = glGetInteger(GL_BLEND_SRC_ALPHA);
+        int targetAlpha = glGetInteger(GL_BLEND_DST_ALPHA);
+        int activeTexture = glGetInteger(GL_ACTIVE_TEXTURE);
+        int usedProgram = glGetInteger(GL_CURRENT_PROGRAM);
+        int usedArray = glGetInteger(GL_VERTEX_ARRAY_BINDING);
+        int usedBuffer = glGetInteger(GL_ARRAY_BUFFER_BINDING);
+        glActiveTexture(GL_TEXTURE0);
+        int usedTexture = glGetInteger(GL_TEXTURE_BINDING_2D);
+        glGetIntegerv(GL_SCISSOR_BOX, fourInts);
+        int clipX = fourInts[0];
+        int clipY = fourInts[1];
+        int clipWidth = fourInts[2];
+        int clipHeight = fourInts[3];
+        glGetIntegerv(GL_VIEWPORT, fourInts);
+
+        glEnable(GL_BLEND);
+        glEnable(GL_SCISSOR_TEST);
+        glDisable(GL_DEPTH_TEST);
+        glDisable(GL_CULL_FACE);
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        glViewport(0, 0, width, height);
+        program.use();
+        ShaderProgram.set(scaleUniform, 2.0 / width, -2.0 / height, 0);
+        ShaderProgram.set(textureUniform, 0);
+        glBindVertexArray(vertexArray);
+        upload();
+        drawCommands(context, width, height);
+
+        enable(GL_DEPTH_TEST, depth);
+        enable(GL_CULL_FACE, cull);
+        enable(GL_BLEND, blend);
+        enable(GL_SCISSOR_TEST, scissor);
+        glBlendFuncSeparate(sourceRgb, targetRgb, sourceAlpha, targetAlpha);
+        glBindTexture(GL_TEXTURE_2D, usedTexture);
+        glActiveTexture(activeTexture);
+        glUseProgram(usedProgram);
+        glBindVertexArray(usedArray);
+        glBindBuffer(GL_ARRAY_BUFFER, usedBuffer);
+        glScissor(clipX, clipY, clipWidth, clipHeight);
+        glViewport(fourInts[0], fourInts[1], fourInts[2], fourInts[3]);
+    }
+
+    /** A whole new store each time, so that the driver need not wait for the last frame. */
+    private void upload() {
+        long vertexBytes = vertices.allocated();
+        long indexBytes = indices.allocated();
+        glBindBuffer(GL_ARRAY_BUFFER, vertexBuffer);
+        glBufferData(GL_ARRAY_BUFFER, Math.max(vertexBytes, 1), GL_STREAM_DRAW);
+        nglBufferSubData(GL_ARRAY_BUFFER, 0, vertexBytes, MemoryUtil.memAddress(vertexMemory));
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, Math.max(indexBytes, 1), GL_STREAM_DRAW);
+        nglBufferSubData(
+                GL_ELEMENT_ARRAY_BUFFER, 0, indexBytes, MemoryUtil.memAddress(indexMemory));
+    }
+
+    private void drawCommands(NkContext context, int width, int height) {
+        long offset = 0;
+        for (NkDrawCommand command = nk__draw_begin(context, commands);
+                command != null;
+                command = nk__draw_next(command, commands, context)) {
+            int count = command.elem_count();
+            if (count == 0) {
+                continue;
+            }
+            glBindTexture(GL_TEXTURE_2D, command.texture().id());
+            clip.set(command.clip_rect());
+            int left = (int) Math.clamp(clip.x(), 0, width);
+            int top = (int) Math.clamp(clip.y(), 0, height);
+            int right = (int) Math.clamp(Math.ceil(clip.x() + clip.w()), 0, width);
+            int bottom = (int) Math.clamp(Math.ceil(clip.y() + clip.h()), 0, height);
+            glScissor(left, height - bottom, Math.max(0, right - left), Math.max(0, bottom - top));
+            glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, offset);
+            offset += 2L * count;
+        }
+    }
+
+    private static void enable(int what, boolean value) {
+        if (value) {
+            glEnable(what);
+        } else {
+            glDisable(what);
+        }
+    }
+
+    @Override
+    public void close() {
+        program.close();
+        glDeleteVertexArrays(vertexArray);
+        glDeleteBuffers(vertexBuffer);
+        glDeleteBuffers(indexBuffer);
+        MemoryUtil.memFree(vertexMemory);
+        MemoryUtil.memFree(indexMemory);
+        MemoryUtil.memAlignedFree(commandMemory);
+        vertices.free();
+        indices.free();
+        commands.free();
+        layout.free();
+        config.free();
+        clip.free();
+    }
+}

@@ -1,0 +1,165 @@
+package dev.cairn.samples;
+
+import dev.cairn.physics.Contacts;
+import dev.cairn.physics.Kinetics;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.StepProfile;
+import dev.cairn.physics.StepStage;
+
+import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
+import java.util.Map;
+
+/** The last ticks of what is plotted, as rings. One thread at a time. */
+final class History {
+    /** Ticks that are kept: six seconds. */
+    static final int LENGTH = 360;
+
+    /** Errors that are plotted at most. */
+    static final int ERRORS = 4;
+
+    private static final StepStage[] STAGES = StepStage.values();
+
+    /** Share of the newest tick in the mean time of a stage. */
+    private static final double NEW_SHARE = 1.0 / 30;
+
+    private static final int MANY_BODIES = 2000;
+    private static final int SPARSE = 10;
+
+    final float[] millis = new float[LENGTH];
+    final float[] energy = new float[LENGTH];
+    final float[] kinetic = new float[LENGTH];
+    final float[] momentum = new float[LENGTH];
+    final float[] overlap = new float[LENGTH];
+    final float[][] errors = new float[ERRORS][LENGTH];
+    final String[] errorNames = new String[ERRORS];
+    final double[] errorNow = new double[ERRORS];
+    double energyNow;
+    double kineticNow;
+    double momentumNow;
+    double overlapNow;
+    double millisNow;
+    int errorCount;
+    int touching;
+    int first;
+    int count;
+    private final double[] stageMicros = new double[STAGES.length];
+    private long ticks;
+
+    void clear() {
+        first = 0;
+        count = 0;
+        ticks = 0;
+        errorCount = 0;
+        touching = 0;
+        energyNow = 0;
+        kineticNow = 0;
+        momentumNow = 0;
+        overlapNow = 0;
+        millisNow = 0;
+        Arrays.fill(stageMicros, 0);
+    }
+
+    void add(PhysicsWorld world, @Nullable SceneBuilder scene, double tickMillis) {
+        int at = (first + count) % LENGTH;
+        if (count == LENGTH) {
+            first = (first + 1) % LENGTH;
+        } else {
+            count++;
+        }
+        Kinetics kinetics = world.kinetics();
+        kineticNow = kinetics.kineticEnergy();
+        energyNow = kineticNow + world.potentialEnergy();
+        momentumNow =
+                Math.sqrt(
+                        kinetics.momentumX() * kinetics.momentumX()
+                                + kinetics.momentumY() * kinetics.momentumY()
+                                + kinetics.momentumZ() * kinetics.momentumZ());
+        millisNow = tickMillis;
+        contacts(world.contacts());
+        readStages(world.profile());
+        millis[at] = (float) tickMillis;
+        energy[at] = (float) energyNow;
+        kinetic[at] = (float) kineticNow;
+        momentum[at] = (float) momentumNow;
+        overlap[at] = (float) (1000 * overlapNow);
+        if (scene != null && (world.bodyCount() < MANY_BODIES || ticks % SPARSE == 0)) {
+            readErrors(scene);
+        }
+        for (int e = 0; e < ERRORS; e++) {
+            errors[e][at] = e < errorCount ? (float) errorNow[e] : Float.NaN;
+        }
+        ticks++;
+    }
+
+    private void readStages(StepProfile profile) {
+        double share = ticks == 0 ? 1 : NEW_SHARE;
+        for (int i = 0; i < STAGES.length; i++) {
+            double micros = profile.lastNanos(STAGES[i]) / 1e3;
+            stageMicros[i] += share * (micros - stageMicros[i]);
+        }
+    }
+
+    /** Mean time of a stage, µs. */
+    double stageMicros(StepStage stage) {
+        for (int i = 0; i < STAGES.length; i++) {
+            if (STAGES[i] == stage) {
+                return stageMicros[i];
+            }
+        }
+        return 0;
+    }
+
+    private void contacts(Contacts contacts) {
+        double deepest = 0;
+        int touches = 0;
+        for (int c = 0; c < contacts.count(); c++) {
+            touches += contacts.touching(c) ? 1 : 0;
+            for (int p = 0; p < contacts.pointCount(c); p++) {
+                deepest = Math.max(deepest, -contacts.separation(c, p));
+            }
+        }
+        overlapNow = deepest;
+        touching = touches;
+    }
+
+    private void readErrors(SceneBuilder scene) {
+        int e = 0;
+        for (Map.Entry<String, Double> entry : scene.errors().entrySet()) {
+            if (e < ERRORS) {
+                errorNames[e] = entry.getKey();
+                errorNow[e++] = entry.getValue();
+            }
+        }
+        errorCount = e;
+    }
+
+    void copy(History from) {
+        System.arraycopy(from.millis, 0, millis, 0, LENGTH);
+        System.arraycopy(from.energy, 0, energy, 0, LENGTH);
+        System.arraycopy(from.kinetic, 0, kinetic, 0, LENGTH);
+        System.arraycopy(from.momentum, 0, momentum, 0, LENGTH);
+        System.arraycopy(from.overlap, 0, overlap, 0, LENGTH);
+        for (int e = 0; e < ERRORS; e++) {
+            System.arraycopy(from.errors[e], 0, errors[e], 0, LENGTH);
+        }
+        System.arraycopy(from.errorNames, 0, errorNames, 0, ERRORS);
+        System.arraycopy(from.errorNow, 0, errorNow, 0, ERRORS);
+        System.arraycopy(from.stageMicros, 0, stageMicros, 0, STAGES.length);
+        energyNow = from.energyNow;
+        kineticNow = from.kineticNow;
+        momentumNow = from.momentumNow;
+        overlapNow = from.overlapNow;
+        millisNow = from.millisNow;
+        errorCount = from.errorCount;
+        touching = from.touching;
+        first = from.first;
+        count = from.count;
+    }
+
+    @Override
+    public String toString() {
+        return "History" + Arrays.toString(errorNames);
+    }
+}

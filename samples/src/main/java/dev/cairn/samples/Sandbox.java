@@ -1,0 +1,314 @@
+package dev.cairn.samples;
+
+import dev.cairn.core.snapshot.TripleBuffer;
+import dev.cairn.physics.Body;
+import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.Material;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.shape.Sphere;
+import dev.cairn.render.app.Application;
+import dev.cairn.render.app.Scene;
+import dev.cairn.render.app.View;
+import dev.cairn.render.camera.Camera;
+import dev.cairn.render.input.Key;
+import dev.cairn.render.mesh.Model;
+import dev.cairn.render.ui.Ui;
+
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+
+import java.io.PrintStream;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The window with the scenes: a list of them, their parameters as sliders, what the engine knows as
+ * lines and plots, and a hand that pulls bodies about.
+ *
+ * <p>Each start of a scene makes a new world with the same settings as a run without a window, so
+ * that both go through the same states until somebody pulls or throws something. Panels live on the
+ * window's thread; all they want done is posted to the simulation thread, and all they show comes
+ * by snapshots.
+ */
+class Sandbox extends Application {
+    private static final Key[] NUMBERS = {
+        Key.DIGIT_1,
+        Key.DIGIT_2,
+        Key.DIGIT_3,
+        Key.DIGIT_4,
+        Key.DIGIT_5,
+        Key.DIGIT_6,
+        Key.DIGIT_7,
+        Key.DIGIT_8,
+        Key.DIGIT_9,
+        Key.DIGIT_0
+    };
+
+    private final List<SampleScene> scenes;
+    private final PrintStream out;
+    private final SandboxPanels panels;
+    private final TripleBuffer<SandboxState> states = new TripleBuffer<>(SandboxState::new);
+
+    // The simulation thread's own, from initScene on.
+    private final Map<String, SceneOptions> options;
+    private final History history = new History();
+    private final Hand hand = new Hand();
+    private int current;
+    private int workers;
+    private int substeps;
+    private boolean keepCamera;
+    private @Nullable SceneBuilder built;
+    private int remarksShown;
+    private long stepStartNanos;
+    private String problem = "";
+    private Ball ball = Ball.DEFAULT;
+    private int thrown;
+
+    private @Nullable String noWindow;
+
+    /**
+     * What is thrown.
+     *
+     * @param radius m
+     * @param density kg/m³
+     * @param speed m/s
+     */
+    record Ball(double radius, double density, double speed) {
+        static final Ball DEFAULT = new Ball(0.25, 1000, 15);
+    }
+
+    /**
+     * @param scenes what can be chosen, at least one
+     * @param options options by scene id
+     * @param workers threads of the physics
+     * @param substeps sub-steps of the solver
+     * @param out receives the scenes' remarks
+     */
+    Sandbox(
+            List<SampleScene> scenes,
+            Map<String, SceneOptions> options,
+            int workers,
+            int substeps,
+            PrintStream out) {
+        this.scenes = scenes;
+        this.options = new HashMap<>(options);
+        this.workers = workers;
+        this.substeps = substeps;
+        this.out = out;
+        this.panels = new SandboxPanels(this, scenes);
+    }
+
+    /** Returns why there was no window, or null if there was one; after {@link #start}. */
+    @Nullable String noWindow() {
+        return noWindow;
+    }
+
+    @Override
+    protected void withoutWindow(String reason) {
+        noWindow = reason;
+    }
+
+    @Override
+    protected PhysicsWorld createPhysics() {
+        return PhysicsWorld.builder()
+                .gravity(0, -SampleScene.GRAVITY, 0)
+                .workers(workers)
+                .substeps(substeps)
+                .seed(chosenOptions().seed())
+                .build();
+    }
+
+    private SceneOptions chosenOptions() {
+        SampleScene chosen = scenes.get(current);
+        return options.computeIfAbsent(chosen.id(), id -> SceneOptions.defaults(chosen));
+    }
+
+    @Override
+    protected void initScene(Scene scene) {
+        bind(scene);
+        scene.physics().profile().enable();
+        hand.release();
+        history.clear();
+        remarksShown = 0;
+        thrown = 0;
+        problem = "";
+        SampleScene chosen = scenes.get(current);
+        scene.title("Cairn: " + chosen.title());
+        built = null;
+        try {
+            SceneBuilder next = chosen.build(new SceneBuilder(scene.physics(), chosenOptions()));
+            built = next;
+            scene.light(next.light());
+            if (!keepCamera) {
+                next.view().place(scene.camera());
+            }
+        } catch (UsageException misuse) {
+            problem = String.valueOf(misuse.getMessage());
+            out.println(problem);
+        }
+        keepCamera = false;
+        publishState();
+    }
+
+    private void bind(Scene scene) {
+        for (int i = 0; i < Math.min(NUMBERS.length, scenes.size()); i++) {
+            int index = i;
+            scene.bindings().onKey(NUMBERS[i], "scene " + scenes.get(i).id(), () -> show(index));
+        }
+        scene.bindings()
+                .onKey(Key.PAGE_DOWN, "next scene", () -> show(current + 1))
+                .onKey(Key.PAGE_UP, "previous scene", () -> show(current - 1))
+                .onKey(Key.R, "restart", this::startAgain)
+                .onKey(Key.B, "throw a ball", this::throwBall)
+                .onKey(
+                        Key.HOME,
+                        "look from the start",
+                        () -> {
+                            SceneBuilder now = built;
+                            if (now != null) {
+                                now.view().place(scene().camera());
+                            }
+                        })
+                .onKey(Key.H, "hide panels", panels::toggleHidden)
+                .onScroll("pull nearer, push away", hand::scroll);
+    }
+
+    // What panels and keys ask for; simulation thread ------------------------------------------
+
+    /** Shows a scene; the index wraps around. */
+    void show(int index) {
+        current = Math.floorMod(index, scenes.size());
+        restart();
+    }
+
+    /** Starts the scene again, seen from where the user is. */
+    void startAgain() {
+        keepCamera = true;
+        restart();
+    }
+
+    /** Changes a parameter and starts again. */
+    void set(String parameter, double value) {
+        SceneOptions old = chosenOptions();
+        Map<String, Double> values = new LinkedHashMap<>(old.values());
+        values.put(parameter, value);
+        options.put(scenes.get(current).id(), new SceneOptions(values, old.seed(), old.obj()));
+        startAgain();
+    }
+
+    /** Puts all parameters of the scene back. */
+    void setDefaults() {
+        SampleScene chosen = scenes.get(current);
+        SceneOptions old = chosenOptions();
+        options.put(
+                chosen.id(),
+                new SceneOptions(SceneOptions.defaults(chosen).values(), old.seed(), old.obj()));
+        startAgain();
+    }
+
+    /** Changes the solver or the workers and starts again. */
+    void solve(int newWorkers, int newSubsteps) {
+        workers = newWorkers;
+        substeps = newSubsteps;
+        startAgain();
+    }
+
+    void ball(Ball value) {
+        ball = value;
+    }
+
+    void throwBall() {
+        Camera camera = scene().camera();
+        Vector3d eye = camera.position(new Vector3d());
+        Vector3d ahead = camera.forward(new Vector3d());
+        Sphere shape = Sphere.of(ball.radius);
+        double start = ball.radius + camera.near() + 0.3;
+        scene().add(
+                        Body.dynamic()
+                                .shape(shape)
+                                .at(
+                                        eye.x + start * ahead.x,
+                                        eye.y + start * ahead.y,
+                                        eye.z + start * ahead.z)
+                                .velocity(
+                                        ball.speed * ahead.x,
+                                        ball.speed * ahead.y,
+                                        ball.speed * ahead.z)
+                                .material(
+                                        Material.DEFAULT
+                                                .withDensity(ball.density)
+                                                .withRestitution(0.5))
+                                .name("ball " + ++thrown),
+                        Model.of(shape).color(Palette.BASKETBALL));
+    }
+
+    void grab(long entity, double distance, Vector3d localPoint) {
+        BodyRef body = scene().physics().bodyOf(entity);
+        if (body != null) {
+            hand.grab(body, distance, localPoint);
+            publishState();
+        }
+    }
+
+    void pull(Vector3d eye, Vector3d direction) {
+        hand.aim(eye, direction);
+    }
+
+    void letGo() {
+        hand.release();
+    }
+
+    // Ticks ------------------------------------------------------------------------------------
+
+    @Override
+    protected void update(double seconds) {
+        SceneBuilder now = built;
+        if (now != null) {
+            now.beforeTick();
+        }
+        hand.apply();
+        stepStartNanos = System.nanoTime();
+    }
+
+    @Override
+    protected void updated(double seconds) {
+        double millis = (System.nanoTime() - stepStartNanos) / 1e6;
+        SceneBuilder now = built;
+        if (now != null) {
+            now.afterTick();
+            for (; remarksShown < now.remarks().size(); remarksShown++) {
+                out.println(now.remarks().get(remarksShown));
+            }
+        }
+        history.add(scene().physics(), now, millis);
+        publishState();
+    }
+
+    private void publishState() {
+        SandboxState state = states.writing();
+        SampleScene chosen = scenes.get(current);
+        SceneBuilder now = built;
+        state.scene = current;
+        state.options = chosenOptions();
+        state.tick = now == null ? 0 : now.tick();
+        state.seconds = now == null ? 0 : now.tick() * now.stepSeconds();
+        state.workers = workers;
+        state.substeps = substeps;
+        state.bodies = scene().physics().bodyCount();
+        state.problem = problem;
+        state.id = chosen.id();
+        state.ball = ball;
+        hand.describe(state);
+        state.history.copy(history);
+        states.publish();
+    }
+
+    // Window thread ----------------------------------------------------------------------------
+
+    @Override
+    protected void panels(Ui ui, View view) {
+        panels.draw(ui, view, states.latest());
+    }
+}
