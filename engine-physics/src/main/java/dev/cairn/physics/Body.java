@@ -25,6 +25,9 @@ public final class Body {
     double qw = 1;
     Material material = Material.DEFAULT;
     double mass = Double.NaN;
+    double inertiaXX = Double.NaN;
+    double inertiaYY;
+    double inertiaZZ;
     double vx;
     double vy;
     double vz;
@@ -168,6 +171,40 @@ public final class Body {
                             + " moves use Body.fixed()");
         }
         mass = kilograms;
+        return this;
+    }
+
+    /**
+     * States the inertia about the centre of mass, instead of that of the shape filled evenly: a
+     * shell, a hoop, a gyroscope. The shape's axes are its principal axes.
+     *
+     * @param xx about the shape's x axis, kg m², finite, above 0
+     * @param yy about the shape's y axis, kg m², finite, above 0
+     * @param zz about the shape's z axis, kg m², finite, above 0
+     * @return this
+     * @throws IllegalArgumentException if one is not, or is larger than the sum of the others: no
+     *     matter can be arranged so
+     */
+    public Body inertia(double xx, double yy, double zz) {
+        Checks.positive("inertia xx", xx);
+        Checks.positive("inertia yy", yy);
+        Checks.positive("inertia zz", zz);
+        double largest = Math.max(xx, Math.max(yy, zz));
+        // a flat plate has exactly the sum; rounding may put it a little above
+        if (largest > (xx + yy + zz - largest) * (1 + 1e-9)) {
+            throw new IllegalArgumentException(
+                    "inertia is ("
+                            + xx
+                            + ", "
+                            + yy
+                            + ", "
+                            + zz
+                            + ") kg m²; none may be larger than the sum of the other two, since each"
+                            + " is a sum of squares of distances: reduce the largest");
+        }
+        inertiaXX = xx;
+        inertiaYY = yy;
+        inertiaZZ = zz;
         return this;
     }
 

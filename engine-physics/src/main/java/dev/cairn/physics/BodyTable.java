@@ -138,6 +138,20 @@ final class BodyTable {
                             p.ixz() * factor,
                             p.iyz() * factor);
         }
+        if (!Double.isNaN(body.inertiaXX)) {
+            p =
+                    new MassProperties(
+                            p.mass(),
+                            p.comX(),
+                            p.comY(),
+                            p.comZ(),
+                            body.inertiaXX,
+                            body.inertiaYY,
+                            body.inertiaZZ,
+                            0,
+                            0,
+                            0);
+        }
         boolean usable =
                 p.mass() > 0
                         && Double.isFinite(p.mass())

@@ -38,7 +38,9 @@ final class ContactView implements Contacts {
     }
 
     private int row(int contact) {
-        return rowOf[Objects.checkIndex(contact, count())];
+        // count() may replace rowOf, and Java reads an array before its index
+        int index = Objects.checkIndex(contact, count());
+        return rowOf[index];
     }
 
     private int at(int contact, int point) {

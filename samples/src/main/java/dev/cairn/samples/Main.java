@@ -1,5 +1,7 @@
 package dev.cairn.samples;
 
+import dev.cairn.samples.accuracy.AccuracyCommand;
+
 import org.jspecify.annotations.Nullable;
 
 import picocli.CommandLine;
@@ -11,6 +13,7 @@ import java.io.Console;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -41,6 +44,7 @@ import java.util.Map;
             "  samples --scene pyramid --set base=5 --export-scene five.json",
             "  samples --headless --scene-file five.json --picture five.png",
             "  samples --scene room,pyramid,obj-drop --contact-sheet scenes.png",
+            "  samples accuracy --quick      (compares with closed forms; accuracy --help)",
             "",
             "Exit codes: 0 done; 1 a scene failed; 2 the options make no sense (one line says why)."
         })
@@ -163,6 +167,15 @@ public final class Main {
      * @return the exit code
      */
     public static int run(String[] arguments, PrintStream out, PrintStream err, boolean display) {
+        if (arguments.length > 0 && arguments[0].equals("accuracy")) {
+            try {
+                return AccuracyCommand.run(
+                        Arrays.copyOfRange(arguments, 1, arguments.length), out, err, onTerminal());
+            } catch (UncheckedIOException unwritable) {
+                err.println(oneLine(unwritable));
+                return FAILED;
+            }
+        }
         Main typed = new Main();
         CommandLine line = new CommandLine(typed);
         try {

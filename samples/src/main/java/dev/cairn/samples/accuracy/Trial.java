@@ -1,0 +1,126 @@
+package dev.cairn.samples.accuracy;
+
+import dev.cairn.physics.Body;
+import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.Material;
+import dev.cairn.physics.PhysicsSettings;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.shape.Box;
+import dev.cairn.samples.SampleScene;
+import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneOptions;
+import dev.cairn.samples.SceneRegistry;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.Map;
+
+/**
+ * One run of a case at one number of sub-steps: makes the worlds, steps them by ticks of 1/60 s with
+ * one worker and without sleep, and counts what that costs. One thread.
+ */
+public final class Trial {
+    /** Length of a tick, s. */
+    static final double TICK = SampleScene.STEP_SECONDS;
+
+    /** Gravity of most cases, m/s². */
+    static final double GRAVITY = SampleScene.GRAVITY;
+
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+
+    private final int substeps;
+    private long cpuNanos;
+    private long bodySteps;
+    private int moving;
+
+    /**
+     * A run.
+     *
+     * @param substeps sub-steps of a tick, 1 to 32
+     */
+    public Trial(int substeps) {
+        this.substeps = substeps;
+    }
+
+    int substeps() {
+        return substeps;
+    }
+
+    /** A run of the same case at twice as many sub-steps, for orders of convergence. */
+    Trial finer() {
+        return new Trial(2 * substeps);
+    }
+
+    /**
+     * What a body costs a tick of 1/60 s.
+     *
+     * @return µs of the stepping thread, or NaN if less than 20 ms were measured
+     */
+    public double microsPerBodyStep() {
+        return cpuNanos < 20_000_000 ? Double.NaN : cpuNanos / 1e3 / bodySteps;
+    }
+
+    /** The engine's defaults but for the sub-steps. */
+    PhysicsSettings settings() {
+        return PhysicsSettings.DEFAULT.withSubsteps(substeps);
+    }
+
+    PhysicsWorld world(double gx, double gy, double gz) {
+        return world(settings(), gx, gy, gz);
+    }
+
+    PhysicsWorld world(PhysicsSettings settings, double gx, double gy, double gz) {
+        moving = -1;
+        return PhysicsWorld.builder().gravity(gx, gy, gz).workers(1).settings(settings).build();
+    }
+
+    /** A world where everything bounces, however slowly it comes. */
+    PhysicsWorld bouncy(double gy) {
+        return world(settings().withRestitutionThreshold(0), 0, gy, 0);
+    }
+
+    void step(PhysicsWorld world) {
+        if (moving < 0) {
+            moving = 0;
+            for (BodyRef body : world.bodies()) {
+                moving += body.isFixed() ? 0 : 1;
+            }
+        }
+        long start = THREADS.getCurrentThreadCpuTime();
+        world.step(TICK);
+        cpuNanos += THREADS.getCurrentThreadCpuTime() - start;
+        bodySteps += moving;
+    }
+
+    void run(PhysicsWorld world, double seconds) {
+        for (long n = StrictMath.round(seconds / TICK); n > 0; n--) {
+            step(world);
+        }
+    }
+
+    /** A scene of the registry after some seconds: its error metrics by name. */
+    Map<String, Double> scene(String id, double seconds, Map<String, String> parameters) {
+        SampleScene scene = SceneRegistry.get(id);
+        SceneOptions options = SceneOptions.of(scene, parameters, SceneOptions.DEFAULT_SEED, null);
+        try (PhysicsWorld world = world(0, -GRAVITY, 0)) {
+            SceneBuilder built = scene.build(new SceneBuilder(world, options));
+            for (long n = StrictMath.round(seconds / TICK); n > 0; n--) {
+                built.beforeTick();
+                step(world);
+                built.afterTick();
+            }
+            return built.errors();
+        }
+    }
+
+    /** Friction and restitution, equal on both sides of every contact of a case. */
+    static Material surface(double friction, double restitution) {
+        return new Material(friction, restitution, 1000);
+    }
+
+    /** A fixed plate whose upper side is y = 0. */
+    static BodyRef floor(PhysicsWorld world, Material surface) {
+        return world.add(
+                Body.fixed().shape(Box.of(100, 1, 100)).at(0, -1, 0).material(surface).name("floor"));
+    }
+}
