@@ -199,8 +199,8 @@ public final class Body {
                             + yy
                             + ", "
                             + zz
-                            + ") kg m²; none may be larger than the sum of the other two, since each"
-                            + " is a sum of squares of distances: reduce the largest");
+                            + ") kg m²; none may be larger than the sum of the other two, since"
+                            + " each is a sum of squares of distances: reduce the largest");
         }
         inertiaXX = xx;
         inertiaYY = yy;

@@ -127,6 +127,28 @@ public record PhysicsSettings(
     }
 
     /**
+     * These settings with another push speed.
+     *
+     * @param value m/s, 0.001 to 1000
+     * @return new settings
+     */
+    public PhysicsSettings withPushSpeed(double value) {
+        return new PhysicsSettings(
+                substeps,
+                contactStiffness,
+                contactDampingRatio,
+                value,
+                restitutionThreshold,
+                offsetGain,
+                loadInertia,
+                unloadSweeps,
+                speculativeTime,
+                speculativeFraction,
+                boundsMargin,
+                boundsTime);
+    }
+
+    /**
      * These settings with another gain of the offset that removes sag.
      *
      * @param value see the component

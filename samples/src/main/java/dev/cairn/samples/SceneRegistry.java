@@ -1,15 +1,25 @@
 package dev.cairn.samples;
 
+import dev.cairn.samples.scenes.Arch;
+import dev.cairn.samples.scenes.BigOnSmall;
 import dev.cairn.samples.scenes.BouncingBall;
+import dev.cairn.samples.scenes.BoxPit;
+import dev.cairn.samples.scenes.Cards;
+import dev.cairn.samples.scenes.Cradle;
 import dev.cairn.samples.scenes.CubesOnPlane;
+import dev.cairn.samples.scenes.Dzhanibekov;
 import dev.cairn.samples.scenes.FreeFall;
+import dev.cairn.samples.scenes.FrictionStop;
+import dev.cairn.samples.scenes.LoadRemoval;
 import dev.cairn.samples.scenes.ManyPyramids;
 import dev.cairn.samples.scenes.ObjDrop;
+import dev.cairn.samples.scenes.Overhang;
 import dev.cairn.samples.scenes.Pairs;
 import dev.cairn.samples.scenes.Pile;
 import dev.cairn.samples.scenes.Pyramid;
 import dev.cairn.samples.scenes.RollingLoad;
 import dev.cairn.samples.scenes.Room;
+import dev.cairn.samples.scenes.SlipToRoll;
 import dev.cairn.samples.scenes.SlopeBall;
 import dev.cairn.samples.scenes.SlopeBox;
 import dev.cairn.samples.scenes.SphereGrid;
@@ -46,7 +56,19 @@ public final class SceneRegistry {
                     Pile.mixed(),
                     Pile.hulls(),
                     Pile.junkyard(),
-                    Washer.scene());
+                    Washer.scene(),
+                    StackOfBoxes.tall(),
+                    StackOfBoxes.massRatio(),
+                    LoadRemoval.scene(),
+                    BigOnSmall.scene(),
+                    BoxPit.scene(),
+                    Arch.scene(),
+                    Overhang.scene(),
+                    Cards.scene(),
+                    Dzhanibekov.scene(),
+                    Cradle.scene(),
+                    SlipToRoll.scene(),
+                    FrictionStop.scene());
 
     private SceneRegistry() {}
 

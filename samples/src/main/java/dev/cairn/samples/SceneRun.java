@@ -110,6 +110,10 @@ public final class SceneRun {
             SnapshotExchange exchange = picture == null ? null : new SnapshotExchange();
             measures.depth(built);
             world.profile().enable();
+            if (exchange != null && pictureTick == 0) {
+                exchange.publish(world.ecs());
+                draw(exchange, built);
+            }
             for (int tick = 1; tick <= ticks; tick++) {
                 built.beforeTick();
                 measures.step(world, meter, tick, built.stepSeconds());
@@ -126,10 +130,6 @@ public final class SceneRun {
                     }
                 }
                 progress.tick();
-            }
-            if (exchange != null && pictureTick == 0) {
-                exchange.publish(world.ecs());
-                draw(exchange, built);
             }
             return report(world, built, measures);
         }

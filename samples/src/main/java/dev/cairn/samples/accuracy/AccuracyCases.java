@@ -14,8 +14,12 @@ public final class AccuracyCases {
         all.addAll(FreeMotion.cases());
         all.addAll(Rocking.rest());
         all.addAll(Impact.cases());
+        all.addAll(Stacks.unloading());
         all.addAll(Friction.cases());
         all.addAll(Rocking.cases());
+        all.addAll(Stacks.cases());
+        all.addAll(Invariance.cases());
+        all.addAll(Conservation.cases());
         return List.copyOf(all);
     }
 

@@ -32,7 +32,8 @@ import java.util.TreeMap;
         sortOptions = false,
         usageHelpWidth = 100,
         description = {
-            "Compares Cairn with closed forms at 1, 2, 4, 8 and 16 sub-steps, and prints the table.",
+            "Compares Cairn with closed forms at 1, 2, 4, 8 and 16 sub-steps, and prints the"
+                    + " table.",
             "Without names: every case but the long ones."
         })
 public final class AccuracyCommand {
@@ -131,7 +132,8 @@ public final class AccuracyCommand {
             boolean any = false;
             for (AccuracyCase one : AccuracyCases.all()) {
                 if (one.id().equalsIgnoreCase(name)
-                        || (name.length() == 1 && one.id().startsWith(name.toUpperCase(java.util.Locale.ROOT)))) {
+                        || (name.length() == 1
+                                && one.id().startsWith(name.toUpperCase(java.util.Locale.ROOT)))) {
                     chosen.add(one);
                     any = true;
                 }

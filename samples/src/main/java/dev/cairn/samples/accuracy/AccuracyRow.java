@@ -10,8 +10,7 @@ import java.util.Map;
  * @param micros µs of a body and tick at 4 sub-steps; NaN if too short to measure
  * @param seconds wall time of all runs, s
  */
-record AccuracyRow(
-        AccuracyCase of, Map<Integer, double[]> values, double micros, double seconds) {
+record AccuracyRow(AccuracyCase of, Map<Integer, double[]> values, double micros, double seconds) {
 
     /** Whether a metric reaches its bar at the engine's default of 4 sub-steps. */
     boolean holds(int metric) {

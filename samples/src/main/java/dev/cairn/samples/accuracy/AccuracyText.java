@@ -23,7 +23,8 @@ final class AccuracyText {
         }
         double size = Math.abs(value);
         if (size >= 0.01 && size < 1000) {
-            return String.format(Locale.ROOT, size < 0.1 ? "%.4f" : size < 10 ? "%.3f" : "%.1f", value);
+            return String.format(
+                    Locale.ROOT, size < 0.1 ? "%.4f" : size < 10 ? "%.3f" : "%.1f", value);
         }
         return String.format(Locale.ROOT, "%.1e", value).replace("e-0", "e-").replace("e+0", "e");
     }

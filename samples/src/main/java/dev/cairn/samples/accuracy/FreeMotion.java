@@ -88,7 +88,7 @@ final class FreeMotion {
                         "A5",
                         "fast thin rod",
                         "I (1, 1, 0.01) kg m², w (1, 0, 50) rad/s, 10 s",
-                        "symmetric top: axis circles L at |L|/I1 = 1.1180 rad/s",
+                        "symmetric top: axis circles L at L/I1 = 1.1180 rad/s",
                         List.of(metric("axis", "rad", 1e-3), metric("L", "", 1e-12)),
                         "implicit gyro (Box3D's scheme): L 0.9; explicit: NaN [catalogue 4.4]",
                         Effort.SHORT,
@@ -239,8 +239,7 @@ final class FreeMotion {
         for (int n = 0; n < 60; n++) {
             double s = 0.5 * (low + high);
             double r = 1 - s;
-            double value =
-                    r * r * ((1 + 2 * s) * a + s * da) + s * s * ((1 + 2 * r) * b - r * db);
+            double value = r * r * ((1 + 2 * s) * a + s * da) + s * s * ((1 + 2 * r) * b - r * db);
             if ((value < 0) == (a < 0)) {
                 low = s;
             } else {
@@ -319,9 +318,7 @@ final class FreeMotion {
         double[] coarse = driven(trial, truth);
         double[] fine = driven(trial.finer(), truth);
         return new double[] {
-            coarse[0],
-            coarse[1],
-            2 - StrictMath.log(coarse[1] / fine[1]) / StrictMath.log(2)
+            coarse[0], coarse[1], 2 - StrictMath.log(coarse[1] / fine[1]) / StrictMath.log(2)
         };
     }
 
@@ -332,8 +329,7 @@ final class FreeMotion {
             for (int tick = 1; tick <= 300; tick++) {
                 body.applyTorque(DRIVE[0], DRIVE[1], DRIVE[2]);
                 trial.step(world);
-                Vector3d l =
-                        Truths.momentum(RACKET, body.orientation(), body.angularVelocity());
+                Vector3d l = Truths.momentum(RACKET, body.orientation(), body.angularVelocity());
                 Vector3d expected = new Vector3d(DRIVE).mul(tick * Trial.TICK);
                 worst = Math.max(worst, l.distance(expected) / expected.length());
             }

@@ -60,8 +60,8 @@ final class Friction {
                 new AccuracyCase(
                         "C4",
                         "isotropy",
-                        "the same with mu 0.5 in the directions 0°, 1°, ..., 90°; pushes of 0.99 and"
-                                + " 1.01 mu N",
+                        "the same with mu 0.5 in the directions 0°, 1°, ..., 90°; pushes of 0.99"
+                                + " and 1.01 mu N",
                         "same distance, straight; held, moves",
                         List.of(
                                 metric("spread of distances", "", 1e-9),
@@ -294,7 +294,8 @@ final class Friction {
         Trial.floor(world, surface);
         double[] corners = new double[6 * SIDES];
         for (int i = 0; i < 2 * SIDES; i++) {
-            double a = 2 * StrictMath.PI * (i / 2 + 0.5) / SIDES;
+            int side = i / 2;
+            double a = 2 * StrictMath.PI * (side + 0.5) / SIDES;
             corners[3 * i] = RADIUS * StrictMath.cos(a);
             corners[3 * i + 1] = i % 2 == 0 ? -0.01 : 0.01;
             corners[3 * i + 2] = RADIUS * StrictMath.sin(a);

@@ -93,7 +93,7 @@ final class Impact {
                         "B9",
                         "oblique impact",
                         "ball, vn -1 m/s, vt 0.1 to 5 m/s, mu 0.3, e 0.8",
-                        "vt' = 5/7 vt, or vt - mu (1 + e) |vn| if that is more; w' = 5/2 (vt -"
+                        "vt' = 5/7 vt, or vt - mu (1 + e) vn if that is more; w' = 5/2 (vt -"
                                 + " vt')/r",
                         List.of(metric("velocity and spin", "", 1e-10)),
                         "",
@@ -218,7 +218,9 @@ final class Impact {
                 trial.run(world, 1);
                 double v = (1 - mass) / (1 + mass);
                 double w = 2 / (1 + mass);
-                worst = Math.max(worst, Math.abs(light.velocity().x - v) / Math.max(1, Math.abs(v)));
+                worst =
+                        Math.max(
+                                worst, Math.abs(light.velocity().x - v) / Math.max(1, Math.abs(v)));
                 worst = Math.max(worst, Math.abs(heavy.velocity().x - w) / w);
             }
         }
@@ -237,8 +239,7 @@ final class Impact {
             double mass = StrictMath.pow(100, n);
             try (PhysicsWorld world = trial.bouncy(0)) {
                 Material surface = Trial.surface(0, 1);
-                world.add(
-                        Body.fixed().shape(Box.of(1, 10, 10)).at(-1, 0, 0).material(surface));
+                world.add(Body.fixed().shape(Box.of(1, 10, 10)).at(-1, 0, 0).material(surface));
                 BodyRef light = ball(world, surface, 1, 0.5, 0, 0);
                 BodyRef heavy = ball(world, surface, mass, 1, 0, -1);
                 trial.run(world, 4);
@@ -278,9 +279,7 @@ final class Impact {
         double apart = Math.max(cradle(trial, 1, 1e-4)[0], cradle(trial, 2, 1e-4)[0]);
         double[] one = cradle(trial, 1, 0);
         double[] two = cradle(trial, 2, 0);
-        return new double[] {
-            apart, Math.max(one[1], two[1]), Math.max(one[0], two[0])
-        };
+        return new double[] {apart, Math.max(one[1], two[1]), Math.max(one[0], two[0])};
     }
 
     private static double[] cradle(Trial trial, int coming, double gap) {
@@ -290,8 +289,7 @@ final class Impact {
             double pitch = 2 * RADIUS + gap;
             for (int i = 0; i < 5; i++) {
                 boolean moves = i < coming;
-                balls.add(
-                        ball(world, surface, 1, i * pitch - (moves ? 0.3 : 0), 0, moves ? 1 : 0));
+                balls.add(ball(world, surface, 1, i * pitch - (moves ? 0.3 : 0), 0, moves ? 1 : 0));
             }
             trial.run(world, 1.5);
             double worst = 0;
@@ -384,8 +382,7 @@ final class Impact {
                 worst = Math.max(worst, rod.velocity().distance(0, impulse - 2, 0) / 2);
                 worst =
                         Math.max(
-                                worst,
-                                rod.angularVelocity().distance(0, 0, spin) / Math.abs(spin));
+                                worst, rod.angularVelocity().distance(0, 0, spin) / Math.abs(spin));
             }
         }
         return new double[] {worst};
@@ -397,9 +394,10 @@ final class Impact {
             Trial.floor(world, surface);
             List<BodyRef> bodies = new ArrayList<>();
             for (int i = 0; i < 40; i++) {
+                int layer = i / 3;
                 Body body =
                         Body.dynamic()
-                                .at(0.3 * (i % 3), 0.6 + 0.9 * (i / 3), 0.25 * (i % 2))
+                                .at(0.3 * (i % 3), 0.6 + 0.9 * layer, 0.25 * (i % 2))
                                 .rotationAbout(1, 0.3 * i, 0.5, 0.7 * i)
                                 .material(surface)
                                 .mass(1 + i % 4);

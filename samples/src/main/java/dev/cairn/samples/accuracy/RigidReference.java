@@ -14,6 +14,7 @@ import java.util.List;
 final class RigidReference {
     private final double[] inertia;
     private final double[] torque;
+
     /** w in body axes, then x y z w of worldFromBody. */
     private final double[] y = new double[7];
 
@@ -91,7 +92,8 @@ final class RigidReference {
     }
 
     double energy() {
-        return 0.5 * (inertia[0] * y[0] * y[0] + inertia[1] * y[1] * y[1] + inertia[2] * y[2] * y[2]);
+        return 0.5
+                * (inertia[0] * y[0] * y[0] + inertia[1] * y[1] * y[1] + inertia[2] * y[2] * y[2]);
     }
 
     /** Times at which the second component of w changed its sign, s. */

@@ -57,8 +57,8 @@ final class Rocking {
                 new AccuracyCase(
                         "D2",
                         "static tip",
-                        "block 0.2 x 0.4 x 0.2 m, mu 1, gravity inclined by atan(0.5) ± 1, 0.3, 0.1,"
-                                + " 0.02°, 6 s",
+                        "block 0.2 x 0.4 x 0.2 m, mu 1, gravity inclined by atan(0.5) ± 1, 0.3,"
+                                + " 0.1, 0.02°, 6 s",
                         "tips above 26.565°, stands below",
                         List.of(metric("smallest margin told apart", "°", 0.02)),
                         "",
@@ -216,8 +216,7 @@ final class Rocking {
 
     private static boolean tips(Trial trial, double degreesMore) {
         double a = StrictMath.atan(0.5) + StrictMath.toRadians(degreesMore);
-        try (PhysicsWorld world =
-                trial.world(G * StrictMath.sin(a), -G * StrictMath.cos(a), 0)) {
+        try (PhysicsWorld world = trial.world(G * StrictMath.sin(a), -G * StrictMath.cos(a), 0)) {
             Material surface = Trial.surface(1, 0);
             Trial.floor(world, surface);
             BodyRef block =
@@ -254,9 +253,7 @@ final class Rocking {
             Trial.floor(world, surface);
             Vector3d axis = new Vector3d(StrictMath.sin(tilt), StrictMath.cos(tilt), 0);
             // w = w3 e3 + W (up - cos e3): the axis circles the vertical at W
-            Vector3d w =
-                    new Vector3d(0, rate, 0)
-                            .fma(spin - rate * StrictMath.cos(tilt), axis);
+            Vector3d w = new Vector3d(0, rate, 0).fma(spin - rate * StrictMath.cos(tilt), axis);
             Vector3d v = w.cross(new Vector3d(axis).mul(length), new Vector3d());
             BodyRef top =
                     world.add(

@@ -16,8 +16,8 @@ import java.lang.management.ThreadMXBean;
 import java.util.Map;
 
 /**
- * One run of a case at one number of sub-steps: makes the worlds, steps them by ticks of 1/60 s with
- * one worker and without sleep, and counts what that costs. One thread.
+ * One run of a case at one number of sub-steps: makes the worlds, steps them by ticks of 1/60 s
+ * with one worker and without sleep, and counts what that costs. One thread.
  */
 public final class Trial {
     /** Length of a tick, s. */
@@ -80,6 +80,10 @@ public final class Trial {
     }
 
     void step(PhysicsWorld world) {
+        step(world, TICK);
+    }
+
+    void step(PhysicsWorld world, double seconds) {
         if (moving < 0) {
             moving = 0;
             for (BodyRef body : world.bodies()) {
@@ -87,7 +91,7 @@ public final class Trial {
             }
         }
         long start = THREADS.getCurrentThreadCpuTime();
-        world.step(TICK);
+        world.step(seconds);
         cpuNanos += THREADS.getCurrentThreadCpuTime() - start;
         bodySteps += moving;
     }
@@ -98,18 +102,48 @@ public final class Trial {
         }
     }
 
+    /**
+     * Error metrics of a scene.
+     *
+     * @param values by name; those that do not apply are missing
+     */
+    record Errors(Map<String, Double> values) {
+        double get(String name) {
+            Double value = values.get(name);
+            return value == null ? Double.NaN : value;
+        }
+    }
+
+    /** Looks at a scene while it runs. */
+    interface Look {
+        /**
+         * Called every half second.
+         *
+         * @return false to end the run
+         */
+        boolean at(double seconds, Errors errors);
+    }
+
     /** A scene of the registry after some seconds: its error metrics by name. */
-    Map<String, Double> scene(String id, double seconds, Map<String, String> parameters) {
+    Errors scene(String id, double seconds, Map<String, String> parameters) {
+        return scene(id, seconds, parameters, (time, errors) -> true);
+    }
+
+    Errors scene(String id, double seconds, Map<String, String> parameters, Look look) {
         SampleScene scene = SceneRegistry.get(id);
         SceneOptions options = SceneOptions.of(scene, parameters, SceneOptions.DEFAULT_SEED, null);
         try (PhysicsWorld world = world(0, -GRAVITY, 0)) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
-            for (long n = StrictMath.round(seconds / TICK); n > 0; n--) {
+            long ticks = StrictMath.round(seconds / TICK);
+            for (long n = 1; n <= ticks; n++) {
                 built.beforeTick();
                 step(world);
                 built.afterTick();
+                if (n % 30 == 0 && !look.at(n * TICK, new Errors(built.errors()))) {
+                    break;
+                }
             }
-            return built.errors();
+            return new Errors(built.errors());
         }
     }
 
@@ -121,6 +155,10 @@ public final class Trial {
     /** A fixed plate whose upper side is y = 0. */
     static BodyRef floor(PhysicsWorld world, Material surface) {
         return world.add(
-                Body.fixed().shape(Box.of(100, 1, 100)).at(0, -1, 0).material(surface).name("floor"));
+                Body.fixed()
+                        .shape(Box.of(100, 1, 100))
+                        .at(0, -1, 0)
+                        .material(surface)
+                        .name("floor"));
     }
 }

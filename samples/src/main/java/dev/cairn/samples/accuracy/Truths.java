@@ -32,8 +32,8 @@ final class Truths {
     /**
      * Period of the body-frame angular velocity of a free body (Landau and Lifshitz, Mechanics, §
      * 37): {@code 4 K(k) / p} with {@code p² = (I3 - I2)(L² - 2 E I1) / (I1 I2 I3)} and {@code 1 -
-     * k² = (I3 - I1)(L² - 2 E I2) / ((I3 - I2)(L² - 2 E I1))}; where {@code L² < 2 E I2}, axes 1 and
-     * 3 change their roles.
+     * k² = (I3 - I1)(L² - 2 E I2) / ((I3 - I2)(L² - 2 E I1))}; where {@code L² < 2 E I2}, axes 1
+     * and 3 change their roles.
      *
      * @param inertia principal moments, the second between the others
      * @param w angular velocity along the principal axes, rad/s

@@ -111,6 +111,11 @@ final class Ramp {
             value = now;
         }
 
+        /** Keeps the largest value so far; at least 0. */
+        void raise(double now) {
+            value = Math.max(Double.isNaN(value) ? 0 : value, now);
+        }
+
         double get() {
             return value;
         }

@@ -1,0 +1,101 @@
+package dev.cairn.system;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.samples.accuracy.AccuracyCase;
+import dev.cairn.samples.accuracy.AccuracyCase.Metric;
+import dev.cairn.samples.accuracy.AccuracyCases;
+import dev.cairn.samples.accuracy.Trial;
+
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import java.util.List;
+
+/**
+ * Cases of {@code docs/accuracy.md} that reach their bar at the engine's default settings keep
+ * reaching it: the named metrics, or all of a case. Truths come from the cases; no bar is repeated
+ * here.
+ */
+final class AccuracyTest {
+    private static final int DEFAULT_SUBSTEPS = 4;
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "A1",
+                "A2",
+                "A3:attitude",
+                "A3:L",
+                "A4",
+                "A5:axis",
+                "A6",
+                "A7",
+                "A8",
+                "B2",
+                "B4",
+                "B5",
+                "B7",
+                "B9",
+                "B13",
+                "B14",
+                "C6",
+                "C7",
+                "E3-1000",
+                "E4-28",
+                "E4-1e3",
+                "E18",
+                "H2",
+                "I2:p"
+            })
+    void holds(String name) {
+        check(name);
+    }
+
+    @Tag("soak")
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "B1:overlap",
+                "B1:force of a corner",
+                "C1",
+                "C4:pushes told wrongly",
+                "C12",
+                "E1",
+                "E3-100",
+                "E8"
+            })
+    void holdsForLong(String name) {
+        check(name);
+    }
+
+    private static void check(String name) {
+        String[] parts = name.split(":");
+        AccuracyCase one = AccuracyCases.get(parts[0]);
+        double[] values = one.experiment().run(new Trial(DEFAULT_SUBSTEPS));
+        List<Metric> metrics = one.metrics();
+        assertEquals(metrics.size(), values.length, "metrics of " + one.id());
+        int checked = 0;
+        for (int m = 0; m < values.length; m++) {
+            Metric metric = metrics.get(m);
+            if (parts.length == 1 || metric.name().equals(parts[1])) {
+                double value = values[m];
+                assertTrue(
+                        value <= metric.bar(),
+                        () ->
+                                "%s, %s: %s is %s %s, bar %s"
+                                        .formatted(
+                                                one.id(),
+                                                one.title(),
+                                                metric.name(),
+                                                value,
+                                                metric.unit(),
+                                                metric.bar()));
+                checked++;
+            }
+        }
+        assertTrue(checked > 0, "no metric of this name: " + name);
+    }
+}
