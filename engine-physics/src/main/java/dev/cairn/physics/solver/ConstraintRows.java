@@ -3,115 +3,154 @@ package dev.cairn.physics.solver;
 import java.util.Arrays;
 
 /**
- * The contacts of a tick as constraint rows, flat: {@link #ROW} doubles per contact and {@link
- * #POINT} doubles per point, four points to a contact. Kernels loop over rows; what a row holds is
- * all that a sweep needs besides the two bodies.
+ * The contacts of a tick as constraint rows, sorted by colour, in groups of {@link #lanes}: field f
+ * of the row at place j is at {@code base(j) + f lanes}. So a vector of one field of a whole group
+ * is one load, and a pass over a colour is one stream through memory.
+ *
+ * <p>Angular fields are weighted: with {@code I^-1 = L L^T} of a body, an arm is {@code L^T (r x
+ * n)}, and the angular velocity in the solver is {@code L^-1 w}. Then the same three numbers tell
+ * how a turn moves the point and how an impulse at the point turns the body.
  */
 final class ConstraintRows {
-    /** Doubles to a contact. */
-    static final int ROW = 58;
-
     static final int NORMAL = 0;
-    static final int TANGENT1 = 3;
-    static final int TANGENT2 = 6;
-    static final int FRICTION = 9;
 
-    /** Soft step: bias rate, mass scale, impulse scale. */
-    static final int BIAS_RATE = 10;
+    /** Inverse masses, 1/kg. */
+    static final int MASS_A = 3;
 
-    static final int MASS_SCALE = 11;
-    static final int IMPULSE_SCALE = 12;
+    static final int MASS_B = 4;
+
+    /** 1 while the contact had no impulse to start the sub-step with. */
+    static final int COLD = 5;
+
+    /** Start of the points, {@link #POINT_FIELDS} each. */
+    static final int POINT = 6;
+
+    /** Of a point: weighted arms of A and B. */
+    static final int ARM_A = 0;
+
+    static final int ARM_B = 3;
+
+    /** Of a point: effective mass along the normal, kg. */
+    static final int MASS = 6;
+
+    /** Of a point: normal impulse of the sub-step, N s. */
+    static final int IMPULSE = 7;
+
+    /** Of a point: separation now plus offset, m. */
+    static final int SEPARATION = 8;
+
+    static final int POINT_FIELDS = 9;
+
+    /** Per point: separation at the start of the tick plus offset, m. */
+    static final int GAP = 42;
+
+    /** Per point: distance from the patch's centre, m. */
+    static final int REACH = 46;
+
+    /** Per point: normal impulse of the tick, N s. */
+    static final int SUM = 50;
+
+    static final int TANGENT1 = 54;
+    static final int TANGENT2 = 57;
+
+    /** Coulomb coefficient. */
+    static final int FRICTION = 60;
 
     /** Inverse of the 2 x 2 tangent block: 11, 12, 22. */
-    static final int BLOCK = 13;
+    static final int BLOCK = 61;
 
     /** Friction impulses of the sub-step along the tangents, then the twist impulse. */
-    static final int LAMBDA = 16;
+    static final int LAMBDA = 64;
 
     /** Inverse of the twist's inverse inertia. */
-    static final int TWIST_MASS = 19;
+    static final int TWIST_MASS = 67;
 
-    /** {@code rA x t1, rA x t2, rB x t1, rB x t2} at the patch's centre. */
-    static final int LEVER = 20;
+    /** Weighted arms of the tangents at the patch's centre: A t1, A t2, B t1, B t2. */
+    static final int LEVER = 68;
 
-    /** The same four times the body's inverse inertia, then {@code IA^-1 n} and {@code IB^-1 n}. */
-    static final int TURN = 32;
+    /** Weighted normals of A and B: {@code L^T n}. */
+    static final int TWIST = 80;
 
     /** Totals of the tick: friction along the tangents, twist. */
-    static final int TOTAL = 50;
+    static final int TOTAL = 86;
 
-    static final int MASS_A = 53;
-    static final int MASS_B = 54;
-    static final int RESTITUTION = 55;
+    /** Doubles to a row. */
+    static final int FIELDS = 89;
 
-    /** Largest distance of a point from the patch's centre, m. */
-    static final int RADIUS = 56;
+    /** Ints to a row. */
+    static final int LINK = 4;
 
-    /** Doubles to a point. */
-    static final int POINT = 19;
-
-    /** {@code rA x n, rB x n}. */
-    static final int ARM = 0;
-
-    /** {@code IA^-1 (rA x n), IB^-1 (rB x n)}. */
-    static final int SPIN = 6;
-
-    /** Effective mass along the normal. */
-    static final int MASS = 12;
-
-    /** Separation at the start of the tick plus offset, m. */
-    static final int GAP = 13;
-
-    /** Normal impulse of the sub-step, N s. */
-    static final int IMPULSE = 14;
-
-    /** Distance from the patch's centre, m. */
-    static final int REACH = 15;
-
-    /** Normal impulse of the tick, N s. */
-    static final int SUM = 16;
-
-    /** Impulse within one impact, N s. */
-    static final int STRIKE = 17;
-
-    /** Impulse of a sub-step that a metre of overlap holds at rest, N s/m. */
-    static final int STIFFNESS = 18;
-
-    /** Ints to a contact. */
-    static final int LINK = 6;
-
-    /** Offsets of the bodies in {@link SolverBodies#state}. */
+    /** Offsets of the bodies in {@link SolverBodies#state}; 0 for what does not move. */
     static final int BODY_A = 0;
 
     static final int BODY_B = 1;
+
+    /** Points; 0 in a place that pads its colour. */
     static final int COUNT = 2;
 
     /** Row in the contact store. */
     static final int SOURCE = 3;
 
-    /** 1 while the contact had no impulse to start the sub-step with. */
-    static final int COLD = 4;
+    /** Places to a chunk, the unit of work: a multiple of every number of lanes. */
+    static final int CHUNK = 64;
 
-    /** 1 in the tick in which a load that the contact's island carried has gone. */
-    static final int UNLOADED = 5;
+    /** Rows to a group. */
+    final int lanes;
 
+    /** Contacts with points, in the order of the contact store: rows of the store, their places. */
     int count;
+
+    int[] source = {};
+    int[] place = {};
+
+    /** Places in use, padding included. */
+    int places;
+
     double[] row = {};
-    double[] point = {};
     int[] link = {};
 
-    /** Rows whose restitution is above zero. */
+    /** Largest number of points in a group. */
+    int[] points = {};
+
+    /** Whether a row of a group has friction. */
+    boolean[] rough = {};
+
+    /** By place: 1 in the tick in which a load that the contact's island carried has gone. */
+    byte[] unloaded = {};
+
+    /** Rows, in their order, whose restitution is above zero. */
     int bouncing;
 
     int[] bouncer = {};
 
-    void ensureCapacity(int rows) {
-        if (rows > bouncer.length) {
-            int n = Math.max(rows, Math.max(64, bouncer.length + (bouncer.length >> 1)));
-            row = Arrays.copyOf(row, n * ROW);
-            point = Arrays.copyOf(point, n * 4 * POINT);
-            link = Arrays.copyOf(link, n * LINK);
+    ConstraintRows(int lanes) {
+        this.lanes = lanes;
+    }
+
+    /** Index of field 0 of the row at place {@code j}. */
+    int base(int j) {
+        int lane = j % lanes;
+        return (j - lane) * FIELDS + lane;
+    }
+
+    void ensureRows(int rows) {
+        if (rows > source.length) {
+            int n = Math.max(rows, Math.max(64, source.length + (source.length >> 1)));
+            source = Arrays.copyOf(source, n);
+            place = Arrays.copyOf(place, n);
             bouncer = Arrays.copyOf(bouncer, n);
+        }
+    }
+
+    void ensurePlaces(int wanted) {
+        if (wanted * LINK > link.length) {
+            int n = Math.max(wanted, Math.max(64, unloaded.length + (unloaded.length >> 1)));
+            n = (n + CHUNK - 1) / CHUNK * CHUNK;
+            row = new double[n * FIELDS];
+            link = new int[n * LINK];
+            unloaded = new byte[n];
+            points = new int[n / lanes];
+            rough = new boolean[n / lanes];
         }
     }
 }

@@ -11,16 +11,19 @@ import org.jspecify.annotations.Nullable;
 import java.util.Arrays;
 
 /**
- * Solves one tick of motion and contact: a sub-stepped, sequential, soft contact solver in double.
+ * Solves one tick of motion and contact: a sub-stepped soft contact solver in double, wide over the
+ * contacts of a colour.
  *
- * <p>Loops over bodies run as blocks on the job system, sweeps over contacts in row order on the
- * calling thread, so the result does not depend on the number of workers. Simulation thread only;
- * allocates only when a store has grown. The package's documentation tells the method and its
- * sources.
+ * <p>Bodies, and the contacts of a colour, run as blocks on the job system; the result depends
+ * neither on the number of workers nor on that of lanes. Simulation thread only; allocates only
+ * when a store has grown. The package's documentation tells the method and its sources.
  */
 public final class ContactSolver {
     private static final int BODIES_PER_BLOCK = 128;
-    private static final int ROWS_PER_BLOCK = 64;
+    private static final int ROWS_PER_BLOCK = 256;
+
+    /** With fewer contacts the scalar sweeps are fast enough, and need no warm-up. */
+    private static final int WIDE_FROM = 256;
 
     /**
      * A point rests while it moves slower than gravity makes a body fall in this share of a tick.
@@ -28,8 +31,12 @@ public final class ContactSolver {
     private static final double STILL = 0.125;
 
     private final SolverSettings settings;
+    private final Sweeps sweeps;
+    private final Sweeps narrow = new ScalarSweeps();
     private final SolverBodies body = new SolverBodies();
-    private final ConstraintRows rows = new ConstraintRows();
+    private final ConstraintRows rows;
+    private final Colouring colouring = new Colouring();
+    private final SubStep sub = new SubStep();
     private final Impacts impacts = new Impacts();
     private final LoadSweep loads = new LoadSweep();
     private final Unloading unloading = new Unloading();
@@ -38,16 +45,30 @@ public final class ContactSolver {
     private final BlockJob begin = this::begin;
     private final BlockJob prepare = this::prepare;
     private final BlockJob kick = this::kick;
+    private final BlockJob bias = this::bias;
     private final BlockJob drift = this::drift;
+    private final BlockJob relax = this::relax;
     private final BlockJob finish = this::finish;
+    private final BlockJob storeBodies = this::storeBodies;
+    private final BlockJob storeRows = this::storeRows;
 
     private double step;
     private boolean stacked;
     private boolean loaded;
     private double subStep;
-    private Softness soft = new Softness(0, 1, 0);
-    private Softness staticSoft = soft;
     private double impulseScale = 1;
+    private double still;
+
+    /** The colour in work: its places. */
+    private int from;
+
+    private int to;
+
+    /** The sweeps of this tick, and of the colour in work. */
+    private Sweeps chosen = narrow;
+
+    private Sweeps sweep = narrow;
+    private double[][] scratch = {};
     private @Nullable BodyStore bodyStore;
     private @Nullable ContactStore contactStore;
 
@@ -58,6 +79,8 @@ public final class ContactSolver {
      */
     public ContactSolver(SolverSettings settings) {
         this.settings = settings;
+        sweeps = Lanes.sweeps(settings.lanes());
+        rows = new ConstraintRows(sweeps.lanes());
     }
 
     /**
@@ -70,6 +93,15 @@ public final class ContactSolver {
     }
 
     /**
+     * Rows that are solved at once.
+     *
+     * @return 1 (scalar), 4 or 8
+     */
+    public int lanes() {
+        return rows.lanes;
+    }
+
+    /**
      * Moves all bodies by one tick.
      *
      * @param bodies poses and velocities, read and written; forces and torques are read
@@ -78,7 +110,7 @@ public final class ContactSolver {
      * @param gravityY world, m/s²
      * @param gravityZ world, m/s²
      * @param stepSeconds length of the tick, s, above 0
-     * @param jobs runs the loops over bodies in blocks
+     * @param jobs runs the loops over bodies and contacts in blocks
      */
     public void step(
             BodyStore bodies,
@@ -105,35 +137,70 @@ public final class ContactSolver {
                                 bodies, contacts, rows, body, gravity, step, settings, stacked);
         jobs.run(begin, bodyBlocks);
         if (rows.count > 0) {
-            jobs.run(prepare, Blocks.count(rows.count, ROWS_PER_BLOCK));
+            ensureScratch(jobs.workers());
+            choose();
+            colours(prepare, jobs);
             for (int k = 0; k < settings.substeps(); k++) {
-                impacts.run(rows, body, bodies, gravity, subStep, settings.restitutionThreshold());
-                jobs.run(kick, bodyBlocks);
-                RowKernels.warmStart(rows, body.state);
-                if (unloaded && k == 0) {
-                    unloading.settle(rows, body.state, subStep, settings);
-                }
-                RowKernels.bias(
-                        rows,
-                        body.state,
-                        subStep,
-                        settings.pushSpeed(),
-                        settings.innerSweeps(),
-                        settings.coldSweeps());
-                jobs.run(drift, bodyBlocks);
-                RowKernels.relax(
-                        rows,
-                        body.state,
-                        subStep,
-                        settings.pushSpeed(),
-                        settings.innerSweeps(),
-                        settings.coldSweeps());
-                jobs.run(finish, bodyBlocks);
+                subStep(bodies, contacts, unloaded && k == 0, bodyBlocks, jobs);
             }
         }
-        store(bodies, contacts);
+        store(bodies, contacts, bodyBlocks, jobs);
         bodyStore = null;
         contactStore = null;
+    }
+
+    private void subStep(
+            BodyStore bodies, ContactStore contacts, boolean unloaded, int bodyBlocks, Jobs jobs) {
+        if (rows.bouncing > 0
+                && impacts.run(
+                        rows,
+                        body,
+                        bodies,
+                        contacts,
+                        gravity,
+                        subStep,
+                        settings.restitutionThreshold())) {
+            ScalarSweeps.separations(rows, body.state);
+        }
+        jobs.run(kick, bodyBlocks);
+        if (unloaded) {
+            ScalarSweeps.settle(rows, body.state, sub, settings.unloadSweeps());
+        }
+        colours(bias, jobs);
+        jobs.run(drift, bodyBlocks);
+        colours(relax, jobs);
+        jobs.run(finish, bodyBlocks);
+    }
+
+    /** Runs a job over the rows of one colour after the other, in blocks. */
+    private void colours(BlockJob job, Jobs jobs) {
+        for (int c = 0; c < colouring.colours; c++) {
+            from = colouring.start[c];
+            to = colouring.start[c + 1];
+            sweep = to - from > rows.lanes ? chosen : narrow;
+            jobs.run(job, Blocks.count(to - from, ROWS_PER_BLOCK));
+        }
+    }
+
+    /** Which sweeps are used has no influence on the result. */
+    private void choose() {
+        chosen = sweeps;
+        if (settings.lanes() == 0 && sweeps instanceof WideSweeps wide) {
+            if (rows.count < WIDE_FROM) {
+                chosen = narrow;
+            } else if (!wide.isWarm()) {
+                wide.begin();
+            }
+        }
+    }
+
+    private void ensureScratch(int workers) {
+        if (scratch.length < workers) {
+            scratch = new double[workers][];
+            for (int i = 0; i < workers; i++) {
+                scratch[i] = Sweeps.scratch();
+            }
+        }
     }
 
     /**
@@ -147,20 +214,24 @@ public final class ContactSolver {
         double h = stepSeconds / settings.substeps();
         impulseScale = step == 0 ? 1 : stepSeconds / step;
         double hertz = settings.hertzPerRate() / h;
-        soft = Softness.of(hertz, settings.dampingRatio(), h);
-        staticSoft =
+        Softness soft = Softness.of(hertz, settings.dampingRatio(), h);
+        Softness staticSoft =
                 Softness.of(
                         hertz * settings.staticHertzScale(),
                         settings.dampingRatio() * settings.staticDampingScale(),
                         h);
+        sub.set(h, soft, staticSoft, settings);
         step = stepSeconds;
         subStep = h;
     }
 
-    /** Lists the contacts that have points, and which bodies they bind. */
+    /**
+     * Lists the contacts that have points, gives them colours, and finds which bodies they bind.
+     */
     private void collect(BodyStore bodies, ContactStore contacts) {
         body.ensureCapacity(bodies.slotCount);
-        rows.ensureCapacity(contacts.count);
+        rows.ensureRows(contacts.activeCount);
+        colouring.begin(bodies.slotCount, contacts.activeCount);
         int[] guide = body.guide;
         Arrays.fill(guide, 0, bodies.slotCount, SolverBodies.FREE);
         int n = 0;
@@ -173,16 +244,19 @@ public final class ContactSolver {
             }
             int a = contacts.bodyA[c];
             int b = contacts.bodyB[c];
-            int l = n * ConstraintRows.LINK;
-            rows.link[l + ConstraintRows.BODY_A] = a * SolverBodies.STRIDE;
-            rows.link[l + ConstraintRows.BODY_B] = b * SolverBodies.STRIDE;
-            rows.link[l + ConstraintRows.COUNT] = contacts.pointCount[c];
-            rows.link[l + ConstraintRows.SOURCE] = c;
-            boolean still =
-                    bodies.kind[a] != BodyStore.DYNAMIC || bodies.kind[b] != BodyStore.DYNAMIC;
-            stacked |= !still;
-            guide[a] = guide[a] == SolverBodies.FREE && still ? n : SolverBodies.BOUND;
-            guide[b] = guide[b] == SolverBodies.FREE && still ? n : SolverBodies.BOUND;
+            rows.source[n] = c;
+            if (bodies.kind[a] != BodyStore.DYNAMIC) {
+                colouring.addFixed(n, b);
+                guide[b] = guide[b] == SolverBodies.FREE ? n : SolverBodies.BOUND;
+            } else if (bodies.kind[b] != BodyStore.DYNAMIC) {
+                colouring.addFixed(n, a);
+                guide[a] = guide[a] == SolverBodies.FREE ? n : SolverBodies.BOUND;
+            } else {
+                colouring.add(n, a, b);
+                guide[a] = SolverBodies.BOUND;
+                guide[b] = SolverBodies.BOUND;
+                stacked = true;
+            }
             if (contacts.restitution[c] > 0) {
                 rows.bouncer[bouncing++] = n;
             }
@@ -190,6 +264,18 @@ public final class ContactSolver {
         }
         rows.count = n;
         rows.bouncing = bouncing;
+        colouring.finish(rows);
+        for (int m = 0; m < n; m++) {
+            int c = rows.source[m];
+            int l = rows.place[m] * ConstraintRows.LINK;
+            int a = contacts.bodyA[c];
+            int b = contacts.bodyB[c];
+            rows.link[l] = bodies.kind[a] == BodyStore.DYNAMIC ? SolverBodies.offset(a) : 0;
+            rows.link[l + 1] = bodies.kind[b] == BodyStore.DYNAMIC ? SolverBodies.offset(b) : 0;
+            rows.link[l + ConstraintRows.COUNT] = contacts.pointCount[c];
+            rows.link[l + ConstraintRows.SOURCE] = c;
+            rows.unloaded[rows.place[m]] = 0;
+        }
     }
 
     /** Flies the bodies without contacts, loads the others. */
@@ -197,35 +283,40 @@ public final class ContactSolver {
         BodyStore b = stored(bodyStore);
         int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
-            boolean dynamic = b.kind[i] == BodyStore.DYNAMIC;
-            if (dynamic) {
-                body.axes.update(b, i);
+            if (b.kind[i] != BodyStore.DYNAMIC) {
+                continue;
             }
+            body.axes.update(b, i);
             if (body.guide[i] == SolverBodies.FREE) {
-                if (dynamic) {
-                    Motion.fly(
-                            b,
-                            body,
-                            i,
-                            gravity[0],
-                            gravity[1],
-                            gravity[2],
-                            step,
-                            settings.substeps());
-                }
-            } else if (dynamic) {
-                body.loadBound(b, i, loaded ? b.inertiaScale[i] : 1);
+                Motion.fly(
+                        b, body, i, gravity[0], gravity[1], gravity[2], step, settings.substeps());
             } else {
-                body.loadStatic(i);
+                body.loadBound(b, i, loaded ? b.inertiaScale[i] : 1);
             }
         }
     }
 
     private void prepare(int block, int worker) {
-        ContactStore c = stored(contactStore);
-        int end = Blocks.end(block, ROWS_PER_BLOCK, rows.count);
-        for (int m = Blocks.begin(block, ROWS_PER_BLOCK); m < end; m++) {
-            PrepareRow.run(rows, body, c, m, soft, staticSoft, impulseScale);
+        int first = from + Blocks.begin(block, ROWS_PER_BLOCK);
+        int end = from + Blocks.end(block, ROWS_PER_BLOCK, to - from);
+        PrepareRow.run(rows, body, stored(contactStore), first, end, sub, impulseScale);
+    }
+
+    private void bias(int block, int worker) {
+        int first = from + Blocks.begin(block, ROWS_PER_BLOCK);
+        int end = from + Blocks.end(block, ROWS_PER_BLOCK, to - from);
+        for (int j = first; j < end; j += ConstraintRows.CHUNK) {
+            int last = Math.min(end, j + ConstraintRows.CHUNK);
+            sweep.bias(rows, body.state, sub, j, last, scratch[worker]);
+        }
+    }
+
+    private void relax(int block, int worker) {
+        int first = from + Blocks.begin(block, ROWS_PER_BLOCK);
+        int end = from + Blocks.end(block, ROWS_PER_BLOCK, to - from);
+        for (int j = first; j < end; j += ConstraintRows.CHUNK) {
+            int last = Math.min(end, j + ConstraintRows.CHUNK);
+            sweep.relax(rows, body.state, sub, j, last, scratch[worker]);
         }
     }
 
@@ -233,7 +324,7 @@ public final class ContactSolver {
         BodyStore b = stored(bodyStore);
         int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
-            if (body.guide[i] != SolverBodies.FREE && b.kind[i] == BodyStore.DYNAMIC) {
+            if (body.guide[i] != SolverBodies.FREE) {
                 Motion.kick(b, body, i, gravity[0], gravity[1], gravity[2], subStep);
             }
         }
@@ -243,70 +334,93 @@ public final class ContactSolver {
         BodyStore b = stored(bodyStore);
         int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
-            if (body.guide[i] != SolverBodies.FREE && b.kind[i] == BodyStore.DYNAMIC) {
+            if (body.guide[i] != SolverBodies.FREE) {
                 Motion.drift(b, body, i, gravity[0], gravity[1], gravity[2], subStep);
             }
         }
     }
 
     private void finish(int block, int worker) {
-        BodyStore b = stored(bodyStore);
-        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
+        int end = Blocks.end(block, BODIES_PER_BLOCK, stored(bodyStore).slotCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
-            if (body.guide[i] >= 0 && b.kind[i] == BodyStore.DYNAMIC) {
-                Motion.glide(body, i, rows.row, subStep);
+            if (body.guide[i] != SolverBodies.FREE) {
+                Motion.keep(body, i);
+                if (body.guide[i] >= 0) {
+                    Motion.glide(body, i, rows, subStep);
+                }
             }
         }
     }
 
     /** Writes the bodies and the impulses back. */
-    private void store(BodyStore bodies, ContactStore contacts) {
-        for (int i = 0; i < bodies.slotCount; i++) {
-            if (body.guide[i] != SolverBodies.FREE && bodies.kind[i] == BodyStore.DYNAMIC) {
-                body.store(bodies, i);
-            }
+    private void store(BodyStore bodies, ContactStore contacts, int bodyBlocks, Jobs jobs) {
+        still = STILL * weight() * step;
+        jobs.run(storeBodies, bodyBlocks);
+        jobs.run(storeRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK));
+        for (int m = 0; m < rows.count; m++) {
+            storeRow(contacts, m);
         }
-        double still = STILL * weight() * step;
-        Arrays.fill(bodies.pressed, 0, bodies.slotCount, 0.0);
-        Arrays.fill(bodies.pressing, 0, bodies.slotCount, 0);
-        int m = 0;
-        for (int i = 0; i < contacts.activeCount; i++) {
-            int c = contacts.active[i];
-            contacts.frictionImpulseX[c] = 0;
-            contacts.frictionImpulseY[c] = 0;
-            contacts.frictionImpulseZ[c] = 0;
-            contacts.twistImpulse[c] = 0;
-            if (contacts.pointCount[c] > 0) {
-                storeRow(contacts, c, m);
-                if (settings.unloadSweeps() > 0) {
-                    Unloading.press(bodies, contacts, c, 1 / subStep);
-                }
-                if (settings.offsetGain() > 0) {
-                    Offsets.update(rows, body, contacts, c, m, settings.offsetGain(), still);
-                }
-                m++;
+        if (settings.unloadSweeps() > 0) {
+            for (int m = 0; m < rows.count; m++) {
+                Unloading.press(bodies, contacts, rows.source[m], 1 / subStep);
             }
         }
     }
 
-    private void storeRow(ContactStore contacts, int c, int m) {
-        double[] d = rows.row;
-        int r = m * ConstraintRows.ROW;
-        double f1 = d[r + ConstraintRows.LAMBDA];
-        double f2 = d[r + ConstraintRows.LAMBDA + 1];
-        int t1 = r + ConstraintRows.TANGENT1;
-        int t2 = r + ConstraintRows.TANGENT2;
-        contacts.frictionImpulseX[c] = f1 * d[t1] + f2 * d[t2];
-        contacts.frictionImpulseY[c] = f1 * d[t1 + 1] + f2 * d[t2 + 1];
-        contacts.frictionImpulseZ[c] = f1 * d[t1 + 2] + f2 * d[t2 + 2];
-        contacts.twistImpulse[c] = d[r + ConstraintRows.LAMBDA + 2];
-        for (int k = 0; k < contacts.pointCount[c]; k++) {
-            int o = (ContactStore.POINTS * m + k) * ConstraintRows.POINT;
-            contacts.normalImpulse[ContactStore.POINTS * c + k] =
-                    rows.point[o + ConstraintRows.IMPULSE];
-            contacts.totalNormalImpulse[ContactStore.POINTS * c + k] =
-                    rows.point[o + ConstraintRows.SUM];
+    private void storeBodies(int block, int worker) {
+        BodyStore b = stored(bodyStore);
+        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
+        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
+            if (body.guide[i] != SolverBodies.FREE) {
+                body.store(b, i);
+            }
+            b.pressed[i] = 0;
+            b.pressing[i] = 0;
         }
+    }
+
+    /** Contacts without points have no impulses. */
+    private void storeRows(int block, int worker) {
+        ContactStore c = stored(contactStore);
+        int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
+        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
+            int row = c.active[i];
+            if (c.pointCount[row] == 0) {
+                c.frictionImpulseX[row] = 0;
+                c.frictionImpulseY[row] = 0;
+                c.frictionImpulseZ[row] = 0;
+                c.twistImpulse[row] = 0;
+            }
+        }
+    }
+
+    private void storeRow(ContactStore contacts, int m) {
+        double[] d = rows.row;
+        int lanes = rows.lanes;
+        int j = rows.place[m];
+        int c = rows.source[m];
+        int o = rows.base(j);
+        contacts.frictionImpulseX[c] = tangent(o, ConstraintRows.LAMBDA, 0);
+        contacts.frictionImpulseY[c] = tangent(o, ConstraintRows.LAMBDA, 1);
+        contacts.frictionImpulseZ[c] = tangent(o, ConstraintRows.LAMBDA, 2);
+        contacts.twistImpulse[c] = d[o + (ConstraintRows.LAMBDA + 2) * lanes];
+        for (int k = 0; k < contacts.pointCount[c]; k++) {
+            int p = ContactStore.POINTS * c + k;
+            int q = ConstraintRows.POINT + k * ConstraintRows.POINT_FIELDS;
+            contacts.normalImpulse[p] = d[o + (q + ConstraintRows.IMPULSE) * lanes];
+            contacts.totalNormalImpulse[p] = d[o + (ConstraintRows.SUM + k) * lanes];
+        }
+        if (settings.offsetGain() > 0) {
+            Offsets.update(rows, body.state, contacts, c, j, sub, settings.offsetGain(), still);
+        }
+    }
+
+    /** World component of a pair of tangent impulses. */
+    private double tangent(int o, int field, int axis) {
+        double[] d = rows.row;
+        int lanes = rows.lanes;
+        return d[o + field * lanes] * d[o + (ConstraintRows.TANGENT1 + axis) * lanes]
+                + d[o + (field + 1) * lanes] * d[o + (ConstraintRows.TANGENT2 + axis) * lanes];
     }
 
     /**
@@ -317,10 +431,7 @@ public final class ContactSolver {
      * @return impulse on B, N s
      */
     double totalFriction(int row, int axis) {
-        double[] d = rows.row;
-        int r = row * ConstraintRows.ROW;
-        return d[r + ConstraintRows.TOTAL] * d[r + ConstraintRows.TANGENT1 + axis]
-                + d[r + ConstraintRows.TOTAL + 1] * d[r + ConstraintRows.TANGENT2 + axis];
+        return tangent(rows.base(rows.place[row]), ConstraintRows.TOTAL, axis);
     }
 
     /** Size of gravity, m/s². */

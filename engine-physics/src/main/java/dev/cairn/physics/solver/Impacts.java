@@ -1,12 +1,20 @@
 package dev.cairn.physics.solver;
 
+import static dev.cairn.physics.solver.ConstraintRows.ARM_A;
+import static dev.cairn.physics.solver.ConstraintRows.ARM_B;
+import static dev.cairn.physics.solver.ConstraintRows.COUNT;
+import static dev.cairn.physics.solver.ConstraintRows.FRICTION;
 import static dev.cairn.physics.solver.ConstraintRows.GAP;
 import static dev.cairn.physics.solver.ConstraintRows.IMPULSE;
 import static dev.cairn.physics.solver.ConstraintRows.LAMBDA;
 import static dev.cairn.physics.solver.ConstraintRows.LINK;
+import static dev.cairn.physics.solver.ConstraintRows.MASS;
+import static dev.cairn.physics.solver.ConstraintRows.MASS_A;
+import static dev.cairn.physics.solver.ConstraintRows.MASS_B;
 import static dev.cairn.physics.solver.ConstraintRows.POINT;
-import static dev.cairn.physics.solver.ConstraintRows.ROW;
-import static dev.cairn.physics.solver.ConstraintRows.STRIKE;
+import static dev.cairn.physics.solver.ConstraintRows.POINT_FIELDS;
+import static dev.cairn.physics.solver.ConstraintRows.REACH;
+import static dev.cairn.physics.solver.ConstraintRows.SUM;
 import static dev.cairn.physics.solver.ConstraintRows.TOTAL;
 
 import dev.cairn.physics.internal.BodyStore;
@@ -43,71 +51,96 @@ final class Impacts {
 
     private final double[] acceleration = new double[6];
 
-    /** Handles all impacts of one sub-step, in row order, until none is left. */
-    void run(
-            ConstraintRows rows,
-            SolverBodies bodies,
-            BodyStore store,
+    /** The wanted speeds after the impact; NaN for points that do not touch then. */
+    private final double[] goal = new double[ContactStore.POINTS];
+
+    // the contact in work
+    private ConstraintRows rows = new ConstraintRows(1);
+    private SolverBodies bodies = new SolverBodies();
+    private BodyStore store = new BodyStore();
+    private double[] d = {};
+    private double[] body = {};
+    private int place;
+    private int o;
+    private int lanes;
+    private int a;
+    private int b;
+    private int points;
+
+    /**
+     * Handles all impacts of one sub-step, in row order, until none is left.
+     *
+     * @return whether there was one: bodies have moved
+     */
+    boolean run(
+            ConstraintRows constraintRows,
+            SolverBodies solverBodies,
+            BodyStore bodyStore,
+            ContactStore contacts,
             double[] g,
             double h,
             double threshold) {
+        rows = constraintRows;
+        bodies = solverBodies;
+        store = bodyStore;
+        d = rows.row;
+        body = bodies.state;
+        lanes = rows.lanes;
         int n = rows.bouncing;
+        boolean any = false;
         boolean again = n > 0;
         for (int round = 0; again && round < ROUNDS; round++) {
             again = false;
             for (int k = 0; k < n; k++) {
-                again |= impact(rows, rows.bouncer[k], bodies, store, g, h, threshold);
+                int row = rows.bouncer[k];
+                open(row);
+                again |= impact(contacts.restitution[rows.source[row]], g, h, threshold);
             }
+            any |= again;
         }
+        return any;
     }
 
-    private boolean impact(
-            ConstraintRows rows,
-            int m,
-            SolverBodies bodies,
-            BodyStore store,
-            double[] g,
-            double h,
-            double threshold) {
-        double[] d = rows.row;
-        double[] q = rows.point;
-        double[] body = bodies.state;
-        int r = m * ROW;
-        int a = rows.link[m * LINK];
-        int b = rows.link[m * LINK + 1];
-        accelerate(body, store, a, g, 0);
-        accelerate(body, store, b, g, 3);
+    private void open(int row) {
+        place = rows.place[row];
+        o = rows.base(place);
+        a = rows.link[place * LINK];
+        b = rows.link[place * LINK + 1];
+        points = rows.link[place * LINK + COUNT];
+    }
+
+    private int point(int p) {
+        return o + (POINT + p * POINT_FIELDS) * lanes;
+    }
+
+    private boolean impact(double restitution, double[] g, double h, double threshold) {
+        accelerate(a, g, 0);
+        accelerate(b, g, 3);
         double[] f = acceleration;
-        double an = d[r] * (f[3] - f[0]) + d[r + 1] * (f[4] - f[1]) + d[r + 2] * (f[5] - f[2]);
-        int first = ContactStore.POINTS * m * POINT;
-        int end = first + rows.link[m * LINK + ConstraintRows.COUNT] * POINT;
+        double an =
+                d[o] * (f[3] - f[0])
+                        + d[o + lanes] * (f[4] - f[1])
+                        + d[o + 2 * lanes] * (f[5] - f[2]);
         double time = Double.POSITIVE_INFINITY;
-        for (int o = first; o < end; o += POINT) {
-            time =
-                    Math.min(
-                            time,
-                            timeOfImpact(
-                                    gap(d, r, q, o, body, a, b),
-                                    speed(d, r, q, o, body, a, b),
-                                    an,
-                                    h,
-                                    threshold));
+        double radius = 0;
+        for (int p = 0; p < points; p++) {
+            time = Math.min(time, timeOfImpact(gap(p), speed(p), an, h, threshold));
+            radius = Math.max(radius, d[o + (REACH + p) * lanes]);
         }
         if (time == Double.POSITIVE_INFINITY) {
             return false;
         }
-        double flush = FLUSH * d[r + ConstraintRows.RADIUS];
-        for (int o = first; o < end; o += POINT) {
-            double v = speed(d, r, q, o, body, a, b);
-            double now = gap(d, r, q, o, body, a, b);
+        double flush = FLUSH * radius;
+        for (int p = 0; p < points; p++) {
+            double v = speed(p);
+            double now = gap(p);
             double at = now + time * (v + 0.5 * time * an);
-            // the wanted speed after the impact; NaN for points that do not touch then
-            q[o + STRIKE] =
+            goal[p] =
                     at <= flush + SOON * now
-                            ? Math.max(0, -d[r + ConstraintRows.RESTITUTION] * (v + time * an))
+                            ? Math.max(0, -restitution * (v + time * an))
                             : Double.NaN;
         }
-        strike(rows, m, body, store, time, time * an);
+        strike(time, time * an);
         return true;
     }
 
@@ -139,11 +172,14 @@ final class Impacts {
     /**
      * Acceleration of a body between impacts: its own when it flies, none while contacts carry it.
      */
-    private void accelerate(double[] body, BodyStore store, int o, double[] g, int out) {
-        boolean flies = body[o + SolverBodies.MASS] > 0 && body[o + SolverBodies.LOADED] == 0;
-        double m = flies ? body[o + SolverBodies.MASS] : 0;
-        double k = flies ? body[o + SolverBodies.GRAVITY] : 0;
-        int slot = o / SolverBodies.STRIDE;
+    private void accelerate(int at, double[] g, int out) {
+        double m = 0;
+        double k = 0;
+        if (body[at + SolverBodies.MASS] > 0 && body[at + SolverBodies.LOADED] == 0) {
+            m = body[at + SolverBodies.MASS];
+            k = body[at + SolverBodies.GRAVITY];
+        }
+        int slot = Math.max(0, SolverBodies.slot(at));
         acceleration[out] = k * g[0] + m * store.forceX[slot];
         acceleration[out + 1] = k * g[1] + m * store.forceY[slot];
         acceleration[out + 2] = k * g[2] + m * store.forceZ[slot];
@@ -151,15 +187,9 @@ final class Impacts {
 
     /**
      * The impulses of one impact, {@code early} the speed that acceleration adds until then, and
-     * the shift of the start.
+     * the shift of the start. The contact starts the sub-step without impulses.
      */
-    private static void strike(
-            ConstraintRows rows, int m, double[] body, BodyStore store, double time, double early) {
-        double[] d = rows.row;
-        double[] q = rows.point;
-        int r = m * ROW;
-        int a = rows.link[m * LINK];
-        int b = rows.link[m * LINK + 1];
+    private void strike(double time, double early) {
         double ax = body[a];
         double ay = body[a + 1];
         double az = body[a + 2];
@@ -172,33 +202,31 @@ final class Impacts {
         double bu = body[b + 3];
         double bv = body[b + 4];
         double bw = body[b + 5];
-        int first = ContactStore.POINTS * m * POINT;
-        int end = first + rows.link[m * LINK + ConstraintRows.COUNT] * POINT;
-        for (int o = first; o < end; o += POINT) {
-            q[o + IMPULSE] = 0;
+        PrepareRow.addNormals(rows, bodies.warm, place, o, -1);
+        PrepareRow.addFriction(rows, bodies.warm, place, o, -1);
+        for (int p = 0; p < points; p++) {
+            d[point(p) + IMPULSE * lanes] = 0;
         }
-        uniform(rows, m, body, first, end, early);
-        newton(rows, m, body, first, end, early);
-        double normal = 0;
-        for (int o = first; o < end; o += POINT) {
-            normal += q[o + IMPULSE];
-            q[o + ConstraintRows.SUM] += q[o + IMPULSE];
+        for (int k = 0; k < 3; k++) {
+            d[o + (LAMBDA + k) * lanes] = 0;
         }
-        d[r + LAMBDA] = 0;
-        d[r + LAMBDA + 1] = 0;
-        d[r + LAMBDA + 2] = 0;
-        if (d[r + ConstraintRows.FRICTION] > 0) {
-            RowKernels.friction(rows, m, body, normal);
+        uniform(early);
+        newton(early);
+        for (int p = 0; p < points; p++) {
+            d[o + (SUM + p) * lanes] += d[point(p) + IMPULSE * lanes];
+        }
+        if (d[o + FRICTION * lanes] > 0) {
+            ScalarSweeps.friction(d, o, lanes, body, a, b, points);
             for (int k = 0; k < 3; k++) {
-                d[r + TOTAL + k] += d[r + LAMBDA + k];
-                d[r + LAMBDA + k] = 0;
+                d[o + (TOTAL + k) * lanes] += d[o + (LAMBDA + k) * lanes];
+                d[o + (LAMBDA + k) * lanes] = 0;
             }
         }
-        for (int o = first; o < end; o += POINT) {
-            q[o + IMPULSE] = 0;
+        for (int p = 0; p < points; p++) {
+            d[point(p) + IMPULSE * lanes] = 0;
         }
-        shift(body, store, a, ax, ay, az, au, av, aw, time);
-        shift(body, store, b, bx, by, bz, bu, bv, bw, time);
+        shift(a, ax, ay, az, au, av, aw, time);
+        shift(b, bx, by, bz, bu, bv, bw, time);
     }
 
     /**
@@ -206,62 +234,54 @@ final class Impacts {
      * A flat symmetric impact is solved by it, so that its symmetry does not drown in the order of
      * the points.
      */
-    private static void uniform(
-            ConstraintRows rows, int m, double[] body, int first, int end, double early) {
-        double[] d = rows.row;
-        double[] q = rows.point;
-        int r = m * ROW;
-        int a = rows.link[m * LINK];
-        int b = rows.link[m * LINK + 1];
+    private void uniform(double early) {
         double miss = 0;
         double response = 0;
         int n = 0;
-        for (int o = first; o < end; o += POINT) {
-            if (Double.isNaN(q[o + STRIKE])) {
+        for (int p = 0; p < points; p++) {
+            if (Double.isNaN(goal[p])) {
                 continue;
             }
             n++;
-            miss += speed(d, r, q, o, body, a, b) + early - q[o + STRIKE];
-            for (int k = first; k < end; k += POINT) {
-                if (!Double.isNaN(q[k + STRIKE])) {
-                    response += PrepareRow.dot(q, o, q, k + 6) + PrepareRow.dot(q, o + 3, q, k + 9);
+            miss += speed(p) + early - goal[p];
+            int q = point(p);
+            for (int i = 0; i < points; i++) {
+                if (!Double.isNaN(goal[i])) {
+                    int r = point(i);
+                    for (int k = 0; k < 6; k++) {
+                        response += d[q + k * lanes] * d[r + k * lanes];
+                    }
                 }
             }
         }
-        response += (double) n * n * (d[r + ConstraintRows.MASS_A] + d[r + ConstraintRows.MASS_B]);
+        response += (double) n * n * (d[o + MASS_A * lanes] + d[o + MASS_B * lanes]);
         double impulse = -miss / response;
-        for (int o = first; impulse > 0 && o < end; o += POINT) {
-            if (!Double.isNaN(q[o + STRIKE])) {
-                q[o + IMPULSE] = impulse;
-                push(d, r, q, o, body, a, b, impulse);
+        for (int p = 0; impulse > 0 && p < points; p++) {
+            if (!Double.isNaN(goal[p])) {
+                d[point(p) + IMPULSE * lanes] = impulse;
+                push(p, impulse);
             }
         }
     }
 
     /** {@code v_i + early >= goal_i, l_i >= 0}, complementary, by Gauss-Seidel to convergence. */
-    private static void newton(
-            ConstraintRows rows, int m, double[] body, int first, int end, double early) {
-        double[] d = rows.row;
-        double[] q = rows.point;
-        int r = m * ROW;
-        int a = rows.link[m * LINK];
-        int b = rows.link[m * LINK + 1];
+    private void newton(double early) {
         for (int sweep = 0; sweep < SWEEPS; sweep++) {
             double largest = 0;
             double sum = 0;
-            for (int o = first; o < end; o += POINT) {
-                double goal = q[o + STRIKE];
-                if (Double.isNaN(goal)) {
+            for (int p = 0; p < points; p++) {
+                if (Double.isNaN(goal[p])) {
                     continue;
                 }
-                double v = speed(d, r, q, o, body, a, b) + early;
-                double old = q[o + IMPULSE];
-                double next = Math.max(0, old - q[o + ConstraintRows.MASS] * (v - goal));
+                int q = point(p);
+                double v = speed(p) + early;
+                double old = d[q + IMPULSE * lanes];
+                double next = Math.max(0, old - d[q + MASS * lanes] * (v - goal[p]));
                 double delta = next - old;
-                q[o + IMPULSE] = next;
+                d[q + IMPULSE * lanes] = next;
                 largest = Math.max(largest, Math.abs(delta));
                 sum += next;
-                push(d, r, q, o, body, a, b, delta);
+                push(p, delta);
             }
             if (largest <= 1e-15 * sum) {
                 return;
@@ -269,62 +289,63 @@ final class Impacts {
         }
     }
 
-    private static void push(
-            double[] d, int r, double[] q, int o, double[] body, int a, int b, double impulse) {
-        double ma = impulse * d[r + ConstraintRows.MASS_A];
-        double mb = impulse * d[r + ConstraintRows.MASS_B];
+    private void push(int p, double impulse) {
+        int q = point(p);
+        double ma = impulse * d[o + MASS_A * lanes];
+        double mb = impulse * d[o + MASS_B * lanes];
         for (int k = 0; k < 3; k++) {
-            body[a + k] -= ma * d[r + k];
-            body[a + 3 + k] -= impulse * q[o + 6 + k];
-            body[b + k] += mb * d[r + k];
-            body[b + 3 + k] += impulse * q[o + 9 + k];
+            if (a != 0) {
+                body[a + k] -= ma * d[o + k * lanes];
+                body[a + 3 + k] -= impulse * d[q + (ARM_A + k) * lanes];
+            }
+            if (b != 0) {
+                body[b + k] += mb * d[o + k * lanes];
+                body[b + 3 + k] += impulse * d[q + (ARM_B + k) * lanes];
+            }
         }
     }
 
     /** Moves the start of a body's path back by {@code time} times its change of velocity. */
-    private static void shift(
-            double[] body,
-            BodyStore store,
-            int o,
-            double x,
-            double y,
-            double z,
-            double u,
-            double v,
-            double w,
-            double time) {
-        if (!(time > 0) || body[o + SolverBodies.MASS] == 0) {
+    private void shift(
+            int at, double x, double y, double z, double u, double v, double w, double time) {
+        if (!(time > 0) || at == 0) {
             return;
         }
-        body[o + SolverBodies.P] -= time * (body[o] - x);
-        body[o + SolverBodies.P + 1] -= time * (body[o + 1] - y);
-        body[o + SolverBodies.P + 2] -= time * (body[o + 2] - z);
-        double tu = -time * (body[o + 3] - u);
-        double tv = -time * (body[o + 4] - v);
-        double tw = -time * (body[o + 5] - w);
-        body[o + SolverBodies.P + 3] += tu;
-        body[o + SolverBodies.P + 4] += tv;
-        body[o + SolverBodies.P + 5] += tw;
-        Rotation.turn(store, o / SolverBodies.STRIDE, tu, tv, tw);
+        int p = at + SolverBodies.P;
+        double tu = -time * (body[at + 3] - u);
+        double tv = -time * (body[at + 4] - v);
+        double tw = -time * (body[at + 5] - w);
+        body[p] -= time * (body[at] - x);
+        body[p + 1] -= time * (body[at + 1] - y);
+        body[p + 2] -= time * (body[at + 2] - z);
+        body[p + 3] += tu;
+        body[p + 4] += tv;
+        body[p + 5] += tw;
+        int k = (at >> 4) * SolverBodies.ROOT;
+        double[] r = bodies.root;
+        Rotation.turn(
+                store,
+                SolverBodies.slot(at),
+                r[k] * tu + r[k + 1] * tv + r[k + 2] * tw,
+                r[k + 3] * tu + r[k + 4] * tv + r[k + 5] * tw,
+                r[k + 6] * tu + r[k + 7] * tv + r[k + 8] * tw);
     }
 
-    private static double gap(double[] d, int r, double[] q, int o, double[] body, int a, int b) {
-        return q[o + GAP] + along(d, r, q, o, body, a + SolverBodies.P, b + SolverBodies.P);
+    private double gap(int p) {
+        return d[o + (GAP + p) * lanes] + along(p, a + SolverBodies.P, b + SolverBodies.P);
     }
 
-    private static double speed(double[] d, int r, double[] q, int o, double[] body, int a, int b) {
-        return along(d, r, q, o, body, a, b);
+    private double speed(int p) {
+        return along(p, a, b);
     }
 
-    /**
-     * {@code n.(yB - yA) + uB.(rB x n) - uA.(rA x n)} of the pairs (y, u) at {@code a} and {@code
-     * b}.
-     */
-    private static double along(double[] d, int r, double[] q, int o, double[] body, int a, int b) {
-        return d[r] * (body[b] - body[a])
-                + d[r + 1] * (body[b + 1] - body[a + 1])
-                + d[r + 2] * (body[b + 2] - body[a + 2])
-                + PrepareRow.dot(body, b + 3, q, o + 3)
-                - PrepareRow.dot(body, a + 3, q, o);
+    /** {@code n.(yB - yA) + uB.armB - uA.armA} of the pairs (y, u) at {@code i} and {@code j}. */
+    private double along(int p, int i, int j) {
+        int q = point(p);
+        return d[o] * (body[j] - body[i])
+                + d[o + lanes] * (body[j + 1] - body[i + 1])
+                + d[o + 2 * lanes] * (body[j + 2] - body[i + 2])
+                + ScalarSweeps.dot(d, q + ARM_B * lanes, lanes, body, j + 3)
+                - ScalarSweeps.dot(d, q + ARM_A * lanes, lanes, body, i + 3);
     }
 }

@@ -77,7 +77,7 @@ final class LoadSweep {
 
     private BodyStore bodies = new BodyStore();
     private ContactStore contacts = new ContactStore();
-    private ConstraintRows rows = new ConstraintRows();
+    private ConstraintRows rows = new ConstraintRows(1);
     private int[] guide = {};
     private double upX;
     private double upY;
@@ -204,7 +204,7 @@ final class LoadSweep {
 
     /** Marks the bodies of a contact that is hit, slips, or is deep. */
     private void gate(int m, double step) {
-        int source = rows.link[m * ConstraintRows.LINK + ConstraintRows.SOURCE];
+        int source = rows.source[m];
         int a = contacts.bodyA[source];
         int b = contacts.bodyB[source];
         double radius = smaller(a, b);
@@ -268,7 +268,7 @@ final class LoadSweep {
         for (int hop = 0; hop < HOPS; hop++) {
             boolean any = false;
             for (int m = 0; m < rows.count; m++) {
-                int source = rows.link[m * ConstraintRows.LINK + ConstraintRows.SOURCE];
+                int source = rows.source[m];
                 int a = contacts.bodyA[source];
                 int b = contacts.bodyB[source];
                 if (rough[a] != rough[b]
@@ -313,7 +313,7 @@ final class LoadSweep {
 
     /** The dynamic body that a row carries, or -1. */
     private int carried(int m) {
-        int source = rows.link[m * ConstraintRows.LINK + ConstraintRows.SOURCE];
+        int source = rows.source[m];
         double up =
                 upX * contacts.normalX[source]
                         + upY * contacts.normalY[source]
@@ -445,13 +445,13 @@ final class LoadSweep {
     }
 
     private int below(int m, int i) {
-        int source = rows.link[m * ConstraintRows.LINK + ConstraintRows.SOURCE];
+        int source = rows.source[m];
         int a = contacts.bodyA[source];
         return a == i ? contacts.bodyB[source] : a;
     }
 
     private double weight(int m) {
-        int source = rows.link[m * ConstraintRows.LINK + ConstraintRows.SOURCE];
+        int source = rows.source[m];
         double sum = 1e-9;
         int end = ContactStore.POINTS * source + contacts.pointCount[source];
         for (int p = ContactStore.POINTS * source; p < end; p++) {

@@ -4,7 +4,6 @@ import static dev.cairn.physics.solver.SolverBodies.GRAVITY;
 import static dev.cairn.physics.solver.SolverBodies.LOADED;
 import static dev.cairn.physics.solver.SolverBodies.MASS;
 import static dev.cairn.physics.solver.SolverBodies.P;
-import static dev.cairn.physics.solver.SolverBodies.STRIDE;
 import static dev.cairn.physics.solver.SolverBodies.V;
 
 import dev.cairn.physics.internal.BodyStore;
@@ -61,7 +60,7 @@ final class Motion {
         b.velocityY[i] = add(c, q + 4, b.velocityY[i], t * ay, 0);
         b.velocityZ[i] = add(c, q + 5, b.velocityZ[i], t * az, 0);
         double[] w = s.state;
-        int o = i * STRIDE;
+        int o = SolverBodies.offset(i);
         w[o + LOADED] = 0;
         w[o + V + 3] = b.angularVelocityX[i];
         w[o + V + 4] = b.angularVelocityY[i];
@@ -128,7 +127,7 @@ final class Motion {
         ux = 2 * (qz * y - qy * z);
         uy = 2 * (qx * z - qz * x);
         uz = 2 * (qy * x - qx * y);
-        int o = i * STRIDE + V + 3;
+        int o = SolverBodies.offset(i) + V + 3;
         s.state[o] += x + qw * ux - (qy * uz - qz * uy);
         s.state[o + 1] += y + qw * uy - (qz * ux - qx * uz);
         s.state[o + 2] += z + qw * uz - (qx * uy - qy * ux);
@@ -136,7 +135,7 @@ final class Motion {
 
     /** Free rotation by {@code h} of a body whose angular velocity is in the solver's state. */
     private static void rotate(BodyStore b, SolverBodies s, int i, double h) {
-        int o = i * STRIDE + V + 3;
+        int o = SolverBodies.offset(i) + V + 3;
         double[] w = s.state;
         if (w[o] == 0 && w[o + 1] == 0 && w[o + 2] == 0) {
             return;
@@ -149,12 +148,13 @@ final class Motion {
     }
 
     /**
-     * Start of a sub-step of a body with contacts: {@code v += h (g + f/m), w += h I^-1 torque}.
+     * Start of a sub-step of a body with contacts: {@code v += h (g + f/m), w += h I^-1 torque},
+     * then the warm start, {@code v += M^-1 J^T lambda} of all its contacts.
      */
     static void kick(
             BodyStore b, SolverBodies s, int i, double gx, double gy, double gz, double h) {
         double[] v = s.state;
-        int o = i * STRIDE;
+        int o = SolverBodies.offset(i);
         if (s.guide[i] >= 0) {
             int g = 6 * i;
             s.glide[g] = v[o + V];
@@ -171,11 +171,16 @@ final class Motion {
         double y = h * b.torqueY[i];
         double z = h * b.torqueZ[i];
         if (x != 0 || y != 0 || z != 0) {
-            double[] d = s.inverseInertia;
-            int q = 6 * i;
-            v[o + V + 3] += d[q] * x + d[q + 3] * y + d[q + 4] * z;
-            v[o + V + 4] += d[q + 3] * x + d[q + 1] * y + d[q + 5] * z;
-            v[o + V + 5] += d[q + 4] * x + d[q + 5] * y + d[q + 2] * z;
+            double[] d = s.root;
+            int q = (i + 1) * SolverBodies.ROOT;
+            v[o + V + 3] += d[q] * x + d[q + 3] * y + d[q + 6] * z;
+            v[o + V + 4] += d[q + 1] * x + d[q + 4] * y + d[q + 7] * z;
+            v[o + V + 5] += d[q + 2] * x + d[q + 5] * y + d[q + 8] * z;
+        }
+        int w = (i + 1) * SolverBodies.HALF;
+        for (int c = 0; c < 6; c++) {
+            v[o + c] += s.warm[w + c];
+            s.mark[w + c] = v[o + c];
         }
     }
 
@@ -187,7 +192,7 @@ final class Motion {
     static void drift(
             BodyStore b, SolverBodies s, int i, double gx, double gy, double gz, double h) {
         double[] v = s.state;
-        int o = i * STRIDE;
+        int o = SolverBodies.offset(i);
         double vx = v[o + V];
         double vy = v[o + V + 1];
         double vz = v[o + V + 2];
@@ -210,7 +215,47 @@ final class Motion {
         v[o + P + 3] += h * v[o + V + 3];
         v[o + P + 4] += h * v[o + V + 4];
         v[o + P + 5] += h * v[o + V + 5];
-        rotate(b, s, i, h);
+        turn(b, s, i, h);
+    }
+
+    /**
+     * Free rotation by {@code h} of a body whose weighted angular velocity is in the solver's
+     * state; what it changes of it is no contact's doing.
+     */
+    private static void turn(BodyStore b, SolverBodies s, int i, double h) {
+        int o = SolverBodies.offset(i) + V + 3;
+        double[] w = s.state;
+        if (w[o] == 0 && w[o + 1] == 0 && w[o + 2] == 0) {
+            return;
+        }
+        double x = s.world(i, o, 0);
+        double y = s.world(i, o, 1);
+        double z = s.world(i, o, 2);
+        if (s.axes.isotropic[i]) {
+            Rotation.turn(b, i, h * x, h * y, h * z);
+            return;
+        }
+        double u = w[o];
+        double v = w[o + 1];
+        double t = w[o + 2];
+        w[o] = x;
+        w[o + 1] = y;
+        w[o + 2] = z;
+        Rotation.strang(b, i, s.axes.data, w, o, h);
+        s.weigh(i, w[o], w[o + 1], w[o + 2]);
+        int m = (i + 1) * SolverBodies.HALF + 3;
+        s.mark[m] += w[o] - u;
+        s.mark[m + 1] += w[o + 1] - v;
+        s.mark[m + 2] += w[o + 2] - t;
+    }
+
+    /** End of a sub-step: what the contacts have done is the next warm start. */
+    static void keep(SolverBodies s, int i) {
+        int o = SolverBodies.offset(i);
+        int w = (i + 1) * SolverBodies.HALF;
+        for (int c = 0; c < 6; c++) {
+            s.warm[w + c] += s.state[o + c] - s.mark[w + c];
+        }
     }
 
     /**
@@ -218,9 +263,9 @@ final class Motion {
      * velocities before and after, {@code x += h ((v0 + v1)/2 - v)} without its part along the
      * normal. So a slide follows the parabola, and a body that friction holds does not move at all.
      */
-    static void glide(SolverBodies s, int i, double[] rows, double h) {
+    static void glide(SolverBodies s, int i, ConstraintRows rows, double h) {
         double[] v = s.state;
-        int o = i * STRIDE;
+        int o = SolverBodies.offset(i);
         int row = s.guide[i];
         if (row < 0 || v[o + LOADED] == 0) {
             return;
@@ -230,10 +275,13 @@ final class Motion {
         double x = h * (0.5 * (d[g] + v[o + V]) - d[g + 3]);
         double y = h * (0.5 * (d[g + 1] + v[o + V + 1]) - d[g + 4]);
         double z = h * (0.5 * (d[g + 2] + v[o + V + 2]) - d[g + 5]);
-        int r = row * ConstraintRows.ROW + ConstraintRows.NORMAL;
-        double n = x * rows[r] + y * rows[r + 1] + z * rows[r + 2];
-        v[o + P] += x - n * rows[r];
-        v[o + P + 1] += y - n * rows[r + 1];
-        v[o + P + 2] += z - n * rows[r + 2];
+        int r = rows.base(rows.place[row]);
+        double nx = rows.row[r];
+        double ny = rows.row[r + rows.lanes];
+        double nz = rows.row[r + 2 * rows.lanes];
+        double n = x * nx + y * ny + z * nz;
+        v[o + P] += x - n * nx;
+        v[o + P + 1] += y - n * ny;
+        v[o + P + 2] += z - n * nz;
     }
 }

@@ -20,41 +20,46 @@ final class Offsets {
     private Offsets() {}
 
     /**
-     * Writes the preloads of contact {@code c}, which is row {@code m}, for the next tick.
+     * Writes the preloads of contact {@code c}, the row at place {@code j}, for the next tick.
      *
      * @param gain share of the overlap per tick
      * @param still speed below which a point rests, m/s
      */
     static void update(
             ConstraintRows rows,
-            SolverBodies bodies,
+            double[] body,
             ContactStore contacts,
             int c,
-            int m,
+            int j,
+            SubStep sub,
             double gain,
             double still) {
         double[] d = rows.row;
-        double[] q = rows.point;
-        double[] body = bodies.state;
-        int a = rows.link[m * ConstraintRows.LINK];
-        int b = rows.link[m * ConstraintRows.LINK + 1];
-        int r = m * ConstraintRows.ROW;
-        double slip = slip(d, r, body, a, b);
-        boolean rests = slip < still;
+        int lanes = rows.lanes;
+        int o = rows.base(j);
+        int a = rows.link[j * ConstraintRows.LINK];
+        int b = rows.link[j * ConstraintRows.LINK + 1];
+        double vx = body[b] - body[a];
+        double vy = body[b + 1] - body[a + 1];
+        double vz = body[b + 2] - body[a + 2];
+        boolean rests = slip(d, o, lanes, body, a, b, vx, vy, vz) < still;
+        double vn = vx * d[o] + vy * d[o + lanes] + vz * d[o + 2 * lanes];
+        double stiffness = sub.stiffness(a == 0 || b == 0);
         for (int i = 0; i < contacts.pointCount[c]; i++) {
             int p = ContactStore.POINTS * c + i;
-            int o = (ContactStore.POINTS * m + i) * ConstraintRows.POINT;
-            double impulse = q[o + ConstraintRows.IMPULSE];
+            int q = o + (ConstraintRows.POINT + i * ConstraintRows.POINT_FIELDS) * lanes;
+            double impulse = d[q + ConstraintRows.IMPULSE * lanes];
             double gap = contacts.separation[p];
-            double known = q[o + ConstraintRows.STIFFNESS] * (gap - q[o + ConstraintRows.GAP]);
+            double k = d[q + ConstraintRows.MASS * lanes] * stiffness;
+            double known = k * (gap - d[o + (ConstraintRows.GAP + i) * lanes]);
             double speed =
-                    d[r] * (body[b] - body[a])
-                            + d[r + 1] * (body[b + 1] - body[a + 1])
-                            + d[r + 2] * (body[b + 2] - body[a + 2])
-                            + PrepareRow.dot(body, b + 3, q, o + 3)
-                            - PrepareRow.dot(body, a + 3, q, o);
+                    vn
+                            + ScalarSweeps.dot(
+                                    d, q + ConstraintRows.ARM_B * lanes, lanes, body, b + 3)
+                            - ScalarSweeps.dot(
+                                    d, q + ConstraintRows.ARM_A * lanes, lanes, body, a + 3);
             if (impulse > 0 && rests && Math.abs(speed) < still) {
-                known -= q[o + ConstraintRows.STIFFNESS] * gain * Math.min(0, gap);
+                known -= k * gain * Math.min(0, gap);
             } else {
                 known *= impulse == 0 && gap > 0 ? OPEN : MOVING;
             }
@@ -62,27 +67,34 @@ final class Offsets {
         }
     }
 
-    private static double slip(double[] d, int r, double[] body, int a, int b) {
-        if (!(d[r + ConstraintRows.FRICTION] > 0)) {
+    private static double slip(
+            double[] d,
+            int o,
+            int lanes,
+            double[] body,
+            int a,
+            int b,
+            double x,
+            double y,
+            double z) {
+        if (!(d[o + ConstraintRows.FRICTION * lanes] > 0)) {
             return 0;
         }
-        double x = body[b] - body[a];
-        double y = body[b + 1] - body[a + 1];
-        double z = body[b + 2] - body[a + 2];
-        int t = r + ConstraintRows.TANGENT1;
-        int v = r + ConstraintRows.LEVER;
+        int t1 = o + ConstraintRows.TANGENT1 * lanes;
+        int t2 = o + ConstraintRows.TANGENT2 * lanes;
+        int v = o + ConstraintRows.LEVER * lanes;
         double s1 =
-                x * d[t]
-                        + y * d[t + 1]
-                        + z * d[t + 2]
-                        + PrepareRow.dot(body, b + 3, d, v + 6)
-                        - PrepareRow.dot(body, a + 3, d, v);
+                x * d[t1]
+                        + y * d[t1 + lanes]
+                        + z * d[t1 + 2 * lanes]
+                        + ScalarSweeps.dot(d, v + 6 * lanes, lanes, body, b + 3)
+                        - ScalarSweeps.dot(d, v, lanes, body, a + 3);
         double s2 =
-                x * d[t + 3]
-                        + y * d[t + 4]
-                        + z * d[t + 5]
-                        + PrepareRow.dot(body, b + 3, d, v + 9)
-                        - PrepareRow.dot(body, a + 3, d, v + 3);
+                x * d[t2]
+                        + y * d[t2 + lanes]
+                        + z * d[t2 + 2 * lanes]
+                        + ScalarSweeps.dot(d, v + 9 * lanes, lanes, body, b + 3)
+                        - ScalarSweeps.dot(d, v + 3 * lanes, lanes, body, a + 3);
         return Math.sqrt(s1 * s1 + s2 * s2);
     }
 }

@@ -1,9 +1,33 @@
 package dev.cairn.physics.solver;
 
+import static dev.cairn.physics.solver.ConstraintRows.ARM_A;
+import static dev.cairn.physics.solver.ConstraintRows.ARM_B;
+import static dev.cairn.physics.solver.ConstraintRows.BLOCK;
+import static dev.cairn.physics.solver.ConstraintRows.FRICTION;
+import static dev.cairn.physics.solver.ConstraintRows.GAP;
+import static dev.cairn.physics.solver.ConstraintRows.IMPULSE;
+import static dev.cairn.physics.solver.ConstraintRows.LAMBDA;
+import static dev.cairn.physics.solver.ConstraintRows.LEVER;
+import static dev.cairn.physics.solver.ConstraintRows.LINK;
+import static dev.cairn.physics.solver.ConstraintRows.MASS;
+import static dev.cairn.physics.solver.ConstraintRows.MASS_A;
+import static dev.cairn.physics.solver.ConstraintRows.MASS_B;
+import static dev.cairn.physics.solver.ConstraintRows.POINT;
+import static dev.cairn.physics.solver.ConstraintRows.POINT_FIELDS;
+import static dev.cairn.physics.solver.ConstraintRows.REACH;
+import static dev.cairn.physics.solver.ConstraintRows.SEPARATION;
+import static dev.cairn.physics.solver.ConstraintRows.SUM;
+import static dev.cairn.physics.solver.ConstraintRows.TANGENT1;
+import static dev.cairn.physics.solver.ConstraintRows.TANGENT2;
+import static dev.cairn.physics.solver.ConstraintRows.TOTAL;
+import static dev.cairn.physics.solver.ConstraintRows.TWIST;
+import static dev.cairn.physics.solver.ConstraintRows.TWIST_MASS;
+
 import dev.cairn.physics.internal.ContactStore;
 
 /**
- * Fills one constraint row from a contact and its two bodies; blocks of rows may run in parallel.
+ * Fills constraint rows from contacts and their two bodies, and adds their last impulses to the
+ * bodies' warm start. Chunks of a colour may run in parallel.
  */
 final class PrepareRow {
     /**
@@ -15,58 +39,82 @@ final class PrepareRow {
     private PrepareRow() {}
 
     /**
-     * Fills row {@code m}.
+     * Fills the places from {@code from} to {@code to}, both at the bounds of groups.
      *
-     * @param impulseScale factor on the stored impulses: this sub-step over the last tick's
+     * @param scale factor on the stored impulses: this sub-step over the last tick's
      */
     static void run(
             ConstraintRows rows,
             SolverBodies bodies,
             ContactStore c,
-            int m,
-            Softness soft,
-            Softness staticSoft,
-            double impulseScale) {
+            int from,
+            int to,
+            SubStep sub,
+            double scale) {
+        int lanes = rows.lanes;
+        for (int group = from; group < to; group += lanes) {
+            int most = 0;
+            boolean rough = false;
+            for (int j = group; j < group + lanes; j++) {
+                int n = rows.link[j * LINK + ConstraintRows.COUNT];
+                int o = rows.base(j);
+                if (n == 0) {
+                    clear(rows.row, o, lanes, 0, ConstraintRows.FIELDS);
+                    continue;
+                }
+                int source = rows.link[j * LINK + ConstraintRows.SOURCE];
+                most = Math.max(most, n);
+                rough |= c.friction[source] > 0;
+                row(rows, bodies, c, j, o, source, sub, scale);
+            }
+            rows.points[group / lanes] = most;
+            rows.rough[group / lanes] = rough;
+        }
+    }
+
+    private static void clear(double[] d, int o, int lanes, int field, int end) {
+        for (int f = field; f < end; f++) {
+            d[o + f * lanes] = 0;
+        }
+    }
+
+    private static void row(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            ContactStore c,
+            int j,
+            int o,
+            int source,
+            SubStep sub,
+            double scale) {
         double[] d = rows.row;
-        int[] link = rows.link;
-        int r = m * ConstraintRows.ROW;
-        int l = m * ConstraintRows.LINK;
-        int source = link[l + ConstraintRows.SOURCE];
-        int a = c.bodyA[source];
-        int b = c.bodyB[source];
-        double ma = bodies.state[a * SolverBodies.STRIDE + SolverBodies.MASS];
-        double mb = bodies.state[b * SolverBodies.STRIDE + SolverBodies.MASS];
-        Softness s = ma == 0 || mb == 0 ? staticSoft : soft;
+        int lanes = rows.lanes;
+        int a = rows.link[j * LINK];
+        int b = rows.link[j * LINK + 1];
+        double ma = bodies.state[a + SolverBodies.MASS];
+        double mb = bodies.state[b + SolverBodies.MASS];
+        boolean fixed = ma == 0 || mb == 0;
         double nx = c.normalX[source];
         double ny = c.normalY[source];
         double nz = c.normalZ[source];
-        d[r] = nx;
-        d[r + 1] = ny;
-        d[r + 2] = nz;
-        d[r + ConstraintRows.FRICTION] = c.friction[source];
-        d[r + ConstraintRows.RESTITUTION] = c.restitution[source];
-        d[r + ConstraintRows.BIAS_RATE] = s.biasRate();
-        d[r + ConstraintRows.MASS_SCALE] = s.massScale();
-        d[r + ConstraintRows.IMPULSE_SCALE] = s.impulseScale();
-        d[r + ConstraintRows.MASS_A] = ma;
-        d[r + ConstraintRows.MASS_B] = mb;
-        d[r + ConstraintRows.TOTAL] = 0;
-        d[r + ConstraintRows.TOTAL + 1] = 0;
-        d[r + ConstraintRows.TOTAL + 2] = 0;
-        tangents(d, r, nx, ny, nz);
-        centre(d, r, c, source);
-        points(rows, bodies, c, m, a, b, impulseScale);
-        if (d[r + ConstraintRows.FRICTION] > 0) {
-            friction(d, r, bodies, c, source, a, b, impulseScale);
+        d[o] = nx;
+        d[o + lanes] = ny;
+        d[o + 2 * lanes] = nz;
+        d[o + MASS_A * lanes] = ma;
+        d[o + MASS_B * lanes] = mb;
+        d[o + FRICTION * lanes] = c.friction[source];
+        tangents(d, o, lanes, nx, ny, nz);
+        points(rows, bodies, c, j, o, source, sub.stiffness(fixed), scale);
+        if (c.friction[source] > 0) {
+            friction(rows, bodies, c, j, o, source, fixed, scale);
         } else {
-            d[r + ConstraintRows.LAMBDA] = 0;
-            d[r + ConstraintRows.LAMBDA + 1] = 0;
-            d[r + ConstraintRows.LAMBDA + 2] = 0;
+            clear(d, o, lanes, REACH, REACH + 4);
+            clear(d, o, lanes, BLOCK, ConstraintRows.FIELDS);
         }
     }
 
     /** {@code t1 = n x e / |n x e|}, e the axis along which n is shortest; {@code t2 = n x t1}. */
-    private static void tangents(double[] d, int r, double nx, double ny, double nz) {
+    private static void tangents(double[] d, int o, int lanes, double nx, double ny, double nz) {
         double ax = Math.abs(nx);
         double ay = Math.abs(ny);
         double az = Math.abs(nz);
@@ -90,28 +138,105 @@ final class PrepareRow {
         x *= k;
         y *= k;
         z *= k;
-        int t = r + ConstraintRows.TANGENT1;
-        d[t] = x;
-        d[t + 1] = y;
-        d[t + 2] = z;
-        d[t + 3] = ny * z - nz * y;
-        d[t + 4] = nz * x - nx * z;
-        d[t + 5] = nx * y - ny * x;
+        put(d, o + TANGENT1 * lanes, lanes, x, y, z);
+        put(d, o + TANGENT2 * lanes, lanes, ny * z - nz * y, nz * x - nx * z, nx * y - ny * x);
     }
 
-    /**
-     * Centre of the friction patch, into the first three and second three lever slots as rA and rB:
-     * the mean of the anchors, with points that have left fading out so that the centre moves
-     * without jumps.
-     *
-     * <p>The anchors lie midway between the surfaces; here each goes back to its own body's
-     * surface, because that is where the bodies will touch when the gap has closed. Overlap between
-     * two moving bodies keeps the common point, so that their friction makes no angular momentum.
-     */
-    private static void centre(double[] d, int r, ContactStore c, int source) {
+    private static void points(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            ContactStore c,
+            int j,
+            int o,
+            int source,
+            double stiffness,
+            double scale) {
+        double[] d = rows.row;
+        int lanes = rows.lanes;
+        int a = rows.link[j * LINK];
+        int b = rows.link[j * LINK + 1];
+        boolean unloaded = rows.unloaded[j] != 0;
+        double nx = d[o];
+        double ny = d[o + lanes];
+        double nz = d[o + 2 * lanes];
+        double ma = d[o + MASS_A * lanes];
+        double mb = d[o + MASS_B * lanes];
+        double sum = 0;
+        int n = c.pointCount[source];
+        for (int i = 0; i < n; i++) {
+            int p = ContactStore.POINTS * source + i;
+            int q = o + (POINT + i * POINT_FIELDS) * lanes;
+            double square =
+                    arm(
+                                    bodies.root,
+                                    a,
+                                    d,
+                                    q + ARM_A * lanes,
+                                    lanes,
+                                    c.anchorAX[p],
+                                    c.anchorAY[p],
+                                    c.anchorAZ[p],
+                                    nx,
+                                    ny,
+                                    nz)
+                            + arm(
+                                    bodies.root,
+                                    b,
+                                    d,
+                                    q + ARM_B * lanes,
+                                    lanes,
+                                    c.anchorBX[p],
+                                    c.anchorBY[p],
+                                    c.anchorBZ[p],
+                                    nx,
+                                    ny,
+                                    nz);
+            // 1/m_eff = 1/mA + 1/mB + (rA x n).IA^-1(rA x n) + (rB x n).IB^-1(rB x n)
+            double w = ma + mb + square;
+            double mass = w > 0 ? 1 / w : 0;
+            d[q + MASS * lanes] = mass;
+            // at rest the soft step holds the load l with the overlap l / k; the offset stands for
+            // the load that it knows
+            double k = mass * stiffness;
+            double known = unloaded ? 0 : c.preload[p] * scale;
+            double gap = c.separation[p] - (k > 0 ? known / k : 0);
+            double impulse = c.normalImpulse[p] * scale;
+            d[o + (GAP + i) * lanes] = gap;
+            d[q + SEPARATION * lanes] = gap;
+            d[q + IMPULSE * lanes] = impulse;
+            d[o + (SUM + i) * lanes] = 0;
+            turn(bodies.warm, a, b, d, q + ARM_A * lanes, q + ARM_B * lanes, lanes, impulse);
+            sum += impulse;
+        }
+        push(bodies.warm, a, b, ma * sum, mb * sum, nx, ny, nz);
+        for (int i = n; i < ContactStore.POINTS; i++) {
+            clear(d, o + (POINT + i * POINT_FIELDS) * lanes, lanes, 0, POINT_FIELDS);
+            d[o + (GAP + i) * lanes] = 0;
+            d[o + (SUM + i) * lanes] = 0;
+        }
+    }
+
+    private static void friction(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            ContactStore c,
+            int j,
+            int o,
+            int source,
+            boolean fixed,
+            double scale) {
+        double[] d = rows.row;
+        int lanes = rows.lanes;
+        double nx = d[o];
+        double ny = d[o + lanes];
+        double nz = d[o + 2 * lanes];
         int first = ContactStore.POINTS * source;
         int n = c.pointCount[source];
-        boolean still = d[r + ConstraintRows.MASS_A] == 0 || d[r + ConstraintRows.MASS_B] == 0;
+        // Centre of the patch: the mean of the anchors, with points that have left fading out so
+        // that it moves without jumps. The anchors lie midway between the surfaces; here each goes
+        // back to its own body's surface, because that is where the bodies will touch when the gap
+        // has closed. Overlap between two moving bodies keeps the common point, so that their
+        // friction makes no angular momentum.
         double spread = 0;
         for (int p = first + 1; p < first + n; p++) {
             double x = c.anchorAX[p] - c.anchorAX[first];
@@ -127,154 +252,224 @@ final class PrepareRow {
         double bx = 0;
         double by = 0;
         double bz = 0;
+        double shift = 0;
         for (int p = first; p < first + n; p++) {
             double gap = c.separation[p];
             double w = gap <= fade || fade == 0 ? 1 : Math.max(2 - gap / fade, 1e-10);
-            double half = 0.5 * (still ? gap : Math.max(gap, 0));
             sum += w;
-            ax += w * (c.anchorAX[p] - half * d[r]);
-            ay += w * (c.anchorAY[p] - half * d[r + 1]);
-            az += w * (c.anchorAZ[p] - half * d[r + 2]);
-            bx += w * (c.anchorBX[p] + half * d[r]);
-            by += w * (c.anchorBY[p] + half * d[r + 1]);
-            bz += w * (c.anchorBZ[p] + half * d[r + 2]);
+            shift += w * (0.5 * (fixed ? gap : Math.max(gap, 0)));
+            ax += w * c.anchorAX[p];
+            ay += w * c.anchorAY[p];
+            az += w * c.anchorAZ[p];
+            bx += w * c.anchorBX[p];
+            by += w * c.anchorBY[p];
+            bz += w * c.anchorBZ[p];
         }
         double k = 1 / sum;
-        int o = r + ConstraintRows.LEVER;
-        d[o] = ax * k;
-        d[o + 1] = ay * k;
-        d[o + 2] = az * k;
-        d[o + 3] = bx * k;
-        d[o + 4] = by * k;
-        d[o + 5] = bz * k;
+        shift *= k;
+        ax = ax * k - shift * nx;
+        ay = ay * k - shift * ny;
+        az = az * k - shift * nz;
+        bx = bx * k + shift * nx;
+        by = by * k + shift * ny;
+        bz = bz * k + shift * nz;
+        for (int i = 0; i < ContactStore.POINTS; i++) {
+            double x = c.anchorAX[first + i] - ax;
+            double y = c.anchorAY[first + i] - ay;
+            double z = c.anchorAZ[first + i] - az;
+            d[o + (REACH + i) * lanes] = i < n ? Math.sqrt(x * x + y * y + z * z) : 0;
+        }
+        block(rows, bodies, j, o, ax, ay, az, bx, by, bz, n > 1);
+        warm(rows, bodies, c, j, o, source, scale);
     }
 
-    private static void points(
+    /** Levers, tangent block and twist at the patch's centre. */
+    private static void block(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            int j,
+            int o,
+            double ax,
+            double ay,
+            double az,
+            double bx,
+            double by,
+            double bz,
+            boolean wide) {
+        double[] d = rows.row;
+        double[] root = bodies.root;
+        int lanes = rows.lanes;
+        int a = rows.link[j * LINK];
+        int b = rows.link[j * LINK + 1];
+        int t1 = o + TANGENT1 * lanes;
+        int t2 = o + TANGENT2 * lanes;
+        double x1 = d[t1];
+        double y1 = d[t1 + lanes];
+        double z1 = d[t1 + 2 * lanes];
+        double x2 = d[t2];
+        double y2 = d[t2 + lanes];
+        double z2 = d[t2 + 2 * lanes];
+        int lever = o + LEVER * lanes;
+        int three = 3 * lanes;
+        double sum = d[o + MASS_A * lanes] + d[o + MASS_B * lanes];
+        // K_ij = (1/mA + 1/mB) d_ij + (rA x ti).IA^-1(rA x tj) + (rB x ti).IB^-1(rB x tj)
+        double k11 =
+                sum
+                        + arm(root, a, d, lever, lanes, ax, ay, az, x1, y1, z1)
+                        + arm(root, b, d, lever + 2 * three, lanes, bx, by, bz, x1, y1, z1);
+        double k22 =
+                sum
+                        + arm(root, a, d, lever + three, lanes, ax, ay, az, x2, y2, z2)
+                        + arm(root, b, d, lever + 3 * three, lanes, bx, by, bz, x2, y2, z2);
+        double k12 =
+                dot(d, lever, lever + three, lanes)
+                        + dot(d, lever + 2 * three, lever + 3 * three, lanes);
+        double det = 1 / (k11 * k22 - k12 * k12);
+        put(d, o + BLOCK * lanes, lanes, k22 * det, -k12 * det, k11 * det);
+        int t = o + TWIST * lanes;
+        double twist =
+                weighted(root, a, d, t, lanes, d[o], d[o + lanes], d[o + 2 * lanes])
+                        + weighted(
+                                root, b, d, t + three, lanes, d[o], d[o + lanes], d[o + 2 * lanes]);
+        d[o + TWIST_MASS * lanes] = twist > 0 && wide ? 1 / twist : 0;
+    }
+
+    private static void warm(
             ConstraintRows rows,
             SolverBodies bodies,
             ContactStore c,
-            int m,
-            int a,
-            int b,
-            double impulseScale) {
-        double[] d = rows.row;
-        double[] q = rows.point;
-        int r = m * ConstraintRows.ROW;
-        int source = rows.link[m * ConstraintRows.LINK + ConstraintRows.SOURCE];
-        double nx = d[r];
-        double ny = d[r + 1];
-        double nz = d[r + 2];
-        double sum = d[r + ConstraintRows.MASS_A] + d[r + ConstraintRows.MASS_B];
-        double cx = d[r + ConstraintRows.LEVER];
-        double cy = d[r + ConstraintRows.LEVER + 1];
-        double cz = d[r + ConstraintRows.LEVER + 2];
-        double radius = 0;
-        boolean unloaded = rows.link[m * ConstraintRows.LINK + ConstraintRows.UNLOADED] != 0;
-        // k = m_eff biasRate massScale / impulseScale
-        double stiffness =
-                d[r + ConstraintRows.BIAS_RATE]
-                        * d[r + ConstraintRows.MASS_SCALE]
-                        / d[r + ConstraintRows.IMPULSE_SCALE];
-        for (int i = 0; i < c.pointCount[source]; i++) {
-            int p = ContactStore.POINTS * source + i;
-            int o = (ContactStore.POINTS * m + i) * ConstraintRows.POINT;
-            double x = c.anchorAX[p];
-            double y = c.anchorAY[p];
-            double z = c.anchorAZ[p];
-            cross(q, o, x, y, z, nx, ny, nz);
-            cross(q, o + 3, c.anchorBX[p], c.anchorBY[p], c.anchorBZ[p], nx, ny, nz);
-            apply(bodies.inverseInertia, a, q, o, q, o + ConstraintRows.SPIN);
-            apply(bodies.inverseInertia, b, q, o + 3, q, o + ConstraintRows.SPIN + 3);
-            // 1/m_eff = 1/mA + 1/mB + (rA x n).IA^-1(rA x n) + (rB x n).IB^-1(rB x n)
-            double w = sum + dot(q, o, q, o + 6) + dot(q, o + 3, q, o + 9);
-            q[o + ConstraintRows.MASS] = w > 0 ? 1 / w : 0;
-            // at rest the soft step holds the load l with the overlap l / k; the offset stands for
-            // the load that it knows
-            double k = q[o + ConstraintRows.MASS] * stiffness;
-            q[o + ConstraintRows.STIFFNESS] = k;
-            double known = unloaded ? 0 : c.preload[p] * impulseScale;
-            q[o + ConstraintRows.GAP] = c.separation[p] - (k > 0 ? known / k : 0);
-            q[o + ConstraintRows.IMPULSE] = c.normalImpulse[p] * impulseScale;
-            q[o + ConstraintRows.SUM] = 0;
-            double dx = x - cx;
-            double dy = y - cy;
-            double dz = z - cz;
-            double reach = Math.sqrt(dx * dx + dy * dy + dz * dz);
-            q[o + ConstraintRows.REACH] = reach;
-            radius = Math.max(radius, reach);
-        }
-        d[r + ConstraintRows.RADIUS] = radius;
-    }
-
-    private static void friction(
-            double[] d,
-            int r,
-            SolverBodies bodies,
-            ContactStore c,
+            int j,
+            int o,
             int source,
-            int a,
-            int b,
-            double impulseScale) {
-        double[] inertia = bodies.inverseInertia;
-        int lever = r + ConstraintRows.LEVER;
-        int turn = r + ConstraintRows.TURN;
-        int t1 = r + ConstraintRows.TANGENT1;
-        int t2 = r + ConstraintRows.TANGENT2;
-        double ax = d[lever];
-        double ay = d[lever + 1];
-        double az = d[lever + 2];
-        double bx = d[lever + 3];
-        double by = d[lever + 4];
-        double bz = d[lever + 5];
-        cross(d, lever, ax, ay, az, d[t1], d[t1 + 1], d[t1 + 2]);
-        cross(d, lever + 3, ax, ay, az, d[t2], d[t2 + 1], d[t2 + 2]);
-        cross(d, lever + 6, bx, by, bz, d[t1], d[t1 + 1], d[t1 + 2]);
-        cross(d, lever + 9, bx, by, bz, d[t2], d[t2 + 1], d[t2 + 2]);
-        apply(inertia, a, d, lever, d, turn);
-        apply(inertia, a, d, lever + 3, d, turn + 3);
-        apply(inertia, b, d, lever + 6, d, turn + 6);
-        apply(inertia, b, d, lever + 9, d, turn + 9);
-        apply(inertia, a, d, r, d, turn + 12);
-        apply(inertia, b, d, r, d, turn + 15);
-        double sum = d[r + ConstraintRows.MASS_A] + d[r + ConstraintRows.MASS_B];
-        // K_ij = (1/mA + 1/mB) d_ij + (rA x ti).IA^-1(rA x tj) + (rB x ti).IB^-1(rB x tj)
-        double k11 = sum + dot(d, lever, d, turn) + dot(d, lever + 6, d, turn + 6);
-        double k12 = dot(d, lever, d, turn + 3) + dot(d, lever + 6, d, turn + 9);
-        double k22 = sum + dot(d, lever + 3, d, turn + 3) + dot(d, lever + 9, d, turn + 9);
-        double det = 1 / (k11 * k22 - k12 * k12);
-        d[r + ConstraintRows.BLOCK] = k22 * det;
-        d[r + ConstraintRows.BLOCK + 1] = -k12 * det;
-        d[r + ConstraintRows.BLOCK + 2] = k11 * det;
-        double twist = dot(d, r, d, turn + 12) + dot(d, r, d, turn + 15);
-        d[r + ConstraintRows.TWIST_MASS] = twist > 0 && c.pointCount[source] > 1 ? 1 / twist : 0;
-        double x = c.frictionImpulseX[source] * impulseScale;
-        double y = c.frictionImpulseY[source] * impulseScale;
-        double z = c.frictionImpulseZ[source] * impulseScale;
-        d[r + ConstraintRows.LAMBDA] = x * d[t1] + y * d[t1 + 1] + z * d[t1 + 2];
-        d[r + ConstraintRows.LAMBDA + 1] = x * d[t2] + y * d[t2 + 1] + z * d[t2 + 2];
-        d[r + ConstraintRows.LAMBDA + 2] =
-                d[r + ConstraintRows.TWIST_MASS] > 0 ? c.twistImpulse[source] * impulseScale : 0;
+            double scale) {
+        double[] d = rows.row;
+        int lanes = rows.lanes;
+        int t1 = o + TANGENT1 * lanes;
+        int t2 = o + TANGENT2 * lanes;
+        double x = c.frictionImpulseX[source] * scale;
+        double y = c.frictionImpulseY[source] * scale;
+        double z = c.frictionImpulseZ[source] * scale;
+        put(
+                d,
+                o + LAMBDA * lanes,
+                lanes,
+                x * d[t1] + y * d[t1 + lanes] + z * d[t1 + 2 * lanes],
+                x * d[t2] + y * d[t2 + lanes] + z * d[t2 + 2 * lanes],
+                d[o + TWIST_MASS * lanes] > 0 ? c.twistImpulse[source] * scale : 0);
+        put(d, o + TOTAL * lanes, lanes, 0, 0, 0);
+        addFriction(rows, bodies.warm, j, o, 1);
     }
 
-    private static void cross(
-            double[] out, int o, double ax, double ay, double az, double bx, double by, double bz) {
-        out[o] = ay * bz - az * by;
-        out[o + 1] = az * bx - ax * bz;
-        out[o + 2] = ax * by - ay * bx;
+    /** Adds the velocities that the friction and twist of a row make, times {@code sign}. */
+    static void addFriction(ConstraintRows rows, double[] warm, int j, int o, double sign) {
+        double[] d = rows.row;
+        int lanes = rows.lanes;
+        int a = rows.link[j * LINK];
+        int b = rows.link[j * LINK + 1];
+        int t1 = o + TANGENT1 * lanes;
+        int t2 = o + TANGENT2 * lanes;
+        int lever = o + LEVER * lanes;
+        int three = 3 * lanes;
+        int t = o + TWIST * lanes;
+        double f1 = sign * d[o + LAMBDA * lanes];
+        double f2 = sign * d[o + (LAMBDA + 1) * lanes];
+        double f3 = sign * d[o + (LAMBDA + 2) * lanes];
+        double ma = d[o + MASS_A * lanes];
+        double mb = d[o + MASS_B * lanes];
+        push(warm, a, b, ma * f1, mb * f1, d[t1], d[t1 + lanes], d[t1 + 2 * lanes]);
+        push(warm, a, b, ma * f2, mb * f2, d[t2], d[t2 + lanes], d[t2 + 2 * lanes]);
+        turn(warm, a, b, d, lever, lever + 2 * three, lanes, f1);
+        turn(warm, a, b, d, lever + three, lever + 3 * three, lanes, f2);
+        turn(warm, a, b, d, t, t + three, lanes, f3);
     }
 
-    /** {@code out = I^-1 v} with the world inverse inertia of a slot. */
-    private static void apply(double[] inertia, int slot, double[] v, int i, double[] out, int o) {
-        int k = 6 * slot;
-        double x = v[i];
-        double y = v[i + 1];
-        double z = v[i + 2];
-        out[o] = inertia[k] * x + inertia[k + 3] * y + inertia[k + 4] * z;
-        out[o + 1] = inertia[k + 3] * x + inertia[k + 1] * y + inertia[k + 5] * z;
-        out[o + 2] = inertia[k + 4] * x + inertia[k + 5] * y + inertia[k + 2] * z;
+    /** Adds the velocities that the normal impulses of a row make, times {@code sign}. */
+    static void addNormals(ConstraintRows rows, double[] warm, int j, int o, double sign) {
+        double[] d = rows.row;
+        int lanes = rows.lanes;
+        int a = rows.link[j * LINK];
+        int b = rows.link[j * LINK + 1];
+        double sum = 0;
+        for (int i = 0; i < rows.link[j * LINK + ConstraintRows.COUNT]; i++) {
+            int q = o + (POINT + i * POINT_FIELDS) * lanes;
+            double impulse = sign * d[q + IMPULSE * lanes];
+            turn(warm, a, b, d, q + ARM_A * lanes, q + ARM_B * lanes, lanes, impulse);
+            sum += impulse;
+        }
+        double ma = d[o + MASS_A * lanes] * sum;
+        double mb = d[o + MASS_B * lanes] * sum;
+        push(warm, a, b, ma, mb, d[o], d[o + lanes], d[o + 2 * lanes]);
     }
 
-    static double dot(double[] a, int i, double[] b, int j) {
-        return a[i] * b[j] + a[i + 1] * b[j + 1] + a[i + 2] * b[j + 2];
+    /** Linear part of an impulse along n; bodies that do not move stay untouched. */
+    private static void push(
+            double[] warm, int a, int b, double ka, double kb, double nx, double ny, double nz) {
+        if (a != 0) {
+            int i = a >> 1;
+            warm[i] -= ka * nx;
+            warm[i + 1] -= ka * ny;
+            warm[i + 2] -= ka * nz;
+        }
+        if (b != 0) {
+            int i = b >> 1;
+            warm[i] += kb * nx;
+            warm[i + 1] += kb * ny;
+            warm[i + 2] += kb * nz;
+        }
+    }
+
+    /** Angular part of an impulse whose weighted arms are at {@code ia} and {@code ib}. */
+    private static void turn(
+            double[] warm, int a, int b, double[] d, int ia, int ib, int lanes, double impulse) {
+        if (a != 0) {
+            int i = (a >> 1) + 3;
+            warm[i] -= impulse * d[ia];
+            warm[i + 1] -= impulse * d[ia + lanes];
+            warm[i + 2] -= impulse * d[ia + 2 * lanes];
+        }
+        if (b != 0) {
+            int i = (b >> 1) + 3;
+            warm[i] += impulse * d[ib];
+            warm[i + 1] += impulse * d[ib + lanes];
+            warm[i + 2] += impulse * d[ib + 2 * lanes];
+        }
+    }
+
+    /** Writes {@code L^T (r x u)}; returns its square. */
+    private static double arm(
+            double[] root,
+            int body,
+            double[] d,
+            int o,
+            int lanes,
+            double rx,
+            double ry,
+            double rz,
+            double ux,
+            double uy,
+            double uz) {
+        return weighted(
+                root, body, d, o, lanes, ry * uz - rz * uy, rz * ux - rx * uz, rx * uy - ry * ux);
+    }
+
+    /** Writes {@code L^T v}; returns its square. */
+    private static double weighted(
+            double[] root, int body, double[] d, int o, int lanes, double x, double y, double z) {
+        int k = (body >> 4) * SolverBodies.ROOT;
+        double u = root[k] * x + root[k + 3] * y + root[k + 6] * z;
+        double v = root[k + 1] * x + root[k + 4] * y + root[k + 7] * z;
+        double w = root[k + 2] * x + root[k + 5] * y + root[k + 8] * z;
+        put(d, o, lanes, u, v, w);
+        return u * u + v * v + w * w;
+    }
+
+    private static void put(double[] d, int o, int lanes, double x, double y, double z) {
+        d[o] = x;
+        d[o + lanes] = y;
+        d[o + 2 * lanes] = z;
+    }
+
+    private static double dot(double[] d, int i, int j, int lanes) {
+        return d[i] * d[j] + d[i + lanes] * d[j + lanes] + d[i + 2 * lanes] * d[j + 2 * lanes];
     }
 }

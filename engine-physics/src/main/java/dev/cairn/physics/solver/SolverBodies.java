@@ -5,24 +5,30 @@ import dev.cairn.physics.internal.BodyStore;
 import java.util.Arrays;
 
 /**
- * What the solver holds of each body, by slot: 16 doubles in a row, so that a contact gathers a
- * body from two cache lines.
+ * What the solver holds of each body: 16 doubles in a row, so that a contact gathers a body from
+ * two cache lines. The body of slot i is at {@code offset(i)}; at offset 0 lies a body that does
+ * not move, which stands for all of those.
  */
 final class SolverBodies {
-    /** Doubles to a slot of {@link #state}. */
+    /** Doubles to a body of {@link #state}. */
     static final int STRIDE = 16;
 
-    /** Velocity of the centre of mass, world, m/s; angular velocity at {@code V + 3}, rad/s. */
+    /**
+     * Velocity of the centre of mass, world, m/s; at {@code V + 3} the weighted angular velocity
+     * {@code L^-1 w}, where {@code L L^T} is the world inverse inertia of the tick's start.
+     */
     static final int V = 0;
 
-    /** Movement since the start of the tick, world, m; turn since then at {@code P + 3}, rad. */
-    static final int P = 6;
-
     /** 1 if a contact pressed on the body in this sub-step, else 0. */
-    static final int LOADED = 12;
+    static final int LOADED = 6;
 
     /** Inverse mass in the solver, 1/kg. */
-    static final int MASS = 13;
+    static final int MASS = 7;
+
+    /**
+     * Movement since the start of the tick, world, m; weighted turn since then at {@code P + 3}.
+     */
+    static final int P = 8;
 
     /** Factor on gravity in the solver. */
     static final int GRAVITY = 14;
@@ -33,10 +39,28 @@ final class SolverBodies {
     /** Value of {@link #guide}: the body has contacts and takes sub-steps. */
     static final int BOUND = -1;
 
+    /** Doubles to a body of {@link #root}. */
+    static final int ROOT = 12;
+
+    /** Doubles to a body of {@link #warm} and {@link #mark}. */
+    static final int HALF = 8;
+
     double[] state = {};
 
-    /** World inverse inertia in the solver, 6 to a slot: xx yy zz xy xz yz. */
-    double[] inverseInertia = {};
+    /**
+     * {@code L}, row by row, then the three inverses of the squares of its columns: {@code L^-1} is
+     * these times {@code L^T}, since the columns are orthogonal.
+     */
+    double[] root = {};
+
+    /**
+     * Change of the velocities by the impulses of the last sub-step: the warm start of all contacts
+     * of a body at once.
+     */
+    double[] warm = {};
+
+    /** Velocities after the warm start. */
+    double[] mark = {};
 
     /**
      * For guided bodies: velocity at the start of the sub-step, and velocity that moved it. 6 to a
@@ -58,11 +82,21 @@ final class SolverBodies {
 
     final PrincipalAxes axes = new PrincipalAxes();
 
+    static int offset(int slot) {
+        return (slot + 1) * STRIDE;
+    }
+
+    static int slot(int offset) {
+        return offset / STRIDE - 1;
+    }
+
     void ensureCapacity(int slots) {
         if (slots > guide.length) {
             int n = Math.max(slots, guide.length + (guide.length >> 1));
-            state = Arrays.copyOf(state, n * STRIDE);
-            inverseInertia = Arrays.copyOf(inverseInertia, n * 6);
+            state = Arrays.copyOf(state, (n + 1) * STRIDE);
+            root = Arrays.copyOf(root, (n + 1) * ROOT);
+            warm = Arrays.copyOf(warm, (n + 1) * HALF);
+            mark = Arrays.copyOf(mark, (n + 1) * HALF);
             glide = Arrays.copyOf(glide, n * 6);
             carry = Arrays.copyOf(carry, n * 12);
             guide = Arrays.copyOf(guide, n);
@@ -70,91 +104,102 @@ final class SolverBodies {
         axes.ensureCapacity(slots);
     }
 
-    /** Makes slot {@code i} an immovable thing at rest. */
-    void loadStatic(int i) {
-        Arrays.fill(state, i * STRIDE, (i + 1) * STRIDE, 0.0);
-        Arrays.fill(inverseInertia, i * 6, i * 6 + 6, 0.0);
-    }
-
     /** Loads a body that has contacts; keeps {@link #LOADED} of the last sub-step. */
     void loadBound(BodyStore b, int i, double massScale) {
         double[] s = state;
-        int o = i * STRIDE;
+        int o = offset(i);
+        double inverse = 1 / massScale;
+        rootOfInertia(b, i, inverse);
         s[o + V] = b.velocityX[i];
         s[o + V + 1] = b.velocityY[i];
         s[o + V + 2] = b.velocityZ[i];
-        s[o + V + 3] = b.angularVelocityX[i];
-        s[o + V + 4] = b.angularVelocityY[i];
-        s[o + V + 5] = b.angularVelocityZ[i];
+        weigh(i, b.angularVelocityX[i], b.angularVelocityY[i], b.angularVelocityZ[i]);
         for (int k = P; k < P + 6; k++) {
             s[o + k] = 0;
         }
-        double inverse = 1 / massScale;
+        int w = o / STRIDE * HALF;
+        for (int k = w; k < w + 6; k++) {
+            warm[k] = 0;
+        }
         s[o + MASS] = b.inverseMass[i] * inverse;
         s[o + GRAVITY] = inverse;
-        worldInverseInertia(b, i, inverse);
     }
 
-    /** {@code R I^-1 R^T}, times {@code scale}. */
-    private void worldInverseInertia(BodyStore b, int i, double scale) {
-        double[] d = inverseInertia;
-        int o = 6 * i;
-        double xx = b.inverseInertiaXX[i] * scale;
+    /** Sets the weighted angular velocity, {@code L^-1 w}. */
+    void weigh(int i, double x, double y, double z) {
+        double[] r = root;
+        int k = (i + 1) * ROOT;
+        int o = offset(i) + V + 3;
+        state[o] = r[k + 9] * (r[k] * x + r[k + 3] * y + r[k + 6] * z) + 0.0;
+        state[o + 1] = r[k + 10] * (r[k + 1] * x + r[k + 4] * y + r[k + 7] * z) + 0.0;
+        state[o + 2] = r[k + 11] * (r[k + 2] * x + r[k + 5] * y + r[k + 8] * z) + 0.0;
+    }
+
+    /** Component {@code axis} of {@code L u}, u the weighted vector at {@code state[o]}. */
+    double world(int i, int o, int axis) {
+        int k = (i + 1) * ROOT + 3 * axis;
+        return root[k] * state[o] + root[k + 1] * state[o + 1] + root[k + 2] * state[o + 2];
+    }
+
+    /** {@code L} with {@code L L^T = scale I^-1}: the principal axes, each times a square root. */
+    private void rootOfInertia(BodyStore b, int i, double scale) {
+        double[] r = root;
+        int k = (i + 1) * ROOT;
         if (axes.isotropic[i]) {
-            d[o] = xx;
-            d[o + 1] = xx;
-            d[o + 2] = xx;
-            d[o + 3] = 0;
-            d[o + 4] = 0;
-            d[o + 5] = 0;
+            double square = b.inverseInertiaXX[i] * scale;
+            double x = Math.sqrt(square);
+            Arrays.fill(r, k, k + 9, 0.0);
+            r[k] = x;
+            r[k + 4] = x;
+            r[k + 8] = x;
+            Arrays.fill(r, k + 9, k + 12, square > 0 ? 1 / square : 0);
             return;
         }
-        double yy = b.inverseInertiaYY[i] * scale;
-        double zz = b.inverseInertiaZZ[i] * scale;
-        double xy = b.inverseInertiaXY[i] * scale;
-        double xz = b.inverseInertiaXZ[i] * scale;
-        double yz = b.inverseInertiaYZ[i] * scale;
-        double qx = b.orientationX[i];
-        double qy = b.orientationY[i];
-        double qz = b.orientationZ[i];
-        double qw = b.orientationW[i];
-        double r00 = 1 - 2 * (qy * qy + qz * qz);
-        double r01 = 2 * (qx * qy - qw * qz);
-        double r02 = 2 * (qx * qz + qw * qy);
-        double r10 = 2 * (qx * qy + qw * qz);
-        double r11 = 1 - 2 * (qx * qx + qz * qz);
-        double r12 = 2 * (qy * qz - qw * qx);
-        double r20 = 2 * (qx * qz - qw * qy);
-        double r21 = 2 * (qy * qz + qw * qx);
-        double r22 = 1 - 2 * (qx * qx + qy * qy);
-        // T = R I^-1
-        double t00 = r00 * xx + r01 * xy + r02 * xz;
-        double t01 = r00 * xy + r01 * yy + r02 * yz;
-        double t02 = r00 * xz + r01 * yz + r02 * zz;
-        double t10 = r10 * xx + r11 * xy + r12 * xz;
-        double t11 = r10 * xy + r11 * yy + r12 * yz;
-        double t12 = r10 * xz + r11 * yz + r12 * zz;
-        double t20 = r20 * xx + r21 * xy + r22 * xz;
-        double t21 = r20 * xy + r21 * yy + r22 * yz;
-        double t22 = r20 * xz + r21 * yz + r22 * zz;
-        d[o] = t00 * r00 + t01 * r01 + t02 * r02;
-        d[o + 1] = t10 * r10 + t11 * r11 + t12 * r12;
-        d[o + 2] = t20 * r20 + t21 * r21 + t22 * r22;
-        d[o + 3] = t00 * r10 + t01 * r11 + t02 * r12;
-        d[o + 4] = t00 * r20 + t01 * r21 + t02 * r22;
-        d[o + 5] = t10 * r20 + t11 * r21 + t12 * r22;
+        double[] d = axes.data;
+        int p = i * PrincipalAxes.STRIDE;
+        double px = d[p + PrincipalAxes.QX];
+        double py = d[p + PrincipalAxes.QX + 1];
+        double pz = d[p + PrincipalAxes.QX + 2];
+        double pw = d[p + PrincipalAxes.QX + 3];
+        double bx = b.orientationX[i];
+        double by = b.orientationY[i];
+        double bz = b.orientationZ[i];
+        double bw = b.orientationW[i];
+        // q = worldFromPrincipal = worldFromBody bodyFromPrincipal
+        double x = bw * px + bx * pw + (by * pz - bz * py);
+        double y = bw * py + by * pw + (bz * px - bx * pz);
+        double z = bw * pz + bz * pw + (bx * py - by * px);
+        double w = bw * pw - (bx * px + by * py + bz * pz);
+        double square1 = scale / d[p + PrincipalAxes.MOMENT];
+        double square2 = scale / d[p + PrincipalAxes.MOMENT + 1];
+        double square3 = scale / d[p + PrincipalAxes.MOMENT + 2];
+        double s1 = Math.sqrt(square1);
+        double s2 = Math.sqrt(square2);
+        double s3 = Math.sqrt(square3);
+        r[k] = s1 * (1 - 2 * (y * y + z * z));
+        r[k + 1] = s2 * (2 * (x * y - w * z));
+        r[k + 2] = s3 * (2 * (x * z + w * y));
+        r[k + 3] = s1 * (2 * (x * y + w * z));
+        r[k + 4] = s2 * (1 - 2 * (x * x + z * z));
+        r[k + 5] = s3 * (2 * (y * z - w * x));
+        r[k + 6] = s1 * (2 * (x * z - w * y));
+        r[k + 7] = s2 * (2 * (y * z + w * x));
+        r[k + 8] = s3 * (1 - 2 * (x * x + y * y));
+        r[k + 9] = 1 / square1;
+        r[k + 10] = 1 / square2;
+        r[k + 11] = 1 / square3;
     }
 
     /** Writes velocities and the movement of the tick back; the orientation was kept up to date. */
     void store(BodyStore b, int i) {
         double[] s = state;
-        int o = i * STRIDE;
+        int o = offset(i);
         b.velocityX[i] = s[o + V];
         b.velocityY[i] = s[o + V + 1];
         b.velocityZ[i] = s[o + V + 2];
-        b.angularVelocityX[i] = s[o + V + 3];
-        b.angularVelocityY[i] = s[o + V + 4];
-        b.angularVelocityZ[i] = s[o + V + 5];
+        b.angularVelocityX[i] = world(i, o + V + 3, 0);
+        b.angularVelocityY[i] = world(i, o + V + 3, 1);
+        b.angularVelocityZ[i] = world(i, o + V + 3, 2);
         b.positionX[i] += s[o + P];
         b.positionY[i] += s[o + P + 1];
         b.positionZ[i] += s[o + P + 2];

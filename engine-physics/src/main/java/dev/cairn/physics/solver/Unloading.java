@@ -37,8 +37,8 @@ final class Unloading {
         Arrays.fill(now, 0, b.slotCount, 0.0);
         Arrays.fill(contactsNow, 0, b.slotCount, 0);
         for (int m = 0; m < rows.count; m++) {
-            rows.link[m * ConstraintRows.LINK + ConstraintRows.UNLOADED] = 0;
-            int source = rows.link[m * ConstraintRows.LINK + ConstraintRows.SOURCE];
+            rows.unloaded[rows.place[m]] = 0;
+            int source = rows.source[m];
             double sum = force(c, source, perImpulse);
             now[c.bodyA[source]] += sum;
             now[c.bodyB[source]] += sum;
@@ -67,25 +67,20 @@ final class Unloading {
             again = false;
             for (int k = 0; k < rows.count; k++) {
                 int m = forward ? k : rows.count - 1 - k;
-                int l = m * ConstraintRows.LINK;
-                if (rows.link[l + ConstraintRows.UNLOADED] != 0) {
+                if (rows.unloaded[rows.place[m]] != 0) {
                     continue;
                 }
-                int source = rows.link[l + ConstraintRows.SOURCE];
+                int source = rows.source[m];
                 int i = c.bodyA[source];
                 int j = c.bodyB[source];
                 if (marked[i] || marked[j]) {
-                    rows.link[l + ConstraintRows.UNLOADED] = 1;
+                    rows.unloaded[rows.place[m]] = 1;
                     marked[i] = b.kind[i] == BodyStore.DYNAMIC;
                     marked[j] = b.kind[j] == BodyStore.DYNAMIC;
                     again = true;
                 }
             }
         }
-    }
-
-    void settle(ConstraintRows rows, double[] body, double h, SolverSettings settings) {
-        RowKernels.settle(rows, body, h, settings.unloadSweeps(), settings.innerSweeps());
     }
 
     /** Adds what a contact presses with to its bodies. */

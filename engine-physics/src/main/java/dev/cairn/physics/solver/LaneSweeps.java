@@ -1,0 +1,587 @@
+package dev.cairn.physics.solver;
+
+import static dev.cairn.physics.solver.ConstraintRows.ARM_B;
+import static dev.cairn.physics.solver.ConstraintRows.BLOCK;
+import static dev.cairn.physics.solver.ConstraintRows.CHUNK;
+import static dev.cairn.physics.solver.ConstraintRows.COLD;
+import static dev.cairn.physics.solver.ConstraintRows.FRICTION;
+import static dev.cairn.physics.solver.ConstraintRows.GAP;
+import static dev.cairn.physics.solver.ConstraintRows.IMPULSE;
+import static dev.cairn.physics.solver.ConstraintRows.LAMBDA;
+import static dev.cairn.physics.solver.ConstraintRows.LEVER;
+import static dev.cairn.physics.solver.ConstraintRows.LINK;
+import static dev.cairn.physics.solver.ConstraintRows.MASS;
+import static dev.cairn.physics.solver.ConstraintRows.MASS_A;
+import static dev.cairn.physics.solver.ConstraintRows.MASS_B;
+import static dev.cairn.physics.solver.ConstraintRows.POINT;
+import static dev.cairn.physics.solver.ConstraintRows.POINT_FIELDS;
+import static dev.cairn.physics.solver.ConstraintRows.REACH;
+import static dev.cairn.physics.solver.ConstraintRows.SEPARATION;
+import static dev.cairn.physics.solver.ConstraintRows.SUM;
+import static dev.cairn.physics.solver.ConstraintRows.TANGENT1;
+import static dev.cairn.physics.solver.ConstraintRows.TOTAL;
+import static dev.cairn.physics.solver.ConstraintRows.TWIST;
+import static dev.cairn.physics.solver.ConstraintRows.TWIST_MASS;
+import static dev.cairn.physics.solver.SolverBodies.LOADED;
+import static dev.cairn.physics.solver.SolverBodies.P;
+
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
+import java.lang.invoke.MethodHandles;
+
+/**
+ * The sweeps with one row to a lane, by the Vector API. The arithmetic of a lane is that of {@link
+ * ScalarSweeps}, operation by operation; what a lane has to do no more is masked.
+ *
+ * <p>The class is made once for each number of lanes, as a hidden class, so that its species is a
+ * constant. Kernels call the Vector API directly and keep vectors in locals: a helper that takes or
+ * returns one would box it as soon as it is not inlined. A chunk of rows is gathered by scalar
+ * copies into scratch, solved there group by group, and scattered.
+ */
+final class LaneSweeps implements Sweeps {
+    private static final VectorSpecies<Double> S = species();
+    private static final int L = S.length();
+
+    /** Scratch: velocities of A and B, movements of A and B, and marks of a lane. */
+    private static final int VB = 6 * CHUNK;
+
+    private static final int PA = 12 * CHUNK;
+    private static final int PB = 18 * CHUNK;
+    private static final int PRESSED = 24 * CHUNK;
+    private static final int LANDS = 25 * CHUNK;
+    private static final int RUBS = 26 * CHUNK;
+    private static final int ONES = Sweeps.ONES;
+
+    private static VectorSpecies<Double> species() {
+        try {
+            int lanes = MethodHandles.classData(MethodHandles.lookup(), "_", Integer.class);
+            return lanes == 4 ? DoubleVector.SPECIES_256 : DoubleVector.SPECIES_512;
+        } catch (IllegalAccessException refused) {
+            throw new ExceptionInInitializerError(refused);
+        }
+    }
+
+    @Override
+    public int lanes() {
+        return L;
+    }
+
+    @Override
+    public void bias(
+            ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] scratch) {
+        gather(body, rows.link, from, to, scratch);
+        for (int j = from; j < to; j += L) {
+            int n = rows.points[j / L];
+            int o = j * ConstraintRows.FIELDS;
+            int more = sub.landing - sub.sweeps;
+            if (soft(rows.row, o, scratch, j - from, n, sub, sub.sweeps, ONES) && more > 0) {
+                soft(rows.row, o, scratch, j - from, n, sub, more, LANDS);
+            }
+        }
+        scatter(body, rows.link, from, to, scratch);
+        for (int j = from; j < to; j++) {
+            if (scratch[PRESSED + j - from] > 0) {
+                int a = rows.link[j * LINK];
+                int b = rows.link[j * LINK + 1];
+                body[a + LOADED] = a == 0 ? 0 : 1;
+                body[b + LOADED] = b == 0 ? 0 : 1;
+            }
+        }
+    }
+
+    @Override
+    public void relax(
+            ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] scratch) {
+        gather(body, rows.link, from, to, scratch);
+        gatherMovement(body, rows.link, from, to, scratch);
+        double[] d = rows.row;
+        double inverse = sub.inverse;
+        for (int j = from; j < to; j += L) {
+            int n = rows.points[j / L];
+            int o = j * ConstraintRows.FIELDS;
+            int g = j - from;
+            separations(d, o, scratch, g, n);
+            if (hard(d, o, scratch, g, n, inverse, sub.sweeps, ONES)) {
+                hard(d, o, scratch, g, n, inverse, sub.landing - sub.sweeps, LANDS);
+            }
+            if (rows.rough[j / L]) {
+                boolean again = friction(d, o, scratch, g, n, ONES);
+                for (int round = 1; again && round < sub.coldRounds; round++) {
+                    hard(d, o, scratch, g, n, inverse, sub.landing, RUBS);
+                    again = friction(d, o, scratch, g, n, RUBS);
+                }
+            }
+            total(d, o, n);
+        }
+        scatter(body, rows.link, from, to, scratch);
+    }
+
+    private static void gather(double[] body, int[] link, int from, int to, double[] st) {
+        for (int j = from, l = 0; j < to; j++, l++) {
+            int a = link[j * LINK];
+            int b = link[j * LINK + 1];
+            st[l] = body[a];
+            st[CHUNK + l] = body[a + 1];
+            st[2 * CHUNK + l] = body[a + 2];
+            st[3 * CHUNK + l] = body[a + 3];
+            st[4 * CHUNK + l] = body[a + 4];
+            st[5 * CHUNK + l] = body[a + 5];
+            st[VB + l] = body[b];
+            st[VB + CHUNK + l] = body[b + 1];
+            st[VB + 2 * CHUNK + l] = body[b + 2];
+            st[VB + 3 * CHUNK + l] = body[b + 3];
+            st[VB + 4 * CHUNK + l] = body[b + 4];
+            st[VB + 5 * CHUNK + l] = body[b + 5];
+        }
+    }
+
+    private static void gatherMovement(double[] body, int[] link, int from, int to, double[] st) {
+        for (int j = from, l = 0; j < to; j++, l++) {
+            int a = link[j * LINK] + P;
+            int b = link[j * LINK + 1] + P;
+            st[PA + l] = body[a];
+            st[PA + CHUNK + l] = body[a + 1];
+            st[PA + 2 * CHUNK + l] = body[a + 2];
+            st[PA + 3 * CHUNK + l] = body[a + 3];
+            st[PA + 4 * CHUNK + l] = body[a + 4];
+            st[PA + 5 * CHUNK + l] = body[a + 5];
+            st[PB + l] = body[b];
+            st[PB + CHUNK + l] = body[b + 1];
+            st[PB + 2 * CHUNK + l] = body[b + 2];
+            st[PB + 3 * CHUNK + l] = body[b + 3];
+            st[PB + 4 * CHUNK + l] = body[b + 4];
+            st[PB + 5 * CHUNK + l] = body[b + 5];
+        }
+    }
+
+    private static void scatter(double[] body, int[] link, int from, int to, double[] st) {
+        for (int j = from, l = 0; j < to; j++, l++) {
+            int a = link[j * LINK];
+            int b = link[j * LINK + 1];
+            if (a != 0) {
+                body[a] = st[l];
+                body[a + 1] = st[CHUNK + l];
+                body[a + 2] = st[2 * CHUNK + l];
+                body[a + 3] = st[3 * CHUNK + l];
+                body[a + 4] = st[4 * CHUNK + l];
+                body[a + 5] = st[5 * CHUNK + l];
+            }
+            if (b != 0) {
+                body[b] = st[VB + l];
+                body[b + 1] = st[VB + CHUNK + l];
+                body[b + 2] = st[VB + 2 * CHUNK + l];
+                body[b + 3] = st[VB + 3 * CHUNK + l];
+                body[b + 4] = st[VB + 4 * CHUNK + l];
+                body[b + 5] = st[VB + 5 * CHUNK + l];
+            }
+        }
+    }
+
+    /**
+     * Soft normals of a group: of the lanes that are marked at {@code marks}.
+     *
+     * @return whether a lane that lands needs more sweeps
+     */
+    private static boolean soft(
+            double[] d, int o, double[] st, int g, int points, SubStep sub, int sweeps, int marks) {
+        var nx = DoubleVector.fromArray(S, d, o);
+        var ny = DoubleVector.fromArray(S, d, o + L);
+        var nz = DoubleVector.fromArray(S, d, o + 2 * L);
+        var ma = DoubleVector.fromArray(S, d, o + MASS_A * L);
+        var mb = DoubleVector.fromArray(S, d, o + MASS_B * L);
+        var sum = ma.add(mb);
+        var ax = DoubleVector.fromArray(S, st, 3 * CHUNK + g);
+        var ay = DoubleVector.fromArray(S, st, 4 * CHUNK + g);
+        var az = DoubleVector.fromArray(S, st, 5 * CHUNK + g);
+        var bx = DoubleVector.fromArray(S, st, VB + 3 * CHUNK + g);
+        var by = DoubleVector.fromArray(S, st, VB + 4 * CHUNK + g);
+        var bz = DoubleVector.fromArray(S, st, VB + 5 * CHUNK + g);
+        var avx = DoubleVector.fromArray(S, st, g);
+        var avy = DoubleVector.fromArray(S, st, CHUNK + g);
+        var avz = DoubleVector.fromArray(S, st, 2 * CHUNK + g);
+        var bvx = DoubleVector.fromArray(S, st, VB + g);
+        var bvy = DoubleVector.fromArray(S, st, VB + CHUNK + g);
+        var bvz = DoubleVector.fromArray(S, st, VB + 2 * CHUNK + g);
+        var vn = nx.mul(bvx.sub(avx)).add(ny.mul(bvy.sub(avy))).add(nz.mul(bvz.sub(avz)));
+        var change = DoubleVector.zero(S);
+        var fixed = ma.min(mb).compare(VectorOperators.EQ, 0.0);
+        var rate = DoubleVector.broadcast(S, sub.rate).blend(sub.fixedRate, fixed);
+        var massScale = DoubleVector.broadcast(S, sub.massScale).blend(sub.fixedMassScale, fixed);
+        var leak = DoubleVector.broadcast(S, sub.impulseScale).blend(sub.fixedImpulseScale, fixed);
+        double inverse = sub.inverse;
+        double push = -sub.pushSpeed;
+        var pressed = DoubleVector.zero(S);
+        var active = DoubleVector.fromArray(S, st, marks + g).compare(VectorOperators.GT, 0.0);
+        if (marks == ONES) {
+            for (int p = 0; p < points; p++) {
+                pressed =
+                        pressed.add(
+                                DoubleVector.fromArray(
+                                        S, d, o + (POINT + p * POINT_FIELDS + IMPULSE) * L));
+            }
+            DoubleVector.zero(S)
+                    .blend(1.0, pressed.compare(VectorOperators.EQ, 0.0))
+                    .intoArray(d, o + COLD * L);
+        }
+        var moved = DoubleVector.zero(S);
+        for (int sweep = 0; sweep < sweeps; sweep++) {
+            moved = DoubleVector.zero(S);
+            pressed = DoubleVector.zero(S);
+            for (int p = 0; p < points; p++) {
+                int q = o + (POINT + p * POINT_FIELDS) * L;
+                var ux = DoubleVector.fromArray(S, d, q);
+                var uy = DoubleVector.fromArray(S, d, q + L);
+                var uz = DoubleVector.fromArray(S, d, q + 2 * L);
+                var wx = DoubleVector.fromArray(S, d, q + ARM_B * L);
+                var wy = DoubleVector.fromArray(S, d, q + (ARM_B + 1) * L);
+                var wz = DoubleVector.fromArray(S, d, q + (ARM_B + 2) * L);
+                var s = DoubleVector.fromArray(S, d, q + SEPARATION * L);
+                var open = s.compare(VectorOperators.GT, 0.0);
+                var b0 = s.mul(rate).max(push).blend(s.mul(inverse), open);
+                var k = massScale.blend(1.0, open);
+                var loss = leak.blend(0.0, open);
+                var speed =
+                        vn.add(change.mul(sum))
+                                .add(wx.mul(bx).add(wy.mul(by)).add(wz.mul(bz)))
+                                .sub(ux.mul(ax).add(uy.mul(ay)).add(uz.mul(az)));
+                var old = DoubleVector.fromArray(S, d, q + IMPULSE * L);
+                var mass = DoubleVector.fromArray(S, d, q + MASS * L);
+                var next =
+                        old.blend(
+                                old.sub(mass.mul(k.mul(speed).add(b0))).sub(loss.mul(old)).max(0.0),
+                                active);
+                pressed = pressed.add(next);
+                next.intoArray(d, q + IMPULSE * L);
+                var delta = next.sub(old);
+                moved = moved.max(delta.abs());
+                change = change.add(delta);
+                ax = ax.sub(delta.mul(ux));
+                ay = ay.sub(delta.mul(uy));
+                az = az.sub(delta.mul(uz));
+                bx = bx.add(delta.mul(wx));
+                by = by.add(delta.mul(wy));
+                bz = bz.add(delta.mul(wz));
+            }
+            if (!moved.compare(VectorOperators.GT, 0.0).anyTrue()) {
+                break;
+            }
+        }
+        var px = change.mul(nx);
+        var py = change.mul(ny);
+        var pz = change.mul(nz);
+        avx.add(ma.neg().mul(px)).add(0.0).intoArray(st, g);
+        avy.add(ma.neg().mul(py)).add(0.0).intoArray(st, CHUNK + g);
+        avz.add(ma.neg().mul(pz)).add(0.0).intoArray(st, 2 * CHUNK + g);
+        bvx.add(mb.mul(px)).add(0.0).intoArray(st, VB + g);
+        bvy.add(mb.mul(py)).add(0.0).intoArray(st, VB + CHUNK + g);
+        bvz.add(mb.mul(pz)).add(0.0).intoArray(st, VB + 2 * CHUNK + g);
+        ax.add(0.0).intoArray(st, 3 * CHUNK + g);
+        ay.add(0.0).intoArray(st, 4 * CHUNK + g);
+        az.add(0.0).intoArray(st, 5 * CHUNK + g);
+        bx.add(0.0).intoArray(st, VB + 3 * CHUNK + g);
+        by.add(0.0).intoArray(st, VB + 4 * CHUNK + g);
+        bz.add(0.0).intoArray(st, VB + 5 * CHUNK + g);
+        pressed.intoArray(st, PRESSED + g);
+        var lands =
+                DoubleVector.fromArray(S, d, o + COLD * L)
+                        .compare(VectorOperators.GT, 0.0)
+                        .and(moved.compare(VectorOperators.GT, 0.0));
+        DoubleVector.zero(S).blend(1.0, lands).intoArray(st, LANDS + g);
+        return lands.anyTrue();
+    }
+
+    /** Where the points are after the movement of the sub-step. */
+    private static void separations(double[] d, int o, double[] st, int g, int points) {
+        var nx = DoubleVector.fromArray(S, d, o);
+        var ny = DoubleVector.fromArray(S, d, o + L);
+        var nz = DoubleVector.fromArray(S, d, o + 2 * L);
+        var moved =
+                nx.mul(
+                                DoubleVector.fromArray(S, st, PB + g)
+                                        .sub(DoubleVector.fromArray(S, st, PA + g)))
+                        .add(
+                                ny.mul(
+                                        DoubleVector.fromArray(S, st, PB + CHUNK + g)
+                                                .sub(
+                                                        DoubleVector.fromArray(
+                                                                S, st, PA + CHUNK + g))))
+                        .add(
+                                nz.mul(
+                                        DoubleVector.fromArray(S, st, PB + 2 * CHUNK + g)
+                                                .sub(
+                                                        DoubleVector.fromArray(
+                                                                S, st, PA + 2 * CHUNK + g))));
+        var ax = DoubleVector.fromArray(S, st, PA + 3 * CHUNK + g);
+        var ay = DoubleVector.fromArray(S, st, PA + 4 * CHUNK + g);
+        var az = DoubleVector.fromArray(S, st, PA + 5 * CHUNK + g);
+        var bx = DoubleVector.fromArray(S, st, PB + 3 * CHUNK + g);
+        var by = DoubleVector.fromArray(S, st, PB + 4 * CHUNK + g);
+        var bz = DoubleVector.fromArray(S, st, PB + 5 * CHUNK + g);
+        for (int p = 0; p < points; p++) {
+            int q = o + (POINT + p * POINT_FIELDS) * L;
+            var ux = DoubleVector.fromArray(S, d, q);
+            var uy = DoubleVector.fromArray(S, d, q + L);
+            var uz = DoubleVector.fromArray(S, d, q + 2 * L);
+            var wx = DoubleVector.fromArray(S, d, q + ARM_B * L);
+            var wy = DoubleVector.fromArray(S, d, q + (ARM_B + 1) * L);
+            var wz = DoubleVector.fromArray(S, d, q + (ARM_B + 2) * L);
+            moved.add(DoubleVector.fromArray(S, d, o + (GAP + p) * L))
+                    .add(wx.mul(bx).add(wy.mul(by)).add(wz.mul(bz)))
+                    .sub(ux.mul(ax).add(uy.mul(ay)).add(uz.mul(az)))
+                    .intoArray(d, q + SEPARATION * L);
+        }
+    }
+
+    /**
+     * Hard normals of a group: of the lanes that are marked at {@code marks}.
+     *
+     * @return whether a lane that lands needs more sweeps
+     */
+    private static boolean hard(
+            double[] d,
+            int o,
+            double[] st,
+            int g,
+            int points,
+            double inverse,
+            int sweeps,
+            int marks) {
+        var nx = DoubleVector.fromArray(S, d, o);
+        var ny = DoubleVector.fromArray(S, d, o + L);
+        var nz = DoubleVector.fromArray(S, d, o + 2 * L);
+        var ma = DoubleVector.fromArray(S, d, o + MASS_A * L);
+        var mb = DoubleVector.fromArray(S, d, o + MASS_B * L);
+        var sum = ma.add(mb);
+        var ax = DoubleVector.fromArray(S, st, 3 * CHUNK + g);
+        var ay = DoubleVector.fromArray(S, st, 4 * CHUNK + g);
+        var az = DoubleVector.fromArray(S, st, 5 * CHUNK + g);
+        var bx = DoubleVector.fromArray(S, st, VB + 3 * CHUNK + g);
+        var by = DoubleVector.fromArray(S, st, VB + 4 * CHUNK + g);
+        var bz = DoubleVector.fromArray(S, st, VB + 5 * CHUNK + g);
+        var avx = DoubleVector.fromArray(S, st, g);
+        var avy = DoubleVector.fromArray(S, st, CHUNK + g);
+        var avz = DoubleVector.fromArray(S, st, 2 * CHUNK + g);
+        var bvx = DoubleVector.fromArray(S, st, VB + g);
+        var bvy = DoubleVector.fromArray(S, st, VB + CHUNK + g);
+        var bvz = DoubleVector.fromArray(S, st, VB + 2 * CHUNK + g);
+        var vn = nx.mul(bvx.sub(avx)).add(ny.mul(bvy.sub(avy))).add(nz.mul(bvz.sub(avz)));
+        var change = DoubleVector.zero(S);
+        var active = DoubleVector.fromArray(S, st, marks + g).compare(VectorOperators.GT, 0.0);
+        var moved = DoubleVector.zero(S);
+        for (int sweep = 0; sweep < sweeps; sweep++) {
+            moved = DoubleVector.zero(S);
+            for (int p = 0; p < points; p++) {
+                int q = o + (POINT + p * POINT_FIELDS) * L;
+                var ux = DoubleVector.fromArray(S, d, q);
+                var uy = DoubleVector.fromArray(S, d, q + L);
+                var uz = DoubleVector.fromArray(S, d, q + 2 * L);
+                var wx = DoubleVector.fromArray(S, d, q + ARM_B * L);
+                var wy = DoubleVector.fromArray(S, d, q + (ARM_B + 1) * L);
+                var wz = DoubleVector.fromArray(S, d, q + (ARM_B + 2) * L);
+                var s = DoubleVector.fromArray(S, d, q + SEPARATION * L);
+                var open = s.compare(VectorOperators.GT, 0.0);
+                var speed =
+                        vn.add(change.mul(sum))
+                                .add(wx.mul(bx).add(wy.mul(by)).add(wz.mul(bz)))
+                                .sub(ux.mul(ax).add(uy.mul(ay)).add(uz.mul(az)));
+                var old = DoubleVector.fromArray(S, d, q + IMPULSE * L);
+                var mass = DoubleVector.fromArray(S, d, q + MASS * L);
+                var b0 = DoubleVector.zero(S).blend(s.mul(inverse), open);
+                var next = old.sub(mass.mul(speed.add(b0))).max(0.0);
+                next = next.blend(0.0, open.and(old.compare(VectorOperators.EQ, 0.0)));
+                next = old.blend(next, active);
+                next.intoArray(d, q + IMPULSE * L);
+                var delta = next.sub(old);
+                moved = moved.max(delta.abs());
+                change = change.add(delta);
+                ax = ax.sub(delta.mul(ux));
+                ay = ay.sub(delta.mul(uy));
+                az = az.sub(delta.mul(uz));
+                bx = bx.add(delta.mul(wx));
+                by = by.add(delta.mul(wy));
+                bz = bz.add(delta.mul(wz));
+            }
+            if (!moved.compare(VectorOperators.GT, 0.0).anyTrue()) {
+                break;
+            }
+        }
+        var px = change.mul(nx);
+        var py = change.mul(ny);
+        var pz = change.mul(nz);
+        avx.add(ma.neg().mul(px)).add(0.0).intoArray(st, g);
+        avy.add(ma.neg().mul(py)).add(0.0).intoArray(st, CHUNK + g);
+        avz.add(ma.neg().mul(pz)).add(0.0).intoArray(st, 2 * CHUNK + g);
+        bvx.add(mb.mul(px)).add(0.0).intoArray(st, VB + g);
+        bvy.add(mb.mul(py)).add(0.0).intoArray(st, VB + CHUNK + g);
+        bvz.add(mb.mul(pz)).add(0.0).intoArray(st, VB + 2 * CHUNK + g);
+        ax.add(0.0).intoArray(st, 3 * CHUNK + g);
+        ay.add(0.0).intoArray(st, 4 * CHUNK + g);
+        az.add(0.0).intoArray(st, 5 * CHUNK + g);
+        bx.add(0.0).intoArray(st, VB + 3 * CHUNK + g);
+        by.add(0.0).intoArray(st, VB + 4 * CHUNK + g);
+        bz.add(0.0).intoArray(st, VB + 5 * CHUNK + g);
+        var lands =
+                DoubleVector.fromArray(S, d, o + COLD * L)
+                        .compare(VectorOperators.GT, 0.0)
+                        .and(moved.compare(VectorOperators.GT, 0.0));
+        DoubleVector.zero(S).blend(1.0, lands).intoArray(st, LANDS + g);
+        return lands.anyTrue();
+    }
+
+    /**
+     * Twist and friction of a group: of the lanes that are marked at {@code marks}.
+     *
+     * @return whether a lane without a warm start presses, and so needs another round
+     */
+    private static boolean friction(double[] d, int o, double[] st, int g, int points, int marks) {
+        var mu = DoubleVector.fromArray(S, d, o + FRICTION * L);
+        var bound = DoubleVector.zero(S);
+        var normal = DoubleVector.zero(S);
+        for (int p = 0; p < points; p++) {
+            var impulse =
+                    DoubleVector.fromArray(S, d, o + (POINT + p * POINT_FIELDS + IMPULSE) * L);
+            normal = normal.add(impulse);
+            bound = bound.add(impulse.mul(DoubleVector.fromArray(S, d, o + (REACH + p) * L)));
+        }
+        bound = bound.mul(mu);
+        var active = DoubleVector.fromArray(S, st, marks + g).compare(VectorOperators.GT, 0.0);
+        var rubs =
+                DoubleVector.fromArray(S, d, o + COLD * L)
+                        .compare(VectorOperators.GT, 0.0)
+                        .and(active)
+                        .and(normal.compare(VectorOperators.GT, 0.0))
+                        .and(mu.compare(VectorOperators.GT, 0.0));
+        DoubleVector.zero(S).blend(1.0, rubs).intoArray(st, RUBS + g);
+        var ax = DoubleVector.fromArray(S, st, 3 * CHUNK + g);
+        var ay = DoubleVector.fromArray(S, st, 4 * CHUNK + g);
+        var az = DoubleVector.fromArray(S, st, 5 * CHUNK + g);
+        var bx = DoubleVector.fromArray(S, st, VB + 3 * CHUNK + g);
+        var by = DoubleVector.fromArray(S, st, VB + 4 * CHUNK + g);
+        var bz = DoubleVector.fromArray(S, st, VB + 5 * CHUNK + g);
+        var avx = DoubleVector.fromArray(S, st, g);
+        var avy = DoubleVector.fromArray(S, st, CHUNK + g);
+        var avz = DoubleVector.fromArray(S, st, 2 * CHUNK + g);
+        var bvx = DoubleVector.fromArray(S, st, VB + g);
+        var bvy = DoubleVector.fromArray(S, st, VB + CHUNK + g);
+        var bvz = DoubleVector.fromArray(S, st, VB + 2 * CHUNK + g);
+        int t = o + TWIST * L;
+        int l = o + LAMBDA * L;
+        var tax = DoubleVector.fromArray(S, d, t);
+        var tay = DoubleVector.fromArray(S, d, t + L);
+        var taz = DoubleVector.fromArray(S, d, t + 2 * L);
+        var tbx = DoubleVector.fromArray(S, d, t + 3 * L);
+        var tby = DoubleVector.fromArray(S, d, t + 4 * L);
+        var tbz = DoubleVector.fromArray(S, d, t + 5 * L);
+        var oldTwist = DoubleVector.fromArray(S, d, l + 2 * L);
+        var spin =
+                tbx.mul(bx)
+                        .add(tby.mul(by))
+                        .add(tbz.mul(bz))
+                        .sub(tax.mul(ax).add(tay.mul(ay)).add(taz.mul(az)));
+        var twist =
+                oldTwist.sub(DoubleVector.fromArray(S, d, o + TWIST_MASS * L).mul(spin))
+                        .min(bound)
+                        .max(bound.neg())
+                        .add(0.0);
+        twist = oldTwist.blend(twist, active);
+        twist.intoArray(d, l + 2 * L);
+        var turn = twist.sub(oldTwist);
+        ax = ax.sub(turn.mul(tax));
+        ay = ay.sub(turn.mul(tay));
+        az = az.sub(turn.mul(taz));
+        bx = bx.add(turn.mul(tbx));
+        by = by.add(turn.mul(tby));
+        bz = bz.add(turn.mul(tbz));
+        var dx = bvx.sub(avx);
+        var dy = bvy.sub(avy);
+        var dz = bvz.sub(avz);
+        int u = o + TANGENT1 * L;
+        int v = o + LEVER * L;
+        var t1x = DoubleVector.fromArray(S, d, u);
+        var t1y = DoubleVector.fromArray(S, d, u + L);
+        var t1z = DoubleVector.fromArray(S, d, u + 2 * L);
+        var t2x = DoubleVector.fromArray(S, d, u + 3 * L);
+        var t2y = DoubleVector.fromArray(S, d, u + 4 * L);
+        var t2z = DoubleVector.fromArray(S, d, u + 5 * L);
+        var a1x = DoubleVector.fromArray(S, d, v);
+        var a1y = DoubleVector.fromArray(S, d, v + L);
+        var a1z = DoubleVector.fromArray(S, d, v + 2 * L);
+        var a2x = DoubleVector.fromArray(S, d, v + 3 * L);
+        var a2y = DoubleVector.fromArray(S, d, v + 4 * L);
+        var a2z = DoubleVector.fromArray(S, d, v + 5 * L);
+        var b1x = DoubleVector.fromArray(S, d, v + 6 * L);
+        var b1y = DoubleVector.fromArray(S, d, v + 7 * L);
+        var b1z = DoubleVector.fromArray(S, d, v + 8 * L);
+        var b2x = DoubleVector.fromArray(S, d, v + 9 * L);
+        var b2y = DoubleVector.fromArray(S, d, v + 10 * L);
+        var b2z = DoubleVector.fromArray(S, d, v + 11 * L);
+        var v1 =
+                dx.mul(t1x)
+                        .add(dy.mul(t1y))
+                        .add(dz.mul(t1z))
+                        .add(b1x.mul(bx).add(b1y.mul(by)).add(b1z.mul(bz)))
+                        .sub(a1x.mul(ax).add(a1y.mul(ay)).add(a1z.mul(az)));
+        var v2 =
+                dx.mul(t2x)
+                        .add(dy.mul(t2y))
+                        .add(dz.mul(t2z))
+                        .add(b2x.mul(bx).add(b2y.mul(by)).add(b2z.mul(bz)))
+                        .sub(a2x.mul(ax).add(a2y.mul(ay)).add(a2z.mul(az)));
+        int k = o + BLOCK * L;
+        var k11 = DoubleVector.fromArray(S, d, k);
+        var k12 = DoubleVector.fromArray(S, d, k + L);
+        var k22 = DoubleVector.fromArray(S, d, k + 2 * L);
+        var old1 = DoubleVector.fromArray(S, d, l);
+        var old2 = DoubleVector.fromArray(S, d, l + L);
+        var f1 = old1.sub(k11.mul(v1).add(k12.mul(v2)));
+        var f2 = old2.sub(k12.mul(v1).add(k22.mul(v2)));
+        var limit = mu.mul(normal);
+        var size = f1.mul(f1).add(f2.mul(f2));
+        var scale =
+                DoubleVector.broadcast(S, 1.0)
+                        .blend(
+                                limit.div(size.sqrt()),
+                                size.compare(VectorOperators.GT, limit.mul(limit)));
+        f1 = old1.blend(f1.mul(scale).add(0.0), active);
+        f2 = old2.blend(f2.mul(scale).add(0.0), active);
+        f1.intoArray(d, l);
+        f2.intoArray(d, l + L);
+        var d1 = f1.sub(old1);
+        var d2 = f2.sub(old2);
+        var px = d1.mul(t1x).add(d2.mul(t2x));
+        var py = d1.mul(t1y).add(d2.mul(t2y));
+        var pz = d1.mul(t1z).add(d2.mul(t2z));
+        var ma = DoubleVector.fromArray(S, d, o + MASS_A * L);
+        var mb = DoubleVector.fromArray(S, d, o + MASS_B * L);
+        avx.sub(ma.mul(px)).add(0.0).intoArray(st, g);
+        avy.sub(ma.mul(py)).add(0.0).intoArray(st, CHUNK + g);
+        avz.sub(ma.mul(pz)).add(0.0).intoArray(st, 2 * CHUNK + g);
+        bvx.add(mb.mul(px)).add(0.0).intoArray(st, VB + g);
+        bvy.add(mb.mul(py)).add(0.0).intoArray(st, VB + CHUNK + g);
+        bvz.add(mb.mul(pz)).add(0.0).intoArray(st, VB + 2 * CHUNK + g);
+        ax.sub(d1.mul(a1x).add(d2.mul(a2x))).add(0.0).intoArray(st, 3 * CHUNK + g);
+        ay.sub(d1.mul(a1y).add(d2.mul(a2y))).add(0.0).intoArray(st, 4 * CHUNK + g);
+        az.sub(d1.mul(a1z).add(d2.mul(a2z))).add(0.0).intoArray(st, 5 * CHUNK + g);
+        bx.add(d1.mul(b1x).add(d2.mul(b2x))).add(0.0).intoArray(st, VB + 3 * CHUNK + g);
+        by.add(d1.mul(b1y).add(d2.mul(b2y))).add(0.0).intoArray(st, VB + 4 * CHUNK + g);
+        bz.add(d1.mul(b1z).add(d2.mul(b2z))).add(0.0).intoArray(st, VB + 5 * CHUNK + g);
+        return rubs.anyTrue();
+    }
+
+    private static void total(double[] d, int o, int points) {
+        int t = o + TOTAL * L;
+        int l = o + LAMBDA * L;
+        for (int f = 0; f < 3; f++) {
+            DoubleVector.fromArray(S, d, t + f * L)
+                    .add(DoubleVector.fromArray(S, d, l + f * L))
+                    .intoArray(d, t + f * L);
+        }
+        for (int p = 0; p < points; p++) {
+            int q = o + (POINT + p * POINT_FIELDS + IMPULSE) * L;
+            int s = o + (SUM + p) * L;
+            DoubleVector.fromArray(S, d, s).add(DoubleVector.fromArray(S, d, q)).intoArray(d, s);
+        }
+    }
+}

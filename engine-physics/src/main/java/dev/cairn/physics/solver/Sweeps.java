@@ -1,0 +1,37 @@
+package dev.cairn.physics.solver;
+
+import java.util.Arrays;
+
+/**
+ * The sweeps over constraint rows of one colour. There is one set for each number of lanes; all
+ * give the same bits, because each row's arithmetic is the same, in the same order.
+ *
+ * <p>Zeros leave a sweep positive: where a wide sweep adds nothing and the scalar one stops early,
+ * nothing but the sign of a zero could differ.
+ */
+interface Sweeps {
+    /** Doubles of scratch that a worker brings. */
+    int SCRATCH = 28 * ConstraintRows.CHUNK;
+
+    /** Start of a chunk of ones in it: the marks of lanes that all take part. */
+    int ONES = 27 * ConstraintRows.CHUNK;
+
+    /** Scratch of a worker. */
+    static double[] scratch() {
+        double[] s = new double[SCRATCH];
+        Arrays.fill(s, ONES, SCRATCH, 1.0);
+        return s;
+    }
+
+    /** Rows to a group. */
+    int lanes();
+
+    /** The bias pass: soft normals, which push overlap out and let gaps close; no friction. */
+    void bias(ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] scratch);
+
+    /**
+     * The relax pass: separations after the movement, hard normals, which take the push out of the
+     * velocities again, then friction; adds up the totals.
+     */
+    void relax(ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] scratch);
+}

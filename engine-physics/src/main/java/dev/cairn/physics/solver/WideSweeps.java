@@ -1,0 +1,142 @@
+package dev.cairn.physics.solver;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.Random;
+
+/**
+ * The wide sweeps, once the compiler is done with them; the scalar ones before that.
+ *
+ * <p>Code of the Vector API that is not compiled yet is some hundred times slower than scalar code,
+ * and allocates. So the kernels are run on made-up rows until they are fast: in a thread of their
+ * own when the number of lanes was left to the machine, at once when it was asked for. Since both
+ * give the same bits, it does not matter to the result when the change comes.
+ */
+final class WideSweeps implements Sweeps {
+    private static final Logger LOG = System.getLogger("dev.cairn.physics");
+    private static final int ROUNDS = 20_000;
+    private static final int LEAST = 3_000;
+
+    private final Sweeps wide;
+    private final Sweeps scalar = new ScalarSweeps();
+    private boolean begun;
+    private volatile boolean warm;
+
+    WideSweeps(Sweeps wide) {
+        this.wide = wide;
+    }
+
+    @Override
+    public int lanes() {
+        return wide.lanes();
+    }
+
+    @Override
+    public void bias(
+            ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] scratch) {
+        (warm ? wide : scalar).bias(rows, body, sub, from, to, scratch);
+    }
+
+    @Override
+    public void relax(
+            ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] scratch) {
+        (warm ? wide : scalar).relax(rows, body, sub, from, to, scratch);
+    }
+
+    /** Whether the wide sweeps are in use. */
+    boolean isWarm() {
+        return warm;
+    }
+
+    /** Starts to warm up in the background, once. */
+    synchronized void begin() {
+        if (!begun) {
+            begun = true;
+            Thread thread = new Thread(this::warmUp, "cairn-warm-up");
+            thread.setDaemon(true);
+            thread.start();
+        }
+    }
+
+    /** Warms up now, unless that has been done. */
+    synchronized void finish() {
+        if (!warm) {
+            begun = true;
+            warmUp();
+            warm = true;
+        }
+    }
+
+    private void warmUp() {
+        ConstraintRows rows = new ConstraintRows(lanes());
+        double[] body = new double[(2 * ConstraintRows.CHUNK + 1) * SolverBodies.STRIDE];
+        double[] scratch = Sweeps.scratch();
+        SubStep sub = new SubStep();
+        Softness soft = Softness.of(30, 10, 1 / 240.0);
+        sub.set(1 / 240.0, soft, soft, SolverSettings.DEFAULT);
+        Random random = new Random(1);
+        long bestWide = Long.MAX_VALUE;
+        long bestScalar = Long.MAX_VALUE;
+        for (int round = 0; round < ROUNDS; round++) {
+            fill(rows, body, random, round);
+            int to = rows.places;
+            long start = System.nanoTime();
+            scalar.bias(rows, body, sub, 0, to, scratch);
+            scalar.relax(rows, body, sub, 0, to, scratch);
+            long middle = System.nanoTime();
+            fill(rows, body, random, round);
+            long begin = System.nanoTime();
+            wide.bias(rows, body, sub, 0, to, scratch);
+            wide.relax(rows, body, sub, 0, to, scratch);
+            long end = System.nanoTime();
+            if (round % 2 == 0) {
+                bestScalar = Math.min(bestScalar, middle - start);
+                bestWide = Math.min(bestWide, end - begin);
+            }
+            if (round > LEAST && bestWide < bestScalar) {
+                warm = true;
+                return;
+            }
+        }
+        LOG.log(
+                Level.WARNING,
+                "The contact solver stays scalar: sweeps of "
+                        + lanes()
+                        + " lanes took "
+                        + bestWide
+                        + " ns on this JVM, scalar ones "
+                        + bestScalar
+                        + " ns. The results are the same.");
+    }
+
+    /** Rows between pairs of bodies, as unlike as those of a scene. */
+    private static void fill(ConstraintRows rows, double[] body, Random random, int round) {
+        int n = ConstraintRows.CHUNK;
+        rows.ensurePlaces(n);
+        rows.places = n;
+        for (int i = SolverBodies.STRIDE; i < body.length; i++) {
+            body[i] = 0.01 * random.nextDouble();
+        }
+        for (int j = 0; j < n; j++) {
+            int l = j * ConstraintRows.LINK;
+            rows.link[l] = j % 7 == 0 ? 0 : (2 * j + 1) * SolverBodies.STRIDE;
+            rows.link[l + 1] = (2 * j + 2) * SolverBodies.STRIDE;
+            rows.link[l + ConstraintRows.COUNT] = 1 + (round + j / 8) % 4;
+            int o = rows.base(j);
+            boolean cold = round % 4 == 3 && j % 5 == 0;
+            for (int f = 0; f < ConstraintRows.FIELDS; f++) {
+                rows.row[o + f * rows.lanes] = random.nextDouble() - 0.3;
+            }
+            rows.row[o + ConstraintRows.FRICTION * rows.lanes] = 0.5;
+            for (int p = 0; p < 4; p++) {
+                int q = ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS;
+                double impulse = cold ? 0 : random.nextDouble();
+                rows.row[o + (q + ConstraintRows.IMPULSE) * rows.lanes] = impulse;
+            }
+        }
+        for (int g = 0; g < n / rows.lanes; g++) {
+            rows.points[g] = 1 + (round + g * rows.lanes / 8) % 4;
+            rows.rough[g] = (round + g) % 16 != 0;
+        }
+    }
+}
