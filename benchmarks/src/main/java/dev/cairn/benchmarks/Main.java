@@ -1,13 +1,15 @@
 package dev.cairn.benchmarks;
 
 import dev.cairn.benchmarks.compare.Compare;
+import dev.cairn.benchmarks.cost.Cost;
+import dev.cairn.benchmarks.regress.Regress;
 
 import java.io.IOException;
 import java.util.Arrays;
 
 /**
- * Entry of {@code benchmarks.jar}: {@code compare} starts the work-precision report, all else is
- * JMH's own command line.
+ * Entry of {@code benchmarks.jar}: {@code compare} starts the work-precision report, {@code cost}
+ * the price list, {@code regress} the headline figures; all else is JMH's own command line.
  */
 public final class Main {
     private Main() {}
@@ -15,14 +17,16 @@ public final class Main {
     /**
      * Starts the report or JMH.
      *
-     * @param args {@code compare} and its options, or JMH's arguments
+     * @param args a command and its options, or JMH's arguments
      * @throws IOException if JMH cannot read its list of benchmarks
      */
     public static void main(String[] args) throws IOException {
-        if (args.length > 0 && args[0].equals("compare")) {
-            Compare.main(Arrays.copyOfRange(args, 1, args.length));
-        } else {
-            org.openjdk.jmh.Main.main(args);
+        String command = args.length == 0 ? "" : args[0];
+        switch (command) {
+            case "compare" -> Compare.main(Arrays.copyOfRange(args, 1, args.length));
+            case "cost" -> Cost.main(Arrays.copyOfRange(args, 1, args.length));
+            case "regress" -> Regress.main(Arrays.copyOfRange(args, 1, args.length));
+            default -> org.openjdk.jmh.Main.main(args);
         }
     }
 }

@@ -1,0 +1,63 @@
+package dev.cairn.benchmarks.compare;
+
+import dev.cairn.benchmarks.peer.Engine;
+import dev.cairn.benchmarks.peer.PeerSettings;
+
+import org.jspecify.annotations.Nullable;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/** Measures this engine alone, within the calling JVM, by the report's own code. One thread. */
+public final class Probe {
+    private final Worker worker = new Worker(Engine.CAIRN);
+
+    /** Starts cold. */
+    public Probe() {}
+
+    /**
+     * One setting's figures.
+     *
+     * @param substeps per tick
+     * @param error of the scene, or NaN where it failed
+     * @param cpuMicros per movable body and tick, of each round
+     */
+    public record Figures(int substeps, double error, List<Double> cpuMicros) {}
+
+    /**
+     * Runs a scene of the report.
+     *
+     * @param scene its id
+     * @param settings its parameters that differ from the report's
+     * @param substeps per tick
+     * @param rounds timed rounds
+     * @param seconds per round, at least
+     * @return what was found
+     */
+    public Figures run(
+            String scene, Map<String, String> settings, int substeps, int rounds, double seconds) {
+        PeerSettings peer = new PeerSettings(1, substeps, false, PeerSettings.Tuning.DEFAULT);
+        Protocol.Answer judged = ask(Protocol.Kind.JUDGE, scene, settings, peer, 60);
+        Double error = judged.failure() == null ? judged.error() : null;
+        List<Double> cpu = new ArrayList<>();
+        for (int round = 0; round < rounds; round++) {
+            Double one = ask(Protocol.Kind.TIME, scene, settings, peer, seconds).cpuMicros();
+            cpu.add(value(one));
+        }
+        return new Figures(substeps, value(error), cpu);
+    }
+
+    private static double value(@Nullable Double number) {
+        return number == null ? Double.NaN : number;
+    }
+
+    private Protocol.Answer ask(
+            Protocol.Kind kind,
+            String scene,
+            Map<String, String> settings,
+            PeerSettings peer,
+            double seconds) {
+        return worker.answer(new Protocol.Request(kind, scene, settings, peer, seconds));
+    }
+}

@@ -1,0 +1,181 @@
+package dev.cairn.benchmarks.cost;
+
+import dev.cairn.physics.PhysicsSettings;
+
+import org.jspecify.annotations.Nullable;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.SplittableRandom;
+import java.util.concurrent.Callable;
+
+/** The command that measures the price list and the ablation ladder. */
+@Command(
+        name = "cost",
+        mixinStandardHelpOptions = true,
+        description =
+                "Marginal costs by regression over generated scenes, and the ablation ladder.")
+public final class Cost implements Callable<Integer> {
+    private static final String BEGIN = "<!-- cost: begin -->";
+    private static final String END = "<!-- cost: end -->";
+    private static final long SEED = 1;
+    private static final int REPEATS = 3;
+
+    /** Two-sided 95 % of Student's t for the some dozens of degrees of freedom here. */
+    private static final double T95 = 2.0;
+
+    @Option(
+            names = "--scenes",
+            paramLabel = "N",
+            defaultValue = "60",
+            description = "generated scenes, default: ${DEFAULT-VALUE}")
+    private int scenes = 60;
+
+    @Option(
+            names = "--pairs",
+            paramLabel = "N",
+            defaultValue = "30",
+            description = "pairs of runs per rung of the ladder, default: ${DEFAULT-VALUE}")
+    private int pairs = 30;
+
+    @Option(
+            names = "--out",
+            paramLabel = "FILE",
+            description = "replaces the tables in this file, docs/cost.md; else they are printed")
+    private @Nullable Path out;
+
+    private final PrintStream err = System.err;
+    private final ThreadTime time = new ThreadTime();
+
+    private Cost() {}
+
+    /**
+     * Runs the command and ends the JVM with its status.
+     *
+     * @param args its options; {@code --help} lists them
+     */
+    public static void main(String[] args) {
+        System.exit(new CommandLine(new Cost()).execute(args));
+    }
+
+    @Override
+    public Integer call() throws IOException {
+        if (scenes < 3 * Mix.NAMES.size() || pairs < 3) {
+            err.printf(
+                    "--scenes %d, --pairs %d: want at least %d scenes and 3 pairs%n",
+                    scenes, pairs, 3 * Mix.NAMES.size());
+            return CommandLine.ExitCode.USAGE;
+        }
+        String tables = priceList() + "\n" + ladder();
+        if (out == null) {
+            System.out.println(tables);
+        } else {
+            String text = Files.readString(out, StandardCharsets.UTF_8);
+            Files.writeString(out, replaced(text, tables), StandardCharsets.UTF_8);
+        }
+        return CommandLine.ExitCode.OK;
+    }
+
+    static String replaced(String text, String tables) {
+        int begin = text.indexOf(BEGIN);
+        int end = text.indexOf(END);
+        if (begin < 0 || end < begin) {
+            throw new IllegalArgumentException(
+                    "the file has no lines \"%s\" and \"%s\"".formatted(BEGIN, END));
+        }
+        return text.substring(0, begin + BEGIN.length())
+                + "\n\n"
+                + tables
+                + "\n"
+                + text.substring(end);
+    }
+
+    /** Measures all scenes over and over, and keeps each scene's median time. */
+    private String priceList() {
+        SplittableRandom random = new SplittableRandom(SEED);
+        List<Mix> mixes = new ArrayList<>();
+        for (int i = 0; i < scenes; i++) {
+            mixes.add(Mix.random(random));
+        }
+        double[][] micros = new double[scenes][REPEATS];
+        double[][] counts = new double[scenes][];
+        // The first pass warms up.
+        for (int pass = -1; pass < REPEATS; pass++) {
+            err.printf("price list, pass %d of %d%n", pass + 2, REPEATS + 1);
+            for (int i = 0; i < scenes; i++) {
+                Mix.Sample sample = mixes.get(i).measure(PhysicsSettings.DEFAULT, time);
+                counts[i] = sample.counts();
+                if (pass >= 0) {
+                    micros[i][pass] = sample.micros();
+                }
+            }
+        }
+        double[] y = new double[scenes];
+        double[] weights = new double[scenes];
+        for (int i = 0; i < scenes; i++) {
+            y[i] = Ladder.median(micros[i]);
+            // Errors are shares of the time.
+            weights[i] = 1 / (y[i] * y[i]);
+        }
+        LeastSquares fit = LeastSquares.fit(counts, y, weights);
+        StringBuilder text = new StringBuilder();
+        text.append(
+                String.format(
+                        Locale.ROOT,
+                        "Price list: %d scenes, seed %d, median of %d passes, one worker, 4"
+                                + " sub-steps, R² = %.4f. Nanoseconds of CPU time per tick.%n%n",
+                        scenes,
+                        SEED,
+                        REPEATS,
+                        fit.rSquared()));
+        text.append("| one more | ns per tick | 95 % |\n|---|---|---|\n");
+        for (int k = 0; k < Mix.NAMES.size(); k++) {
+            text.append(
+                    String.format(
+                            Locale.ROOT,
+                            "| %s | %.0f | ± %.0f |%n",
+                            Mix.NAMES.get(k),
+                            1e3 * fit.coefficients()[k],
+                            1e3 * T95 * fit.errors()[k]));
+        }
+        return text.toString();
+    }
+
+    private String ladder() {
+        StringBuilder text = new StringBuilder();
+        text.append(
+                String.format(
+                        Locale.ROOT,
+                        "Ablation ladder: CPU time with the feature over without it, median of %d"
+                                + " interleaved pairs, 95 %% by bootstrap.%n%n",
+                        pairs));
+        text.append("| feature | the scene | with / without | 95 % | same bits |\n");
+        text.append("|---|---|---|---|---|\n");
+        for (Ladder.Rung rung : Ladder.RUNGS) {
+            err.printf("ladder, %s%n", rung.feature());
+            Ladder.Found found = Ladder.climb(rung, pairs, time);
+            text.append(
+                    String.format(
+                            Locale.ROOT,
+                            "| %s | %s it: %s | %.3f | %.3f to %.3f | %s |%n",
+                            rung.feature(),
+                            rung.needed() ? "needs" : "does not need",
+                            rung.with().flyingBoxes() > 0 ? "400 bodies in flight" : "300 at rest",
+                            found.ratio(),
+                            found.low(),
+                            found.high(),
+                            found.sameBits() ? "yes" : "no"));
+        }
+        return text.toString();
+    }
+}
