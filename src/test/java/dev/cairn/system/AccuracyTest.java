@@ -37,6 +37,7 @@ final class AccuracyTest {
                 "B2",
                 "B4",
                 "B5",
+                "B6",
                 "B7",
                 "B9",
                 "B13",

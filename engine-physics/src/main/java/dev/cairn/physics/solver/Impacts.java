@@ -38,6 +38,10 @@ import dev.cairn.physics.internal.ContactStore;
  */
 final class Impacts {
     private static final int ROUNDS = 16;
+
+    /** Few contacts may take more rounds, up to so many visits of a contact in a sub-step. */
+    private static final int VISITS = 16384;
+
     private static final int SWEEPS = 64;
 
     /**
@@ -89,7 +93,8 @@ final class Impacts {
         int n = rows.bouncing;
         boolean any = false;
         boolean again = n > 0;
-        for (int round = 0; again && round < ROUNDS; round++) {
+        int rounds = n == 0 ? 0 : Math.max(ROUNDS, VISITS / n);
+        for (int round = 0; again && round < rounds; round++) {
             again = false;
             for (int k = 0; k < n; k++) {
                 int row = rows.bouncer[k];
