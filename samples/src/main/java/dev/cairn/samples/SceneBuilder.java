@@ -219,7 +219,19 @@ public final class SceneBuilder {
      * @return the body in the world
      */
     public BodyRef add(Shape shape, Model model, Body body) {
-        return remember(world.add(body.shape(shape).with(new Visual(model))));
+        return add(shape, new Visual(model), body);
+    }
+
+    /**
+     * Adds a body and the way it looks.
+     *
+     * @param shape its shape
+     * @param look a {@code Model} or a {@code ModelGroup}
+     * @param body all else
+     * @return the body in the world
+     */
+    public BodyRef add(Shape shape, Visual look, Body body) {
+        return remember(world.add(body.shape(shape).with(look)));
     }
 
     /**
@@ -237,11 +249,11 @@ public final class SceneBuilder {
      * Adds something that is drawn but has no part in the physics.
      *
      * @param pose where
-     * @param model its look
+     * @param look a {@code Model} or a {@code ModelGroup}
      * @return its entity
      */
-    public long addVisual(Pose pose, Model model) {
-        long entity = world.ecs().spawn(pose, new Visual(model));
+    public long addVisual(Pose pose, Visual look) {
+        long entity = world.ecs().spawn(pose, look);
         visuals.add(entity);
         return entity;
     }

@@ -171,6 +171,15 @@ public final class Offscreen implements AutoCloseable {
         return renderer.uploads();
     }
 
+    /**
+     * How many models the last frame drew; those that lie outside of the picture are left out.
+     *
+     * @return the count
+     */
+    public int drawn() {
+        return renderer.drawn();
+    }
+
     /** Gives everything back; a second call does nothing. */
     @Override
     public void close() {

@@ -22,11 +22,7 @@ import static org.lwjgl.opengl.GL30.glBindFramebuffer;
 import static org.lwjgl.opengl.GL30.glBindRenderbuffer;
 import static org.lwjgl.opengl.GL30.glBlitFramebuffer;
 import static org.lwjgl.opengl.GL30.glCheckFramebufferStatus;
-import static org.lwjgl.opengl.GL30.glDeleteFramebuffers;
-import static org.lwjgl.opengl.GL30.glDeleteRenderbuffers;
 import static org.lwjgl.opengl.GL30.glFramebufferRenderbuffer;
-import static org.lwjgl.opengl.GL30.glGenFramebuffers;
-import static org.lwjgl.opengl.GL30.glGenRenderbuffers;
 import static org.lwjgl.opengl.GL30.glRenderbufferStorageMultisample;
 
 import org.lwjgl.system.MemoryUtil;
@@ -54,19 +50,19 @@ public final class FrameTarget implements AutoCloseable {
         this.width = width;
         this.height = height;
         int count = Math.min(samples <= 1 ? 0 : samples, glGetInteger(GL_MAX_SAMPLES));
-        framebuffer = glGenFramebuffers();
+        framebuffer = GlObjects.framebuffer();
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         colour = buffer(GL_RGBA8, count, GL_COLOR_ATTACHMENT0);
         depth = buffer(GL_DEPTH_COMPONENT24, count, GL_DEPTH_ATTACHMENT);
         check();
-        resolved = glGenFramebuffers();
+        resolved = GlObjects.framebuffer();
         glBindFramebuffer(GL_FRAMEBUFFER, resolved);
         resolvedColour = buffer(GL_RGBA8, 0, GL_COLOR_ATTACHMENT0);
         check();
     }
 
     private int buffer(int format, int samples, int attachment) {
-        int id = glGenRenderbuffers();
+        int id = GlObjects.renderbuffer();
         glBindRenderbuffer(GL_RENDERBUFFER, id);
         glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, id);
@@ -154,10 +150,10 @@ public final class FrameTarget implements AutoCloseable {
 
     @Override
     public void close() {
-        glDeleteFramebuffers(framebuffer);
-        glDeleteFramebuffers(resolved);
-        glDeleteRenderbuffers(colour);
-        glDeleteRenderbuffers(depth);
-        glDeleteRenderbuffers(resolvedColour);
+        GlObjects.deleteFramebuffer(framebuffer);
+        GlObjects.deleteFramebuffer(resolved);
+        GlObjects.deleteRenderbuffer(colour);
+        GlObjects.deleteRenderbuffer(depth);
+        GlObjects.deleteRenderbuffer(resolvedColour);
     }
 }

@@ -5,8 +5,6 @@ import static org.lwjgl.opengl.GL15.GL_ELEMENT_ARRAY_BUFFER;
 import static org.lwjgl.opengl.GL15.GL_STATIC_DRAW;
 import static org.lwjgl.opengl.GL15.glBindBuffer;
 import static org.lwjgl.opengl.GL15.glBufferData;
-import static org.lwjgl.opengl.GL15.glDeleteBuffers;
-import static org.lwjgl.opengl.GL15.glGenBuffers;
 import static org.lwjgl.opengl.GL30.glBindVertexArray;
 
 import dev.cairn.render.mesh.Mesh;
@@ -21,10 +19,10 @@ final class GpuMesh implements AutoCloseable {
         // The index buffer's binding belongs to the bound vertex array, which must not be a batch's
         // here.
         glBindVertexArray(0);
-        vertexBuffer = glGenBuffers();
+        vertexBuffer = GlObjects.buffer();
         glBindBuffer(GL_ARRAY_BUFFER, vertexBuffer);
         glBufferData(GL_ARRAY_BUFFER, mesh.vertices(), GL_STATIC_DRAW);
-        indexBuffer = glGenBuffers();
+        indexBuffer = GlObjects.buffer();
         int[] indices = mesh.indices();
         indexCount = indices.length;
         // Through the array target: without a vertex array a core profile refuses the element
@@ -49,7 +47,7 @@ final class GpuMesh implements AutoCloseable {
 
     @Override
     public void close() {
-        glDeleteBuffers(vertexBuffer);
-        glDeleteBuffers(indexBuffer);
+        GlObjects.deleteBuffer(vertexBuffer);
+        GlObjects.deleteBuffer(indexBuffer);
     }
 }

@@ -10,8 +10,6 @@ import static org.lwjgl.opengl.GL11.GL_TEXTURE_MIN_FILTER;
 import static org.lwjgl.opengl.GL11.GL_TEXTURE_WRAP_S;
 import static org.lwjgl.opengl.GL11.GL_TEXTURE_WRAP_T;
 import static org.lwjgl.opengl.GL11.glBindTexture;
-import static org.lwjgl.opengl.GL11.glDeleteTextures;
-import static org.lwjgl.opengl.GL11.glGenTextures;
 import static org.lwjgl.opengl.GL11.glGetInteger;
 import static org.lwjgl.opengl.GL11.glTexImage2D;
 import static org.lwjgl.opengl.GL11.glTexParameterf;
@@ -46,7 +44,7 @@ final class GpuTexture implements AutoCloseable {
                             + limit
                             + " pixels a side");
         }
-        id = glGenTextures();
+        id = GlObjects.texture();
         glBindTexture(GL_TEXTURE_2D, id);
         IntBuffer pixels = MemoryUtil.memAllocInt(width * height);
         try {
@@ -87,6 +85,6 @@ final class GpuTexture implements AutoCloseable {
 
     @Override
     public void close() {
-        glDeleteTextures(id);
+        GlObjects.deleteTexture(id);
     }
 }

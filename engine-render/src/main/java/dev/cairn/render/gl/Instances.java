@@ -1,28 +1,15 @@
 package dev.cairn.render.gl;
 
-import static org.lwjgl.opengl.GL11.GL_FLOAT;
-import static org.lwjgl.opengl.GL11.GL_TRIANGLES;
-import static org.lwjgl.opengl.GL11.GL_UNSIGNED_INT;
-import static org.lwjgl.opengl.GL15.GL_ARRAY_BUFFER;
+import static org.lwjgl.opengl.GL13.GL_TEXTURE2;
+import static org.lwjgl.opengl.GL13.GL_TEXTURE3;
 import static org.lwjgl.opengl.GL15.GL_STATIC_DRAW;
 import static org.lwjgl.opengl.GL15.GL_STREAM_DRAW;
-import static org.lwjgl.opengl.GL15.glBindBuffer;
-import static org.lwjgl.opengl.GL15.glBufferData;
-import static org.lwjgl.opengl.GL15.glDeleteBuffers;
-import static org.lwjgl.opengl.GL15.glGenBuffers;
-import static org.lwjgl.opengl.GL20.glEnableVertexAttribArray;
-import static org.lwjgl.opengl.GL20.glVertexAttribPointer;
-import static org.lwjgl.opengl.GL30.glBindVertexArray;
-import static org.lwjgl.opengl.GL30.glDeleteVertexArrays;
-import static org.lwjgl.opengl.GL30.glGenVertexArrays;
-import static org.lwjgl.opengl.GL31.glDrawElementsInstanced;
-import static org.lwjgl.opengl.GL33.glVertexAttribDivisor;
 
 import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.render.mesh.Mesh;
-import dev.cairn.render.mesh.Meshes;
 import dev.cairn.render.mesh.Model;
+import dev.cairn.render.mesh.ModelGroup;
 import dev.cairn.render.mesh.Texture;
 
 import org.joml.Vector3d;
@@ -30,6 +17,8 @@ import org.jspecify.annotations.Nullable;
 import org.lwjgl.system.MemoryUtil;
 
 import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
@@ -39,62 +28,27 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * The visible entities in graphics memory. Two buffers: the <em>motion</em>, 16 floats per
- * instance, written once per snapshot; the <em>look</em>, 9 floats, written when the list of models
- * changes. Instances are sorted by batch (one mesh and one texture).
+ * The visible entities in graphics memory, as two lists that the vertex shader reads by number. The
+ * <em>motion</em> has four texels per row of the snapshot and is written once per snapshot. The
+ * <em>look</em> has three texels per <em>slot</em> and is written when the list of models changes;
+ * a slot is one model of one row, and slots are sorted by batch.
  */
 final class Instances implements AutoCloseable {
     /** Grid of the anchor: a float keeps a hundredth of a millimetre over this distance. */
     private static final double ANCHOR_GRID = 64;
 
     private static final int MOTION_FLOATS = 16;
-    private static final int LOOK_FLOATS = 9;
+    private static final int LOOK_FLOATS = 12;
 
     /**
      * Drawn where {@code Visual.model} is nothing that can be drawn, so that the mistake is seen.
      */
-    private static final Model PLACEHOLDER = Model.of(Meshes.CUBE).scale(0.5).color(0xFF00FF);
-
-    /** Instances that one call draws. */
-    static final class Batch {
-        private final Mesh mesh;
-        private final Texture texture;
-        private int count;
-        private int first;
-        private int vertexArray;
-        private @Nullable GpuMesh gpuMesh;
-        private @Nullable GpuTexture gpuTexture;
-
-        private Batch(Mesh mesh, Texture texture) {
-            this.mesh = mesh;
-            this.texture = texture;
-        }
-
-        double tileMetres() {
-            return texture.tileMetres();
-        }
-
-        void bindTexture() {
-            if (gpuTexture != null) {
-                gpuTexture.bind();
-            }
-        }
-
-        void draw() {
-            if (gpuMesh != null) {
-                glBindVertexArray(vertexArray);
-                glDrawElementsInstanced(
-                        GL_TRIANGLES, gpuMesh.indexCount(), GL_UNSIGNED_INT, 0, count);
-            }
-        }
-    }
-
-    private record Key(Mesh mesh, Texture texture) {}
+    private static final List<Model> PLACEHOLDER = List.of(Model.placeholder().scale(0.5));
 
     private final Map<Mesh, GpuMesh> meshes = new HashMap<>();
     private final Map<Texture, GpuTexture> textures = new HashMap<>();
-    private final int motionBuffer = glGenBuffers();
-    private final int lookBuffer = glGenBuffers();
+    private final BufferTexture motion = new BufferTexture("the poses", GL_TEXTURE2);
+    private final BufferTexture look = new BufferTexture("the looks", GL_TEXTURE3);
     private final Vector3d anchor = new Vector3d();
     private final Vector3d castersMin = new Vector3d();
     private final Vector3d castersMax = new Vector3d();
@@ -102,17 +56,24 @@ final class Instances implements AutoCloseable {
     private List<Batch> batches = List.of();
     private @Nullable Object[] layout = new Object[0];
     private int layoutSize;
-    private int[] slotOfRow = new int[0];
-    private double[] radiusOfRow = new double[0];
-    private FloatBuffer staging = MemoryUtil.memAllocFloat(64 * MOTION_FLOATS);
+    private int arrangements;
 
+    /** Per slot: its row, and how far its model reaches from the entity's position. */
+    private int[] rowOfSlot = new int[0];
+
+    private double[] reachOfSlot = new double[0];
+
+    /** Per row, four numbers: a sphere around the way of the entity's position in this tick. */
+    private double[] wayOfRow = new double[0];
+
+    private FloatBuffer staging = MemoryUtil.memAllocFloat(64 * MOTION_FLOATS);
     private @Nullable PoseSnapshot uploaded;
     private long uploadedTick;
     private long uploadedNanos;
     private int uploads;
 
     /**
-     * Brings the buffers up to a snapshot.
+     * Brings the lists up to a snapshot.
      *
      * @param snapshot what to draw
      * @param eye where the camera is, world
@@ -120,15 +81,14 @@ final class Instances implements AutoCloseable {
      */
     void update(PoseSnapshot snapshot, Vector3d eye, double casterLimit) {
         boolean moved = placeAnchor(eye);
-        boolean changed = layoutChanged(snapshot);
-        if (changed) {
+        boolean fresh =
+                uploaded != snapshot
+                        || uploadedTick != snapshot.tick()
+                        || uploadedNanos != snapshot.publishedNanos();
+        if (fresh && layoutChanged(snapshot)) {
             arrange(snapshot);
         }
-        if (changed
-                || moved
-                || uploaded != snapshot
-                || uploadedTick != snapshot.tick()
-                || uploadedNanos != snapshot.publishedNanos()) {
+        if (fresh || moved) {
             upload(snapshot, casterLimit);
             uploaded = snapshot;
             uploadedTick = snapshot.tick();
@@ -136,11 +96,31 @@ final class Instances implements AutoCloseable {
         }
     }
 
-    List<Batch> batches() {
-        return batches;
+    /** Makes the lists readable for shaders. */
+    void bind() {
+        motion.bind();
+        look.bind();
     }
 
-    /** The world point that all positions in the buffers are relative to. */
+    int batchCount() {
+        return batches.size();
+    }
+
+    Batch batch(int b) {
+        return batches.get(b);
+    }
+
+    /** How many slots there are. */
+    int slots() {
+        return rowOfSlot.length;
+    }
+
+    /** How often slots were given out anew. */
+    int arrangements() {
+        return arrangements;
+    }
+
+    /** The world point that all positions in the lists are relative to. */
     Vector3d anchor() {
         return anchor;
     }
@@ -158,9 +138,29 @@ final class Instances implements AutoCloseable {
         return castersMax;
     }
 
-    /** How often motion was written, for tests. */
+    /** How often motion was written. */
     int uploads() {
         return uploads;
+    }
+
+    /**
+     * Writes the slots of a range that touch a frustum, from the range's first place on.
+     *
+     * @return how many
+     */
+    int visible(Frustum frustum, int first, int count, IntBuffer into) {
+        int written = first;
+        for (int slot = first; slot < first + count; slot++) {
+            int at = 4 * rowOfSlot[slot];
+            if (frustum.touches(
+                    wayOfRow[at],
+                    wayOfRow[at + 1],
+                    wayOfRow[at + 2],
+                    wayOfRow[at + 3] + reachOfSlot[slot])) {
+                into.put(written++, slot);
+            }
+        }
+        return written - first;
     }
 
     private boolean placeAnchor(Vector3d eye) {
@@ -192,22 +192,23 @@ final class Instances implements AutoCloseable {
         int size = snapshot.size();
         layout = new Object[size];
         layoutSize = size;
-        slotOfRow = new int[size];
-        radiusOfRow = new double[size];
-        Model[] models = new Model[size];
-        Batch[] batchOfRow = new Batch[size];
-        Map<Key, Batch> found = new LinkedHashMap<>();
+        wayOfRow = new double[4 * size];
+        List<Model> parts = new ArrayList<>();
+        List<Integer> rows = new ArrayList<>();
+        List<Batch> owners = new ArrayList<>();
+        Map<Batch.Key, Batch> found = new LinkedHashMap<>();
         for (int row = 0; row < size; row++) {
-            Object look = snapshot.model(row);
-            layout[row] = look;
-            Model model = modelOf(look);
-            models[row] = model;
-            radiusOfRow[row] = model.radius();
-            batchOfRow[row] =
-                    found.computeIfAbsent(
-                            new Key(model.mesh(), model.texture()),
-                            key -> new Batch(key.mesh(), key.texture()));
-            batchOfRow[row].count++;
+            layout[row] = snapshot.model(row);
+            for (Model part : modelsOf(layout[row])) {
+                Batch batch =
+                        found.computeIfAbsent(
+                                new Batch.Key(part.mesh(), part.texture()),
+                                key -> new Batch(key.mesh(), key.texture()));
+                batch.count++;
+                parts.add(part);
+                rows.add(row);
+                owners.add(batch);
+            }
         }
         int next = 0;
         for (Batch batch : found.values()) {
@@ -215,85 +216,60 @@ final class Instances implements AutoCloseable {
             next += batch.count;
             batch.count = 0;
         }
-        FloatBuffer look = MemoryUtil.memAllocFloat(Math.max(1, size) * LOOK_FLOATS);
+        rowOfSlot = new int[next];
+        reachOfSlot = new double[next];
+        FloatBuffer looks = MemoryUtil.memAllocFloat(Math.max(1, next) * LOOK_FLOATS);
         try {
-            for (int row = 0; row < size; row++) {
-                Batch batch = batchOfRow[row];
+            for (int i = 0; i < next; i++) {
+                Batch batch = owners.get(i);
                 int slot = batch.first + batch.count++;
-                slotOfRow[row] = slot;
-                putLook(look, slot * LOOK_FLOATS, models[row]);
+                rowOfSlot[slot] = rows.get(i);
+                reachOfSlot[slot] = parts.get(i).radius();
+                putLook(looks, slot * LOOK_FLOATS, parts.get(i), rows.get(i));
             }
-            glBindBuffer(GL_ARRAY_BUFFER, lookBuffer);
-            glBufferData(GL_ARRAY_BUFFER, look, GL_STATIC_DRAW);
+            look.write(looks, GL_STATIC_DRAW);
         } finally {
-            MemoryUtil.memFree(look);
+            MemoryUtil.memFree(looks);
         }
         replaceBatches(List.copyOf(found.values()));
+        arrangements++;
     }
 
-    private static Model modelOf(Object look) {
-        return switch (look) {
-            case Model model -> model;
-            case Mesh mesh -> Model.of(mesh);
-            case Shape shape -> Model.of(shape);
-            default -> PLACEHOLDER;
+    private static List<Model> modelsOf(@Nullable Object visual) {
+        return switch (visual) {
+            case Model model -> List.of(model);
+            case ModelGroup group -> group.parts();
+            case Mesh mesh -> List.of(Model.of(mesh));
+            case Shape shape -> List.of(Model.of(shape));
+            case null, default -> PLACEHOLDER;
         };
     }
 
-    private static void putLook(FloatBuffer buffer, int at, Model model) {
+    /** Three texels: scale and row, origin, colour. A float holds every row up to 2^24. */
+    private static void putLook(FloatBuffer buffer, int at, Model model, int row) {
         buffer.put(at, (float) model.scaleX());
         buffer.put(at + 1, (float) model.scaleY());
         buffer.put(at + 2, (float) model.scaleZ());
-        buffer.put(at + 3, (float) model.originX());
-        buffer.put(at + 4, (float) model.originY());
-        buffer.put(at + 5, (float) model.originZ());
-        buffer.put(at + 6, (float) Srgb.linear(model.rgb() >> 16));
-        buffer.put(at + 7, (float) Srgb.linear(model.rgb() >> 8));
-        buffer.put(at + 8, (float) Srgb.linear(model.rgb()));
+        buffer.put(at + 3, row);
+        buffer.put(at + 4, (float) model.originX());
+        buffer.put(at + 5, (float) model.originY());
+        buffer.put(at + 6, (float) model.originZ());
+        buffer.put(at + 7, 0f);
+        buffer.put(at + 8, (float) Srgb.linear(model.rgb() >> 16));
+        buffer.put(at + 9, (float) Srgb.linear(model.rgb() >> 8));
+        buffer.put(at + 10, (float) Srgb.linear(model.rgb()));
+        buffer.put(at + 11, 0f);
     }
 
     private void replaceBatches(List<Batch> wanted) {
-        for (Batch batch : batches) {
-            glDeleteVertexArrays(batch.vertexArray);
-        }
         batches = wanted;
         for (Batch batch : wanted) {
-            GpuMesh mesh = meshes.computeIfAbsent(batch.mesh, GpuMesh::new);
-            batch.gpuMesh = mesh;
+            batch.gpuMesh = meshes.computeIfAbsent(batch.mesh, GpuMesh::new);
             batch.gpuTexture = textures.computeIfAbsent(batch.texture, GpuTexture::new);
-            batch.vertexArray = glGenVertexArrays();
-            glBindVertexArray(batch.vertexArray);
-            glBindBuffer(GL_ARRAY_BUFFER, mesh.vertexBuffer());
-            attribute(0, 3, Mesh.FLOATS_PER_VERTEX, 0, 0);
-            attribute(1, 3, Mesh.FLOATS_PER_VERTEX, 3, 0);
-            attribute(2, 2, Mesh.FLOATS_PER_VERTEX, 6, 0);
-            glBindBuffer(GL_ARRAY_BUFFER, motionBuffer);
-            for (int i = 0; i < 4; i++) {
-                attribute(3 + i, 4, MOTION_FLOATS, batch.first * (long) MOTION_FLOATS + 4L * i, 1);
-            }
-            glBindBuffer(GL_ARRAY_BUFFER, lookBuffer);
-            for (int i = 0; i < 3; i++) {
-                attribute(7 + i, 3, LOOK_FLOATS, batch.first * (long) LOOK_FLOATS + 3L * i, 1);
-            }
-            mesh.bindIndices();
         }
-        glBindVertexArray(0);
         dropUnused(meshes, wanted.stream().map(batch -> batch.mesh).collect(Collectors.toSet()));
         dropUnused(
                 textures, wanted.stream().map(batch -> batch.texture).collect(Collectors.toSet()));
-    }
-
-    private static void attribute(
-            int index, int size, int strideFloats, long offsetFloats, int divisor) {
-        glEnableVertexAttribArray(index);
-        glVertexAttribPointer(
-                index,
-                size,
-                GL_FLOAT,
-                false,
-                strideFloats * Float.BYTES,
-                offsetFloats * Float.BYTES);
-        glVertexAttribDivisor(index, divisor);
     }
 
     private static <K, V extends AutoCloseable> void dropUnused(Map<K, V> all, Set<K> used) {
@@ -321,43 +297,40 @@ final class Instances implements AutoCloseable {
             MemoryUtil.memFree(staging);
             staging = MemoryUtil.memAllocFloat(Math.max(floats, 2 * staging.capacity()));
         }
-        castersMin.set(Double.POSITIVE_INFINITY);
-        castersMax.set(Double.NEGATIVE_INFINITY);
         double[] previous = snapshot.previous();
         double[] current = snapshot.current();
+        double ax = anchor.x;
+        double ay = anchor.y;
+        double az = anchor.z;
         for (int row = 0; row < size; row++) {
             int from = row * PoseSnapshot.STRIDE;
-            int to = slotOfRow[row] * MOTION_FLOATS;
-            putPose(previous, from, to);
-            putPose(current, from, to + 8);
-            double radius = radiusOfRow[row];
-            if (radius <= casterLimit) {
-                double x = current[from] - anchor.x;
-                double y = current[from + 1] - anchor.y;
-                double z = current[from + 2] - anchor.z;
-                castersMin.set(
-                        Math.min(castersMin.x, x - radius),
-                        Math.min(castersMin.y, y - radius),
-                        Math.min(castersMin.z, z - radius));
-                castersMax.set(
-                        Math.max(castersMax.x, x + radius),
-                        Math.max(castersMax.y, y + radius),
-                        Math.max(castersMax.z, z + radius));
-            }
+            double px = previous[from] - ax;
+            double py = previous[from + 1] - ay;
+            double pz = previous[from + 2] - az;
+            double cx = current[from] - ax;
+            double cy = current[from + 1] - ay;
+            double cz = current[from + 2] - az;
+            putPose(row * MOTION_FLOATS, px, py, pz, previous, from);
+            putPose(row * MOTION_FLOATS + 8, cx, cy, cz, current, from);
+            double dx = 0.5 * (cx - px);
+            double dy = 0.5 * (cy - py);
+            double dz = 0.5 * (cz - pz);
+            wayOfRow[4 * row] = px + dx;
+            wayOfRow[4 * row + 1] = py + dy;
+            wayOfRow[4 * row + 2] = pz + dz;
+            wayOfRow[4 * row + 3] = Math.sqrt(dx * dx + dy * dy + dz * dz);
         }
+        boundCasters(casterLimit);
         staging.position(0).limit(floats);
-        glBindBuffer(GL_ARRAY_BUFFER, motionBuffer);
-        // A whole new store each time: the driver need not wait for frames that still read the old
-        // one.
-        glBufferData(GL_ARRAY_BUFFER, staging, GL_STREAM_DRAW);
+        motion.write(staging, GL_STREAM_DRAW);
         staging.clear();
         uploads++;
     }
 
-    private void putPose(double[] poses, int from, int to) {
-        staging.put(to, (float) (poses[from] - anchor.x));
-        staging.put(to + 1, (float) (poses[from + 1] - anchor.y));
-        staging.put(to + 2, (float) (poses[from + 2] - anchor.z));
+    private void putPose(int to, double x, double y, double z, double[] poses, int from) {
+        staging.put(to, (float) x);
+        staging.put(to + 1, (float) y);
+        staging.put(to + 2, (float) z);
         staging.put(to + 3, 0f);
         staging.put(to + 4, (float) poses[from + 3]);
         staging.put(to + 5, (float) poses[from + 4]);
@@ -365,11 +338,35 @@ final class Instances implements AutoCloseable {
         staging.put(to + 7, (float) poses[from + 6]);
     }
 
+    private void boundCasters(double casterLimit) {
+        double minX = Double.POSITIVE_INFINITY;
+        double minY = Double.POSITIVE_INFINITY;
+        double minZ = Double.POSITIVE_INFINITY;
+        double maxX = Double.NEGATIVE_INFINITY;
+        double maxY = Double.NEGATIVE_INFINITY;
+        double maxZ = Double.NEGATIVE_INFINITY;
+        for (int slot = 0; slot < rowOfSlot.length; slot++) {
+            double reach = reachOfSlot[slot];
+            if (reach <= casterLimit) {
+                int at = 4 * rowOfSlot[slot];
+                double r = reach + wayOfRow[at + 3];
+                minX = Math.min(minX, wayOfRow[at] - r);
+                minY = Math.min(minY, wayOfRow[at + 1] - r);
+                minZ = Math.min(minZ, wayOfRow[at + 2] - r);
+                maxX = Math.max(maxX, wayOfRow[at] + r);
+                maxY = Math.max(maxY, wayOfRow[at + 1] + r);
+                maxZ = Math.max(maxZ, wayOfRow[at + 2] + r);
+            }
+        }
+        castersMin.set(minX, minY, minZ);
+        castersMax.set(maxX, maxY, maxZ);
+    }
+
     @Override
     public void close() {
         replaceBatches(List.of());
-        glDeleteBuffers(motionBuffer);
-        glDeleteBuffers(lookBuffer);
+        motion.close();
+        look.close();
         MemoryUtil.memFree(staging);
     }
 }

@@ -18,8 +18,6 @@ import static org.lwjgl.opengl.GL13.GL_TEXTURE0;
 import static org.lwjgl.opengl.GL13.GL_TEXTURE1;
 import static org.lwjgl.opengl.GL13.glActiveTexture;
 import static org.lwjgl.opengl.GL30.glBindVertexArray;
-import static org.lwjgl.opengl.GL30.glDeleteVertexArrays;
-import static org.lwjgl.opengl.GL30.glGenVertexArrays;
 
 import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.render.camera.Camera;
@@ -28,8 +26,6 @@ import dev.cairn.render.camera.Light;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-
-import java.util.List;
 
 /**
  * Draws a snapshot into a target: shadows, then the scene, then the sky behind it. On the thread of
@@ -48,8 +44,9 @@ public final class SceneRenderer implements AutoCloseable {
     private final int skyUp;
     private final int skyZenith;
     private final int skyHorizon;
-    private final int emptyVertexArray = glGenVertexArrays();
+    private final int emptyVertexArray = GlObjects.vertexArray();
     private final Instances instances = new Instances();
+    private final Pass pass = new Pass(instances, false);
     private @Nullable ShadowMap shadowMap;
     private @Nullable SceneOverlay overlay;
 
@@ -112,8 +109,9 @@ public final class SceneRenderer implements AutoCloseable {
         sun.set(light.sunX(), light.sunY(), light.sunZ()).normalize();
 
         ShadowMap shadows = light.shadows() ? shadowMap(target) : null;
+        instances.bind();
         if (shadows != null) {
-            shadows.draw(instances, alpha, sun, eye, forward);
+            shadows.draw(alpha, sun, eye, forward);
         }
         target.bind();
         glViewport(0, 0, target.width(), target.height());
@@ -161,7 +159,7 @@ public final class SceneRenderer implements AutoCloseable {
                 map.close();
             }
             glActiveTexture(GL_TEXTURE1);
-            map = new ShadowMap(size);
+            map = new ShadowMap(size, instances);
             shadowMap = map;
         }
         return map;
@@ -173,12 +171,14 @@ public final class SceneRenderer implements AutoCloseable {
         glActiveTexture(GL_TEXTURE1);
         uniforms.setShadows(shadows);
         glActiveTexture(GL_TEXTURE0);
-        List<Instances.Batch> batches = instances.batches();
-        for (int i = 0; i < batches.size(); i++) {
-            Instances.Batch batch = batches.get(i);
-            batch.bindTexture();
-            uniforms.setTile(batch.tileMetres());
-            batch.draw();
+        pass.cull(clipFromAnchored);
+        for (int b = 0; b < pass.batches(); b++) {
+            GpuTexture texture = instances.batch(b).gpuTexture;
+            if (texture != null && pass.isVisible(b)) {
+                texture.bind();
+                uniforms.setTile(instances.batch(b).texture.tileMetres());
+                pass.draw(b);
+            }
         }
     }
 
@@ -215,14 +215,24 @@ public final class SceneRenderer implements AutoCloseable {
         return instances.uploads();
     }
 
+    /**
+     * How many models the last frame drew; the others were outside of the picture.
+     *
+     * @return the count
+     */
+    public int drawn() {
+        return pass.drawn();
+    }
+
     @Override
     public void close() {
+        pass.close();
         if (shadowMap != null) {
             shadowMap.close();
         }
         instances.close();
         scene.close();
         sky.close();
-        glDeleteVertexArrays(emptyVertexArray);
+        GlObjects.deleteVertexArray(emptyVertexArray);
     }
 }

@@ -10,6 +10,8 @@ import org.jspecify.annotations.Nullable;
 final class SceneUniforms {
     private final int clipFromAnchored;
     private final int alpha;
+    private final int motion;
+    private final int look;
     private final int surface;
     private final int shadowMap;
     private final int tileMetres;
@@ -27,6 +29,8 @@ final class SceneUniforms {
     SceneUniforms(ShaderProgram program) {
         clipFromAnchored = program.uniform("clipFromAnchored");
         alpha = program.uniform("alpha");
+        motion = program.uniform("motion");
+        look = program.uniform("look");
         surface = program.uniform("surface");
         shadowMap = program.uniform("shadowMap");
         tileMetres = program.uniform("tileMetres");
@@ -50,6 +54,8 @@ final class SceneUniforms {
             Vector3d sun) {
         ShaderProgram.set(clipFromAnchored, matrix);
         ShaderProgram.set(alpha, interpolation);
+        ShaderProgram.set(motion, 2);
+        ShaderProgram.set(look, 3);
         ShaderProgram.set(surface, 0);
         ShaderProgram.set(shadowMap, 1);
         ShaderProgram.set(eye, anchoredEye.x, anchoredEye.y, anchoredEye.z);

@@ -7,10 +7,6 @@ import static org.lwjgl.opengl.GL20.GL_LINK_STATUS;
 import static org.lwjgl.opengl.GL20.GL_VERTEX_SHADER;
 import static org.lwjgl.opengl.GL20.glAttachShader;
 import static org.lwjgl.opengl.GL20.glCompileShader;
-import static org.lwjgl.opengl.GL20.glCreateProgram;
-import static org.lwjgl.opengl.GL20.glCreateShader;
-import static org.lwjgl.opengl.GL20.glDeleteProgram;
-import static org.lwjgl.opengl.GL20.glDeleteShader;
 import static org.lwjgl.opengl.GL20.glGetProgramInfoLog;
 import static org.lwjgl.opengl.GL20.glGetProgrami;
 import static org.lwjgl.opengl.GL20.glGetShaderInfoLog;
@@ -25,16 +21,17 @@ import static org.lwjgl.opengl.GL20.glUniformMatrix4fv;
 import static org.lwjgl.opengl.GL20.glUseProgram;
 
 import org.joml.Matrix4d;
-import org.lwjgl.system.MemoryStack;
 
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.nio.FloatBuffer;
 import java.nio.charset.StandardCharsets;
 
 /** A vertex and a fragment shader, from the resources beside this class. */
 public final class ShaderProgram implements AutoCloseable {
+    /** On its way to a uniform. There is one context at a time, and so one drawing thread. */
+    private static final float[] MATRIX = new float[16];
+
     private final int id;
     private final String name;
 
@@ -54,19 +51,19 @@ public final class ShaderProgram implements AutoCloseable {
         try {
             first = compile(GL_VERTEX_SHADER, defines, vertex);
             second = compile(GL_FRAGMENT_SHADER, defines, fragment);
-            program = glCreateProgram();
+            program = GlObjects.program();
             glAttachShader(program, first);
             glAttachShader(program, second);
             glLinkProgram(program);
             if (glGetProgrami(program, GL_LINK_STATUS) == GL_FALSE) {
                 String log = glGetProgramInfoLog(program);
-                glDeleteProgram(program);
+                GlObjects.deleteProgram(program);
                 throw new IllegalStateException(
                         "shader program '" + name + "' does not link: " + log);
             }
         } finally {
-            glDeleteShader(first);
-            glDeleteShader(second);
+            GlObjects.deleteShader(first);
+            GlObjects.deleteShader(second);
         }
         id = program;
     }
@@ -76,12 +73,12 @@ public final class ShaderProgram implements AutoCloseable {
         for (String file : files) {
             source.append("#line 1\n").append(resource(file));
         }
-        int shader = glCreateShader(kind);
+        int shader = GlObjects.shader(kind);
         glShaderSource(shader, source);
         glCompileShader(shader);
         if (glGetShaderi(shader, GL_COMPILE_STATUS) == GL_FALSE) {
             String log = glGetShaderInfoLog(shader);
-            glDeleteShader(shader);
+            GlObjects.deleteShader(shader);
             throw new IllegalStateException(
                     "shader of '"
                             + name
@@ -165,14 +162,11 @@ public final class ShaderProgram implements AutoCloseable {
      * @param matrix a mat4
      */
     public static void set(int location, Matrix4d matrix) {
-        try (MemoryStack stack = MemoryStack.stackPush()) {
-            FloatBuffer buffer = stack.mallocFloat(16);
-            glUniformMatrix4fv(location, false, matrix.get(buffer));
-        }
+        glUniformMatrix4fv(location, false, matrix.get(MATRIX));
     }
 
     @Override
     public void close() {
-        glDeleteProgram(id);
+        GlObjects.deleteProgram(id);
     }
 }

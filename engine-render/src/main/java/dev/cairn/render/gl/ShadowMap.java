@@ -14,11 +14,9 @@ import static org.lwjgl.opengl.GL11.GL_TEXTURE_WRAP_T;
 import static org.lwjgl.opengl.GL11.GL_UNSIGNED_INT;
 import static org.lwjgl.opengl.GL11.glBindTexture;
 import static org.lwjgl.opengl.GL11.glClear;
-import static org.lwjgl.opengl.GL11.glDeleteTextures;
 import static org.lwjgl.opengl.GL11.glDisable;
 import static org.lwjgl.opengl.GL11.glDrawBuffer;
 import static org.lwjgl.opengl.GL11.glEnable;
-import static org.lwjgl.opengl.GL11.glGenTextures;
 import static org.lwjgl.opengl.GL11.glPolygonOffset;
 import static org.lwjgl.opengl.GL11.glReadBuffer;
 import static org.lwjgl.opengl.GL11.glTexImage2D;
@@ -32,16 +30,12 @@ import static org.lwjgl.opengl.GL30.GL_COMPARE_REF_TO_TEXTURE;
 import static org.lwjgl.opengl.GL30.GL_DEPTH_ATTACHMENT;
 import static org.lwjgl.opengl.GL30.GL_FRAMEBUFFER;
 import static org.lwjgl.opengl.GL30.glBindFramebuffer;
-import static org.lwjgl.opengl.GL30.glDeleteFramebuffers;
 import static org.lwjgl.opengl.GL30.glFramebufferTexture2D;
-import static org.lwjgl.opengl.GL30.glGenFramebuffers;
 import static org.lwjgl.opengl.GL32.GL_DEPTH_CLAMP;
 
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.lwjgl.system.MemoryUtil;
-
-import java.util.List;
 
 /**
  * Depth as the sun sees it, over a square region that holds all small models, or the part of them
@@ -64,15 +58,27 @@ final class ShadowMap implements AutoCloseable {
     private final ShaderProgram program;
     private final int matrixUniform;
     private final int alphaUniform;
+    private final Pass pass;
+    private final Instances instances;
+    private final Matrix4d lightFromAnchored = new Matrix4d();
     private final Matrix4d matrix = new Matrix4d();
     private final Vector3d centre = new Vector3d();
     private final Vector3d right = new Vector3d();
     private final Vector3d up = new Vector3d();
     private double radius;
 
-    ShadowMap(int size) {
+    /**
+     * An empty map.
+     *
+     * @param size texels a side
+     * @param instances what casts
+     */
+    ShadowMap(int size, Instances instances) {
         this.size = size;
-        texture = glGenTextures();
+        this.instances = instances;
+        // What lies between the sun and the region casts into it, however far away it is.
+        this.pass = new Pass(instances, true);
+        texture = GlObjects.texture();
         glBindTexture(GL_TEXTURE_2D, texture);
         glTexImage2D(
                 GL_TEXTURE_2D,
@@ -91,7 +97,7 @@ final class ShadowMap implements AutoCloseable {
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
         glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, new float[] {1, 1, 1, 1});
-        framebuffer = glGenFramebuffers();
+        framebuffer = GlObjects.framebuffer();
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
         glDrawBuffer(GL_NONE);
@@ -104,38 +110,39 @@ final class ShadowMap implements AutoCloseable {
                         new String[] {"shadow.frag"});
         matrixUniform = program.uniform("shadowFromAnchored");
         alphaUniform = program.uniform("alpha");
+        program.use();
+        ShaderProgram.set(program.uniform("motion"), 2);
+        ShaderProgram.set(program.uniform("look"), 3);
     }
 
     /**
      * Draws the map.
      *
-     * @param instances what casts
      * @param alpha interpolation
      * @param sun unit direction to the sun
      * @param eye camera, anchored
      * @param forward unit view direction
      */
-    void draw(Instances instances, double alpha, Vector3d sun, Vector3d eye, Vector3d forward) {
-        place(instances, sun, eye, forward);
+    void draw(double alpha, Vector3d sun, Vector3d eye, Vector3d forward) {
+        place(sun, eye, forward);
+        pass.cull(matrix);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         glViewport(0, 0, size, size);
         glClear(GL_DEPTH_BUFFER_BIT);
-        // What lies between the sun and the region casts into it.
         glEnable(GL_DEPTH_CLAMP);
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(2, 4);
         program.use();
         ShaderProgram.set(matrixUniform, matrix);
         ShaderProgram.set(alphaUniform, alpha);
-        List<Instances.Batch> batches = instances.batches();
-        for (int i = 0; i < batches.size(); i++) {
-            batches.get(i).draw();
+        for (int b = 0; b < pass.batches(); b++) {
+            pass.draw(b);
         }
         glDisable(GL_POLYGON_OFFSET_FILL);
         glDisable(GL_DEPTH_CLAMP);
     }
 
-    private void place(Instances instances, Vector3d sun, Vector3d eye, Vector3d forward) {
+    private void place(Vector3d sun, Vector3d eye, Vector3d forward) {
         Vector3d min = instances.castersMin();
         Vector3d max = instances.castersMax();
         centre.set(forward).mul(FOCUS_METRES).add(eye);
@@ -168,25 +175,24 @@ final class ShadowMap implements AutoCloseable {
         centre.fma(texel * Math.rint(across / texel) - across, right);
         centre.fma(texel * Math.rint(along / texel) - along, up);
         double depth = depthMetres() / 2;
-        matrix.setOrtho(-radius, radius, -radius, radius, -depth, depth)
-                .mul(
-                        new Matrix4d(
-                                right.x,
-                                up.x,
-                                sun.x,
-                                0,
-                                right.y,
-                                up.y,
-                                sun.y,
-                                0,
-                                right.z,
-                                up.z,
-                                sun.z,
-                                0,
-                                -right.dot(centre),
-                                -up.dot(centre),
-                                -sun.dot(centre),
-                                1));
+        lightFromAnchored.set(
+                right.x,
+                up.x,
+                sun.x,
+                0,
+                right.y,
+                up.y,
+                sun.y,
+                0,
+                right.z,
+                up.z,
+                sun.z,
+                0,
+                -right.dot(centre),
+                -up.dot(centre),
+                -sun.dot(centre),
+                1);
+        matrix.setOrtho(-radius, radius, -radius, radius, -depth, depth).mul(lightFromAnchored);
     }
 
     Matrix4d matrix() {
@@ -215,8 +221,9 @@ final class ShadowMap implements AutoCloseable {
 
     @Override
     public void close() {
+        pass.close();
         program.close();
-        glDeleteFramebuffers(framebuffer);
-        glDeleteTextures(texture);
+        GlObjects.deleteFramebuffer(framebuffer);
+        GlObjects.deleteTexture(texture);
     }
 }

@@ -54,6 +54,40 @@ final class MeshBuilder {
                 points);
     }
 
+    /** A mesh of the triangles that bear a number, and of the vertices that these use. */
+    Mesh part(String name, int[] numberOfTriangle, int number) {
+        MeshBuilder part = new MeshBuilder();
+        int[] renamed = new int[vertexCount];
+        Arrays.fill(renamed, -1);
+        int[] corner = new int[3];
+        for (int t = 0; t < triangleCount(); t++) {
+            if (numberOfTriangle[t] != number) {
+                continue;
+            }
+            for (int k = 0; k < 3; k++) {
+                int v = indices[3 * t + k];
+                if (renamed[v] < 0) {
+                    renamed[v] = part.copy(vertices, v * Mesh.FLOATS_PER_VERTEX);
+                }
+                corner[k] = renamed[v];
+            }
+            part.triangle(corner[0], corner[1], corner[2]);
+        }
+        return part.build(name, null);
+    }
+
+    private int copy(float[] from, int at) {
+        return vertex(
+                from[at],
+                from[at + 1],
+                from[at + 2],
+                from[at + 3],
+                from[at + 4],
+                from[at + 5],
+                from[at + 6],
+                from[at + 7]);
+    }
+
     private static int grown(int length) {
         return Math.addExact(length, length);
     }

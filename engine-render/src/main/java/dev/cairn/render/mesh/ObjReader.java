@@ -7,15 +7,21 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
 
 /**
  * Reads triangles from Wavefront {@code .obj} files. Read are {@code v}, {@code vt}, {@code vn} and
  * {@code f} with every form of index ({@code 1}, {@code 1/2}, {@code 1//3}, {@code 1/2/3}, negative
  * ones count back from the newest); polygons are cut into triangles; corners without a normal get
- * that of their flat face. Groups, smoothing, materials, lines, points and free-form statements are
- * passed over. Anything else is an error that names the file, the line, what was expected and what
+ * that of their flat face; {@code mtllib} and {@code usemtl} choose materials. Groups, smoothing,
+ * lines, points and free-form statements are passed over. Anything else is an error that names the file, the line, what was expected and what
  * stands there. Any thread; no OpenGL.
  */
 public final class ObjReader {
@@ -28,8 +34,6 @@ public final class ObjReader {
                     "g",
                     "s",
                     "mg",
-                    "mtllib",
-                    "usemtl",
                     "usemap",
                     "maplib",
                     "l",
@@ -83,6 +87,15 @@ public final class ObjReader {
     private int faces;
     private int line;
 
+    /** Names of materials that faces use, and which one each triangle has; 0 is none. */
+    private final Map<String, Integer> materials = new LinkedHashMap<>(Map.of("", 0));
+
+    private final List<Library> libraries = new ArrayList<>();
+    private int material;
+    private int[] materialOfTriangle = new int[64];
+
+    private record Library(String names, int line) {}
+
     private ObjReader(Path file) {
         this.file = file;
     }
@@ -98,6 +111,61 @@ public final class ObjReader {
      */
     public static Mesh read(Path file) {
         return new ObjReader(file).run();
+    }
+
+    /**
+     * Reads a file and the materials that it names.
+     *
+     * @param file where it is
+     * @param problems hears, in one line each, of materials and pictures that cannot be used; the
+     *     faces that wear them are shown with {@link Texture#missing}
+     * @return mesh and look
+     * @throws ObjFormatException as {@link #read}
+     */
+    public static ObjModel readModel(Path file, Consumer<String> problems) {
+        ObjReader reader = new ObjReader(file);
+        Mesh mesh = reader.run();
+        return new ObjModel(mesh, reader.look(mesh, problems), reader.materials.size() > 1);
+    }
+
+    private ModelGroup look(Mesh mesh, Consumer<String> problems) {
+        Map<String, MtlReader.Surface> known = new HashMap<>();
+        known.put("", MtlReader.Surface.PLAIN);
+        for (Library library : libraries) {
+            // One statement may name several files, and a name may hold blanks.
+            Path whole = file.resolveSibling(library.names());
+            String[] names =
+                    Files.isRegularFile(whole)
+                            ? new String[] {library.names()}
+                            : library.names().split("\\s+");
+            for (String name : names) {
+                try {
+                    known.putAll(MtlReader.read(file.resolveSibling(name), problems));
+                } catch (ObjFormatException unusable) {
+                    problems.accept(file + ":" + library.line() + ": " + unusable.getMessage());
+                }
+            }
+        }
+        List<Model> parts = new ArrayList<>();
+        materials.forEach((name, number) -> {
+            Mesh part =
+                    materials.size() == 1
+                            ? mesh
+                            : builder.part(
+                                    file + (name.isEmpty() ? "" : ", material " + name),
+                                    materialOfTriangle,
+                                    number);
+            if (part.triangleCount() == 0) {
+                return;
+            }
+            MtlReader.Surface surface = known.get(name);
+            if (surface == null) {
+                problems.accept(file + ": no .mtl file of it defines the material '" + name + "'");
+                surface = MtlReader.Surface.MISSING;
+            }
+            parts.add(Model.of(part).color(surface.rgb()).texture(surface.texture()));
+        });
+        return new ModelGroup(parts);
     }
 
     private Mesh run() {
@@ -180,6 +248,13 @@ public final class ObjReader {
                 numbers(normals, words, 3, at);
             }
             case "f", "fo" -> face(words, at);
+            case "mtllib" ->
+                    libraries.add(new Library(text.substring("mtllib".length()).strip(), at));
+            case "usemtl" ->
+                    material =
+                            materials.computeIfAbsent(
+                                    text.substring("usemtl".length()).strip(),
+                                    name -> materials.size());
             default -> {
                 if (!PASSED_OVER.contains(words[0])) {
                     throw error(
@@ -247,6 +322,11 @@ public final class ObjReader {
         int[] corners = new int[3 * (count - 2)];
         Polygons.triangulate(positions.values, loop, count, normal, corners);
         for (int i = 0; i < corners.length; i += 3) {
+            int triangle = builder.triangleCount();
+            if (triangle == materialOfTriangle.length) {
+                materialOfTriangle = Arrays.copyOf(materialOfTriangle, 2 * triangle);
+            }
+            materialOfTriangle[triangle] = material;
             builder.triangle(
                     vertices[corners[i]], vertices[corners[i + 1]], vertices[corners[i + 2]]);
         }
@@ -351,7 +431,7 @@ public final class ObjReader {
     }
 
     /** At most 40 printable characters of what stands in the file, since it may be anything. */
-    private static String shown(String text) {
+    static String shown(String text) {
         String cut = text.length() > 40 ? text.substring(0, 40) + "..." : text;
         return cut.replaceAll("[^\\x20-\\x7e]", "?");
     }

@@ -10,10 +10,10 @@ out vec3 colour;
 void main() {
     vec4 turn = interpolatedTurn();
     anchored = interpolatedPlace() + rotated(turn, modelPosition());
-    worldNormal = rotated(turn, normalize(meshNormal / instanceScale));
+    worldNormal = rotated(turn, normalize(meshNormal / instanceScale()));
     coordinate = meshCoordinate;
-    tilePosition = meshPosition * instanceScale;
+    tilePosition = meshPosition * instanceScale();
     tileNormal = meshNormal;
-    colour = instanceColour;
+    colour = texelFetch(look, 3 * int(slot) + 2).rgb;
     gl_Position = clipFromAnchored * vec4(anchored, 1.0);
 }

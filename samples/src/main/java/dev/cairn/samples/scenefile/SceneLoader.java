@@ -1,14 +1,16 @@
 package dev.cairn.samples.scenefile;
 
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.core.snapshot.Visual;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.DegenerateShapeException;
 import dev.cairn.physics.shape.Shape;
-import dev.cairn.render.mesh.Mesh;
 import dev.cairn.render.mesh.Model;
+import dev.cairn.render.mesh.ModelGroup;
 import dev.cairn.render.mesh.ObjFormatException;
+import dev.cairn.render.mesh.ObjModel;
 import dev.cairn.render.mesh.ObjReader;
 import dev.cairn.render.mesh.Texture;
 import dev.cairn.samples.Palette;
@@ -37,7 +39,7 @@ public final class SceneLoader {
 
     private final Path folder;
     private final SceneBuilder into;
-    private final Map<String, @Nullable Mesh> meshes = new HashMap<>();
+    private final Map<String, @Nullable ObjModel> meshes = new HashMap<>();
     private final Map<String, @Nullable Texture> textures = new HashMap<>();
     private final Map<Shared, Shape> shapes = new HashMap<>();
 
@@ -129,13 +131,13 @@ public final class SceneLoader {
     private void add(EntitySpec entity, int index) {
         Shape shape = shape(entity, index);
         LookSpec look = entity.look();
-        Model model = look.visible() ? model(entity, shape, index) : null;
+        Visual visual = look.visible() ? look(entity, shape, index) : null;
         Turn turn = entity.rotation();
         Xyz at = entity.position();
         if (entity.body() == BodyKind.NONE) {
-            if (model != null) {
+            if (visual != null) {
                 Quaterniond q = new Quaterniond(turn.x(), turn.y(), turn.z(), turn.w()).normalize();
-                into.addVisual(new Pose(at.x(), at.y(), at.z(), q.x, q.y, q.z, q.w, 0), model);
+                into.addVisual(new Pose(at.x(), at.y(), at.z(), q.x, q.y, q.z, q.w, 0), visual);
             }
             return;
         }
@@ -154,10 +156,10 @@ public final class SceneLoader {
         Xyz w = entity.angularVelocity();
         body.velocity(v.x(), v.y(), v.z()).angularVelocity(w.x(), w.y(), w.z());
         Shape collider = shape == null ? placeholderShape(entity) : shape;
-        if (model == null) {
+        if (visual == null) {
             into.addUnseen(collider, body);
         } else {
-            into.add(collider, model, body);
+            into.add(collider, visual, body);
         }
     }
 
@@ -184,11 +186,11 @@ public final class SceneLoader {
     }
 
     private @Nullable Shape hull(String file, EntitySpec entity, int index) {
-        Mesh mesh = mesh(file, index);
+        ObjModel mesh = mesh(file, index);
         if (mesh == null) {
             return null;
         }
-        double[] points = mesh.points();
+        double[] points = mesh.mesh().points();
         double[] scale = {entity.scale().x(), entity.scale().y(), entity.scale().z()};
         for (int i = 0; i < points.length; i++) {
             points[i] *= scale[i % 3];
@@ -202,44 +204,68 @@ public final class SceneLoader {
         }
     }
 
-    private Model model(EntitySpec entity, @Nullable Shape shape, int index) {
+    private Visual look(EntitySpec entity, @Nullable Shape shape, int index) {
         LookSpec look = entity.look();
         Xyz s = entity.scale();
-        Model model;
+        Integer rgb = look.rgb();
         String file =
                 look.mesh() != null
                         ? look.mesh()
                         : entity.shape() instanceof MeshShape(String own) ? own : null;
-        if (file != null) {
-            Mesh mesh = mesh(file, index);
-            if (mesh == null) {
-                return Model.placeholder()
-                        .scale(
-                                PLACEHOLDER_HALF * s.x(),
-                                PLACEHOLDER_HALF * s.y(),
-                                PLACEHOLDER_HALF * s.z());
+        if (file == null) {
+            if (shape == null) {
+                throw new IllegalStateException("entity " + index + " has no shape");
             }
-            Xyz m = look.meshScale();
-            model = Model.of(mesh).scale(m.x() * s.x(), m.y() * s.y(), m.z() * s.z());
-        } else if (shape != null) {
-            model = Model.of(shape);
-        } else {
-            throw new IllegalStateException("entity " + index + " has neither shape nor mesh");
+            Model model = Model.of(shape).color(rgb != null ? rgb : Palette.body(index));
+            return new Visual(textured(model, look, index));
         }
-        Integer rgb = look.rgb();
-        model = model.color(rgb != null ? rgb : Palette.body(index));
-        String texture = look.texture();
-        if (texture != null) {
-            model = model.texture(texture(texture, index).tiledEvery(look.tileMetres()));
+        ObjModel mesh = mesh(file, index);
+        if (mesh == null) {
+            double half = PLACEHOLDER_HALF;
+            return new Visual(
+                    Model.placeholder().scale(half * s.x(), half * s.y(), half * s.z()));
         }
-        return model;
+        Xyz m = look.meshScale();
+        ModelGroup parts =
+                mesh.look()
+                        .map(part ->
+                                textured(
+                                                part.color(
+                                                        colour(mesh, part.rgb(), rgb, index)),
+                                                look,
+                                                index)
+                                        .scale(m.x() * s.x(), m.y() * s.y(), m.z() * s.z()));
+        return new Visual(parts.parts().size() == 1 ? parts.parts().get(0) : parts);
     }
 
-    private @Nullable Mesh mesh(String file, int index) {
+    private Model textured(Model model, LookSpec look, int index) {
+        String texture = look.texture();
+        return texture == null
+                ? model
+                : model.texture(texture(texture, index).tiledEvery(look.tileMetres()));
+    }
+
+    /** The entity's colour tints the materials of its file; without materials it is the colour. */
+    private static int colour(ObjModel mesh, int own, @Nullable Integer wanted, int index) {
+        if (!mesh.hasMaterials()) {
+            return wanted != null ? wanted : Palette.body(index);
+        }
+        if (wanted == null) {
+            return own;
+        }
+        int rgb = 0;
+        for (int shift = 16; shift >= 0; shift -= 8) {
+            int product = ((own >> shift) & 255) * ((wanted >> shift) & 255);
+            rgb |= ((product + 127) / 255) << shift;
+        }
+        return rgb;
+    }
+
+    private @Nullable ObjModel mesh(String file, int index) {
         if (!meshes.containsKey(file)) {
-            Mesh mesh = null;
+            ObjModel mesh = null;
             try {
-                mesh = ObjReader.read(folder.resolve(file));
+                mesh = ObjReader.readModel(folder.resolve(file), told -> complain(index, told));
             } catch (ObjFormatException | InvalidPathException broken) {
                 complain(index, String.valueOf(broken.getMessage()));
             }
