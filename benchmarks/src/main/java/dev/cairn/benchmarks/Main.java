@@ -3,13 +3,15 @@ package dev.cairn.benchmarks;
 import dev.cairn.benchmarks.compare.Compare;
 import dev.cairn.benchmarks.cost.Cost;
 import dev.cairn.benchmarks.regress.Regress;
+import dev.cairn.benchmarks.render.RenderFrame;
 
 import java.io.IOException;
 import java.util.Arrays;
 
 /**
  * Entry of {@code benchmarks.jar}: {@code compare} starts the work-precision report, {@code cost}
- * the price list, {@code regress} the headline figures; all else is JMH's own command line.
+ * the price list, {@code regress} the headline figures, {@code render-frame} the CPU time of a drawn
+ * frame; all else is JMH's own command line.
  */
 public final class Main {
     private Main() {}
@@ -26,6 +28,7 @@ public final class Main {
             case "compare" -> Compare.main(Arrays.copyOfRange(args, 1, args.length));
             case "cost" -> Cost.main(Arrays.copyOfRange(args, 1, args.length));
             case "regress" -> Regress.main(Arrays.copyOfRange(args, 1, args.length));
+            case "render-frame" -> RenderFrame.main(Arrays.copyOfRange(args, 1, args.length));
             default -> org.openjdk.jmh.Main.main(args);
         }
     }

@@ -15,7 +15,10 @@ import static org.lwjgl.opengl.GL30.glGenFramebuffers;
 import static org.lwjgl.opengl.GL30.glGenRenderbuffers;
 import static org.lwjgl.opengl.GL30.glGenVertexArrays;
 
-import java.util.concurrent.atomic.AtomicLongArray;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.atomic.AtomicLong;
 
 /**
  * The one place where OpenGL objects are made and deleted, so that they can be counted: what is not
@@ -41,10 +44,22 @@ public final class GlObjects {
         SHADER
     }
 
-    private static final AtomicLongArray MADE = new AtomicLongArray(Kind.values().length);
-    private static final AtomicLongArray LIVE = new AtomicLongArray(Kind.values().length);
+    private static final Map<Kind, AtomicLong> MADE = counters();
+    private static final Map<Kind, AtomicLong> LIVE = counters();
 
     private GlObjects() {}
+
+    private static Map<Kind, AtomicLong> counters() {
+        Map<Kind, AtomicLong> counters = new EnumMap<>(Kind.class);
+        for (Kind kind : Kind.values()) {
+            counters.put(kind, new AtomicLong());
+        }
+        return counters;
+    }
+
+    private static AtomicLong of(Map<Kind, AtomicLong> counters, Kind kind) {
+        return Objects.requireNonNull(counters.get(kind));
+    }
 
     /**
      * How many objects of a kind are made and not deleted.
@@ -53,7 +68,7 @@ public final class GlObjects {
      * @return the count
      */
     public static long live(Kind kind) {
-        return LIVE.get(kind.ordinal());
+        return of(LIVE, kind).get();
     }
 
     /**
@@ -63,7 +78,7 @@ public final class GlObjects {
      * @return the count
      */
     public static long made(Kind kind) {
-        return MADE.get(kind.ordinal());
+        return of(MADE, kind).get();
     }
 
     /**
@@ -80,14 +95,14 @@ public final class GlObjects {
     }
 
     private static int made(Kind kind, int id) {
-        MADE.incrementAndGet(kind.ordinal());
-        LIVE.incrementAndGet(kind.ordinal());
+        of(MADE, kind).incrementAndGet();
+        of(LIVE, kind).incrementAndGet();
         return id;
     }
 
     private static void deleted(Kind kind, int id) {
         if (id != 0) {
-            LIVE.decrementAndGet(kind.ordinal());
+            of(LIVE, kind).decrementAndGet();
         }
     }
 

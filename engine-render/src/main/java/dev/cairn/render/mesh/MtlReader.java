@@ -185,8 +185,12 @@ final class MtlReader {
 
     private Texture picture(String text, String[] words) {
         int at = 1;
-        while (at < words.length && OPTIONS.containsKey(words[at])) {
-            int most = OPTIONS.get(words[at++]);
+        while (at < words.length) {
+            Integer most = OPTIONS.get(words[at]);
+            if (most == null) {
+                break;
+            }
+            at++;
             for (int i = 0; i < most && at < words.length - 1 && isValue(words[at], i); i++) {
                 at++;
             }

@@ -21,8 +21,8 @@ import java.util.function.Consumer;
  * {@code f} with every form of index ({@code 1}, {@code 1/2}, {@code 1//3}, {@code 1/2/3}, negative
  * ones count back from the newest); polygons are cut into triangles; corners without a normal get
  * that of their flat face; {@code mtllib} and {@code usemtl} choose materials. Groups, smoothing,
- * lines, points and free-form statements are passed over. Anything else is an error that names the file, the line, what was expected and what
- * stands there. Any thread; no OpenGL.
+ * lines, points and free-form statements are passed over. Anything else is an error that names the
+ * file, the line, what was expected and what stands there. Any thread; no OpenGL.
  */
 public final class ObjReader {
     /** The greatest number of {@code v}, {@code vt} or {@code vn} lines, and of triangles. */

@@ -80,7 +80,8 @@ class MtlTest {
             quoteCharacter = '"',
             value = {
                 "newmtl a;Kd 1 0       | my materials.mtl:2: expected 3 numbers from 0 to 1",
-                "newmtl a;;Kd 1 0 2    | my materials.mtl:3: expected numbers from 0 to 1 after Kd, found '2'",
+                "newmtl a;;Kd 1 0 2    | my materials.mtl:3: expected numbers from 0 to 1 after Kd,"
+                        + " found '2'",
                 "newmtl a;Kd 1 0 x     | found 'x'",
                 "Kd 1 0 0              | my materials.mtl:1: expected newmtl before Kd",
                 "newmtl a;map_Kd       | my materials.mtl:2: expected the path of a picture",

@@ -222,16 +222,14 @@ public final class SceneLoader {
         ObjModel mesh = mesh(file, index);
         if (mesh == null) {
             double half = PLACEHOLDER_HALF;
-            return new Visual(
-                    Model.placeholder().scale(half * s.x(), half * s.y(), half * s.z()));
+            return new Visual(Model.placeholder().scale(half * s.x(), half * s.y(), half * s.z()));
         }
         Xyz m = look.meshScale();
         ModelGroup parts =
                 mesh.look()
                         .map(part ->
                                 textured(
-                                                part.color(
-                                                        colour(mesh, part.rgb(), rgb, index)),
+                                                part.color(colour(mesh, part.rgb(), rgb, index)),
                                                 look,
                                                 index)
                                         .scale(m.x() * s.x(), m.y() * s.y(), m.z() * s.z()));
