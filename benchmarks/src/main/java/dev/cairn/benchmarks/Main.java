@@ -10,8 +10,8 @@ import java.util.Arrays;
 
 /**
  * Entry of {@code benchmarks.jar}: {@code compare} starts the work-precision report, {@code cost}
- * the price list, {@code regress} the headline figures, {@code render-frame} the CPU time of a drawn
- * frame; all else is JMH's own command line.
+ * the price list, {@code regress} the headline figures, {@code render-frame} the CPU time of a
+ * drawn frame; all else is JMH's own command line.
  */
 public final class Main {
     private Main() {}

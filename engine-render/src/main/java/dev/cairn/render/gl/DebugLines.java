@@ -20,13 +20,9 @@ import static org.lwjgl.opengl.GL15.GL_ARRAY_BUFFER;
 import static org.lwjgl.opengl.GL15.GL_STREAM_DRAW;
 import static org.lwjgl.opengl.GL15.glBindBuffer;
 import static org.lwjgl.opengl.GL15.glBufferData;
-import static org.lwjgl.opengl.GL15.glDeleteBuffers;
-import static org.lwjgl.opengl.GL15.glGenBuffers;
 import static org.lwjgl.opengl.GL20.glEnableVertexAttribArray;
 import static org.lwjgl.opengl.GL20.glVertexAttribPointer;
 import static org.lwjgl.opengl.GL30.glBindVertexArray;
-import static org.lwjgl.opengl.GL30.glDeleteVertexArrays;
-import static org.lwjgl.opengl.GL30.glGenVertexArrays;
 import static org.lwjgl.opengl.GL31.glDrawArraysInstanced;
 import static org.lwjgl.opengl.GL33.glVertexAttribDivisor;
 
@@ -51,8 +47,8 @@ public final class DebugLines implements SceneOverlay, AutoCloseable {
     private final int matrixUniform = program.uniform("clipFromAnchored");
     private final int viewUniform = program.uniform("view");
     private final int fadeUniform = program.uniform("fade");
-    private final int vertexArray = glGenVertexArrays();
-    private final int buffer = glGenBuffers();
+    private final int vertexArray = GlObjects.vertexArray();
+    private final int buffer = GlObjects.buffer();
     private final Vector3d origin = new Vector3d();
     private ByteBuffer staging = MemoryUtil.memAlloc(1024 * BYTES);
     private int count;
@@ -194,8 +190,8 @@ public final class DebugLines implements SceneOverlay, AutoCloseable {
     @Override
     public void close() {
         program.close();
-        glDeleteVertexArrays(vertexArray);
-        glDeleteBuffers(buffer);
+        GlObjects.deleteVertexArray(vertexArray);
+        GlObjects.deleteBuffer(buffer);
         MemoryUtil.memFree(staging);
     }
 }
