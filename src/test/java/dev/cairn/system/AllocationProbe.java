@@ -28,6 +28,7 @@ final class AllocationProbe {
                 PhysicsWorld.builder()
                         .gravity(0, -SampleScene.GRAVITY, 0)
                         .workers(workers)
+                        .sleeping(false)
                         .build()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, SceneOptions.defaults(scene)));
             meter.attach();

@@ -62,7 +62,7 @@ final class DeterminismTest {
                 SceneOptions.of(scene, Map.of("base", "8"), SceneOptions.DEFAULT_SEED, null);
         List<Long> digests = new ArrayList<>();
         try (jobs;
-                PhysicsWorld world = PhysicsWorld.builder().jobs(jobs).build()) {
+                PhysicsWorld world = PhysicsWorld.builder().sleeping(false).jobs(jobs).build()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
             for (int tick = 0; tick < 60; tick++) {
                 built.beforeTick();

@@ -41,13 +41,13 @@ public class WorldStep {
         @Param({"1", "2"})
         public int workers;
 
-        PhysicsWorld world = PhysicsWorld.builder().workers(1).build();
+        PhysicsWorld world = PhysicsWorld.builder().sleeping(false).workers(1).build();
 
         /** Builds it and lets it settle. */
         @Setup
         public void build() {
             world.close();
-            world = PhysicsWorld.builder().gravity(0, -9.81, 0).workers(workers).build();
+            world = PhysicsWorld.builder().sleeping(false).gravity(0, -9.81, 0).workers(workers).build();
             world.add(Body.fixed().shape(Box.of(100, 1, 100)).at(0, -1, 0));
             for (int row = 0; row < base; row++) {
                 for (int i = 0; i < base - row; i++) {

@@ -35,6 +35,10 @@ import dev.cairn.physics.solver.SolverSettings;
  *     radius, 0 to 1. Default 0.1
  * @param boundsTime and by the distance of so many ticks along the body's velocity, 0 to 64.
  *     Default 4
+ * @param sleeping whether bodies that have come to rest fall asleep, and then cost nothing until
+ *     something wakes them. Default true; measurements of accuracy want false
+ * @param sleepSeconds how long all bodies that touch must have been quiet before they fall asleep,
+ *     s, 0.01 to 1000. Default 0.5
  */
 public record PhysicsSettings(
         int substeps,
@@ -49,7 +53,9 @@ public record PhysicsSettings(
         double speculativeTime,
         double speculativeFraction,
         double boundsMargin,
-        double boundsTime) {
+        double boundsTime,
+        boolean sleeping,
+        double sleepSeconds) {
     /** The default values. */
     public static final PhysicsSettings DEFAULT =
             new PhysicsSettings(
@@ -65,7 +71,9 @@ public record PhysicsSettings(
                     1,
                     0.02,
                     0.1,
-                    4);
+                    4,
+                    true,
+                    0.5);
 
     /**
      * Checks the values.
@@ -90,6 +98,7 @@ public record PhysicsSettings(
         Checks.between("speculativeFraction", speculativeFraction, 0, 1);
         Checks.between("boundsMargin", boundsMargin, 0, 1);
         Checks.between("boundsTime", boundsTime, 0, 64);
+        Checks.between("sleepSeconds", sleepSeconds, 0.01, 1000);
     }
 
     /**
@@ -112,7 +121,9 @@ public record PhysicsSettings(
                 speculativeTime,
                 speculativeFraction,
                 boundsMargin,
-                boundsTime);
+                boundsTime,
+                sleeping,
+                sleepSeconds);
     }
 
     /**
@@ -135,7 +146,9 @@ public record PhysicsSettings(
                 speculativeTime,
                 speculativeFraction,
                 boundsMargin,
-                boundsTime);
+                boundsTime,
+                sleeping,
+                sleepSeconds);
     }
 
     /**
@@ -181,7 +194,9 @@ public record PhysicsSettings(
                 speculativeTime,
                 speculativeFraction,
                 boundsMargin,
-                boundsTime);
+                boundsTime,
+                sleeping,
+                sleepSeconds);
     }
 
     /**
@@ -204,7 +219,9 @@ public record PhysicsSettings(
                 speculativeTime,
                 speculativeFraction,
                 boundsMargin,
-                boundsTime);
+                boundsTime,
+                sleeping,
+                sleepSeconds);
     }
 
     /**
@@ -250,7 +267,57 @@ public record PhysicsSettings(
                 speculativeTime,
                 speculativeFraction,
                 boundsMargin,
-                boundsTime);
+                boundsTime,
+                sleeping,
+                sleepSeconds);
+    }
+
+    /**
+     * These settings with sleep or without.
+     *
+     * @param value see the component
+     * @return new settings
+     */
+    public PhysicsSettings withSleeping(boolean value) {
+        return new PhysicsSettings(
+                substeps,
+                contactStiffness,
+                contactDampingRatio,
+                pushSpeed,
+                restitutionThreshold,
+                offsetGain,
+                loadInertia,
+                unloadSweeps,
+                speculativeTime,
+                speculativeFraction,
+                boundsMargin,
+                boundsTime,
+                value,
+                sleepSeconds);
+    }
+
+    /**
+     * These settings with another time of quiet before sleep.
+     *
+     * @param value s, 0.01 to 1000
+     * @return new settings
+     */
+    public PhysicsSettings withSleepSeconds(double value) {
+        return new PhysicsSettings(
+                substeps,
+                contactStiffness,
+                contactDampingRatio,
+                pushSpeed,
+                restitutionThreshold,
+                offsetGain,
+                loadInertia,
+                unloadSweeps,
+                speculativeTime,
+                speculativeFraction,
+                boundsMargin,
+                boundsTime,
+                sleeping,
+                value);
     }
 
     SolverSettings solver() {

@@ -371,6 +371,19 @@ public final class PhysicsWorld implements AutoCloseable {
         }
 
         /**
+         * Says whether bodies that have come to rest fall asleep; true by default. A body asleep
+         * costs nothing and wakes as soon as anything happens to it. Measurements of accuracy want
+         * false, so that what they see at rest is the solver's doing.
+         *
+         * @param value false to keep all bodies awake
+         * @return this
+         */
+        public Builder sleeping(boolean value) {
+            settings = settings.withSleeping(value);
+            return this;
+        }
+
+        /**
          * Sets all tunables.
          *
          * @param value the settings

@@ -44,7 +44,7 @@ class AllocationTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
     void aStackAtRest(int workers) {
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(workers).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(workers).build()) {
             Scenes.stack(world, 8);
             measure(world, 600);
         }
@@ -52,7 +52,7 @@ class AllocationTest {
 
     @Test
     void aHeapAtRest() {
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(2).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(2).build()) {
             Scenes.drop(world, 60, 3);
             measure(world, 1500);
         }

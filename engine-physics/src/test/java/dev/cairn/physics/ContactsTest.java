@@ -27,7 +27,7 @@ class ContactsTest {
     /** The snippet that the design shows to users. */
     @Test
     void aCrateFallsOnTheGroundAndRests() {
-        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, -9.81, 0).workers(2).build()) {
+        try (PhysicsWorld world = Scenes.awake().gravity(0, -9.81, 0).workers(2).build()) {
             world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0));
             BodyRef crate =
                     world.add(
@@ -47,7 +47,7 @@ class ContactsTest {
 
     @Test
     void aRestingCrateIsCarriedByItsWeight() {
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             BodyRef crate = Scenes.stack(world, 1).get(0);
             for (int tick = 0; tick < 120; tick++) {
                 world.step(Scenes.STEP);
@@ -74,7 +74,7 @@ class ContactsTest {
 
     @Test
     void beginsOnceAndEndsOnceWhenTheBodyIsThrownUp() {
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             BodyRef crate =
                     world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 1, 0).name("crate"));
             BodyRef ground = Scenes.ground(world);
@@ -100,7 +100,7 @@ class ContactsTest {
 
     @Test
     void removingABodyEndsItsContacts() {
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             List<BodyRef> boxes = Scenes.stack(world, 2);
             for (int tick = 0; tick < 30; tick++) {
                 world.step(Scenes.STEP);
@@ -119,7 +119,7 @@ class ContactsTest {
 
     @Test
     void deletingTheEntityRemovesTheBodyAndNothingLeaks() {
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             BodyRef ground = Scenes.ground(world);
             int slots = 0;
             for (int round = 0; round < 50; round++) {
@@ -147,7 +147,7 @@ class ContactsTest {
 
     @Test
     void takingAComponentOfTheBodyAwayEndsIt() {
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             BodyRef first = world.add(Body.dynamic().shape(Sphere.of(1)).at(0, 10, 0));
             BodyRef second = world.add(Body.dynamic().shape(Sphere.of(1)).at(5, 10, 0));
             world.ecs().remove(first.entity(), RigidBody.COMPONENT);
@@ -165,7 +165,7 @@ class ContactsTest {
         Random random = new Random(seed);
         Set<Long> open = new HashSet<>();
         int total = 0;
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(2).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(2).build()) {
             Scenes.ground(world);
             List<BodyRef> bodies = new ArrayList<>();
             for (int tick = 0; tick < 300; tick++) {
@@ -216,7 +216,7 @@ class ContactsTest {
 
     @Test
     void aFastBodyDoesNotPassThroughAWall() {
-        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
             world.add(Body.fixed().shape(Box.of(0.05, 5, 5)));
             BodyRef bullet =
                     world.add(
@@ -234,7 +234,7 @@ class ContactsTest {
     @Test
     void manyBodiesInOneSpotLoseNoPair() {
         int n = 120;
-        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(2).build()) {
+        try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(2).build()) {
             for (int i = 0; i < n; i++) {
                 world.add(Body.dynamic().shape(Sphere.of(0.5)).at(1e-3 * i, 0, 0));
             }

@@ -24,7 +24,7 @@ class DeterminismTest {
         long[] reference = null;
         for (int workers = 1; workers <= 4; workers++) {
             long[] digests;
-            try (PhysicsWorld world = PhysicsWorld.builder().workers(workers).build()) {
+            try (PhysicsWorld world = Scenes.awake().workers(workers).build()) {
                 digests = scenario.run(world);
             }
             if (reference == null) {
@@ -34,7 +34,7 @@ class DeterminismTest {
         }
         for (long seed = 1; seed <= 3; seed++) {
             try (Jobs jobs = Jobs.perturbed(3, seed);
-                    PhysicsWorld world = PhysicsWorld.builder().jobs(jobs).build()) {
+                    PhysicsWorld world = Scenes.awake().jobs(jobs).build()) {
                 compare(reference, scenario.run(world), "perturbed, seed " + seed);
             }
         }
@@ -89,7 +89,7 @@ class DeterminismTest {
 
     @Test
     void theDigestSeesOneBit() {
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             BodyRef crate = Scenes.stack(world, 2).get(1);
             world.step(Scenes.STEP);
             long before = world.digest();

@@ -17,7 +17,7 @@ class FreeMotionTest {
 
     @Test
     void freeFallIsTheParabola() {
-        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, -9.81, 0).workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().gravity(0, -9.81, 0).workers(1).build()) {
             BodyRef ball =
                     world.add(
                             Body.dynamic()
@@ -38,7 +38,7 @@ class FreeMotionTest {
 
     @Test
     void publishesPoseAndVelocityColumns() {
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             BodyRef box =
                     world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 50, 0).velocity(1, 0, 0));
             assertEquals(50, world.ecs().get(box.entity(), Pose.COMPONENT).y());
@@ -56,7 +56,7 @@ class FreeMotionTest {
     @Test
     void theShapeFrameIsWhereTheUserPutItThoughTheCentreOfMassIsElsewhere() {
         double[] corner = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
-        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
             Quaterniond turned = new Quaterniond().rotationXYZ(0.3, -0.7, 1.1);
             BodyRef tetrahedron =
                     world.add(
@@ -76,7 +76,7 @@ class FreeMotionTest {
 
     @Test
     void aForceActsForOneStepAndIsThenForgotten() {
-        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
             BodyRef body = world.add(Body.dynamic().shape(Sphere.of(1)).mass(2));
             body.applyForce(3, 0, 0);
             body.applyForce(3, 0, 0);
@@ -89,7 +89,7 @@ class FreeMotionTest {
 
     @Test
     void impulsesAndTorquesTurnByTheInertia() {
-        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
             BodyRef body = world.add(Body.dynamic().shape(Sphere.of(1)).mass(5).at(1, 2, 3));
             double inertia = 0.4 * 5;
             body.applyImpulseAt(0, 10, 0, 2, 2, 3);
@@ -108,7 +108,7 @@ class FreeMotionTest {
 
     @Test
     void kineticsAreThoseOfTheTextbook() {
-        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
             world.add(
                     Body.dynamic()
                             .shape(Sphere.of(1))
@@ -127,7 +127,7 @@ class FreeMotionTest {
 
     @Test
     void teleportCountsAsAJumpAtOnceAndKeepsTheVelocity() {
-        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
             BodyRef body = world.add(Body.dynamic().shape(Box.cube(1)).velocity(6, 0, 0));
             body.teleport(100, 0, 0);
             assertEquals(1, world.ecs().get(body.entity(), Pose.COMPONENT).jumps());
@@ -145,7 +145,7 @@ class FreeMotionTest {
 
     @Test
     void pauseStopsThePhysicsAndForgetsForces() {
-        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
             BodyRef body = world.add(Body.dynamic().shape(Sphere.of(1)).velocity(1, 0, 0));
             world.setPaused(true);
             assertTrue(world.isPaused());

@@ -24,7 +24,7 @@ class QuarantineTest {
 
     @Test
     void aForceThatOverflowsStopsItsBodyOnly() {
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             List<BodyRef> boxes = Scenes.stack(world, 3);
             for (int tick = 0; tick < 60; tick++) {
                 world.step(Scenes.STEP);
@@ -54,7 +54,7 @@ class QuarantineTest {
 
     @Test
     void torquesImpulsesAndSpeedsThatOverflow() {
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             BodyRef[] balls = new BodyRef[5];
             for (int i = 0; i < balls.length; i++) {
                 balls[i] =
@@ -75,7 +75,7 @@ class QuarantineTest {
 
     @Test
     void aBodyNearTheEndOfSpaceIsStoppedThere() {
-        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
             BodyRef far =
                     world.add(
                             Body.dynamic().shape(Box.cube(1)).at(9e59, 0, 0).velocity(9e59, 0, 0));
@@ -89,7 +89,7 @@ class QuarantineTest {
 
     @Test
     void manyWildBodiesInAHeap() {
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(2).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(2).build()) {
             Scenes.drop(world, 60, 5);
             List<BodyRef> bodies = world.bodies();
             for (int tick = 0; tick < 120; tick++) {

@@ -29,7 +29,7 @@ class RestTest {
 
     @Test
     void anAlignedStackKeepsTheNamesOfItsPoints() {
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             Scenes.stack(world, 10);
             world.step(Scenes.STEP);
             int[] first = names(world);
@@ -45,7 +45,7 @@ class RestTest {
     @ValueSource(longs = {1, 2, 3})
     void aStackThatWasPutDownCarelesslyKeepsThemOnceItStands(long seed) {
         Random random = new Random(seed);
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             Scenes.ground(world);
             for (int i = 0; i < 10; i++) {
                 world.add(
@@ -74,7 +74,7 @@ class RestTest {
     void aPileOfTwoHundredBoxesComesToRest() {
         double mass = 0;
         double[] energy = new double[120];
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).substeps(8).build()) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).substeps(8).build()) {
             Scenes.ground(world);
             for (int side = -1; side <= 1; side += 2) {
                 world.add(Body.fixed().shape(Box.of(0.5, 5, 3)).at(3 * side, 5, 0));

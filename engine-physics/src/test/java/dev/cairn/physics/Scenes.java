@@ -15,6 +15,11 @@ final class Scenes {
 
     private Scenes() {}
 
+    /** A world to be, in which nothing sleeps: truths are stated of bodies that are awake. */
+    static PhysicsWorld.Builder awake() {
+        return PhysicsWorld.builder().sleeping(false);
+    }
+
     static BodyRef ground(PhysicsWorld world) {
         return world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0).name("ground"));
     }

@@ -116,6 +116,12 @@ public final class Main {
     @Nullable String substeps;
 
     @Option(
+            names = "--sleeping",
+            paramLabel = "on|off",
+            description = "Whether bodies at rest fall asleep: on in a window, else off.")
+    @Nullable String sleeping;
+
+    @Option(
             names = "--seed",
             paramLabel = "S",
             description = "Seed of all that is random in a scene.")

@@ -31,6 +31,7 @@ import java.util.Map;
  * @param ticks length of each run, or null for each scene's own
  * @param workers threads of the physics
  * @param substeps sub-steps of the solver
+ * @param sleeping whether bodies at rest fall asleep, or null for what suits the mode
  * @param json where the JSON goes, {@code -} for standard output, or null
  * @param picture where the picture of the only scene goes, or null
  * @param at tick of that picture, or null for the last
@@ -46,6 +47,7 @@ record Request(
         @Nullable Integer ticks,
         int workers,
         int substeps,
+        @Nullable Boolean sleeping,
         @Nullable String json,
         @Nullable Path picture,
         @Nullable Integer at,
@@ -131,6 +133,7 @@ record Request(
                 ticks,
                 workers == null ? Jobs.defaultWorkers() : workers,
                 substeps == null ? substeps(described) : substeps,
+                onOff("--sleeping", typed.sleeping),
                 typed.json,
                 picture,
                 at,
@@ -168,6 +171,20 @@ record Request(
         }
         checkFolder("--export-scene", export);
         checkWritable("--export-scene", export);
+    }
+
+    boolean sleepingOr(boolean otherwise) {
+        return sleeping == null ? otherwise : sleeping;
+    }
+
+    private static @Nullable Boolean onOff(String option, @Nullable String text) {
+        if (text == null) {
+            return null;
+        }
+        if (text.equals("on") || text.equals("off")) {
+            return text.equals("on");
+        }
+        throw new UsageException("%s %s: want on or off".formatted(option, text));
     }
 
     private static Mode mode(Main typed) {

@@ -106,6 +106,7 @@ final class Runner {
                         request.options(),
                         request.workers(),
                         request.substeps(),
+                        request.sleepingOr(true),
                         out);
         window.step(request.stepSeconds());
         try {
@@ -178,7 +179,9 @@ final class Runner {
         int ticks = request.ticks() == null ? scene.ticks() : request.ticks();
         SceneOptions options =
                 request.options().getOrDefault(scene.id(), SceneOptions.defaults(scene));
-        SceneRun run = new SceneRun(scene, options, ticks, request.workers(), request.substeps());
+        SceneRun run =
+                new SceneRun(scene, options, ticks, request.workers(), request.substeps())
+                        .sleeping(request.sleepingOr(false));
         if (request.picture() != null) {
             run.picture(request.picture(), request.at() == null ? ticks : request.at());
         } else if (draw) {

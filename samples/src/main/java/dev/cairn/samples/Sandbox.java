@@ -58,6 +58,7 @@ class Sandbox extends Application {
     private int current;
     private int workers;
     private int substeps;
+    private final boolean sleeping;
     private boolean keepCamera;
     private @Nullable SceneBuilder built;
     private int remarksShown;
@@ -84,6 +85,7 @@ class Sandbox extends Application {
      * @param options options by scene id
      * @param workers threads of the physics
      * @param substeps sub-steps of the solver
+     * @param sleeping whether bodies at rest fall asleep
      * @param out receives the scenes' remarks
      */
     Sandbox(
@@ -91,11 +93,13 @@ class Sandbox extends Application {
             Map<String, SceneOptions> options,
             int workers,
             int substeps,
+            boolean sleeping,
             PrintStream out) {
         this.scenes = scenes;
         this.options = new HashMap<>(options);
         this.workers = workers;
         this.substeps = substeps;
+        this.sleeping = sleeping;
         this.out = out;
         this.panels = new SandboxPanels(this, scenes);
     }
@@ -116,6 +120,7 @@ class Sandbox extends Application {
                 .gravity(0, -SampleScene.GRAVITY, 0)
                 .workers(workers)
                 .substeps(substeps)
+                .sleeping(sleeping)
                 .seed(chosenOptions().seed())
                 .build();
     }

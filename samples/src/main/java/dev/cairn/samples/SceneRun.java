@@ -36,6 +36,7 @@ public final class SceneRun {
     private final int ticks;
     private final int workers;
     private final int substeps;
+    private boolean sleeping;
     private @Nullable Path picture;
     private int pictureTick;
 
@@ -74,6 +75,18 @@ public final class SceneRun {
     }
 
     /**
+     * Says whether bodies at rest fall asleep; they do not by default, so that what is measured is
+     * the solver.
+     *
+     * @param value true for sleep
+     * @return this
+     */
+    public SceneRun sleeping(boolean value) {
+        this.sleeping = value;
+        return this;
+    }
+
+    /**
      * Asks for a picture; needs GL.
      *
      * @param file where the .png goes
@@ -100,6 +113,7 @@ public final class SceneRun {
                         .gravity(0, -SampleScene.GRAVITY, 0)
                         .workers(workers)
                         .substeps(substeps)
+                        .sleeping(sleeping)
                         .seed(options.seed())
                         .build()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
@@ -149,6 +163,7 @@ public final class SceneRun {
         Map<String, Object> parameters = new LinkedHashMap<>(options.values());
         parameters.put("seed", options.seed());
         parameters.put("substeps", substeps);
+        parameters.put("sleeping", sleeping ? "on" : "off");
         if (options.obj() != null) {
             parameters.put("obj", options.obj().toString());
         }

@@ -30,6 +30,7 @@ final class CairnPeer implements Peer {
                         .gravity(0, -scene.gravity(), 0)
                         .workers(settings.workers())
                         .substeps(settings.substeps() / collisionsPerTick)
+                        .sleeping(false)
                         .build();
         for (SceneDescription.Solid solid : scene.bodies()) {
             Vector3d shift = solid.rotation().transform(solid.shape().centreOfMass(new Vector3d()));

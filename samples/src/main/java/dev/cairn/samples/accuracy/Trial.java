@@ -62,7 +62,7 @@ public final class Trial {
 
     /** The engine's defaults but for the sub-steps. */
     PhysicsSettings settings() {
-        return PhysicsSettings.DEFAULT.withSubsteps(substeps);
+        return PhysicsSettings.DEFAULT.withSubsteps(substeps).withSleeping(false);
     }
 
     PhysicsWorld world(double gx, double gy, double gz) {
