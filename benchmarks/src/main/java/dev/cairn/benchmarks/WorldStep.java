@@ -47,7 +47,12 @@ public class WorldStep {
         @Setup
         public void build() {
             world.close();
-            world = PhysicsWorld.builder().sleeping(false).gravity(0, -9.81, 0).workers(workers).build();
+            world =
+                    PhysicsWorld.builder()
+                            .sleeping(false)
+                            .gravity(0, -9.81, 0)
+                            .workers(workers)
+                            .build();
             world.add(Body.fixed().shape(Box.of(100, 1, 100)).at(0, -1, 0));
             for (int row = 0; row < base; row++) {
                 for (int i = 0; i < base - row; i++) {

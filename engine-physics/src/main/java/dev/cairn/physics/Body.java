@@ -36,6 +36,7 @@ public final class Body {
     double wz;
     final List<Record> components = new ArrayList<>();
     String name = "";
+    boolean maySleep = true;
 
     private Body(boolean fixed) {
         this.fixed = fixed;
@@ -257,6 +258,18 @@ public final class Body {
             Checks.notNull("component", value);
         }
         components.addAll(List.of(values));
+        return this;
+    }
+
+    /**
+     * Says whether the body may fall asleep once it has come to rest; true by default. One that may
+     * not keeps awake what it touches.
+     *
+     * @param value false to keep the body awake
+     * @return this
+     */
+    public Body canSleep(boolean value) {
+        maySleep = value;
         return this;
     }
 

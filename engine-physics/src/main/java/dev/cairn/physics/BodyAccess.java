@@ -25,6 +25,25 @@ final class BodyAccess {
         return bodies.kind[s] == BodyStore.STATIC;
     }
 
+    boolean isAsleep(int s) {
+        return bodies.kind[s] == BodyStore.ASLEEP;
+    }
+
+    void wake(int s) {
+        table.sleepers.wake(s);
+    }
+
+    void sleep(int s) {
+        table.sleep(s);
+    }
+
+    /** What changes nothing wakes nobody. */
+    private void wakeUnlessZero(int s, double x, double y, double z) {
+        if (x != 0 || y != 0 || z != 0) {
+            wake(s);
+        }
+    }
+
     Shape shape(int s) {
         return bodies.shape[s];
     }
@@ -100,6 +119,7 @@ final class BodyAccess {
         if (isFixed(s)) {
             return;
         }
+        wakeUnlessZero(s, fx, fy, fz);
         bodies.forceX[s] += fx;
         bodies.forceY[s] += fy;
         bodies.forceZ[s] += fz;
@@ -128,6 +148,7 @@ final class BodyAccess {
         if (isFixed(s)) {
             return;
         }
+        wakeUnlessZero(s, tx, ty, tz);
         bodies.torqueX[s] += tx;
         bodies.torqueY[s] += ty;
         bodies.torqueZ[s] += tz;
@@ -137,6 +158,7 @@ final class BodyAccess {
         Checks.finite("jx", jx);
         Checks.finite("jy", jy);
         Checks.finite("jz", jz);
+        wakeUnlessZero(s, jx, jy, jz);
         bodies.velocityX[s] += jx * bodies.inverseMass[s];
         bodies.velocityY[s] += jy * bodies.inverseMass[s];
         bodies.velocityZ[s] += jz * bodies.inverseMass[s];
@@ -165,6 +187,7 @@ final class BodyAccess {
         if (isFixed(s)) {
             return;
         }
+        wakeUnlessZero(s, lx, ly, lz);
         double qx = bodies.orientationX[s];
         double qy = bodies.orientationY[s];
         double qz = bodies.orientationZ[s];
@@ -199,6 +222,8 @@ final class BodyAccess {
         Checks.finite("vy", vy);
         Checks.finite("vz", vz);
         needsDynamic(s, "velocity");
+        // Asleep, it is at rest.
+        wakeUnlessZero(s, vx, vy, vz);
         bodies.velocityX[s] = vx;
         bodies.velocityY[s] = vy;
         bodies.velocityZ[s] = vz;
@@ -209,6 +234,7 @@ final class BodyAccess {
         Checks.finite("wy", wy);
         Checks.finite("wz", wz);
         needsDynamic(s, "angular velocity");
+        wakeUnlessZero(s, wx, wy, wz);
         bodies.angularVelocityX[s] = wx;
         bodies.angularVelocityY[s] = wy;
         bodies.angularVelocityZ[s] = wz;
@@ -250,6 +276,7 @@ final class BodyAccess {
         double pz = Checks.between("z", z + rotated[2], -BoundsStage.LIMIT, BoundsStage.LIMIT);
         table.world().set(bodies.entity[s], new Pose(x, y, z, qx, qy, qz, qw, table.jumps[s] + 1));
         table.jumps[s]++;
+        wake(s);
         bodies.positionX[s] = px;
         bodies.positionY[s] = py;
         bodies.positionZ[s] = pz;

@@ -311,6 +311,34 @@ public final class BodyRef {
     }
 
     /**
+     * Whether the body sleeps: it has come to rest, and costs nothing until something happens to
+     * it.
+     *
+     * @return true between falling asleep and waking; always false for a fixed body
+     */
+    public boolean isAsleep() {
+        return table.access.isAsleep(alive());
+    }
+
+    /**
+     * Wakes the body and all that it hangs together with, at once. Forces, impulses, velocities and
+     * teleports do so of themselves, if they change anything.
+     */
+    public void wake() {
+        table.access.wake(alive());
+    }
+
+    /**
+     * Puts the body and all that it hangs together with by contacts to sleep at once, whatever they
+     * do: their velocities are lost. Nothing happens to a fixed body, or one that sleeps already.
+     *
+     * @throws IllegalStateException if the world was built with {@code sleeping(false)}
+     */
+    public void sleep() {
+        table.access.sleep(alive());
+    }
+
+    /**
      * Takes the body and its entity out of the world, between steps. Its contacts end with the next
      * step.
      *

@@ -4,7 +4,10 @@ import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.contact.BoundsStage;
+import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
 
@@ -26,6 +29,8 @@ final class BodyTable {
     final BodyStore bodies = new BodyStore();
     final BroadPhase broadPhase = new BroadPhase();
     final BoundsStage bounds;
+    final ContactStore contacts;
+    final Sleepers sleepers;
     final BodyAccess access = new BodyAccess(this);
 
     BodyRef[] refs = new BodyRef[0];
@@ -34,12 +39,15 @@ final class BodyTable {
     int[] jumps = {};
     private long[] seen = {};
 
-    /** Slots of dynamic bodies and of fixed ones, each ascending. */
+    /** Slots of dynamic bodies that are awake, and of fixed ones, each ascending. */
     int[] dynamic = {}, fixed = {};
 
     int dynamicCount;
     int fixedCount;
     private boolean listsStale;
+
+    /** How often {@link #sweep} ran: entities may have moved between chunks since. */
+    long rosters;
 
     private int[] free = new int[16];
     private int freeCount;
@@ -55,8 +63,10 @@ final class BodyTable {
     private @Nullable World world;
     private boolean closed;
 
-    BodyTable(PhysicsSettings settings) {
+    BodyTable(PhysicsSettings settings, ContactStore contacts) {
         bounds = new BoundsStage(settings);
+        this.contacts = contacts;
+        sleepers = new Sleepers(settings, bodies, contacts);
     }
 
     void bind(World ecs) {
@@ -114,6 +124,7 @@ final class BodyTable {
         comZ[slot] = mass.comZ();
         jumps[slot] = 0;
         fill(slot, entity, body, shape, mass, inverse, com);
+        sleepers.born(slot, body.maySleep);
         listsStale = true;
         if (body.fixed) {
             addUnplaced(slot);
@@ -266,6 +277,7 @@ final class BodyTable {
         bodies.ensureCapacity(capacity);
         broadPhase.ensureSlots(capacity);
         bounds.ensureSlots(capacity);
+        sleepers.ensureSlots(capacity);
         if (capacity > refs.length) {
             int n = bodies.kind.length;
             refs = Arrays.copyOf(refs, n);
@@ -304,36 +316,52 @@ final class BodyTable {
     }
 
     /**
-     * Bodies whose entity is gone leave the trees; their slots are free after {@link #freeGone}.
+     * Bodies that can move and whose entity is gone leave the trees; their slots are free after
+     * {@link #freeGone}. After {@link #see} for all that are there.
      */
     void sweep(long tick) {
-        if (listsStale) {
-            rebuildLists();
-        }
-        World ecs = world();
-        boolean any = false;
-        for (int i = 0; i < dynamicCount; i++) {
-            if (seen[dynamic[i]] != tick) {
-                leave(dynamic[i]);
-                any = true;
+        rosters++;
+        for (int slot = 0; slot < bodies.slotCount; slot++) {
+            byte kind = bodies.kind[slot];
+            if ((kind == BodyStore.DYNAMIC || kind == BodyStore.ASLEEP) && seen[slot] != tick) {
+                leave(slot);
             }
         }
+    }
+
+    /** The same for fixed bodies, whose chunks the physics does not walk. */
+    void sweepFixed() {
+        World ecs = world();
         for (int i = 0; i < fixedCount; i++) {
             int slot = fixed[i];
-            if (seen[slot] != tick
-                    && !(ecs.isAlive(bodies.entity[slot])
-                            && ecs.has(bodies.entity[slot], RigidBody.COMPONENT))) {
+            long entity = bodies.entity[slot];
+            boolean here = ecs.isAlive(entity) && ecs.has(entity, RigidBody.COMPONENT);
+            if (!here && bodies.kind[slot] == BodyStore.STATIC) {
                 leave(slot);
-                any = true;
             }
         }
-        if (any) {
-            rebuildLists();
-        }
+    }
+
+    /** Before the bounds: lists are up to date, and fixed bodies where they were put. */
+    void beginTick() {
+        refreshLists();
+        sweepFixed();
+        refreshLists();
+        sleepers.forgetFresh();
         placeFixed();
     }
 
+    /** Makes the lists anew if somebody came, went, woke or fell asleep. */
+    void refreshLists() {
+        boolean slept = sleepers.takeRostersStale();
+        if (listsStale || slept) {
+            rebuildLists();
+        }
+    }
+
     private void leave(int slot) {
+        sleepers.wake(slot);
+        listsStale = true;
         broadPhase.remove(slot);
         bodies.kind[slot] = BodyStore.FREE;
         if (goneCount == gone.length) {
@@ -408,6 +436,33 @@ final class BodyTable {
         clearForces(slot);
         quarantined.add(refs[slot]);
         listsStale = true;
+    }
+
+    /** The body's island falls asleep, now. */
+    void sleep(int slot) {
+        if (!sleepers.enabled()) {
+            throw new IllegalStateException(
+                    refs[slot]
+                            + " cannot sleep: this world was built with sleeping(false); build it"
+                            + " with sleeping(true)");
+        }
+        if (bodies.kind[slot] != BodyStore.DYNAMIC) {
+            return;
+        }
+        refreshLists();
+        ContactRows.activate(bodies, contacts, broadPhase);
+        sleepers.sleep(slot, dynamic, dynamicCount);
+        restBounds();
+    }
+
+    /** Bodies that have fallen asleep reach nowhere. */
+    void restBounds() {
+        for (int i = 0; i < dynamicCount; i++) {
+            if (sleepers.asleep(dynamic[i])) {
+                bounds.rest(dynamic[i]);
+                clearForces(dynamic[i]);
+            }
+        }
     }
 
     void clearForces(int slot) {

@@ -2,12 +2,13 @@ package dev.cairn.physics;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.island.Sleepers;
 
 /** A hash of the state's bits, in slot and row order. */
 final class Digest {
     private Digest() {}
 
-    static long of(BodyStore b, ContactStore c) {
+    static long of(BodyStore b, ContactStore c, Sleepers sleepers) {
         long h = 0x6361_6972_6e00_0001L;
         for (int s = 0; s < b.slotCount; s++) {
             h = mix(h, b.kind[s]);
@@ -33,6 +34,11 @@ final class Digest {
             h = mix(h, b.unrest[s]);
             h = mix(h, b.pressed[s]);
             h = mix(h, b.pressing[s]);
+            if (sleepers.enabled()) {
+                for (int i = 0; i < Sleepers.WORDS; i++) {
+                    h = mix(h, sleepers.bits(s, i));
+                }
+            }
         }
         for (int row = 0; row < c.count; row++) {
             h = contact(h, c, row);

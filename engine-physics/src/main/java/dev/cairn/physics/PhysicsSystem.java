@@ -9,7 +9,9 @@ import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.contact.TouchEvents;
+import dev.cairn.physics.contact.WakeStage;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.solver.ContactSolver;
 
 /**
@@ -33,13 +35,16 @@ public final class PhysicsSystem implements WorldSystem {
     final PhysicsSettings settings;
     final StepProfile profile = new StepProfile();
 
-    private final ContactRows rows = new ContactRows();
+    private final ContactRows rows;
+    private final WakeStage wakes;
     private final ManifoldStage manifolds;
     private final ContactSolver solver;
     private final Publisher publisher;
     double gravityX;
     double gravityY;
     double gravityZ;
+    private final Roster roster = new Roster(SLOT);
+    final SleepView sleepView;
     private boolean running;
 
     PhysicsSystem(PhysicsSettings settings, double gravityX, double gravityY, double gravityZ) {
@@ -47,11 +52,14 @@ public final class PhysicsSystem implements WorldSystem {
         this.gravityX = gravityX;
         this.gravityY = gravityY;
         this.gravityZ = gravityZ;
-        table = new BodyTable(settings);
+        table = new BodyTable(settings, contacts);
+        rows = new ContactRows(table.bodies, table.sleepers);
+        wakes = new WakeStage(table.sleepers, table.bodies, contacts);
         manifolds = new ManifoldStage(settings);
         solver = new ContactSolver(settings.solver());
         publisher = new Publisher(table);
         view = new ContactView(table, contacts);
+        sleepView = new SleepView(table);
     }
 
     @Override
@@ -85,25 +93,32 @@ public final class PhysicsSystem implements WorldSystem {
         profile.end(StepStage.BOUNDS);
         table.broadPhase.findPairs(tick.jobs());
         profile.end(StepStage.PAIRS);
-        rows.update(table.bodies, contacts, table.broadPhase, events, tick.jobs());
+        rows.update(contacts, table.broadPhase, events, tick.jobs());
         table.broadPhase.endTick();
+        wakes.refresh(table.bounds, table.broadPhase);
         table.freeGone();
         profile.end(StepStage.ROWS);
         manifolds.run(table.bodies, contacts, table.bounds, tick.stepSeconds(), tick.jobs());
         profile.end(StepStage.POINTS);
-        solver.step(
-                table.bodies,
-                contacts,
-                gravityX,
-                gravityY,
-                gravityZ,
-                tick.stepSeconds(),
-                tick.jobs());
+        wakes.run(table.bounds, table.broadPhase, manifolds, tick.stepSeconds(), tick.jobs());
+        table.refreshLists();
+        if (table.dynamicCount > 0) {
+            solver.step(
+                    table.bodies,
+                    contacts,
+                    gravityX,
+                    gravityY,
+                    gravityZ,
+                    tick.stepSeconds(),
+                    tick.jobs());
+        }
         profile.end(StepStage.SOLVE);
+        fallAsleep(tick);
         publishPoses(tick);
         profile.end(StepStage.PUBLISH);
         events.update(contacts, tick.jobs());
         view.update(events);
+        sleepView.update();
         profile.end(StepStage.TOUCH);
         profile.end(table.bodies.slotCount, contacts.count);
     }
@@ -114,15 +129,29 @@ public final class PhysicsSystem implements WorldSystem {
 
     /** Bodies whose entity is gone leave. */
     private void readRoster(Tick tick) {
-        for (int c = 0; c < tick.chunkCount(); c++) {
-            Chunk chunk = tick.chunk(c);
-            int[] slots = chunk.in(SLOT);
-            int size = chunk.size();
-            for (int row = 0; row < size; row++) {
-                table.see(slots[row], chunk.entity(row), tick.number());
+        if (roster.isStale(tick)) {
+            for (int c = 0; c < tick.chunkCount(); c++) {
+                Chunk chunk = tick.chunk(c);
+                int[] slots = chunk.in(SLOT);
+                int size = chunk.size();
+                for (int row = 0; row < size; row++) {
+                    table.see(slots[row], chunk.entity(row), tick.number());
+                }
             }
+            table.sweep(tick.number());
         }
-        table.sweep(tick.number());
+        table.beginTick();
+    }
+
+    /** Islands that have come to rest sleep from the next tick on. */
+    private void fallAsleep(Tick tick) {
+        Sleepers sleepers = table.sleepers;
+        long changes = sleepers.changes();
+        double gravity = Math.sqrt(gravityX * gravityX + gravityY * gravityY + gravityZ * gravityZ);
+        sleepers.look(table.dynamic, table.dynamicCount, gravity, tick.stepSeconds(), tick.jobs());
+        if (sleepers.changes() != changes) {
+            table.restBounds();
+        }
     }
 
     /** Boxes follow their bodies; a body that cannot be computed with stays where it is. */

@@ -108,6 +108,15 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
+     * Who fell asleep and who woke.
+     *
+     * @return the same view each time
+     */
+    public SleepEvents sleepEvents() {
+        return physics.sleepView;
+    }
+
+    /**
      * The bodies that were quarantined so far and are still there, in the order that it happened. A
      * body whose force, velocity or position is no longer a number that can be computed with is
      * stopped where it last was valid, and fixed there, so that its neighbours stay finite.
@@ -157,13 +166,13 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
-     * A hash of the state: poses, velocities and contact impulses, bit by bit. Equal for any number
-     * of workers.
+     * A hash of the state: poses, velocities, contact impulses and sleep, bit by bit. Equal for any
+     * number of workers.
      *
      * @return 64 bits
      */
     public long digest() {
-        return Digest.of(physics.table.bodies, physics.contacts);
+        return Digest.of(physics.table.bodies, physics.contacts, physics.table.sleepers);
     }
 
     /**
@@ -270,7 +279,7 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
-     * Changes the gravity, between steps.
+     * Changes the gravity, between steps. All bodies wake if it is another one.
      *
      * @param x m/s², finite
      * @param y m/s², finite
@@ -281,6 +290,9 @@ public final class PhysicsWorld implements AutoCloseable {
         Checks.finite("gravity y", y);
         Checks.finite("gravity z", z);
         requireOpen("setGravity");
+        if (x != physics.gravityX || y != physics.gravityY || z != physics.gravityZ) {
+            physics.table.sleepers.wakeAll(physics.table.bodies.slotCount);
+        }
         physics.gravityX = x;
         physics.gravityY = y;
         physics.gravityZ = z;

@@ -40,6 +40,16 @@ final class Publisher {
     private int[] failuresInChunk = {};
     private boolean[] failed = {};
     private int failures;
+
+    /** Chunks in which everybody sleeps and is published: nothing is written, nothing looked at. */
+    private boolean[] quietChunk = {};
+
+    private boolean[] settledInChunk = {};
+    private int quietChunks;
+    private long quietChanges = -1;
+    private long quietRoster = -1;
+    private boolean known;
+    private boolean wasKnown;
     private double[][] scratch = {};
 
     Publisher(BodyTable table) {
@@ -55,6 +65,7 @@ final class Publisher {
         if (failed.length < table.bodies.kind.length) {
             failed = Arrays.copyOf(failed, table.bodies.kind.length);
         }
+        remember(chunks);
         int workers = current.jobs().workers();
         if (scratch.length < workers) {
             scratch = new double[workers][3];
@@ -64,7 +75,24 @@ final class Publisher {
         failures = 0;
         for (int c = 0; c < chunks; c++) {
             failures += failuresInChunk[c];
+            known &= !settledInChunk[c];
         }
+    }
+
+    /** Which chunks are quiet is known as long as nobody came, went, woke or fell asleep. */
+    private void remember(int chunks) {
+        if (quietChunk.length < chunks) {
+            quietChunk = new boolean[failuresInChunk.length];
+            settledInChunk = new boolean[failuresInChunk.length];
+            known = false;
+        }
+        long changes = table.sleepers.changes();
+        known &= changes == quietChanges && table.rosters == quietRoster && chunks == quietChunks;
+        quietChanges = changes;
+        quietRoster = table.rosters;
+        quietChunks = chunks;
+        wasKnown = known;
+        known = true;
     }
 
     int failures() {
@@ -84,9 +112,44 @@ final class Publisher {
             throw new IllegalStateException("no tick runs");
         }
         Chunk chunk = current.chunk(block);
+        failuresInChunk[block] = 0;
+        settledInChunk[block] = false;
+        if (table.sleepers.asleepCount() > 0) {
+            if (!wasKnown) {
+                quietChunk[block] = isQuiet(chunk);
+            }
+            if (quietChunk[block]) {
+                return;
+            }
+            settledInChunk[block] = settle(chunk);
+        } else {
+            quietChunk[block] = false;
+        }
         failuresInChunk[block] = putBack(chunk);
         poses(chunk, scratch[worker]);
         velocities(chunk);
+    }
+
+    private boolean isQuiet(Chunk chunk) {
+        int[] slots = chunk.in(SLOT);
+        int size = chunk.size();
+        for (int row = 0; row < size; row++) {
+            if (!table.sleepers.settled(slots[row])) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Whether somebody is published for the first time since he fell asleep. */
+    private boolean settle(Chunk chunk) {
+        int[] slots = chunk.in(SLOT);
+        int size = chunk.size();
+        boolean any = false;
+        for (int row = 0; row < size; row++) {
+            any |= table.sleepers.settle(slots[row]);
+        }
+        return any;
     }
 
     /** Each row whose body left the range of numbers goes back to its published pose, at rest. */

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.IntConsumer;
 
 /** A steady tick allocates nothing, on no thread. */
 class AllocationTest {
@@ -58,9 +59,30 @@ class AllocationTest {
         }
     }
 
+    /** It falls asleep, is woken by a push, and falls asleep again. */
+    @Test
+    void aStackThatSleepsAndIsWoken() {
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(2).build()) {
+            BodyRef top = Scenes.stack(world, 4).get(3);
+            measure(
+                    world,
+                    900,
+                    tick -> {
+                        if (tick % 150 == 0) {
+                            top.applyImpulse(0, 1, 0);
+                        }
+                    });
+        }
+    }
+
     private static void measure(PhysicsWorld world, int warmUp) {
+        measure(world, warmUp, tick -> {});
+    }
+
+    private static void measure(PhysicsWorld world, int warmUp, IntConsumer eachTick) {
         long[] ids = threadsOf(world.ecs().jobs());
         for (int tick = 0; tick < warmUp; tick++) {
+            eachTick.accept(tick);
             world.step(Scenes.STEP);
         }
         // A path that is taken for the first time may link a method once; what a tick allocates
@@ -71,6 +93,7 @@ class AllocationTest {
             long[] before = THREADS.getThreadAllocatedBytes(ids);
             long[] again = THREADS.getThreadAllocatedBytes(ids);
             for (int tick = 0; tick < 300; tick++) {
+                eachTick.accept(tick);
                 world.step(Scenes.STEP);
             }
             long[] after = THREADS.getThreadAllocatedBytes(ids);

@@ -32,7 +32,12 @@ final class StackStudy implements AutoCloseable {
     double contactTicks;
 
     StackStudy(PhysicsSettings settings, double jitter, double gx, double gy) {
-        world = PhysicsWorld.builder().gravity(gx, gy, 0).workers(1).settings(settings.withSleeping(false)).build();
+        world =
+                PhysicsWorld.builder()
+                        .gravity(gx, gy, 0)
+                        .workers(1)
+                        .settings(settings.withSleeping(false))
+                        .build();
         this.jitter = jitter;
     }
 

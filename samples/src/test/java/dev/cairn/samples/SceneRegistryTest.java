@@ -73,7 +73,11 @@ class SceneRegistryTest {
     void sceneStaysFiniteAndHasALook(String id) {
         SampleScene scene = SceneRegistry.get(id);
         try (PhysicsWorld world =
-                PhysicsWorld.builder().sleeping(false).gravity(0, -SampleScene.GRAVITY, 0).workers(1).build()) {
+                PhysicsWorld.builder()
+                        .sleeping(false)
+                        .gravity(0, -SampleScene.GRAVITY, 0)
+                        .workers(1)
+                        .build()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, SceneOptions.defaults(scene)));
             assertEquals(built.bodies().size(), world.bodyCount());
             for (int tick = 0; tick < TICKS; tick++) {

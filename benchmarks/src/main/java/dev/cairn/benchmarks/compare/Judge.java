@@ -47,7 +47,12 @@ final class Judge implements AutoCloseable {
 
     Judge(Case scene) {
         this.scene = scene;
-        this.world = PhysicsWorld.builder().sleeping(false).gravity(0, -SampleScene.GRAVITY, 0).workers(1).build();
+        this.world =
+                PhysicsWorld.builder()
+                        .sleeping(false)
+                        .gravity(0, -SampleScene.GRAVITY, 0)
+                        .workers(1)
+                        .build();
         this.built = scene.scene().build(new SceneBuilder(world, scene.options()));
         List<BodyRef> bodies = built.bodies();
         this.description = SceneDescription.of(built);

@@ -153,6 +153,16 @@ public final class BroadPhase {
     }
 
     /**
+     * One of the slots that moved in this tick.
+     *
+     * @param index 0 to movedCount - 1
+     * @return the slot
+     */
+    public int movedSlot(int index) {
+        return movedSlots[index];
+    }
+
+    /**
      * Whether a slot's box changed in this tick.
      *
      * @param slot of a body

@@ -151,6 +151,35 @@ public final class BoundsStage {
     }
 
     /**
+     * Brings one body up to date that was woken after {@link #run}, by the same rule and with what
+     * that call was given.
+     *
+     * @param store the bodies
+     * @param target the trees
+     * @param slot of a dynamic body at rest
+     */
+    public void refresh(BodyStore store, BroadPhase target, int slot) {
+        bodies = store;
+        broadPhase = target;
+        if (look(slot) == LEFT) {
+            target.place(slot, false, box, 6 * slot);
+        }
+    }
+
+    /**
+     * A body has fallen asleep. Its neighbours see it as one that is awake and at rest: were its
+     * margin another one, points would appear, and wake it, because it fell asleep.
+     *
+     * @param slot of the body
+     */
+    public void rest(int slot) {
+        aheadX[slot] = step * gravityX;
+        aheadY[slot] = step * gravityY;
+        aheadZ[slot] = step * gravityZ;
+        turn[slot] = 0;
+    }
+
+    /**
      * How many bodies {@link #run} found that cannot be computed with.
      *
      * @return at least 0

@@ -6,6 +6,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.island.Sleepers;
 
 import java.util.Arrays;
 
@@ -25,35 +26,69 @@ public final class ContactRows {
     private BroadPhase broadPhase = new BroadPhase();
     private ContactStore contacts = new ContactStore();
 
-    /** Without rows. */
-    public ContactRows() {}
+    private final BodyStore bodies;
+    private final Sleepers sleepers;
+    private int candidates;
+    private boolean every;
 
     /**
-     * Brings the rows in step with the broad phase's pairs.
+     * Without rows.
      *
-     * @param bodies frictions and restitutions of new rows
+     * @param bodies kinds, and frictions and restitutions of new rows
+     * @param sleepers wakes who loses a contact
+     */
+    public ContactRows(BodyStore bodies, Sleepers sleepers) {
+        this.bodies = bodies;
+        this.sleepers = sleepers;
+    }
+
+    /**
+     * Brings the rows in step with the broad phase's pairs, and lists those that are active: with
+     * an awake body, or new, or with a fixed body that was moved.
+     *
      * @param store the rows
      * @param pairs after its pairs phase
      * @param events receives the touches that end with a row
      * @param jobs runs the check in blocks
      */
-    public void update(
-            BodyStore bodies, ContactStore store, BroadPhase pairs, TouchEvents events, Jobs jobs) {
+    public void update(ContactStore store, BroadPhase pairs, TouchEvents events, Jobs jobs) {
         broadPhase = pairs;
         contacts = store;
-        if (pairs.movedCount() > 0 && store.count > 0) {
-            drop(events, jobs);
+        boolean others = sleepers.asleepCount() > 0 && othersMoved();
+        boolean stale = sleepers.takeRowsStale();
+        boolean all = stale || others;
+        if (others) {
+            // Rows that are active for this reason are so for this tick.
+            sleepers.rowsWillBeStale();
         }
-        append(bodies, store, pairs);
-        store.activateAll();
+        if (pairs.movedCount() > 0 && store.count > 0) {
+            drop(events, all, jobs);
+        }
+        if (all) {
+            wakeMoved();
+            activate(bodies, store, pairs);
+        }
+        append(store, pairs);
     }
 
-    private void drop(TouchEvents events, Jobs jobs) {
+    /** Whether a box changed that is not of an awake body: rows that are not active matter, too. */
+    private boolean othersMoved() {
+        for (int i = 0; i < broadPhase.movedCount(); i++) {
+            if (bodies.kind[broadPhase.movedSlot(i)] != BodyStore.DYNAMIC) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void drop(TouchEvents events, boolean all, Jobs jobs) {
         if (parted.length < contacts.count) {
             parted = new boolean[contacts.bodyA.length];
             partedInBlock = new int[Blocks.count(parted.length, ROWS_PER_BLOCK)];
         }
-        int blocks = Blocks.count(contacts.count, ROWS_PER_BLOCK);
+        candidates = all ? contacts.count : contacts.activeCount;
+        every = all;
+        int blocks = Blocks.count(candidates, ROWS_PER_BLOCK);
         jobs.run(markJob, blocks);
         int block = 0;
         while (block < blocks && partedInBlock[block] == 0) {
@@ -63,25 +98,44 @@ public final class ContactRows {
             return;
         }
         ContactStore c = contacts;
-        int kept = Blocks.begin(block, ROWS_PER_BLOCK);
+        int at = Blocks.begin(block, ROWS_PER_BLOCK);
+        int kept = all ? at : c.active[at];
+        // The list of active rows is wrong after a full drop; update() makes it anew.
+        int listed = all ? 0 : at;
+        int end = all ? 0 : c.activeCount;
+        int read = listed;
         for (int row = kept; row < c.count; row++) {
+            boolean active = read < end && c.active[read] == row;
+            read += active ? 1 : 0;
             if (!parted[row]) {
-                move(c, row, kept++);
+                move(c, row, kept);
+                if (active) {
+                    c.active[listed++] = kept;
+                }
+                kept++;
                 continue;
             }
+            parted[row] = false;
             broadPhase.forget(c.bodyA[row], c.bodyB[row]);
             if (c.touching[row] != 0) {
                 events.addEnded(c.bodyA[row], c.bodyB[row]);
             }
+            if (c.pointCount[row] > 0) {
+                sleepers.wake(c.bodyA[row]);
+                sleepers.wake(c.bodyB[row]);
+            }
         }
         c.count = kept;
+        c.activeCount = listed;
     }
 
+    /** Marks rows whose boxes parted; leaves no mark elsewhere. */
     private void markBlock(int block, int worker) {
         ContactStore c = contacts;
-        int end = Blocks.end(block, ROWS_PER_BLOCK, c.count);
+        int end = Blocks.end(block, ROWS_PER_BLOCK, candidates);
         int count = 0;
-        for (int row = Blocks.begin(block, ROWS_PER_BLOCK); row < end; row++) {
+        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
+            int row = every ? i : c.active[i];
             int a = c.bodyA[row];
             int b = c.bodyB[row];
             boolean apart =
@@ -92,7 +146,43 @@ public final class ContactRows {
         partedInBlock[block] = count;
     }
 
-    /** Moves what outlives a tick; the rest is written anew by the narrow phase. */
+    /** Whoever touches a fixed body that was moved wakes. */
+    private void wakeMoved() {
+        ContactStore c = contacts;
+        for (int row = 0; sleepers.asleepCount() > 0 && row < c.count; row++) {
+            int a = c.bodyA[row];
+            int b = c.bodyB[row];
+            if (c.pointCount[row] > 0 && (broadPhase.moved(a) || broadPhase.moved(b))) {
+                sleepers.wake(a);
+                sleepers.wake(b);
+            }
+        }
+    }
+
+    /**
+     * Lists the active rows anew.
+     *
+     * @param bodies their kinds
+     * @param c the rows
+     * @param pairs knows which fixed bodies were moved
+     */
+    public static void activate(BodyStore bodies, ContactStore c, BroadPhase pairs) {
+        byte[] kind = bodies.kind;
+        int count = 0;
+        for (int row = 0; row < c.count; row++) {
+            int a = c.bodyA[row];
+            int b = c.bodyB[row];
+            if (kind[a] == BodyStore.DYNAMIC
+                    || kind[b] == BodyStore.DYNAMIC
+                    || pairs.moved(a)
+                    || pairs.moved(b)) {
+                c.active[count++] = row;
+            }
+        }
+        c.activeCount = count;
+    }
+
+    /** Moves all: the narrow phase does not write the rows of bodies asleep anew. */
     private static void move(ContactStore c, int from, int to) {
         if (from == to) {
             return;
@@ -119,10 +209,15 @@ public final class ContactRows {
             c.anchorAX[m * to + p] = c.anchorAX[m * from + p];
             c.anchorAY[m * to + p] = c.anchorAY[m * from + p];
             c.anchorAZ[m * to + p] = c.anchorAZ[m * from + p];
+            c.anchorBX[m * to + p] = c.anchorBX[m * from + p];
+            c.anchorBY[m * to + p] = c.anchorBY[m * from + p];
+            c.anchorBZ[m * to + p] = c.anchorBZ[m * from + p];
+            c.separation[m * to + p] = c.separation[m * from + p];
+            c.totalNormalImpulse[m * to + p] = c.totalNormalImpulse[m * from + p];
         }
     }
 
-    private static void append(BodyStore bodies, ContactStore c, BroadPhase pairs) {
+    private void append(ContactStore c, BroadPhase pairs) {
         int added = pairs.newPairCount();
         if (added == 0) {
             return;
@@ -140,6 +235,7 @@ public final class ContactRows {
             int a = (int) (keys[i] >>> 32);
             int b = (int) keys[i];
             int row = c.count++;
+            c.active[c.activeCount++] = row;
             c.bodyA[row] = a;
             c.bodyB[row] = b;
             c.pointCount[row] = 0;

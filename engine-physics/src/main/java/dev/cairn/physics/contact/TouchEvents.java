@@ -40,28 +40,31 @@ public final class TouchEvents {
     }
 
     /**
-     * Compares all rows with their state before; after the solve.
+     * Compares the active rows with their state before; after the solve. A pair that sleeps stays
+     * as it is.
      *
      * @param rows the rows, whose touching state is written
      * @param jobs runs the check in blocks
      */
     public void update(ContactStore rows, Jobs jobs) {
         contacts = rows;
-        if (change.length < rows.count) {
+        int count = rows.activeCount;
+        if (change.length < count) {
             change = new byte[rows.bodyA.length];
             changesInBlock = new int[Blocks.count(change.length, ROWS_PER_BLOCK)];
         }
-        int blocks = Blocks.count(rows.count, ROWS_PER_BLOCK);
+        int blocks = Blocks.count(count, ROWS_PER_BLOCK);
         jobs.run(job, blocks);
         for (int b = 0; b < blocks; b++) {
             if (changesInBlock[b] == 0) {
                 continue;
             }
-            int end = Blocks.end(b, ROWS_PER_BLOCK, rows.count);
-            for (int row = Blocks.begin(b, ROWS_PER_BLOCK); row < end; row++) {
-                if (change[row] > 0) {
+            int end = Blocks.end(b, ROWS_PER_BLOCK, count);
+            for (int i = Blocks.begin(b, ROWS_PER_BLOCK); i < end; i++) {
+                int row = rows.active[i];
+                if (change[i] > 0) {
                     addBegan(rows.bodyA[row], rows.bodyB[row]);
-                } else if (change[row] < 0) {
+                } else if (change[i] < 0) {
                     addEnded(rows.bodyA[row], rows.bodyB[row]);
                 }
             }
@@ -70,19 +73,20 @@ public final class TouchEvents {
 
     private void block(int block, int worker) {
         ContactStore c = contacts;
-        int end = Blocks.end(block, ROWS_PER_BLOCK, c.count);
+        int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
         int changes = 0;
-        for (int row = Blocks.begin(block, ROWS_PER_BLOCK); row < end; row++) {
-            change[row] = 0;
+        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
+            int row = c.active[i];
+            change[i] = 0;
             if (c.touching[row] == 0) {
                 if (pushes(c, row)) {
                     c.touching[row] = 1;
-                    change[row] = 1;
+                    change[i] = 1;
                     changes++;
                 }
             } else if (c.pointCount[row] == 0) {
                 c.touching[row] = 0;
-                change[row] = -1;
+                change[i] = -1;
                 changes++;
             }
         }

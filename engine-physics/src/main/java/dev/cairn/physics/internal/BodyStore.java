@@ -25,10 +25,17 @@ public final class BodyStore {
     /** Kind of a body that forces and contacts move. */
     public static final byte DYNAMIC = 2;
 
+    /**
+     * Kind of a body that forces and contacts would move, but that has come to rest and is left
+     * out: velocities are 0 and its rows are not active. Loops that ask for {@link #DYNAMIC} so
+     * pass it by.
+     */
+    public static final byte ASLEEP = 3;
+
     /** One past the highest slot in use. */
     public int slotCount;
 
-    /** {@link #FREE}, {@link #STATIC} or {@link #DYNAMIC}. */
+    /** {@link #FREE}, {@link #STATIC}, {@link #DYNAMIC} or {@link #ASLEEP}. */
     public byte[] kind = new byte[0];
 
     /** ECS entity of the body. */

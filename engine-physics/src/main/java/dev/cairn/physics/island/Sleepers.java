@@ -1,0 +1,470 @@
+package dev.cairn.physics.island;
+
+import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.PhysicsSettings;
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+
+import java.util.Arrays;
+
+/**
+ * Who sleeps: puts islands to sleep, wakes them, and tells what changed in a tick.
+ *
+ * <p>Simulation thread; allocates only when slots are added.
+ */
+public final class Sleepers {
+    /**
+     * Islands are looked for in every so many ticks: sleep may wait, and union-find is not free.
+     */
+    private static final int LOOK = 4;
+
+    /** Words that {@link #bits} gives of a body. */
+    public static final int WORDS = 11;
+
+    private static final int NONE = -1;
+
+    private final BodyStore bodies;
+    private final ContactStore contacts;
+    private final boolean enabled;
+    private final Quiet quiet;
+    private final Islands islands = new Islands();
+
+    /** Name of the island that a body sleeps in, and the next body of it in a ring. */
+    private int[] island = {};
+
+    private int[] next = {};
+
+    /** What the solver remembers of a body's load; it forgets about bodies that it does not see. */
+    private double[] pressed = {};
+
+    private int[] pressing = {};
+
+    /** Whether a body's state was published since it fell asleep. */
+    private boolean[] settled = {};
+
+    private boolean[] restless = {};
+    private int[] tail = {};
+
+    private boolean[] toldAsleep = {};
+    private int[] changed = new int[64];
+    private int changedCount;
+    private int[] fell = new int[64];
+    private int fellCount;
+    private int[] woke = new int[64];
+    private int wokeCount;
+
+    private int[] fresh = new int[64];
+    private int freshCount;
+    private int asleepCount;
+    private boolean rowsStale;
+    private boolean rostersStale;
+    private long changes;
+    private int ticksToLook;
+
+    /**
+     * Nobody sleeps yet.
+     *
+     * @param settings whether bodies sleep, and when
+     * @param bodies whose kinds change
+     * @param contacts whose active rows are the links
+     */
+    public Sleepers(PhysicsSettings settings, BodyStore bodies, ContactStore contacts) {
+        this.bodies = bodies;
+        this.contacts = contacts;
+        enabled = settings.sleeping();
+        quiet = new Quiet(settings.sleepSeconds());
+    }
+
+    /**
+     * Grows the columns; between phases only.
+     *
+     * @param slots number of slots of bodies
+     */
+    public void ensureSlots(int slots) {
+        if (!enabled || slots <= island.length) {
+            return;
+        }
+        int n = Math.max(slots, Math.max(64, island.length + (island.length >> 1)));
+        int old = island.length;
+        quiet.ensureSlots(n);
+        islands.ensureSlots(n);
+        island = Arrays.copyOf(island, n);
+        Arrays.fill(island, old, n, NONE);
+        next = Arrays.copyOf(next, n);
+        pressed = Arrays.copyOf(pressed, n);
+        pressing = Arrays.copyOf(pressing, n);
+        settled = Arrays.copyOf(settled, n);
+        toldAsleep = Arrays.copyOf(toldAsleep, n);
+        restless = new boolean[n];
+        tail = new int[n];
+    }
+
+    /**
+     * A body is born in a slot, awake.
+     *
+     * @param slot of the body
+     * @param maySleep whether it may fall asleep
+     */
+    public void born(int slot, boolean maySleep) {
+        if (enabled) {
+            quiet.reset(slot);
+            quiet.maySleep[slot] = maySleep;
+        }
+    }
+
+    /**
+     * Whether the world lets bodies sleep.
+     *
+     * @return as in the settings
+     */
+    public boolean enabled() {
+        return enabled;
+    }
+
+    /**
+     * How many bodies sleep.
+     *
+     * @return at least 0
+     */
+    public int asleepCount() {
+        return asleepCount;
+    }
+
+    /**
+     * Whether a body sleeps.
+     *
+     * @param slot of the body
+     * @return true if so
+     */
+    public boolean asleep(int slot) {
+        return bodies.kind[slot] == BodyStore.ASLEEP;
+    }
+
+    /**
+     * The island that a body sleeps in.
+     *
+     * @param slot of a body
+     * @return the smallest slot of the island, or -1 if the body is awake
+     */
+    public int islandOf(int slot) {
+        return enabled ? island[slot] : NONE;
+    }
+
+    // Falling asleep ---------------------------------------------------------------------------
+
+    /**
+     * Puts the islands to sleep that have come to rest; after the solve.
+     *
+     * @param awake slots of the awake bodies, ascending
+     * @param count how many there are
+     * @param gravity its size, m/s²
+     * @param stepSeconds length of the tick, s
+     * @param jobs runs the loop over bodies
+     */
+    public void look(int[] awake, int count, double gravity, double stepSeconds, Jobs jobs) {
+        if (!enabled || count == 0) {
+            return;
+        }
+        int resting = quiet.run(bodies, awake, count, gravity, stepSeconds, jobs);
+        if (ticksToLook > 0) {
+            ticksToLook--;
+            return;
+        }
+        ticksToLook = LOOK - 1;
+        if (resting == 0) {
+            return;
+        }
+        islands.build(bodies, contacts, awake, count);
+        for (int i = 0; i < count; i++) {
+            restless[awake[i]] = false;
+        }
+        for (int i = 0; i < count; i++) {
+            int s = awake[i];
+            if (!quiet.rests[s] || !(islands.touched(s) || still(s))) {
+                restless[islands.root(s)] = true;
+            }
+        }
+        for (int i = 0; i < count; i++) {
+            int root = islands.root(awake[i]);
+            if (!restless[root]) {
+                lieDown(awake[i], root);
+            }
+        }
+    }
+
+    private boolean still(int s) {
+        BodyStore b = bodies;
+        return b.velocityX[s] == 0
+                && b.velocityY[s] == 0
+                && b.velocityZ[s] == 0
+                && b.angularVelocityX[s] == 0
+                && b.angularVelocityY[s] == 0
+                && b.angularVelocityZ[s] == 0;
+    }
+
+    /**
+     * Puts the island of a body to sleep at once, whatever it does.
+     *
+     * @param slot of an awake body
+     * @param awake slots of the awake bodies, ascending
+     * @param count how many there are
+     */
+    public void sleep(int slot, int[] awake, int count) {
+        islands.build(bodies, contacts, awake, count);
+        int root = islands.root(slot);
+        for (int i = 0; i < count; i++) {
+            if (islands.root(awake[i]) == root) {
+                lieDown(awake[i], root);
+            }
+        }
+    }
+
+    /** Slots come ascending: the root first, then the others at the tail of its ring. */
+    private void lieDown(int s, int root) {
+        island[s] = root;
+        if (s != root) {
+            next[tail[root]] = s;
+        }
+        next[s] = root;
+        tail[root] = s;
+        BodyStore b = bodies;
+        b.kind[s] = BodyStore.ASLEEP;
+        b.velocityX[s] = 0;
+        b.velocityY[s] = 0;
+        b.velocityZ[s] = 0;
+        b.angularVelocityX[s] = 0;
+        b.angularVelocityY[s] = 0;
+        b.angularVelocityZ[s] = 0;
+        pressed[s] = b.pressed[s];
+        pressing[s] = b.pressing[s];
+        b.pressed[s] = 0;
+        b.pressing[s] = 0;
+        settled[s] = false;
+        asleepCount++;
+        note(s);
+    }
+
+    // Waking -----------------------------------------------------------------------------------
+
+    /**
+     * Wakes the island of a body, at once; nothing if it is awake.
+     *
+     * @param slot of the body
+     */
+    public void wake(int slot) {
+        if (bodies.kind[slot] != BodyStore.ASLEEP) {
+            return;
+        }
+        int s = slot;
+        do {
+            int after = next[s];
+            getUp(s);
+            s = after;
+        } while (s != slot);
+    }
+
+    private void getUp(int s) {
+        bodies.kind[s] = BodyStore.DYNAMIC;
+        bodies.pressed[s] = pressed[s];
+        bodies.pressing[s] = pressing[s];
+        island[s] = NONE;
+        settled[s] = false;
+        quiet.reset(s);
+        asleepCount--;
+        if (freshCount == fresh.length) {
+            fresh = Arrays.copyOf(fresh, 2 * freshCount);
+        }
+        fresh[freshCount++] = s;
+        note(s);
+    }
+
+    /**
+     * Wakes all.
+     *
+     * @param slotCount number of slots of bodies
+     */
+    public void wakeAll(int slotCount) {
+        for (int s = 0; asleepCount > 0 && s < slotCount; s++) {
+            wake(s);
+        }
+    }
+
+    private void note(int s) {
+        changes++;
+        rowsStale = true;
+        rostersStale = true;
+        if (changedCount == changed.length) {
+            changed = Arrays.copyOf(changed, 2 * changedCount);
+        }
+        changed[changedCount++] = s;
+    }
+
+    // What others ask --------------------------------------------------------------------------
+
+    /**
+     * How many bodies woke since {@link #forgetFresh}.
+     *
+     * @return at least 0
+     */
+    public int freshCount() {
+        return freshCount;
+    }
+
+    /**
+     * One of them.
+     *
+     * @param index 0 to freshCount - 1
+     * @return its slot
+     */
+    public int fresh(int index) {
+        return fresh[index];
+    }
+
+    /** Their boxes are up to date. */
+    public void forgetFresh() {
+        freshCount = 0;
+    }
+
+    /** The list of active rows must be made anew at the next tick. */
+    public void rowsWillBeStale() {
+        rowsStale = true;
+    }
+
+    /**
+     * Whether the list of active rows must be made anew; asks once.
+     *
+     * @return true after any change
+     */
+    public boolean takeRowsStale() {
+        boolean was = rowsStale;
+        rowsStale = false;
+        return was;
+    }
+
+    /**
+     * Whether lists of awake bodies must be made anew; asks once.
+     *
+     * @return true after any change
+     */
+    public boolean takeRostersStale() {
+        boolean was = rostersStale;
+        rostersStale = false;
+        return was;
+    }
+
+    /**
+     * Grows whenever a body falls asleep or wakes.
+     *
+     * @return a count
+     */
+    public long changes() {
+        return changes;
+    }
+
+    /**
+     * Whether a body sleeps and its state is published, so that there is nothing to write.
+     *
+     * @param slot of a body
+     * @return true if so
+     */
+    public boolean settled(int slot) {
+        return settled[slot];
+    }
+
+    /**
+     * A body's state has been published.
+     *
+     * @param slot of a body that may sleep
+     * @return whether it sleeps and was not settled before
+     */
+    public boolean settle(int slot) {
+        boolean now = bodies.kind[slot] == BodyStore.ASLEEP && !settled[slot];
+        settled[slot] |= now;
+        return now;
+    }
+
+    // Events -----------------------------------------------------------------------------------
+
+    /** Sums up the changes since the last call: who sleeps and did not, who does not and did. */
+    public void tell() {
+        fellCount = 0;
+        wokeCount = 0;
+        for (int i = 0; i < changedCount; i++) {
+            int s = changed[i];
+            boolean now = bodies.kind[s] == BodyStore.ASLEEP;
+            if (now == toldAsleep[s]) {
+                continue;
+            }
+            toldAsleep[s] = now;
+            if (now) {
+                if (fellCount == fell.length) {
+                    fell = Arrays.copyOf(fell, 2 * fellCount);
+                }
+                fell[fellCount++] = s;
+            } else {
+                if (wokeCount == woke.length) {
+                    woke = Arrays.copyOf(woke, 2 * wokeCount);
+                }
+                woke[wokeCount++] = s;
+            }
+        }
+        changedCount = 0;
+    }
+
+    /**
+     * How many bodies fell asleep in the last tick.
+     *
+     * @return at least 0
+     */
+    public int fellCount() {
+        return fellCount;
+    }
+
+    /**
+     * One of them.
+     *
+     * @param event 0 to fellCount - 1
+     * @return its slot
+     */
+    public int fell(int event) {
+        return fell[event];
+    }
+
+    /**
+     * How many bodies woke in the last tick, or before it by a call.
+     *
+     * @return at least 0
+     */
+    public int wokeCount() {
+        return wokeCount;
+    }
+
+    /**
+     * One of them.
+     *
+     * @param event 0 to wokeCount - 1
+     * @return its slot
+     */
+    public int woke(int event) {
+        return woke[event];
+    }
+
+    /**
+     * Adds what is remembered of a body to a hash.
+     *
+     * @param slot of a body
+     * @param at 0 to 10
+     * @return bits
+     */
+    public long bits(int slot, int at) {
+        if (bodies.kind[slot] == BodyStore.DYNAMIC) {
+            return at == 0 ? NONE : quiet.bits(slot, at - 1);
+        }
+        return switch (at) {
+            case 0 -> island[slot];
+            case 1 -> Double.doubleToRawLongBits(pressed[slot]);
+            case 2 -> pressing[slot];
+            default -> 0;
+        };
+    }
+}

@@ -1,0 +1,262 @@
+package dev.cairn.physics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Sphere;
+
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/** Waking: who wakes whom, when, and that nobody can tell from the motion that there was sleep. */
+class WakeTest {
+    private static PhysicsWorld world() {
+        return PhysicsWorld.builder().workers(1).build();
+    }
+
+    /** Two boxes on each other, and a third far away. */
+    private static final class Pair implements AutoCloseable {
+        final PhysicsWorld world = world();
+        final BodyRef ground = Scenes.ground(world);
+        final BodyRef table =
+                world.add(Body.fixed().shape(Box.of(1, 0.5, 1)).at(0, 0.5, 0).name("table"));
+        final BodyRef lower = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 1.5, 0));
+        final BodyRef upper = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 2.5, 0));
+        final BodyRef far = world.add(Body.dynamic().shape(Box.cube(0.5)).at(20, 0.5, 0));
+
+        Pair() {
+            SleepTest.run(world, 300);
+            assertTrue(SleepTest.allAsleep(List.of(lower, upper, far)));
+        }
+
+        @Override
+        public void close() {
+            world.close();
+        }
+    }
+
+    private static void wakes(Consumer<Pair> deed) {
+        try (Pair pair = new Pair()) {
+            deed.accept(pair);
+            pair.world.step(Scenes.STEP);
+            assertFalse(pair.lower.isAsleep(), "lower");
+            assertFalse(pair.upper.isAsleep(), "upper");
+            assertTrue(pair.far.isAsleep(), "a box far away");
+            assertEquals(2, pair.world.sleepEvents().wokeCount());
+        }
+    }
+
+    private static void leavesAsleep(Consumer<Pair> deed) {
+        try (Pair pair = new Pair()) {
+            deed.accept(pair);
+            SleepTest.run(pair.world, 3);
+            assertTrue(SleepTest.allAsleep(List.of(pair.lower, pair.upper, pair.far)));
+        }
+    }
+
+    @Test
+    void whateverTheUserChangesWakes() {
+        wakes(p -> p.upper.applyForce(1, 0, 0));
+        wakes(p -> p.upper.applyForceAt(0, 0, 1, 0, 2, 0));
+        wakes(p -> p.lower.applyTorque(0, 1, 0));
+        wakes(p -> p.upper.applyImpulse(0, 0, 1e-6));
+        wakes(p -> p.upper.applyImpulseAt(0, 0, 1e-6, 0, 2, 0));
+        wakes(p -> p.upper.applyAngularImpulse(0, 0, 1e-6));
+        wakes(p -> p.upper.setVelocity(0, 1, 0));
+        wakes(p -> p.upper.setAngularVelocity(0, 1, 0));
+        wakes(p -> p.upper.teleport(0, 2.6, 0));
+        wakes(p -> p.upper.teleport(0, 2.5, 0, new Quaterniond().rotateY(0.1)));
+        wakes(p -> p.lower.wake());
+    }
+
+    @Test
+    void whatChangesNothingDoesNot() {
+        leavesAsleep(p -> p.upper.applyForce(0, 0, 0));
+        leavesAsleep(p -> p.upper.applyImpulse(0, 0, 0));
+        leavesAsleep(p -> p.upper.setVelocity(0, 0, 0));
+        leavesAsleep(p -> p.world.setGravity(0, -9.81, 0));
+        leavesAsleep(p -> p.far.position());
+    }
+
+    @Test
+    void anotherGravityWakesAll() {
+        try (Pair pair = new Pair()) {
+            pair.world.setGravity(0, -1.6, 0);
+            pair.world.step(Scenes.STEP);
+            assertEquals(0, pair.world.sleepEvents().asleepCount());
+        }
+    }
+
+    @Test
+    void whoLosesASupportWakesAndFalls() {
+        wakes(p -> p.table.remove());
+        wakes(p -> p.table.teleport(0, 0.5, 30));
+        wakes(p -> p.table.teleport(0, 0.499, 0));
+        try (Pair pair = new Pair()) {
+            Vector3d before = pair.upper.position();
+            pair.table.remove();
+            SleepTest.run(pair.world, 12);
+            // free fall for 0.2 s
+            assertEquals(before.y - 0.5 * 9.81 * 0.04, pair.upper.position().y, 1e-2);
+        }
+        try (Pair pair = new Pair()) {
+            pair.lower.remove();
+            pair.world.step(Scenes.STEP);
+            assertFalse(pair.upper.isAsleep(), "its support was a body asleep");
+            assertTrue(pair.far.isAsleep());
+        }
+    }
+
+    @Test
+    void aFixedBodyThatComesWakesWhomItTouchesOnly() {
+        wakes(p -> p.world.add(Body.fixed().shape(Box.cube(0.5)).at(0.95, 2.5, 0)));
+        leavesAsleep(p -> p.world.add(Body.fixed().shape(Box.cube(0.5)).at(1.05, 2.5, 0)));
+        leavesAsleep(p -> p.world.add(Body.fixed().shape(Box.cube(0.5)).at(5, 0.5, 0)));
+    }
+
+    @Test
+    void anAwakeBodyInsideOneAsleepWakesIt() {
+        wakes(p ->
+                p.world.add(Body.dynamic().shape(Sphere.of(0.2)).at(0, 2.5, 0).name("in the box")));
+    }
+
+    /** A hundred boxes in a row touch each other; a ball strikes the first. */
+    @Test
+    void aChainOfAHundredWakesInTheTickOfTheHit() {
+        try (PhysicsWorld world = world()) {
+            world.add(Body.fixed().shape(Box.of(200, 1, 200)).at(0, -1, 0));
+            List<BodyRef> chain = new ArrayList<>();
+            for (int i = 0; i < 100; i++) {
+                chain.add(world.add(Body.dynamic().shape(Box.cube(0.5)).at(i, 0.5, 0)));
+            }
+            SleepTest.run(world, 240);
+            assertTrue(SleepTest.allAsleep(chain));
+            world.add(Body.dynamic().shape(Sphere.of(0.4)).at(-3, 0.5, 0).velocity(20, 0, 0));
+            for (int tick = 0; tick < 60; tick++) {
+                world.step(Scenes.STEP);
+                int woke = world.sleepEvents().wokeCount();
+                if (woke > 0) {
+                    assertEquals(100, woke);
+                    assertTrue(
+                            world.contacts().began().count() == 1 || tick < 8,
+                            "the hit is in the tick of the waking, or in the next");
+                    return;
+                }
+            }
+            throw new AssertionError("nobody woke");
+        }
+    }
+
+    /**
+     * What the ball and the pile do after a hit is what they do where nothing ever slept: the same
+     * impulse to a millionth, and then what a collapse makes of that in 0.3 s.
+     */
+    @Test
+    void aBallThatHitsASleepingPileMeetsTheSamePile() {
+        Hit awake = new Hit(false);
+        Hit asleep = new Hit(true);
+        double speed = Hit.SPEED;
+        int hit = 0;
+        while (awake.ball[0][hit] == speed) {
+            hit++;
+        }
+        assertTrue(awake.ball[0][hit] < 0.5 * speed, "there was a hit");
+        for (int tick = 0; tick < Hit.TICKS; tick++) {
+            double bound = tick < hit ? 0 : tick == hit ? 1e-6 * speed : 1e-4 * speed;
+            for (int i = 0; i < awake.ball.length; i++) {
+                double difference = Math.abs(awake.ball[i][tick] - asleep.ball[i][tick]);
+                assertTrue(difference <= bound, "tick " + tick + ": " + difference);
+            }
+        }
+        assertEquals(10, asleep.wokeAtOnce, "the pile wakes as a whole");
+        for (int i = 0; i < awake.pile.length; i++) {
+            assertEquals(awake.pile[i], asleep.pile[i], 1e-3, "coordinate " + i + " of the pile");
+        }
+    }
+
+    /** A ball thrown at a pyramid that has stood for 20 s, and slept the last 0.5 s or not. */
+    private static final class Hit {
+        static final int TICKS = 40;
+        static final double SPEED = 15;
+        int wokeAtOnce;
+        final double[][] ball = new double[6][TICKS];
+        final double[] pile;
+
+        Hit(boolean sleeps) {
+            try (PhysicsWorld world = world();
+                    PhysicsWorld empty = world()) {
+                Scenes.ground(world);
+                List<BodyRef> boxes = new ArrayList<>();
+                for (int i = 0; i < 4; i++) {
+                    for (int j = i; j < 4; j++) {
+                        double x = 0.5 * i + (j - i);
+                        boxes.add(
+                                world.add(
+                                        Body.dynamic()
+                                                .shape(Box.cube(0.5))
+                                                .at(x, 0.5 + i, 0)
+                                                .canSleep(false)));
+                    }
+                }
+                SleepTest.run(world, 1200);
+                if (sleeps) {
+                    boxes.forEach(BodyRef::sleep);
+                }
+                SleepTest.run(world, 30);
+                assertEquals(sleeps, SleepTest.allAsleep(boxes));
+                Body thrown =
+                        Body.dynamic().shape(Sphere.of(0.4)).at(-6, 2, 0.1).velocity(SPEED, 1, 0);
+                BodyRef one = world.add(thrown);
+                BodyRef free = empty.add(thrown);
+                boolean before = true;
+                Vector3d p = new Vector3d();
+                Vector3d q = new Vector3d();
+                for (int tick = 0; tick < TICKS; tick++) {
+                    world.step(Scenes.STEP);
+                    empty.step(Scenes.STEP);
+                    one.position(p);
+                    free.position(q);
+                    before &= one.position(p).x < -1.2;
+                    if (before) {
+                        assertEquals(q, p, "before the hit it flies freely");
+                        assertEquals(sleeps, SleepTest.allAsleep(boxes));
+                    }
+                    wokeAtOnce = Math.max(wokeAtOnce, world.sleepEvents().wokeCount());
+                    one.velocity(q);
+                    ball[0][tick] = q.x;
+                    ball[1][tick] = q.y;
+                    ball[2][tick] = q.z;
+                    ball[3][tick] = p.x;
+                    ball[4][tick] = p.y;
+                    ball[5][tick] = p.z;
+                }
+                pile = new double[3 * boxes.size()];
+                for (int i = 0; i < boxes.size(); i++) {
+                    boxes.get(i).position(p);
+                    pile[3 * i] = p.x;
+                    pile[3 * i + 1] = p.y;
+                    pile[3 * i + 2] = p.z;
+                }
+            }
+        }
+    }
+
+    @Test
+    void aBodyAsleepThatIsPushedBeyondNumbersIsQuarantined() {
+        try (Pair pair = new Pair()) {
+            pair.upper.applyForce(1e300, 0, 0);
+            SleepTest.run(pair.world, 30);
+            assertEquals(List.of(pair.upper), pair.world.quarantined());
+            assertTrue(Double.isFinite(pair.lower.position().y));
+            SleepTest.run(pair.world, 300);
+            assertTrue(pair.lower.isAsleep(), "what is left sleeps again");
+        }
+    }
+}
