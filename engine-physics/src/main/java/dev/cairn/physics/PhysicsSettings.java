@@ -171,7 +171,9 @@ public record PhysicsSettings(
                 speculativeTime,
                 speculativeFraction,
                 boundsMargin,
-                boundsTime);
+                boundsTime,
+                sleeping,
+                sleepSeconds);
     }
 
     /**
