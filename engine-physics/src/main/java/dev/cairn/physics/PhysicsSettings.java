@@ -246,7 +246,9 @@ public record PhysicsSettings(
                 speculativeTime,
                 speculativeFraction,
                 boundsMargin,
-                boundsTime);
+                boundsTime,
+                sleeping,
+                sleepSeconds);
     }
 
     /**
@@ -290,6 +292,7 @@ public record PhysicsSettings(
                 offsetGain,
                 loadInertia,
                 unloadSweeps,
+                lanes,
                 speculativeTime,
                 speculativeFraction,
                 boundsMargin,
@@ -314,6 +317,7 @@ public record PhysicsSettings(
                 offsetGain,
                 loadInertia,
                 unloadSweeps,
+                lanes,
                 speculativeTime,
                 speculativeFraction,
                 boundsMargin,

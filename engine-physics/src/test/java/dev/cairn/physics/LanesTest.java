@@ -22,7 +22,11 @@ class LanesTest {
                 }
                 PhysicsSettings settings = PhysicsSettings.DEFAULT.withLanes(lanes);
                 try (PhysicsWorld world =
-                        PhysicsWorld.builder().workers(workers).settings(settings).build()) {
+                        PhysicsWorld.builder()
+                                .workers(workers)
+                                .settings(settings)
+                                .sleeping(false)
+                                .build()) {
                     scene.accept(world);
                     long[] digests = new long[ticks];
                     int contacts = 0;

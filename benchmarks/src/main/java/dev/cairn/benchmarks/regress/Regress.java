@@ -178,7 +178,11 @@ public final class Regress implements Callable<Integer> {
     private static String digest(String id) {
         SampleScene scene = SceneRegistry.get(id);
         try (PhysicsWorld world =
-                PhysicsWorld.builder().gravity(0, -SampleScene.GRAVITY, 0).workers(1).build()) {
+                PhysicsWorld.builder()
+                        .gravity(0, -SampleScene.GRAVITY, 0)
+                        .workers(1)
+                        .sleeping(false)
+                        .build()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, SceneOptions.defaults(scene)));
             for (int tick = 0; tick < DIGEST_TICKS; tick++) {
                 built.beforeTick();
