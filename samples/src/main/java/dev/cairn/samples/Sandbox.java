@@ -314,6 +314,11 @@ class Sandbox extends Application {
 
     @Override
     protected void panels(Ui ui, View view) {
-        panels.draw(ui, view, states.latest());
+        SandboxState state = states.latest();
+        panels.draw(ui, view, state);
+        shown(ui, view, state);
     }
+
+    /** Called after the panels of a frame; window thread. For tests. */
+    void shown(Ui ui, View view, SandboxState state) {}
 }

@@ -35,6 +35,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private static final double ROW = 24;
     private static final double LINE = 19;
     private static final double PLOT = 46;
+    private static final double KNOB_INSET = 9;
     private static final int TEXT_BYTES = 1024;
 
     private final double scale;
@@ -58,6 +59,12 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private final SliderText sliderText = new SliderText();
     private int pixelWidth;
     private int pixelHeight;
+    private double cursorX;
+    private boolean leftDown;
+    private boolean leftPressed;
+    private String panelNow = "";
+    private String movedPanel = "";
+    private String movedSlider = "";
     private boolean editing;
     private boolean wasEditing;
     private boolean panelOpen;
@@ -81,6 +88,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     /** Begins to take events. */
     public void beginInput() {
+        leftPressed = false;
         nk_input_begin(context);
     }
 
@@ -96,6 +104,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
      * @param y real pixels from above
      */
     public void moved(double x, double y) {
+        cursorX = x;
         nk_input_motion(context, (int) x, (int) y);
     }
 
@@ -108,6 +117,11 @@ public final class NuklearUi implements Ui, AutoCloseable {
      * @param down whether it went down
      */
     public void button(MouseButton which, double x, double y, boolean down) {
+        if (which == MouseButton.LEFT) {
+            cursorX = x;
+            leftDown = down;
+            leftPressed |= down;
+        }
         int code =
                 switch (which) {
                     case LEFT -> NK_BUTTON_LEFT;
@@ -228,6 +242,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     @Override
     public boolean panel(
             String title, double left, double top, double panelWidth, double panelHeight) {
+        panelNow = title;
         place(left, top, panelWidth, panelHeight);
         nk_style_push_font(context, font.title());
         panelOpen =
@@ -376,19 +391,35 @@ public final class NuklearUi implements Ui, AutoCloseable {
         double share =
                 Math.clamp(
                         ((logarithmic ? Math.log(value) : value) - low) / (high - low), 0.0, 1.0);
-        remember(label);
+        double[] at = remember(label);
         hint(hint);
-        oneFloat[0] = (float) share;
-        float before = oneFloat[0];
-        nk_slider_float(context, 0, oneFloat, 1, 0.001f);
         double moved = value;
-        if (Math.abs(oneFloat[0] - before) > 1e-4f) {
-            double at = low + oneFloat[0] * (high - low);
-            double raw = logarithmic ? Math.exp(at) : at;
-            moved = Math.clamp(SliderText.round(raw, step), min, max);
+        if (isMoved(label)) {
+            // Nuklear moves only by its knob; here the whole bar can be clicked.
+            double room = at[2] - 2 * KNOB_INSET;
+            double wanted = Math.clamp((cursorX / scale - at[0] - KNOB_INSET) / room, 0.0, 1.0);
+            if (Math.abs(wanted - share) * room >= 0.5) {
+                double point = low + wanted * (high - low);
+                double raw = logarithmic ? Math.exp(point) : point;
+                moved = Math.clamp(SliderText.round(raw, step), min, max);
+                share = wanted;
+            }
         }
+        oneFloat[0] = (float) share;
+        nk_slider_float(context, 0, oneFloat, 1, 0.001f);
         nk_label(context, sliderText.of(label, moved), NK_TEXT_RIGHT);
         return moved;
+    }
+
+    /** Whether the user drags this slider: the press was on it, and the button is still down. */
+    private boolean isMoved(String label) {
+        if (leftPressed && nk_widget_is_hovered(context)) {
+            movedPanel = panelNow;
+            movedSlider = label;
+        } else if (!leftDown && !leftPressed) {
+            movedSlider = "";
+        }
+        return movedSlider.equals(label) && movedPanel.equals(panelNow);
     }
 
     @Override

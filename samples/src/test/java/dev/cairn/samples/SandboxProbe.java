@@ -1,0 +1,58 @@
+package dev.cairn.samples;
+
+import dev.cairn.render.app.View;
+import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.scenes.StackOfBoxes;
+
+import org.joml.Vector3d;
+
+import java.io.PrintStream;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * The sandbox as a program of its own that tells on its standard output, one line a frame, what is
+ * in the window, for {@link SandboxWindowTest}.
+ */
+final class SandboxProbe extends Sandbox {
+    private final PrintStream out;
+    private final Vector3d eye = new Vector3d();
+
+    private SandboxProbe(List<SampleScene> scenes, PrintStream out) {
+        super(scenes, Map.of(), 1, 4, System.err);
+        this.out = out;
+    }
+
+    /** Runs until the window is closed. */
+    public static void main(String[] arguments) {
+        new SandboxProbe(List.of(StackOfBoxes.scene()), System.out).size(1024, 640).start();
+    }
+
+    @Override
+    void shown(Ui ui, View view, SandboxState state) {
+        view.camera().position(eye);
+        double[] slider = ui.boundsOf("gap");
+        out.printf(
+                Locale.ROOT,
+                "frame=%d tick=%d worldTick=%d paused=%b eyeX=%.6f eyeY=%.6f eyeZ=%.6f pulling=%b"
+                        + " held=%s heldX=%.6f gap=%.6f sliderX=%.1f sliderY=%.1f sliderWidth=%.1f"
+                        + " sliderHeight=%.1f%n",
+                view.frames(),
+                state.tick,
+                view.snapshot().tick(),
+                isPaused(),
+                eye.x,
+                eye.y,
+                eye.z,
+                state.pulling,
+                state.held.replace(' ', '_'),
+                state.heldAt.x,
+                state.options.values().get("gap"),
+                slider == null ? -1 : slider[0],
+                slider == null ? -1 : slider[1],
+                slider == null ? -1 : slider[2],
+                slider == null ? -1 : slider[3]);
+        out.flush();
+    }
+}
