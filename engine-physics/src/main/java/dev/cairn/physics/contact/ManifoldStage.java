@@ -24,6 +24,9 @@ public final class ManifoldStage {
     /** A batch of boxes, about 5 microseconds. */
     private static final int BOXES_PER_BLOCK = BoxBatch.CAPACITY;
 
+    /** Fewer pairs of boxes go without lanes, whose kernels would stay uncompiled for long. */
+    private static final int BOXES_FOR_LANES = 512;
+
     /** Other pairs cost from some hundred nanoseconds to some microseconds. */
     private static final int OTHERS_PER_BLOCK = 32;
 
@@ -103,6 +106,7 @@ public final class ManifoldStage {
         ContactStore c = contacts;
         int[] order = kinds.order();
         BoxContacts batch = own.boxes;
+        batch.useLanes(kinds.begin(PairKinds.OTHERS) >= BOXES_FOR_LANES);
         for (int i = 0; i < count; i++) {
             int row = order[begin + i];
             int a = c.bodyA[row];
@@ -121,23 +125,15 @@ public final class ManifoldStage {
                     s.orientationW[b],
                     s.positionX[b] - s.positionX[a],
                     s.positionY[b] - s.positionY[a],
-                    s.positionZ[b] - s.positionZ[a]);
+                    s.positionZ[b] - s.positionZ[a],
+                    Math.min(s.innerRadius[a], s.innerRadius[b]),
+                    margin(a, b),
+                    c.cache[row]);
         }
-        batch.findAxes(count);
+        batch.run(count);
         for (int i = 0; i < count; i++) {
             int row = order[begin + i];
-            int a = c.bodyA[row];
-            int b = c.bodyB[row];
-            double inner = Math.min(s.innerRadius[a], s.innerRadius[b]);
-            c.cache[row] =
-                    batch.collide(
-                            i,
-                            (Box) s.shape[a],
-                            (Box) s.shape[b],
-                            inner,
-                            margin(a, b),
-                            c.cache[row],
-                            own.manifold);
+            c.cache[row] = batch.take(i, own.manifold);
             points.store(row, own.manifold, own.points);
         }
     }

@@ -1,22 +1,29 @@
 package dev.cairn.physics.narrowphase;
 
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_B;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OFFSET;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_EDGE;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_B;
 
 import dev.cairn.physics.narrowphase.wide.BoxAxes;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.shape.Box;
+
+import java.util.Arrays;
 
 /**
  * Contacts of pairs of boxes in batches: the fifteen axes of all pairs by {@link BoxAxes}, then
@@ -32,10 +39,29 @@ public final class BoxContacts {
      */
     private static final double THINNEST = 1e-9;
 
+    private static final Box NONE = Box.cube(1);
+    private static final byte APART = 0;
+    private static final byte FACE = 1;
+
     private final BoxBatch batch = new BoxBatch();
     private final double[] t = batch.data;
     private final BoxFaces faces = new BoxFaces();
     private final NarrowPhase single;
+
+    private final BoxCuts cuts = new BoxCuts();
+    private boolean wide = BoxAxes.wide();
+
+    /** Of each pair: what was put, and what was found. */
+    private final double[] inner = new double[CAPACITY],
+            margin = new double[CAPACITY],
+            best = new double[CAPACITY],
+            separation = new double[CAPACITY],
+            deepest = new double[CAPACITY];
+
+    private final long[] word = new long[CAPACITY];
+    private final Box[] shapeA = new Box[CAPACITY], shapeB = new Box[CAPACITY];
+    private final byte[] kind = new byte[CAPACITY];
+    private final int[] pointCount = new int[CAPACITY];
 
     /** Of the pair at hand. */
     private int faceA, faceB;
@@ -49,6 +75,8 @@ public final class BoxContacts {
      */
     public BoxContacts(NarrowPhase single) {
         this.single = single;
+        Arrays.fill(shapeA, NONE);
+        Arrays.fill(shapeB, NONE);
     }
 
     /**
@@ -59,6 +87,17 @@ public final class BoxContacts {
      */
     public static boolean fits(Box box) {
         return box.innerRadius() >= THINNEST * box.outerRadius();
+    }
+
+    /**
+     * Chooses whether lanes are used where there are any; they are at first. The results are the
+     * same bits. Until a kernel is compiled its vectors are objects on the heap, so lanes pay only
+     * where a kernel runs often.
+     *
+     * @param often whether many batches are to come in each tick
+     */
+    public void useLanes(boolean often) {
+        wide = often && BoxAxes.wide();
     }
 
     /**
@@ -78,6 +117,9 @@ public final class BoxContacts {
      * @param dx centre of B minus centre of A, world axes, m
      * @param dy see {@code dx}
      * @param dz see {@code dx}
+     * @param innerRadius the smaller of the inner radii, m
+     * @param distance the margin: points up to this far apart are reported, m, not negative
+     * @param cache the word that the last call for this pair returned; 0 if there is none
      */
     public void put(
             int i,
@@ -93,7 +135,10 @@ public final class BoxContacts {
             double qBw,
             double dx,
             double dy,
-            double dz) {
+            double dz,
+            double innerRadius,
+            double distance,
+            long cache) {
         t[TURN_A + i] = qAx;
         t[TURN_A + CAPACITY + i] = qAy;
         t[TURN_A + 2 * CAPACITY + i] = qAz;
@@ -111,79 +156,141 @@ public final class BoxContacts {
         t[HALF_B + i] = b.halfX();
         t[HALF_B + CAPACITY + i] = b.halfY();
         t[HALF_B + 2 * CAPACITY + i] = b.halfZ();
+        inner[i] = innerRadius;
+        margin[i] = distance;
+        word[i] = cache;
+        shapeA[i] = a;
+        shapeB[i] = b;
     }
 
     /**
-     * Finds the axes of all pairs that were put.
+     * Collides all pairs that were put.
      *
      * @param count how many
      */
-    public void findAxes(int count) {
-        BoxAxes.run(batch, count);
+    public void run(int count) {
+        BoxAxes.run(batch, count, wide);
+        if (!wide) {
+            return;
+        }
+        for (int i = 0; i < count; i++) {
+            choose(i);
+        }
+        BoxAxes.corners(batch, count);
+        for (int i = 0; i < count; i++) {
+            if (kind[i] == FACE) {
+                int points = cuts.clip(t, i, inner[i], margin[i], (int) word[i]);
+                deepest[i] = cuts.deepest;
+                pointCount[i] = points;
+            }
+        }
+        BoxAxes.world(batch, count);
     }
 
     /**
-     * The contact of one pair, after {@link #findAxes}. The arguments are those of {@link
-     * NarrowPhase#collide}, and so is the result; of {@link Manifold#bound} only the rounding
-     * differs.
+     * The contact of one pair, after {@link #run}; once per pair. The result is that of {@link
+     * NarrowPhase#collide}; of {@link Manifold#bound} only the rounding differs.
      *
      * @param i its place
-     * @param a first shape
-     * @param b second shape
-     * @param inner the smaller of the inner radii, m
-     * @param margin points up to this far apart are reported, m, not negative
-     * @param cache the word that the last call for this pair returned; 0 if there is none
      * @param out receives the contact
      * @return the word to pass next time
      */
-    public long collide(
-            int i, Box a, Box b, double inner, double margin, long cache, Manifold out) {
+    public long take(int i, Manifold out) {
+        if (!wide) {
+            choose(i);
+        }
         out.pointCount = 0;
         out.bound = 0;
         out.capped = false;
-        if (stillApart(i, cache, margin)) {
-            return cache;
+        if (kind[i] == APART) {
+            return word[i];
         }
-        separationA = t[SEPARATION_A + i];
-        faceA = (int) t[FACE_A + i];
-        if (separationA > margin) {
-            return NarrowPhase.word(NarrowPhase.FACE_A, faceA, 0);
+        int face = 2 * (int) t[AXIS + i] + (t[SIGN + i] > 0 ? 1 : 0);
+        boolean flip = t[FLIP + i] != 0;
+        double least =
+                wide
+                        ? deepest[i]
+                        : faces.face(t, i, flip, face, inner[i], margin[i], (int) word[i], out);
+        int points = wide ? pointCount[i] : out.pointCount;
+        if (points == 0 || strays(i, least)) {
+            return single(i, out);
         }
-        separationB = t[SEPARATION_B + i];
-        faceB = (int) t[FACE_B + i];
-        if (separationB > margin) {
-            return NarrowPhase.word(NarrowPhase.FACE_B, faceB, 0);
+        if (wide) {
+            copy(i, points, out);
         }
-        double best = Math.max(Math.max(separationA, separationB), t[SEPARATION_EDGE + i]);
-        if (best > margin) {
-            boolean onB = separationB > separationA;
-            return onB
-                    ? NarrowPhase.word(NarrowPhase.FACE_B, faceB, 0)
-                    : NarrowPhase.word(NarrowPhase.FACE_A, faceA, 0);
-        }
-        double calm = NarrowPhase.CALM * inner;
-        boolean flip = chooseFace(i, a, b, cache, calm);
-        int face = flip ? faceB : faceA;
-        double deepest = faces.face(t, i, flip, face, inner, margin, (int) cache, out);
-        double better =
-                cache >>> 62 == NarrowPhase.EDGES
-                        ? 0.5 * calm + 0.05 * Math.abs(best)
-                        : 1.5 * calm + 0.15 * Math.abs(best);
-        boolean strays =
-                Math.abs(deepest - best) > better
-                        || best - (flip ? separationB : separationA) > better;
-        if (out.pointCount == 0 || strays) {
-            return single(i, a, b, margin, cache, out);
-        }
-        out.bound = Math.abs(best - deepest) + 0x1p-48 * scale(i);
+        out.bound = Math.abs(best[i] - least) + 0x1p-48 * scale(i);
         return NarrowPhase.word(
                 flip ? NarrowPhase.FACE_B : NarrowPhase.FACE_A, face, Names.of(out));
     }
 
-    private long single(int i, Box a, Box b, double margin, long cache, Manifold out) {
+    private void copy(int i, int points, Manifold out) {
+        out.pointCount = points;
+        out.normalX = t[NORMAL + i];
+        out.normalY = t[NORMAL + CAPACITY + i];
+        out.normalZ = t[NORMAL + 2 * CAPACITY + i];
+        int at = CORNER + i;
+        for (int p = 0; p < points; p++, at += 3 * CAPACITY) {
+            out.pointX[p] = t[at];
+            out.pointY[p] = t[at + CAPACITY];
+            out.pointZ[p] = t[at + 2 * CAPACITY];
+            out.separation[p] = cuts.separation[4 * i + p];
+            out.feature[p] = cuts.name[4 * i + p];
+        }
+    }
+
+    /** Decides whether a pair is apart, and else on its face. */
+    private void choose(int i) {
+        long cache = word[i];
+        double distance = margin[i];
+        kind[i] = APART;
+        separationA = t[SEPARATION_A + i];
+        faceA = (int) t[FACE_A + i];
+        separationB = t[SEPARATION_B + i];
+        faceB = (int) t[FACE_B + i];
+        if (stillApart(i, cache, distance)) {
+            return;
+        }
+        if (separationA > distance) {
+            word[i] = NarrowPhase.word(NarrowPhase.FACE_A, faceA, 0);
+            return;
+        }
+        if (separationB > distance) {
+            word[i] = NarrowPhase.word(NarrowPhase.FACE_B, faceB, 0);
+            return;
+        }
+        best[i] = Math.max(Math.max(separationA, separationB), t[SEPARATION_EDGE + i]);
+        if (best[i] > distance) {
+            boolean onB = separationB > separationA;
+            word[i] =
+                    onB
+                            ? NarrowPhase.word(NarrowPhase.FACE_B, faceB, 0)
+                            : NarrowPhase.word(NarrowPhase.FACE_A, faceA, 0);
+            return;
+        }
+        kind[i] = FACE;
+        boolean flip = chooseFace(i, cache, NarrowPhase.CALM * inner[i]);
+        int face = flip ? faceB : faceA;
+        separation[i] = flip ? separationB : separationA;
+        t[FLIP + i] = flip ? 1 : 0;
+        t[AXIS + i] = face >> 1;
+        t[SIGN + i] = (face & 1) == 0 ? -1 : 1;
+    }
+
+    /** Whether the face contact tells another depth than the best axis, see {@link NarrowPhase}. */
+    private boolean strays(int i, double least) {
+        double calm = NarrowPhase.CALM * inner[i];
+        double depth = Math.abs(best[i]);
+        double better =
+                word[i] >>> 62 == NarrowPhase.EDGES
+                        ? 0.5 * calm + 0.05 * depth
+                        : 1.5 * calm + 0.15 * depth;
+        return Math.abs(least - best[i]) > better || best[i] - separation[i] > better;
+    }
+
+    private long single(int i, Manifold out) {
         return single.collide(
-                a,
-                b,
+                shapeA[i],
+                shapeB[i],
                 t[TURN_A + i],
                 t[TURN_A + CAPACITY + i],
                 t[TURN_A + 2 * CAPACITY + i],
@@ -195,8 +302,8 @@ public final class BoxContacts {
                 t[OFFSET + i],
                 t[OFFSET + CAPACITY + i],
                 t[OFFSET + 2 * CAPACITY + i],
-                margin,
-                cache,
+                margin[i],
+                word[i],
                 out);
     }
 
@@ -213,13 +320,15 @@ public final class BoxContacts {
     }
 
     /** The face that separated or carried the pair last time separates it now. */
-    private boolean stillApart(int i, long cache, double margin) {
-        long kind = cache >>> 62;
+    private boolean stillApart(int i, long cache, double distance) {
+        long before = cache >>> 62;
         int face = (int) (cache >>> 47) & 0x7FFF;
-        if (kind == NarrowPhase.FACE_A && face < 6) {
-            return alongA(i, face) > margin;
+        if (before == NarrowPhase.FACE_A && face < 6) {
+            return (face == faceA ? separationA : alongA(i, face)) > distance;
         }
-        return kind == NarrowPhase.FACE_B && face < 6 && alongB(i, face) > margin;
+        return before == NarrowPhase.FACE_B
+                && face < 6
+                && (face == faceB ? separationB : alongB(i, face)) > distance;
     }
 
     /** Separation along the normal of a face of A. */
@@ -253,20 +362,19 @@ public final class BoxContacts {
      * The reference face: the face of the last tick while it is nearly as good as the best; true
      * when it is B's.
      */
-    private boolean chooseFace(int i, Box a, Box b, long cache, double calm) {
+    private boolean chooseFace(int i, long cache, double calm) {
         long before = cache >>> 62;
         int last = (int) (cache >>> 47) & 0x7FFF;
-        double enough = Math.max(separationA, separationB) - calm;
         if (before == NarrowPhase.FACE_A && last != faceA && last < 6) {
             double s = alongA(i, last);
-            if (s >= enough) {
+            if (s >= Math.max(separationA, separationB) - calm) {
                 faceA = last;
                 separationA = s;
             }
         }
         if (before == NarrowPhase.FACE_B && last != faceB && last < 6) {
             double s = alongB(i, last);
-            if (s >= enough) {
+            if (s >= Math.max(separationA, separationB) - calm) {
                 faceB = last;
                 separationB = s;
             }
@@ -275,7 +383,7 @@ public final class BoxContacts {
         if (before != NarrowPhase.FACE_A && before != NarrowPhase.FACE_B) {
             double far = Math.max(Math.abs(t[CENTRE + i]), Math.abs(t[CENTRE + CAPACITY + i]));
             far = Math.max(far, Math.abs(t[CENTRE + 2 * CAPACITY + i]));
-            bias = 0x1p-40 * (a.outerRadius() + b.outerRadius() + far);
+            bias = 0x1p-40 * (shapeA[i].outerRadius() + shapeB[i].outerRadius() + far);
         }
         return separationB > separationA + bias;
     }

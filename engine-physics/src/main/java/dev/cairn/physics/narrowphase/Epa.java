@@ -13,6 +13,10 @@ package dev.cairn.physics.narrowphase;
  */
 final class Epa {
     private static final int MAX_POINTS = 160;
+
+    /** Of the pair's scale: the gap between the bounds of the depth at which the search ends. */
+    static final double TOLERANCE = 0x1p-44;
+
     private static final int MAX_FACES = 2 * MAX_POINTS;
 
     /** Unit axis from A to B along which the overlap is least. */
@@ -21,6 +25,10 @@ final class Epa {
     /** Overlap of the cores along the axis, and a lower bound of the depth. */
     double depth, lower;
 
+    /** These two may be coarser where time is weighed against error. */
+    int cap = MAX_POINTS;
+
+    double relativeTolerance = TOLERANCE;
     boolean capped;
     int iterations;
 
@@ -54,7 +62,7 @@ final class Epa {
         capped = false;
         depth = Double.MAX_VALUE;
         start(pair, gjk);
-        double tolerance = 0x1p-44 * pair.scale;
+        double tolerance = relativeTolerance * pair.scale;
         int near = 0;
         for (iterations = 1; ; iterations++) {
             near = nearest();
@@ -78,7 +86,7 @@ final class Epa {
                 points--;
                 return;
             }
-            if (known(w) || !expand(near, w, 0x1p-48 * pair.scale)) {
+            if (iterations >= cap || known(w) || !expand(near, w, 0x1p-48 * pair.scale)) {
                 capped = true;
                 return;
             }

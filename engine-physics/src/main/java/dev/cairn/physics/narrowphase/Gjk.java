@@ -12,7 +12,15 @@ package dev.cairn.physics.narrowphase;
  * of touching.
  */
 final class Gjk {
-    private static final int CAP = 96;
+    static final int CAP = 96;
+
+    /** Relative duality gap, of the squared distance, at which the search ends. */
+    static final double TOLERANCE = 0x1p-48;
+
+    /** These two may be coarser where time is weighed against error. */
+    int cap = CAP;
+
+    double tolerance = TOLERANCE;
 
     final double[] wx = new double[4], wy = new double[4], wz = new double[4];
     final int[] ia = new int[4], ib = new int[4];
@@ -60,7 +68,7 @@ final class Gjk {
         vy = wy[0];
         vz = wz[0];
         double touching = 0x1p-42 * pair.scale;
-        for (iterations = 1; iterations <= CAP; iterations++) {
+        for (iterations = 1; iterations <= cap; iterations++) {
             double square = vx * vx + vy * vy + vz * vz;
             distance = Math.sqrt(square);
             if (distance <= touching) {
@@ -88,7 +96,7 @@ final class Gjk {
             beyond = true;
             return true;
         }
-        if (square - along <= 0x1p-48 * square || known(at)) {
+        if (square - along <= tolerance * square || known(at)) {
             return true;
         }
         bestSquare = Double.MAX_VALUE;

@@ -17,11 +17,10 @@ final class Names {
 
     /** Whether a name is one of the set. */
     static boolean holds(int names, int feature) {
-        int h = hash(feature);
-        return (names & 0xFF) == h
-                || ((names >>> 8) & 0xFF) == h
-                || ((names >>> 16) & 0xFF) == h
-                || (names >>> 24) == h;
+        // A byte of the difference is zero exactly if subtracting one borrows into its clear top
+        // bit.
+        int x = names ^ (hash(feature) * 0x01010101);
+        return ((x - 0x01010101) & ~x & 0x80808080) != 0;
     }
 
     /** 1 to 255. */

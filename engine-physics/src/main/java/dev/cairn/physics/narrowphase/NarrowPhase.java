@@ -59,6 +59,24 @@ public final class NarrowPhase {
     }
 
     /**
+     * Creates the scratch of one worker whose iterations end early, to weigh time against error.
+     * The axis that they end with is still snapped to true features.
+     *
+     * @param method how axes are found
+     * @param tolerance relative gap at which an iteration ends, at least 0; finer than the default
+     *     counts as the default
+     * @param iterations cap of each iteration, at least 1; more than the default counts as the
+     *     default
+     */
+    public NarrowPhase(Method method, double tolerance, int iterations) {
+        this(method);
+        gjk.tolerance = Math.max(Gjk.TOLERANCE, tolerance);
+        epa.relativeTolerance = Math.max(Epa.TOLERANCE, tolerance);
+        gjk.cap = Math.min(Gjk.CAP, iterations);
+        epa.cap = Math.min(epa.cap, iterations);
+    }
+
+    /**
      * Whether the last call met an iteration cap.
      *
      * @return true when a better axis may exist

@@ -128,10 +128,10 @@ class BoxContactsTest {
         s.qb.rotateXYZ(share * Scene.gauss(r), share * Scene.gauss(r), share * Scene.gauss(r));
     }
 
-    private static void put(BoxContacts batch, int i, Scene s) {
+    private static void put(BoxContacts batch, int i, Scene s, double margin, long word) {
         batch.put(
                 i, (Box) s.a, (Box) s.b, s.qa.x, s.qa.y, s.qa.z, s.qa.w, s.qb.x, s.qb.y, s.qb.z,
-                s.qb.w, s.d.x, s.d.y, s.d.z);
+                s.qb.w, s.d.x, s.d.y, s.d.z, inner(s), margin, word);
     }
 
     private static void same(Manifold expected, Manifold actual, String where) {
@@ -174,17 +174,16 @@ class BoxContactsTest {
             }
             for (int tick = 0; tick < TICKS; tick++) {
                 for (int i = 0; i < count; i++) {
-                    put(batch, i, scenes[i]);
+                    put(batch, i, scenes[i], .02 * inner(scenes[i]), words[i]);
                 }
-                batch.findAxes(count);
+                batch.useLanes(round % 3 > 0);
+                batch.run(count);
                 for (int i = 0; i < count; i++) {
                     Scene s = scenes[i];
                     String where = "seed 71 round " + round + " tick " + tick + " pair " + i;
                     double margin = .02 * inner(s);
                     long word = s.collide(single, margin, words[i], expected);
-                    long got =
-                            batch.collide(
-                                    i, (Box) s.a, (Box) s.b, inner(s), margin, words[i], actual);
+                    long got = batch.take(i, actual);
                     same(expected, actual, where);
                     assertEquals(word, got, where);
                     touching += expected.pointCount > 0 ? 1 : 0;

@@ -23,12 +23,44 @@ public final class BoxAxes {
      *
      * @param batch whose input columns are filled
      * @param count pairs, 0 to {@link BoxBatch#CAPACITY}
+     * @param wide whether to use lanes; only where {@link #wide()}
      */
-    public static void run(BoxBatch batch, int count) {
-        if (WIDE) {
+    public static void run(BoxBatch batch, int count, boolean wide) {
+        if (wide) {
             BoxAxesWide.run(batch.data, count);
         } else {
             BoxAxesScalar.run(batch.data, count);
         }
+    }
+
+    /**
+     * Whether there are lanes. {@link #corners} and {@link #world} are only for machines that have.
+     *
+     * @return false without the Vector API
+     */
+    public static boolean wide() {
+        return WIDE;
+    }
+
+    /**
+     * The corners of the faces that look at the chosen ones: fills the columns from {@link
+     * BoxBatch#INCIDENT} to {@link BoxBatch#CORNER}.
+     *
+     * @param batch whose columns FLIP, AXIS and SIGN are filled
+     * @param count pairs
+     */
+    public static void corners(BoxBatch batch, int count) {
+        BoxFacesWide.corners(batch.data, count);
+    }
+
+    /**
+     * Turns what stands in the {@link BoxBatch#CORNER} columns into world axes, and fills {@link
+     * BoxBatch#NORMAL}.
+     *
+     * @param batch after {@link #corners}
+     * @param count pairs
+     */
+    public static void world(BoxBatch batch, int count) {
+        BoxFacesWide.world(batch.data, count);
     }
 }

@@ -7,7 +7,7 @@ package dev.cairn.physics.narrowphase.wide;
  */
 public final class BoxBatch {
     /** Pairs in a batch; a multiple of every number of lanes. */
-    public static final int CAPACITY = 64;
+    public static final int CAPACITY = 32;
 
     /** Orientation of A, world from body, unit quaternion: columns x, y, z, w. */
     public static final int TURN_A = 0;
@@ -48,8 +48,45 @@ public final class BoxBatch {
     /** Of the best edge axis: separation times its size, and squared length, before the root. */
     static final int SIGNED_SQUARE = 44 * CAPACITY, SQUARE = 45 * CAPACITY;
 
+    /**
+     * The chosen face: 1 when it is B's, its axis 0 to 2, and its sign. Input of {@link
+     * BoxFacesWide}.
+     */
+    public static final int FLIP = 46 * CAPACITY, AXIS = 47 * CAPACITY, SIGN = 48 * CAPACITY;
+
+    /** The face of the other box that looks most against it. */
+    public static final int INCIDENT = 49 * CAPACITY;
+
+    /**
+     * How far the outermost corner of the incident face is outside of each side of the chosen one,
+     * m, negative inside: four columns, for the high and the low side along its first axis, then
+     * along the other.
+     */
+    public static final int OUTSIDE = 50 * CAPACITY;
+
+    /**
+     * Half extents of the box of the chosen face: along its normal, then the other two in order.
+     */
+    public static final int HALF = 54 * CAPACITY;
+
+    /**
+     * Turns the other box's axes into those of the chosen face's box, in that order of rows: nine
+     * columns.
+     */
+    static final int ROWS = 57 * CAPACITY;
+
+    /**
+     * The corners of the incident face in the frame of the chosen face's box, in that order of
+     * axes: three columns each. Corner bits 0 and 1 are the signs on the two axes beside the face's
+     * own. What is written there in their place, up to four points, is turned into world axes.
+     */
+    public static final int CORNER = 66 * CAPACITY;
+
+    /** Unit normal from A to B, world: columns x, y, z. */
+    public static final int NORMAL = 78 * CAPACITY;
+
     /** All columns. */
-    public final double[] data = new double[46 * CAPACITY];
+    public final double[] data = new double[81 * CAPACITY];
 
     /** A batch of unit quaternions and zeros. */
     public BoxBatch() {

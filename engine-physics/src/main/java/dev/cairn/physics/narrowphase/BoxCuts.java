@@ -1,0 +1,500 @@
+package dev.cairn.physics.narrowphase;
+
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
+
+import dev.cairn.physics.narrowphase.wide.BoxBatch;
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Polyhedron;
+
+/**
+ * Clips the incident face of a pair in a batch, whose corners are in the columns, and puts the
+ * points there in their place. The operations on each number are those of {@link Clipper}, the
+ * names are its names.
+ */
+final class BoxCuts {
+    /** Corners a polygon can have while it is cut: four and two more for each of four sides. */
+    private static final int MOST = 16;
+
+    /** The polygon is not convex up to rounding: the single path shall decide. */
+    static final int UNSURE = 0;
+
+    /** Of every block: the topology does not depend on the extents. */
+    private static final int[] SLOT_VERTEX = new int[24], SLOT_EDGE = new int[24];
+
+    /** The side of a slot is on the first axis beside the face's (or the second), and its sign. */
+    private static final boolean[] SIDE_FIRST = new boolean[24], SIDE_POSITIVE = new boolean[24];
+
+    /** The column of a side. */
+    private static final int[] SIDE_OUTSIDE = new int[24];
+
+    /** The batch's corner at a slot; and the vertices of the batch's corners, four to a face. */
+    private static final int[] SLOT_CORNER = new int[24], CORNER_VERTEX = new int[24];
+
+    static {
+        Polyhedron h = Box.cube(1).polyhedron();
+        for (int s = 0; s < 24; s++) {
+            int axis = s >> 3;
+            int low = axis == 0 ? 1 : 0;
+            int high = axis == 2 ? 1 : 2;
+            int v = h.slotVertex(s);
+            SLOT_VERTEX[s] = v;
+            SLOT_EDGE[s] = h.slotEdge(s);
+            SLOT_CORNER[s] = (v >> low & 1) | (v >> high & 1) << 1;
+            CORNER_VERTEX[(s & ~3) + SLOT_CORNER[s]] = v;
+            SIDE_FIRST[s] = (low == 0 ? h.sideX(s) : h.sideY(s)) != 0;
+            SIDE_POSITIVE[s] = h.sideX(s) + h.sideY(s) + h.sideZ(s) > 0;
+            int side = (SIDE_FIRST[s] ? 0 : 2) + (SIDE_POSITIVE[s] ? 0 : 1);
+            SIDE_OUTSIDE[s] = OUTSIDE + side * CAPACITY;
+        }
+    }
+
+    /** Corners made so far: along the face's axis and the two beside it. */
+    private final double[] n = new double[MOST], u = new double[MOST], v = new double[MOST];
+
+    private final int[] feature = new int[MOST];
+
+    /** What the side after a corner came from, as in {@link Clipper}. */
+    private final int[] side = new int[MOST];
+
+    /** How far from a side plane a corner counts as on it. */
+    private final double[] slack = new double[MOST];
+
+    /** How far beyond the side plane at hand each corner is; in the end the separations. */
+    private final double[] beyond = new double[MOST];
+
+    /** The polygon: indices of corners, four bits each, the first one lowest. */
+    private long order;
+
+    private int count, made;
+    private boolean flip;
+    private int last;
+    private double first, later;
+
+    private final Clipper many = new Clipper();
+    private final Reduction reduction = new Reduction();
+
+    /** The points of each pair, up to four: names, and separations. */
+    final int[] name = new int[4 * BoxBatch.CAPACITY];
+
+    final double[] separation = new double[4 * BoxBatch.CAPACITY];
+
+    /** The least separation of the last pair. */
+    double deepest;
+
+    /**
+     * Clips a pair.
+     *
+     * @param t columns of the batch
+     * @param i the pair
+     * @param inner the smaller inner radius
+     * @param last the names of the points of the last tick
+     * @return number of points, or {@link #UNSURE}
+     */
+    int clip(double[] t, int i, double inner, double margin, int last) {
+        this.last = last;
+        flip = t[FLIP + i] != 0;
+        first = Clipper.ON_PLANE * inner;
+        boolean positive = t[SIGN + i] > 0;
+        int incident = 4 * (int) t[INCIDENT + i];
+        int begin = 8 * (int) t[AXIS + i] + (positive ? 4 : 0);
+        int sides = 0;
+        int only = begin;
+        for (int slot = begin; slot < begin + 4; slot++) {
+            boolean cuts = t[SIDE_OUTSIDE[slot] + i] > first;
+            sides += cuts ? 1 : 0;
+            only = cuts ? slot : only;
+        }
+        if (sides == 0) {
+            return whole(t, i, positive, incident, margin);
+        }
+        later = Clipper.STILL_ON_PLANE * inner;
+        if (sides == 1 && once(t, i, positive, incident, only, margin)) {
+            return 4;
+        }
+        return any(t, i, positive, incident, begin, margin, inner);
+    }
+
+    private int any(
+            double[] t,
+            int i,
+            boolean positive,
+            int incident,
+            int begin,
+            double margin,
+            double inner) {
+        load(t, i, incident);
+        double limitU = t[HALF + CAPACITY + i];
+        double limitV = t[HALF + 2 * CAPACITY + i];
+        for (int slot = begin; slot < begin + 4 && count > 0; slot++) {
+            if (t[SIDE_OUTSIDE[slot] + i] <= first) {
+                continue;
+            }
+            boolean onU = SIDE_FIRST[slot];
+            if (!cut(slot, begin, onU ? u : v, onU ? limitU : limitV)) {
+                return UNSURE;
+            }
+        }
+        keepNear(positive, t[HALF + i], margin);
+        if (count > 4) {
+            reduce(begin >> 3, positive, NarrowPhase.CALM * inner);
+        }
+        return put(t, i, positive);
+    }
+
+    /** All four corners stay, in order of their names. */
+    private int whole(double[] t, int i, boolean positive, int incident, double margin) {
+        int kind = flip ? Clipper.VERTEX_A : Clipper.VERTEX_B;
+        double limit = t[HALF + i];
+        double least = Double.MAX_VALUE;
+        int kept = 0;
+        int to = CORNER + i;
+        int from = to;
+        for (int k = 0; k < 4; k++, from += 3 * CAPACITY) {
+            double height = t[from];
+            double s = (positive ? height : -height) - limit;
+            if (s > margin) {
+                continue;
+            }
+            least = s < least ? s : least;
+            name[4 * i + kept] = kind | CORNER_VERTEX[incident + k];
+            separation[4 * i + kept++] = s;
+            t[to] = positive ? height - s / 2 : height + s / 2;
+            if (to != from) {
+                t[to + CAPACITY] = t[from + CAPACITY];
+                t[to + 2 * CAPACITY] = t[from + 2 * CAPACITY];
+            }
+            to += 3 * CAPACITY;
+        }
+        deepest = least;
+        return kept;
+    }
+
+    /**
+     * The usual case of bricks: one side cuts two neighbouring corners off, and all four are clear
+     * of it. Each of the two moves along its edge to the side.
+     *
+     * @return false when it is another case; nothing is written then
+     */
+    private boolean once(
+            double[] t, int i, boolean positive, int incident, int slot, double margin) {
+        int along = SIDE_FIRST[slot] ? CAPACITY : 2 * CAPACITY;
+        double sign = SIDE_POSITIVE[slot] ? 1 : -1;
+        double limit = t[HALF + along + i];
+        int c0 = CORNER + 3 * CAPACITY * SLOT_CORNER[incident] + i;
+        int c1 = CORNER + 3 * CAPACITY * SLOT_CORNER[incident + 1] + i;
+        int c2 = CORNER + 3 * CAPACITY * SLOT_CORNER[incident + 2] + i;
+        int c3 = CORNER + 3 * CAPACITY * SLOT_CORNER[incident + 3] + i;
+        double s0 = sign * t[c0 + along] - limit;
+        double s1 = sign * t[c1 + along] - limit;
+        double s2 = sign * t[c2 + along] - limit;
+        double s3 = sign * t[c3 + along] - limit;
+        // Comparisons that are counted, without branches, cost less than minima, which must mind
+        // NaN and -0.
+        int near =
+                (Math.abs(s0) <= later ? 1 : 0)
+                        + (Math.abs(s1) <= later ? 1 : 0)
+                        + (Math.abs(s2) <= later ? 1 : 0)
+                        + (Math.abs(s3) <= later ? 1 : 0);
+        boolean first2 = s0 > 0;
+        boolean second = s1 > 0;
+        // Two neighbours are outside when the opposite corners are not.
+        if (near > 0 || first2 == (s2 > 0) || second == (s3 > 0)) {
+            return false;
+        }
+        // The last corner that stays: 3 for 0 and 1 outside, 0 for 1 and 2, 1 for 2 and 3, else 2.
+        int p = first2 ? (second ? 3 : 2) : second ? 0 : 1;
+        int atP = p == 3 ? c3 : p == 2 ? c2 : p == 1 ? c1 : c0;
+        int atOut = p == 3 ? c0 : p == 2 ? c3 : p == 1 ? c2 : c1;
+        int atIn = p == 3 ? c1 : p == 2 ? c0 : p == 1 ? c3 : c2;
+        int atQ = p == 3 ? c2 : p == 2 ? c1 : p == 1 ? c0 : c3;
+        double sP = sign * t[atP + along] - limit;
+        double sOut = sign * t[atOut + along] - limit;
+        double sIn = sign * t[atIn + along] - limit;
+        double sQ = sign * t[atQ + along] - limit;
+        double leave = sP / (sP - sOut);
+        double enter = sIn / (sIn - sQ);
+        double pn = t[atP];
+        double pu = t[atP + CAPACITY];
+        double pv = t[atP + 2 * CAPACITY];
+        double qn = t[atQ];
+        double qu = t[atQ + CAPACITY];
+        double qv = t[atQ + 2 * CAPACITY];
+        double ln = pn + leave * (t[atOut] - pn);
+        double lu = pu + leave * (t[atOut + CAPACITY] - pu);
+        double lv = pv + leave * (t[atOut + 2 * CAPACITY] - pv);
+        double en = t[atIn] + enter * (qn - t[atIn]);
+        double eu = t[atIn + CAPACITY] + enter * (qu - t[atIn + CAPACITY]);
+        double ev = t[atIn + 2 * CAPACITY] + enter * (qv - t[atIn + 2 * CAPACITY]);
+        double face = positive ? 1 : -1;
+        double height = t[HALF + i];
+        double sLeave = face * ln - height;
+        double sEnter = face * en - height;
+        double sStay = face * pn - height;
+        double sBack = face * qn - height;
+        int far =
+                (sLeave > margin ? 1 : 0)
+                        + (sEnter > margin ? 1 : 0)
+                        + (sStay > margin ? 1 : 0)
+                        + (sBack > margin ? 1 : 0);
+        if (far > 0) {
+            return false;
+        }
+        deepest = Math.min(Math.min(sLeave, sEnter), Math.min(sStay, sBack));
+        int kind = flip ? Clipper.VERTEX_A : Clipper.VERTEX_B;
+        int vertexP = kind | SLOT_VERTEX[incident + p];
+        int vertexQ = kind | SLOT_VERTEX[incident + ((p + 3) & 3)];
+        int crossL = crossing(SLOT_EDGE[incident + p], SLOT_EDGE[slot]);
+        int crossE = crossing(SLOT_EDGE[incident + ((p + 2) & 3)], SLOT_EDGE[slot]);
+        int vertexFirst = vertexP < vertexQ ? 0 : 1;
+        int crossFirst = crossL < crossE ? 2 : 3;
+        point(t, i, vertexFirst, vertexP, sStay, face, pn, pu, pv);
+        point(t, i, 1 - vertexFirst, vertexQ, sBack, face, qn, qu, qv);
+        point(t, i, crossFirst, crossL, sLeave, face, ln, lu, lv);
+        point(t, i, 5 - crossFirst, crossE, sEnter, face, en, eu, ev);
+        return true;
+    }
+
+    private int crossing(int incidentEdge, int edge) {
+        return flip
+                ? Clipper.CROSSING | incidentEdge << 15 | edge
+                : Clipper.CROSSING | edge << 15 | incidentEdge;
+    }
+
+    /** Writes a point, midway between the surfaces. */
+    private void point(
+            double[] t,
+            int i,
+            int place,
+            int id,
+            double s,
+            double face,
+            double pn,
+            double pu,
+            double pv) {
+        int to = CORNER + 3 * CAPACITY * place + i;
+        t[to] = pn - face * (s / 2);
+        t[to + CAPACITY] = pu;
+        t[to + 2 * CAPACITY] = pv;
+        name[4 * i + place] = id;
+        separation[4 * i + place] = s;
+    }
+
+    private void load(double[] t, int i, int incident) {
+        int kind = flip ? Clipper.VERTEX_A : Clipper.VERTEX_B;
+        count = 4;
+        made = 4;
+        order = 0x3210;
+        for (int k = 0; k < 4; k++) {
+            int at = CORNER + 3 * CAPACITY * SLOT_CORNER[incident + k] + i;
+            n[k] = t[at];
+            u[k] = t[at + CAPACITY];
+            v[k] = t[at + 2 * CAPACITY];
+            feature[k] = kind | SLOT_VERTEX[incident + k];
+            slack[k] = slack(feature[k]);
+            side[k] = SLOT_EDGE[incident + k];
+        }
+    }
+
+    private double slack(int vertex) {
+        return Names.holds(last, vertex) ? later : first;
+    }
+
+    /**
+     * Cuts by the side plane at a slot, with {@link Clipper}'s rules. The corners outside are one
+     * run of a convex polygon, so no branch depends on which they are.
+     *
+     * @return false when they are more than one run, which rounding can make of flush sides
+     */
+    private boolean cut(int slot, int begin, double[] c, double limit) {
+        double sign = SIDE_POSITIVE[slot] ? 1 : -1;
+        int corners = count;
+        int outside = 0;
+        for (int i = 0; i < corners; i++) {
+            int k = (int) (order >>> (4 * i)) & 15;
+            double s = sign * c[k] - limit;
+            beyond[k] = s;
+            outside |= s > slack[k] ? 1 << i : 0;
+        }
+        if (outside == 0) {
+            return true;
+        }
+        int inside = ((1 << corners) - 1) & ~outside;
+        if (inside == 0) {
+            count = 0;
+            return true;
+        }
+        boolean wraps = (outside & 1) != 0;
+        int run = wraps ? inside : outside;
+        if ((run & (run + (run & -run))) != 0) {
+            return false;
+        }
+        int begun = Integer.numberOfTrailingZeros(run);
+        int ended = 32 - Integer.numberOfLeadingZeros(run);
+        // The last corner that stays, and the first that stays again.
+        int stays = wraps ? ended - 1 : begun - 1;
+        int again = wraps ? begun : ended == corners ? 0 : ended;
+        int from = at(stays);
+        int back = at(again);
+        long leave = 0;
+        int left = 0;
+        if (beyond[from] < -slack[from]) {
+            cross(from, at(stays + 1 == corners ? 0 : stays + 1), slot, begin, ~slot);
+            leave = made - 1L;
+            left = 1;
+        } else {
+            side[from] = ~slot;
+        }
+        long enter = 0;
+        int entered = 0;
+        if (beyond[back] < -slack[back]) {
+            int before = at(again == 0 ? corners - 1 : again - 1);
+            cross(before, back, slot, begin, side[before]);
+            enter = made - 1L;
+            entered = 1;
+        }
+        if (wraps) {
+            int kept = stays - again + 1;
+            long middle = (order >>> (4 * again)) & ((1L << (4 * kept)) - 1);
+            order = enter | middle << (4 * entered) | leave << (4 * (entered + kept));
+            count = entered + kept + left;
+        } else {
+            int head = stays + 1;
+            int tail = corners - ended;
+            long rest = tail == 0 ? 0 : order >>> (4 * ended);
+            long low = order & ((1L << (4 * head)) - 1);
+            order =
+                    low
+                            | leave << (4 * head)
+                            | enter << (4 * (head + left))
+                            | rest << (4 * (head + left + entered));
+            count = head + left + entered + tail;
+        }
+        return true;
+    }
+
+    private int at(int place) {
+        return (int) (order >>> (4 * place)) & 15;
+    }
+
+    private void cross(int i, int j, int slot, int begin, int leaving) {
+        double s = beyond[i] / (beyond[i] - beyond[j]);
+        int crossing = name(side[i], slot, begin);
+        int k = made++;
+        n[k] = n[i] + s * (n[j] - n[i]);
+        u[k] = u[i] + s * (u[j] - u[i]);
+        v[k] = v[i] + s * (v[j] - v[i]);
+        feature[k] = crossing;
+        slack[k] = slack(crossing);
+        side[k] = leaving;
+    }
+
+    private int name(int cutSide, int slot, int begin) {
+        if (cutSide >= 0) {
+            return crossing(cutSide, SLOT_EDGE[slot]);
+        }
+        int kind = flip ? Clipper.VERTEX_B : Clipper.VERTEX_A;
+        int after = slot == begin + 3 ? begin : slot + 1;
+        return kind | SLOT_VERTEX[after == ~cutSide ? after : slot];
+    }
+
+    /** Drops the corners beyond the margin; what is left has its separation in {@link #beyond}. */
+    private void keepNear(boolean positive, double limit, double margin) {
+        int kept = 0;
+        long near = 0;
+        for (int i = 0; i < count; i++) {
+            int k = at(i);
+            double s = (positive ? n[k] : -n[k]) - limit;
+            beyond[k] = s;
+            boolean stays = s <= margin;
+            near |= stays ? (long) k << (4 * kept) : 0;
+            kept += stays ? 1 : 0;
+        }
+        order = near;
+        count = kept;
+    }
+
+    private void reduce(int axis, boolean positive, double calm) {
+        double normal = positive ? 1 : -1;
+        double[] x = axis == 0 ? n : u;
+        double[] y = axis == 0 ? u : axis == 1 ? n : v;
+        double[] z = axis == 2 ? n : v;
+        for (int i = 0; i < count; i++) {
+            int k = at(i);
+            many.x[i] = x[k];
+            many.y[i] = y[k];
+            many.z[i] = z[k];
+            many.separation[i] = beyond[k];
+            many.feature[i] = feature[k];
+        }
+        many.count = count;
+        reduction.reduce(
+                many,
+                axis == 0 ? normal : 0,
+                axis == 1 ? normal : 0,
+                axis == 2 ? normal : 0,
+                0.01 * calm,
+                calm,
+                last);
+        // The four are in the order of the polygon still: look them up by name and depth.
+        long four = 0;
+        int found = 0;
+        for (int i = 0; i < count && found < 4; i++) {
+            int k = at(i);
+            if (feature[k] == many.feature[found]
+                    && x[k] == many.x[found]
+                    && y[k] == many.y[found]) {
+                four |= (long) k << (4 * found++);
+            }
+        }
+        order = four;
+        count = found;
+    }
+
+    /** Writes the points, midway between the surfaces, into the columns in order of names. */
+    private int put(double[] t, int i, boolean positive) {
+        long a = key(0);
+        long b = key(1);
+        long c = key(2);
+        long d = key(3);
+        long low = Math.min(a, b);
+        long high = Math.max(a, b);
+        long low2 = Math.min(c, d);
+        long high2 = Math.max(c, d);
+        long mid = Math.max(low, low2);
+        long mid2 = Math.min(high, high2);
+        double least = Double.MAX_VALUE;
+        for (int p = 0; p < count; p++) {
+            long chosen =
+                    p == 0
+                            ? Math.min(low, low2)
+                            : p == 1
+                                    ? Math.min(mid, mid2)
+                                    : p == 2 ? Math.max(mid, mid2) : Math.max(high, high2);
+            int k = (int) chosen & 15;
+            double s = beyond[k];
+            least = s < least ? s : least;
+            int to = CORNER + 3 * CAPACITY * p + i;
+            t[to] = positive ? n[k] - s / 2 : n[k] + s / 2;
+            t[to + CAPACITY] = u[k];
+            t[to + 2 * CAPACITY] = v[k];
+            name[4 * i + p] = feature[k];
+            separation[4 * i + p] = s;
+        }
+        deepest = least;
+        return count;
+    }
+
+    /** Sorts by name, then by place in the polygon; places beyond its end come last. */
+    private long key(int place) {
+        int k = at(place);
+        long key = (feature[k] & 0xFFFFFFFFL) << 8 | (long) place << 4 | k;
+        return place < count ? key : Long.MAX_VALUE;
+    }
+}

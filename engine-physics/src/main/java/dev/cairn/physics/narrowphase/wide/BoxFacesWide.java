@@ -1,0 +1,261 @@
+package dev.cairn.physics.narrowphase.wide;
+
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ROWS;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
+
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
+/**
+ * What has no branches in the face contacts of a batch of boxes, a pair to a lane: before clipping,
+ * the corners of the incident faces; after it, the points in world axes. Its twin without the
+ * Vector API is {@code narrowphase.BoxFaces}, with the same operations on each number.
+ */
+final class BoxFacesWide {
+    private static final VectorSpecies<Double> S = DoubleVector.SPECIES_PREFERRED;
+    private static final int LANES = S.length();
+
+    private BoxFacesWide() {}
+
+    /** Fills the columns from INCIDENT to CORNER; reads FLIP, AXIS and SIGN. */
+    static void corners(double[] t, int count) {
+        int end = (count + LANES - 1) / LANES * LANES;
+        rows(t, end);
+        incident(t, end);
+    }
+
+    /** Turns the points in CORNER into world axes and writes NORMAL. */
+    static void world(double[] t, int count) {
+        int end = (count + LANES - 1) / LANES * LANES;
+        normals(t, end);
+        points(t, end);
+    }
+
+    /** The rotation from the other box to the face's box, normal first. */
+    private static void rows(double[] t, int end) {
+        for (int i = 0; i < end; i += LANES) {
+            VectorMask<Double> flip =
+                    DoubleVector.fromArray(S, t, FLIP + i).compare(VectorOperators.GT, 0);
+            DoubleVector axis = DoubleVector.fromArray(S, t, AXIS + i);
+            VectorMask<Double> isX = axis.compare(VectorOperators.EQ, 0);
+            VectorMask<Double> isZ = axis.compare(VectorOperators.EQ, 2);
+            for (int c = 0; c < 3; c++) {
+                int column = RELATIVE + c * CAPACITY + i;
+                int row = RELATIVE + 3 * c * CAPACITY + i;
+                DoubleVector x =
+                        DoubleVector.fromArray(S, t, column)
+                                .blend(DoubleVector.fromArray(S, t, row), flip);
+                DoubleVector y =
+                        DoubleVector.fromArray(S, t, column + 3 * CAPACITY)
+                                .blend(DoubleVector.fromArray(S, t, row + CAPACITY), flip);
+                DoubleVector z =
+                        DoubleVector.fromArray(S, t, column + 6 * CAPACITY)
+                                .blend(DoubleVector.fromArray(S, t, row + 2 * CAPACITY), flip);
+                y.blend(x, isX).blend(z, isZ).intoArray(t, ROWS + c * CAPACITY + i);
+                x.blend(y, isX).intoArray(t, ROWS + (3 + c) * CAPACITY + i);
+                z.blend(y, isZ).intoArray(t, ROWS + (6 + c) * CAPACITY + i);
+            }
+            DoubleVector x =
+                    DoubleVector.fromArray(S, t, HALF_A + i)
+                            .blend(DoubleVector.fromArray(S, t, HALF_B + i), flip);
+            DoubleVector y =
+                    DoubleVector.fromArray(S, t, HALF_A + CAPACITY + i)
+                            .blend(DoubleVector.fromArray(S, t, HALF_B + CAPACITY + i), flip);
+            DoubleVector z =
+                    DoubleVector.fromArray(S, t, HALF_A + 2 * CAPACITY + i)
+                            .blend(DoubleVector.fromArray(S, t, HALF_B + 2 * CAPACITY + i), flip);
+            y.blend(x, isX).blend(z, isZ).intoArray(t, HALF + i);
+            x.blend(y, isX).intoArray(t, HALF + CAPACITY + i);
+            z.blend(y, isZ).intoArray(t, HALF + 2 * CAPACITY + i);
+        }
+    }
+
+    /** The incident face and its corners. */
+    private static void incident(double[] t, int end) {
+        for (int i = 0; i < end; i += LANES) {
+            VectorMask<Double> flip =
+                    DoubleVector.fromArray(S, t, FLIP + i).compare(VectorOperators.GT, 0);
+            DoubleVector axis = DoubleVector.fromArray(S, t, AXIS + i);
+            VectorMask<Double> isX = axis.compare(VectorOperators.EQ, 0);
+            VectorMask<Double> isZ = axis.compare(VectorOperators.EQ, 2);
+            DoubleVector nx = DoubleVector.fromArray(S, t, ROWS + i);
+            DoubleVector ny = DoubleVector.fromArray(S, t, ROWS + CAPACITY + i);
+            DoubleVector nz = DoubleVector.fromArray(S, t, ROWS + 2 * CAPACITY + i);
+            DoubleVector ax = nx.abs();
+            DoubleVector ay = ny.abs();
+            DoubleVector az = nz.abs();
+            VectorMask<Double> kx =
+                    ax.compare(VectorOperators.GE, ay).and(ax.compare(VectorOperators.GE, az));
+            VectorMask<Double> ky = ay.compare(VectorOperators.GE, az).andNot(kx);
+            VectorMask<Double> kz = kx.or(ky).not();
+            VectorMask<Double> odd =
+                    nz.blend(ny, ky)
+                            .blend(nx, kx)
+                            .mul(DoubleVector.fromArray(S, t, SIGN + i))
+                            .compare(VectorOperators.LT, 0);
+            DoubleVector.broadcast(S, 4)
+                    .blend(2, ky)
+                    .blend(0, kx)
+                    .add(DoubleVector.zero(S).blend(1, odd))
+                    .intoArray(t, INCIDENT + i);
+
+            DoubleVector zero = DoubleVector.zero(S);
+            DoubleVector dx = DoubleVector.fromArray(S, t, CENTRE + i);
+            DoubleVector dy = DoubleVector.fromArray(S, t, CENTRE + CAPACITY + i);
+            DoubleVector dz = DoubleVector.fromArray(S, t, CENTRE + 2 * CAPACITY + i);
+            DoubleVector hx =
+                    DoubleVector.fromArray(S, t, HALF_B + i)
+                            .blend(DoubleVector.fromArray(S, t, HALF_A + i), flip);
+            DoubleVector hy =
+                    DoubleVector.fromArray(S, t, HALF_B + CAPACITY + i)
+                            .blend(DoubleVector.fromArray(S, t, HALF_A + CAPACITY + i), flip);
+            DoubleVector hz =
+                    DoubleVector.fromArray(S, t, HALF_B + 2 * CAPACITY + i)
+                            .blend(DoubleVector.fromArray(S, t, HALF_A + 2 * CAPACITY + i), flip);
+            VectorMask<Double> even = odd.not();
+            DoubleVector before = zero.blend(dx, flip);
+            DoubleVector x0 = hx.blend(hx.neg(), kx.and(odd).not()).sub(before);
+            DoubleVector x1 = hx.blend(hx.neg(), kx.and(even)).sub(before);
+            before = zero.blend(dz, flip);
+            DoubleVector z0 = hz.blend(hz.neg(), kz.and(odd).not()).sub(before);
+            DoubleVector z1 = hz.blend(hz.neg(), kz.and(even)).sub(before);
+            before = zero.blend(dy, flip);
+            DoubleVector low = hy.neg();
+            DoubleVector side = low.blend(hy, odd);
+            DoubleVector y0 = low.blend(side, ky).sub(before);
+            DoubleVector y1 = low.blend(hy, kx).blend(side, ky).sub(before);
+            DoubleVector y2 = hy.blend(low, kx).blend(side, ky).sub(before);
+            DoubleVector y3 = hy.blend(side, ky).sub(before);
+
+            DoubleVector after = dy.blend(dx, isX).blend(dz, isZ).blend(0, flip);
+            DoubleVector a = nx.mul(x0);
+            DoubleVector b = nx.mul(x1);
+            DoubleVector c = nz.mul(z0);
+            DoubleVector d = nz.mul(z1);
+            a.add(ny.mul(y0)).add(c).add(after).intoArray(t, CORNER + i);
+            b.add(ny.mul(y1)).add(c).add(after).intoArray(t, CORNER + 3 * CAPACITY + i);
+            a.add(ny.mul(y2)).add(d).add(after).intoArray(t, CORNER + 6 * CAPACITY + i);
+            b.add(ny.mul(y3)).add(d).add(after).intoArray(t, CORNER + 9 * CAPACITY + i);
+
+            for (int k = 1; k < 3; k++) {
+                int row = ROWS + 3 * k * CAPACITY + i;
+                int corner = CORNER + k * CAPACITY + i;
+                after = (k == 1 ? dx.blend(dy, isX) : dz.blend(dy, isZ)).blend(0, flip);
+                DoubleVector ry = DoubleVector.fromArray(S, t, row + CAPACITY);
+                a = DoubleVector.fromArray(S, t, row).mul(x0);
+                b = DoubleVector.fromArray(S, t, row).mul(x1);
+                c = DoubleVector.fromArray(S, t, row + 2 * CAPACITY).mul(z0);
+                d = DoubleVector.fromArray(S, t, row + 2 * CAPACITY).mul(z1);
+                DoubleVector p0 = a.add(ry.mul(y0)).add(c).add(after);
+                DoubleVector p1 = b.add(ry.mul(y1)).add(c).add(after);
+                DoubleVector p2 = a.add(ry.mul(y2)).add(d).add(after);
+                DoubleVector p3 = b.add(ry.mul(y3)).add(d).add(after);
+                p0.intoArray(t, corner);
+                p1.intoArray(t, corner + 3 * CAPACITY);
+                p2.intoArray(t, corner + 6 * CAPACITY);
+                p3.intoArray(t, corner + 9 * CAPACITY);
+                DoubleVector limit = DoubleVector.fromArray(S, t, HALF + k * CAPACITY + i);
+                int sides = OUTSIDE + 2 * (k - 1) * CAPACITY + i;
+                p0.max(p1).max(p2.max(p3)).sub(limit).intoArray(t, sides);
+                p0.min(p1).min(p2.min(p3)).neg().sub(limit).intoArray(t, sides + CAPACITY);
+            }
+        }
+    }
+
+    private static void normals(double[] t, int end) {
+        for (int i = 0; i < end; i += LANES) {
+            VectorMask<Double> flip =
+                    DoubleVector.fromArray(S, t, FLIP + i).compare(VectorOperators.GT, 0);
+            DoubleVector axis = DoubleVector.fromArray(S, t, AXIS + i);
+            DoubleVector sign = DoubleVector.fromArray(S, t, SIGN + i);
+            DoubleVector zero = DoubleVector.zero(S);
+            DoubleVector x = zero.blend(sign, axis.compare(VectorOperators.EQ, 0));
+            DoubleVector y = zero.blend(sign, axis.compare(VectorOperators.EQ, 1));
+            DoubleVector z = zero.blend(sign, axis.compare(VectorOperators.EQ, 2));
+            sign = sign.neg();
+            x = x.blend(sign.mul(DoubleVector.fromArray(S, t, ROWS + i)), flip);
+            y = y.blend(sign.mul(DoubleVector.fromArray(S, t, ROWS + CAPACITY + i)), flip);
+            z = z.blend(sign.mul(DoubleVector.fromArray(S, t, ROWS + 2 * CAPACITY + i)), flip);
+            for (int k = 0; k < 3; k++) {
+                int row = WORLD + 3 * k * CAPACITY + i;
+                DoubleVector.fromArray(S, t, row)
+                        .mul(x)
+                        .add(DoubleVector.fromArray(S, t, row + CAPACITY).mul(y))
+                        .add(DoubleVector.fromArray(S, t, row + 2 * CAPACITY).mul(z))
+                        .intoArray(t, NORMAL + k * CAPACITY + i);
+            }
+        }
+    }
+
+    private static void points(double[] t, int end) {
+        for (int i = 0; i < end; i += LANES) {
+            VectorMask<Double> flip =
+                    DoubleVector.fromArray(S, t, FLIP + i).compare(VectorOperators.GT, 0);
+            DoubleVector axis = DoubleVector.fromArray(S, t, AXIS + i);
+            VectorMask<Double> isX = axis.compare(VectorOperators.EQ, 0);
+            VectorMask<Double> isZ = axis.compare(VectorOperators.EQ, 2);
+            for (int at = CORNER + i; at < NORMAL; at += 3 * CAPACITY) {
+                DoubleVector n = DoubleVector.fromArray(S, t, at);
+                DoubleVector u = DoubleVector.fromArray(S, t, at + CAPACITY);
+                DoubleVector v = DoubleVector.fromArray(S, t, at + 2 * CAPACITY);
+                DoubleVector x = u.blend(n, isX);
+                DoubleVector y = n.blend(u, isX).blend(v, isZ);
+                DoubleVector z = v.blend(n, isZ);
+                DoubleVector ax =
+                        DoubleVector.fromArray(S, t, RELATIVE + i)
+                                .mul(x)
+                                .add(DoubleVector.fromArray(S, t, RELATIVE + CAPACITY + i).mul(y))
+                                .add(
+                                        DoubleVector.fromArray(S, t, RELATIVE + 2 * CAPACITY + i)
+                                                .mul(z))
+                                .add(DoubleVector.fromArray(S, t, CENTRE + i));
+                DoubleVector ay =
+                        DoubleVector.fromArray(S, t, RELATIVE + 3 * CAPACITY + i)
+                                .mul(x)
+                                .add(
+                                        DoubleVector.fromArray(S, t, RELATIVE + 4 * CAPACITY + i)
+                                                .mul(y))
+                                .add(
+                                        DoubleVector.fromArray(S, t, RELATIVE + 5 * CAPACITY + i)
+                                                .mul(z))
+                                .add(DoubleVector.fromArray(S, t, CENTRE + CAPACITY + i));
+                DoubleVector az =
+                        DoubleVector.fromArray(S, t, RELATIVE + 6 * CAPACITY + i)
+                                .mul(x)
+                                .add(
+                                        DoubleVector.fromArray(S, t, RELATIVE + 7 * CAPACITY + i)
+                                                .mul(y))
+                                .add(
+                                        DoubleVector.fromArray(S, t, RELATIVE + 8 * CAPACITY + i)
+                                                .mul(z))
+                                .add(DoubleVector.fromArray(S, t, CENTRE + 2 * CAPACITY + i));
+                x = x.blend(ax, flip);
+                y = y.blend(ay, flip);
+                z = z.blend(az, flip);
+                for (int k = 0; k < 3; k++) {
+                    int row = WORLD + 3 * k * CAPACITY + i;
+                    DoubleVector.fromArray(S, t, row)
+                            .mul(x)
+                            .add(DoubleVector.fromArray(S, t, row + CAPACITY).mul(y))
+                            .add(DoubleVector.fromArray(S, t, row + 2 * CAPACITY).mul(z))
+                            .intoArray(t, at + k * CAPACITY);
+                }
+            }
+        }
+    }
+}
