@@ -48,6 +48,7 @@ final class AccuracyTest {
                 "E4-28",
                 "E4-1e3",
                 "E18",
+                "H1",
                 "H2",
                 "I2:p"
             })
