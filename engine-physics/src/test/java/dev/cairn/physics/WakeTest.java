@@ -155,8 +155,9 @@ class WakeTest {
     }
 
     /**
-     * The ball flies to the hit as where nothing sleeps, bit for bit, and leaves the tick of the hit
-     * with the same velocity to a thousandth. What the collapse makes of the rest is not compared.
+     * The ball flies to the hit as where nothing sleeps, bit for bit, and leaves the tick of the
+     * hit with the same velocity to a thousandth. What the collapse makes of the rest is not
+     * compared.
      */
     @Test
     void aBallThatHitsASleepingPileMeetsTheSamePile() {

@@ -13,6 +13,7 @@ import dev.cairn.core.snapshot.Visual;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.Light;
@@ -55,8 +56,10 @@ class SimulationTest {
     }
 
     private static void await(BooleanSupplier condition) {
+        long deadline = System.nanoTime() + 50_000_000_000L;
         while (!condition.getAsBoolean()) {
-            Thread.onSpinWait();
+            assertTrue(System.nanoTime() < deadline, "waited in vain");
+            Thread.yield();
         }
     }
 
@@ -141,6 +144,122 @@ class SimulationTest {
         // The parabola of a body without contacts, at t = 1.5 s.
         assertEquals(
                 2 * 1.5 - 0.5 * 9.81 * 2.25, simulation.exchange().latest().current()[1], 1e-9);
+    }
+
+    /** A pile that falls together, and its digest after each tick. */
+    private static final class Pile implements Simulation.Host {
+        private PhysicsWorld world;
+        private volatile long digest;
+        private final AtomicInteger begun = new AtomicInteger();
+        private final AtomicInteger stepped = new AtomicInteger();
+
+        @Override
+        public PhysicsWorld createPhysics() {
+            world = PhysicsWorld.builder().workers(1).build();
+            return world;
+        }
+
+        @Override
+        public void begin(PhysicsWorld physics) {
+            physics.add(Body.fixed().shape(Box.of(20, 1, 20)).at(0, -1, 0));
+            Box box = Box.cube(0.5);
+            for (int i = 0; i < 20; i++) {
+                physics.add(
+                        Body.dynamic()
+                                .shape(box)
+                                .at(0.3 * (i % 5), 0.6 + 1.1 * (i / 5), 0.2 * (i % 3))
+                                .with(new Visual(Model.of(box))));
+            }
+            begun.incrementAndGet();
+        }
+
+        @Override
+        public void update(double seconds) {}
+
+        @Override
+        public void updated(double seconds) {
+            digest = world.digest();
+            stepped.incrementAndGet();
+        }
+    }
+
+    /** What the window's thread does while the simulation does its 600 ticks, ten seconds. */
+    private interface Reader {
+        void read(Simulation simulation);
+    }
+
+    private static long digestBeside(Reader reader) throws InterruptedException {
+        Pile pile = new Pile();
+        Simulation simulation = new Simulation(pile, 1.0 / 60, 600);
+        simulation.start();
+        reader.read(simulation);
+        simulation.await();
+        simulation.rethrow();
+        assertEquals(600, simulation.ticks());
+        return pile.digest;
+    }
+
+    @Test
+    void aSlowOrStoppedWindowChangesNothing() throws InterruptedException {
+        GlTests.require();
+        long alone = digestBeside(simulation -> {});
+        long busy =
+                digestBeside(simulation -> {
+                    simulation.debug(DebugLayer.CONTACTS.bit(), true);
+                    while (!simulation.isOver()) {
+                        simulation.exchange().latest();
+                    }
+                });
+        assertEquals(alone, busy, "a window that reads all the time, debug data included");
+        long slow =
+                digestBeside(simulation -> {
+                    // Five frames a second of simulated time, each of them drawn.
+                    try (Offscreen view = Offscreen.open(64, 36)) {
+                        for (long tick = 0; tick <= 600; tick += 12) {
+                            long due = tick;
+                            await(() -> simulation.ticks() >= due);
+                            PoseSnapshot seen = simulation.exchange().latest();
+                            view.draw(seen, 1, new Camera(), Light.DAYLIGHT);
+                        }
+                    }
+                });
+        assertEquals(alone, slow, "a window at five frames a second");
+        long stopped =
+                digestBeside(simulation -> {
+                    await(() -> simulation.ticks() >= 3);
+                    PoseSnapshot held = simulation.exchange().latest();
+                    long tick = held.tick();
+                    double[] poses = held.current().clone();
+                    await(simulation::isOver);
+                    // Ten seconds went by, and what the window held is still whole.
+                    assertEquals(tick, held.tick());
+                    assertArrayEquals(poses, held.current());
+                });
+        assertEquals(alone, stopped, "a window that stands for ten seconds");
+    }
+
+    @Test
+    void aRestartGoesThroughTheSameStates() {
+        Pile pile = new Pile();
+        Simulation simulation = new Simulation(pile, 1.0 / 240, -1);
+        simulation.start();
+        simulation.setPaused(true);
+        await(() -> pile.begun.get() == 1);
+        long[] digests = new long[2];
+        for (int run = 0; run < 2; run++) {
+            int worlds = pile.begun.get() + 1;
+            simulation.restart();
+            await(() -> pile.begun.get() == worlds);
+            for (int step = 0; step < 30; step++) {
+                int next = pile.stepped.get() + 1;
+                simulation.singleStep();
+                await(() -> pile.stepped.get() == next);
+            }
+            digests[run] = pile.digest;
+        }
+        simulation.stop();
+        simulation.rethrow();
+        assertEquals(digests[0], digests[1]);
     }
 
     /** A demo whose ball is at a known place at a known tick. */
