@@ -1,12 +1,18 @@
 package dev.cairn.benchmarks;
 
-import dev.cairn.physics.Body;
+import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
-import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.StepStage;
+import dev.cairn.samples.SampleScene;
+import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneOptions;
+import dev.cairn.samples.SceneRegistry;
 
+import org.openjdk.jmh.annotations.AuxCounters;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Level;
 import org.openjdk.jmh.annotations.Measurement;
 import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
@@ -17,31 +23,38 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
-/** One step of a standing pyramid of unit cubes, at 60 Hz, after two seconds of settling. */
+/**
+ * One step of whole scenes of the samples, at 60 Hz, after two seconds of settling; and the mean
+ * time of its stages, from the world's own profile. Sleep is off.
+ */
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 @Warmup(iterations = 3, time = 2)
 @Measurement(iterations = 5, time = 2)
 @Fork(value = 1, jvmArgsAppend = "--add-modules=jdk.incubator.vector")
 public class WorldStep {
-
-    private static final double STEP = 1.0 / 60.0;
     private static final int SETTLING_STEPS = 120;
+    private static final double MICROS = 1e6;
 
-    /** The pyramid. */
+    /** A settled scene. */
     @State(Scope.Thread)
-    public static class Pyramid {
-        /** Cubes in the lowest row. */
-        @Param("20")
-        public int base;
+    public static class Settled {
+        /** Which, by the scene's id; {@code room} mixes shapes. */
+        @Param({"pyramid", "many-pyramids", "pile-spheres", "pile-boxes", "pile-mixed", "room"})
+        public String scene = "pyramid";
 
         /** Number of workers. */
         @Param({"1", "2"})
         public int workers;
 
-        PhysicsWorld world = PhysicsWorld.builder().sleeping(false).workers(1).build();
+        /** Contacts that the solver takes at once; 0 for what fits the machine. */
+        @Param("0")
+        public int lanes;
+
+        PhysicsWorld world = PhysicsWorld.builder().workers(1).build();
 
         /** Builds it and lets it settle. */
         @Setup
@@ -49,19 +62,18 @@ public class WorldStep {
             world.close();
             world =
                     PhysicsWorld.builder()
-                            .sleeping(false)
-                            .gravity(0, -9.81, 0)
+                            .gravity(0, -SampleScene.GRAVITY, 0)
                             .workers(workers)
+                            .settings(PhysicsSettings.DEFAULT.withLanes(lanes))
+                            .sleeping(false)
                             .build();
-            world.add(Body.fixed().shape(Box.of(100, 1, 100)).at(0, -1, 0));
-            for (int row = 0; row < base; row++) {
-                for (int i = 0; i < base - row; i++) {
-                    double x = i - 0.5 * (base - row - 1);
-                    world.add(Body.dynamic().shape(Box.cube(0.5)).at(1.01 * x, row + 0.5, 0));
-                }
-            }
+            SampleScene chosen = SceneRegistry.get(scene);
+            chosen.build(
+                    new SceneBuilder(
+                            world,
+                            SceneOptions.of(chosen, Map.of(), SceneOptions.DEFAULT_SEED, null)));
             for (int step = 0; step < SETTLING_STEPS; step++) {
-                world.step(STEP);
+                world.step(SampleScene.STEP_SECONDS);
             }
         }
 
@@ -72,15 +84,72 @@ public class WorldStep {
         }
     }
 
+    /** Mean microseconds per step of the stages that take longest. */
+    @AuxCounters(AuxCounters.Type.EVENTS)
+    @State(Scope.Thread)
+    public static class Stages {
+        /** Broad phase: bounds and pairs. */
+        public double broadPhaseMicros;
+
+        /** Narrow phase. */
+        public double narrowPhaseMicros;
+
+        /** Solver with integrator. */
+        public double solverMicros;
+
+        private PhysicsWorld world = PhysicsWorld.builder().workers(1).build();
+
+        /**
+         * Starts the profile.
+         *
+         * @param settled the scene
+         */
+        @Setup(Level.Iteration)
+        public void start(Settled settled) {
+            if (world != settled.world) {
+                world.close();
+            }
+            world = settled.world;
+            world.profile().enable();
+            world.profile().reset();
+        }
+
+        /** Reads the profile. */
+        @TearDown(Level.Iteration)
+        public void read() {
+            broadPhaseMicros = micros(StepStage.BOUNDS) + micros(StepStage.PAIRS);
+            narrowPhaseMicros = micros(StepStage.POINTS);
+            solverMicros = micros(StepStage.SOLVE);
+            world.profile().disable();
+        }
+
+        private double micros(StepStage stage) {
+            return MICROS * world.profile().meanSeconds(stage);
+        }
+    }
+
     /**
      * One step.
      *
-     * @param state the pyramid
+     * @param settled the scene
      * @return the number of contacts
      */
     @Benchmark
-    public int pyramid(Pyramid state) {
-        state.world.step(STEP);
-        return state.world.contacts().count();
+    public int step(Settled settled) {
+        settled.world.step(SampleScene.STEP_SECONDS);
+        return settled.world.contacts().count();
+    }
+
+    /**
+     * One step with its stages timed.
+     *
+     * @param settled the scene
+     * @param stages receives their means
+     * @return the number of contacts
+     */
+    @Benchmark
+    public int stages(Settled settled, Stages stages) {
+        settled.world.step(SampleScene.STEP_SECONDS);
+        return settled.world.contacts().count();
     }
 }

@@ -30,7 +30,8 @@ class SmokeTest {
                                         .measurementIterations(1)
                                         .measurementTime(TimeValue.milliseconds(5))
                                         .param("entities", "200")
-                                        .param("base", "3")
+                                        .param("scene", "stack-4")
+                                        .param("bodies", "200")
                                         .param("workers", "2")
                                         .param("blocks", "2")
                                         .timeout(TimeValue.seconds(60))
@@ -46,9 +47,9 @@ class SmokeTest {
             suites.add(benchmark.split("\\.")[3]);
         }
         assertEquals(
-                "[EcsCreateDelete, EcsIterate, JobsDispatch, JobsWake, SnapshotHandOver,"
-                        + " WorldStep]",
+                "[BroadPhasePairs, EcsCreateDelete, EcsIterate, JobsDispatch, JobsWake,"
+                        + " SnapshotHandOver, WorldStep]",
                 suites.toString());
-        assertEquals(7 + 3 + 2 + 2 + 2 + 1, results.size());
+        assertEquals(3 + 7 + 3 + 2 + 2 + 2 + 2, results.size());
     }
 }

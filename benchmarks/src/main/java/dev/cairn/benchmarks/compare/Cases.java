@@ -66,6 +66,29 @@ final class Cases {
                             "A solid ball on 15 degrees rolls without slipping: s = 5/7 g sin"
                                     + " t²/2."),
                     Case.small(
+                            "friction-stop",
+                            "Sliding to a stop in all directions",
+                            "friction-stop",
+                            Map.of(),
+                            180,
+                            "distanceRelative",
+                            "distance error, share of the distance",
+                            2,
+                            "24 blocks are pushed off in 24 directions and stop after v²/(2 mu g)"
+                                + " on the line of their push. A pyramid of friction makes a star"
+                                + " of the circle."),
+                    Case.small(
+                            "slip-to-roll",
+                            "Slip to roll",
+                            "slip-to-roll",
+                            Map.of(),
+                            300,
+                            "speedRelative",
+                            "speed error, share of the speed",
+                            2,
+                            "Balls slide until they roll, one with backspin: v = (5 v0 + 2 r w0)"
+                                    + " / 7, whatever the friction."),
+                    Case.small(
                             "rolling",
                             "Balls on a pulled plate (SimBenchmark rolling)",
                             "rolling",
