@@ -9,5 +9,6 @@ module dev.cairn.physics {
     requires transitive org.joml;
 
     exports dev.cairn.physics;
+    exports dev.cairn.physics.query;
     exports dev.cairn.physics.shape;
 }

@@ -134,6 +134,15 @@ final class BodyTable {
 
     private static MassProperties massOf(Body body, Shape shape) {
         MassProperties p = shape.massProperties(body.material.density());
+        if (p.mass() == Double.POSITIVE_INFINITY) {
+            if (!body.fixed) {
+                throw new IllegalArgumentException(
+                        shape
+                                + " has infinite mass, so it cannot move; make the body with"
+                                + " Body.fixed()");
+            }
+            return new MassProperties(1, p.comX(), p.comY(), p.comZ(), 1, 1, 1, 0, 0, 0);
+        }
         if (!Double.isNaN(body.mass)) {
             double factor = body.mass / p.mass();
             p =

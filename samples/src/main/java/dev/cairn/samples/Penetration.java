@@ -17,8 +17,9 @@ import java.util.List;
  * <p>The depth of two convex bodies is the shortest translation that parts them. For two polytopes
  * it lies along a face normal of either or along the cross product of an edge of each (the facets
  * of the Minkowski difference; Gottschalk's separating-axis theorem, 1996): for two boxes, 15 axes.
- * For spheres it is a closed form over the nearest point. Candidate pairs come from a sort along
- * the axis on which the bodies are spread widest. Stateless; allocates.
+ * For spheres it is a closed form over the nearest point, for capsules, cylinders and cones the
+ * best of many directions ({@link DirectionSearch}). Candidate pairs come from a sort along the
+ * axis on which the bodies are spread widest. Stateless; allocates.
  */
 public final class Penetration {
     /**
@@ -119,6 +120,15 @@ public final class Penetration {
     }
 
     private static double depth(Solid a, Solid b) {
+        if (a.endless || b.endless) {
+            Solid ground = a.endless ? a : b;
+            double[] n = ground.planes;
+            double lowest = (a.endless ? b : a).min(n[0], n[1], n[2]);
+            return Math.max(0, n[3] - lowest);
+        }
+        if ((a.radius > 0 && b.discs.length > 0) || (b.radius > 0 && a.discs.length > 0)) {
+            return DirectionSearch.depth(a, b);
+        }
         if (a.radius > 0 && b.radius > 0) {
             double x = b.centre[0] - a.centre[0];
             double y = b.centre[1] - a.centre[1];
@@ -130,6 +140,9 @@ public final class Penetration {
         }
         if (b.radius > 0) {
             return Math.max(0, b.radius - distance(a, b.centre));
+        }
+        if (a.discs.length > 0 || b.discs.length > 0) {
+            return DirectionSearch.depth(a, b);
         }
         return bySeparatingAxes(a, b);
     }

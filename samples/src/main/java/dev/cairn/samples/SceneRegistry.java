@@ -19,6 +19,7 @@ import dev.cairn.samples.scenes.Pile;
 import dev.cairn.samples.scenes.Pyramid;
 import dev.cairn.samples.scenes.RollingLoad;
 import dev.cairn.samples.scenes.Room;
+import dev.cairn.samples.scenes.Shapes;
 import dev.cairn.samples.scenes.SlipToRoll;
 import dev.cairn.samples.scenes.SlopeBall;
 import dev.cairn.samples.scenes.SlopeBox;
@@ -68,7 +69,8 @@ public final class SceneRegistry {
                     Dzhanibekov.scene(),
                     Cradle.scene(),
                     SlipToRoll.scene(),
-                    FrictionStop.scene());
+                    FrictionStop.scene(),
+                    Shapes.scene());
 
     private SceneRegistry() {}
 

@@ -1,10 +1,16 @@
 package dev.cairn.samples;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 
+import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
@@ -16,7 +22,8 @@ import java.util.List;
  * A shape at a pose, as plain world-frame geometry in double, for {@link Penetration}: a sphere, or
  * a convex polytope with its vertices, outward face normals with their plane offsets, and edge
  * directions. Parallel directions are kept once, so a box has 6 planes and 3 edge directions.
- * Computed anew from pose and shape, by none of the engine's code.
+ * Capsules, cylinders and cones are two {@link #discs} and all between them, with a radius around
+ * it; a half-space is one plane. Computed anew from pose and shape, by none of the engine's code.
  */
 final class Solid {
     /** Directions whose cross product is shorter than this count as parallel. */
@@ -43,6 +50,18 @@ final class Solid {
     /** Corners of each plane's face, as vertex numbers, counter-clockwise from outside. */
     final int[][] faces;
 
+    /**
+     * Two discs with the same axis: centre and radius of each, then the unit axis; 11 numbers.
+     * Empty for other shapes.
+     */
+    double[] discs = {};
+
+    /** The radius around the discs. */
+    double around;
+
+    /** A single plane that bounds an endless body. */
+    boolean endless;
+
     /** Lower corner of the bounding box. */
     final double[] low = new double[3];
 
@@ -64,7 +83,66 @@ final class Solid {
             case Sphere sphere -> sphere(position, sphere.radius());
             case Box box -> polytope(corners(box), BOX_FACES, position, rotation);
             case ConvexHull hull -> polytope(hull.vertices(), hull.faceLoops(), position, rotation);
+            case Capsule c -> turned(c.halfLength(), 0, 0, c.radius(), position, rotation);
+            case Cylinder c ->
+                    turned(c.halfHeight(), c.radius(), c.radius(), 0, position, rotation);
+            case Cone c -> turned(c.halfHeight(), c.radius(), 0, 0, position, rotation);
+            case HalfSpace ground -> below(position, rotation);
+            case Moved moved ->
+                    of(
+                            moved.inner(),
+                            rotation.transform(moved.position(new Vector3d())).add(position),
+                            rotation.mul(moved.rotation(new Quaterniond()), new Quaterniond()));
         };
+    }
+
+    /** What lies between a disc at y = -half and one at y = half, and a radius around it. */
+    private static Solid turned(
+            double half,
+            double lower,
+            double upper,
+            double around,
+            Vector3dc position,
+            Quaterniondc rotation) {
+        Solid solid = new Solid(0, new double[0], new double[0], new double[0], new int[0][]);
+        Vector3d axis = rotation.transform(new Vector3d(0, 1, 0));
+        solid.around = around;
+        solid.discs =
+                new double[] {
+                    position.x() - half * axis.x,
+                    position.y() - half * axis.y,
+                    position.z() - half * axis.z,
+                    lower,
+                    position.x() + half * axis.x,
+                    position.y() + half * axis.y,
+                    position.z() + half * axis.z,
+                    upper,
+                    axis.x,
+                    axis.y,
+                    axis.z
+                };
+        for (int i = 0; i < 3; i++) {
+            double x = i == 0 ? 1 : 0;
+            double y = i == 1 ? 1 : 0;
+            double z = i == 2 ? 1 : 0;
+            solid.centre[i] = position.get(i);
+            solid.low[i] = solid.min(x, y, z);
+            solid.high[i] = solid.max(x, y, z);
+        }
+        return solid;
+    }
+
+    private static Solid below(Vector3dc position, Quaterniondc rotation) {
+        Vector3d n = rotation.transform(new Vector3d(0, 1, 0));
+        double[] plane = {n.x, n.y, n.z, n.dot(position)};
+        Solid solid = new Solid(0, new double[0], plane, new double[0], new int[0][]);
+        solid.endless = true;
+        for (int i = 0; i < 3; i++) {
+            solid.centre[i] = position.get(i);
+            solid.low[i] = Double.NEGATIVE_INFINITY;
+            solid.high[i] = Double.POSITIVE_INFINITY;
+        }
+        return solid;
     }
 
     private static Solid sphere(Vector3dc position, double radius) {
@@ -191,22 +269,38 @@ final class Solid {
         directions.add(d);
     }
 
-    /** Returns the largest value of d.x over the polytope's points x. */
+    /** Returns the largest value of d.x over the solid's points x; d is of unit length. */
     double max(double dx, double dy, double dz) {
         double best = Double.NEGATIVE_INFINITY;
+        if (radius > 0) {
+            return dx * centre[0] + dy * centre[1] + dz * centre[2] + radius;
+        }
+        if (discs.length > 0) {
+            double along = dx * discs[8] + dy * discs[9] + dz * discs[10];
+            double x = dx - along * discs[8];
+            double y = dy - along * discs[9];
+            double z = dz - along * discs[10];
+            double across = Math.sqrt(x * x + y * y + z * z);
+            for (int i = 0; i < 8; i += 4) {
+                best =
+                        Math.max(
+                                best,
+                                dx * discs[i]
+                                        + dy * discs[i + 1]
+                                        + dz * discs[i + 2]
+                                        + discs[i + 3] * across);
+            }
+            return best + around;
+        }
         for (int i = 0; i < vertices.length; i += 3) {
             best = Math.max(best, dx * vertices[i] + dy * vertices[i + 1] + dz * vertices[i + 2]);
         }
         return best;
     }
 
-    /** Returns the smallest value of d.x over the polytope's points x. */
+    /** Returns the smallest value of d.x over the solid's points x; d is of unit length. */
     double min(double dx, double dy, double dz) {
-        double best = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < vertices.length; i += 3) {
-            best = Math.min(best, dx * vertices[i] + dy * vertices[i + 1] + dz * vertices[i + 2]);
-        }
-        return best;
+        return -max(-dx, -dy, -dz);
     }
 
     /** Says whether the bounding boxes of two solids share a point. */

@@ -103,6 +103,10 @@ final class BulletPeer implements Peer {
                                     _ ->
                                             new HullCollisionShape(
                                                     SceneDescription.Solid.points(hull)));
+                    default ->
+                            throw new IllegalArgumentException(
+                                    "Bullet: its adapter has no "
+                                            + solid.shape().getClass().getSimpleName());
                 };
         if (solid.shape() instanceof ConvexHull && best) {
             shape.setMargin(BEST_MARGIN);

@@ -85,6 +85,10 @@ final class JBulletPeer implements Peer {
                                             (float) box.halfZ()));
                     case Sphere sphere -> new SphereShape((float) sphere.radius());
                     case ConvexHull hull -> hulls.computeIfAbsent(hull, this::hull);
+                    default ->
+                            throw new IllegalArgumentException(
+                                    "JBullet: its adapter has no "
+                                            + solid.shape().getClass().getSimpleName());
                 };
         Transform start = new Transform();
         start.setIdentity();

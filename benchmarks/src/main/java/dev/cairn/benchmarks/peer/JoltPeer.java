@@ -138,6 +138,10 @@ final class JoltPeer implements Peer {
                     case Box box -> box(box);
                     case Sphere sphere -> new SphereShape((float) sphere.radius());
                     case ConvexHull hull -> hulls.computeIfAbsent(hull, this::hull);
+                    default ->
+                            throw new IllegalArgumentException(
+                                    "Jolt: its adapter has no "
+                                            + solid.shape().getClass().getSimpleName());
                 };
         BodyCreationSettings body =
                 new BodyCreationSettings(

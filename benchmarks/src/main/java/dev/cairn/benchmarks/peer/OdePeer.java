@@ -71,6 +71,10 @@ final class OdePeer implements Peer {
                                     space, 2 * box.halfX(), 2 * box.halfY(), 2 * box.halfZ());
                     case Sphere sphere -> OdeHelper.createSphere(space, sphere.radius());
                     case ConvexHull hull -> convex(hull);
+                    default ->
+                            throw new IllegalArgumentException(
+                                    "Ode: its adapter has no "
+                                            + solid.shape().getClass().getSimpleName());
                 };
         DQuaternion q =
                 new DQuaternion(

@@ -133,6 +133,10 @@ final class PhysxPeer implements Peer {
                     case Sphere sphere -> new PxSphereGeometry((float) sphere.radius());
                     case ConvexHull hull ->
                             new PxConvexMeshGeometry(hulls.computeIfAbsent(hull, this::mesh));
+                    default ->
+                            throw new IllegalArgumentException(
+                                    "Physx: its adapter has no "
+                                            + solid.shape().getClass().getSimpleName());
                 };
         float friction = (float) Math.sqrt(solid.friction());
         PxMaterial material =

@@ -8,7 +8,8 @@ import java.util.Arrays;
 
 /**
  * Fat boxes of all bodies in two trees, static and dynamic, and the set of their overlapping pairs.
- * See the package's essay.
+ * Fixed bodies without end (half-spaces) are in a short list beside the trees. See the package's
+ * essay.
  *
  * <p>A tick: {@link #place} for every body that is new or left its box, {@link #findPairs}, the
  * owner reads {@link #newPairs}, drops the rows whose boxes no longer {@link #overlap} by {@link
@@ -28,6 +29,9 @@ public final class BroadPhase {
     private static final byte STATIC = 1;
     private static final byte DYNAMIC = 2;
 
+    /** Static, and of infinite extent: in no tree, for its area would be no number. */
+    private static final byte ENDLESS = 3;
+
     private final AabbTree staticTree = new AabbTree();
     private final AabbTree dynamicTree = new AabbTree();
     private final PairSet pairs = new PairSet();
@@ -46,6 +50,9 @@ public final class BroadPhase {
     private boolean[] again = {};
     private boolean secondPass;
     private int[][] stacks = {};
+
+    private int[] endless = new int[4];
+    private int endlessCount;
 
     private long[] newPairs = new long[64];
     private int newPairCount;
@@ -97,13 +104,18 @@ public final class BroadPhase {
      * @param offset where the box begins in it
      */
     public void place(int slot, boolean isStatic, double[] box, int offset) {
-        byte target = isStatic ? STATIC : DYNAMIC;
+        byte target = isStatic ? isEndless(box, offset) ? ENDLESS : STATIC : DYNAMIC;
         if (where[slot] != OUT && where[slot] != target) {
             takeOut(slot);
         }
         System.arraycopy(box, offset, fat, 6 * slot, 6);
         AabbTree tree = isStatic ? staticTree : dynamicTree;
-        if (where[slot] == OUT) {
+        if (target == ENDLESS) {
+            if (where[slot] == OUT) {
+                addEndless(slot);
+            }
+            where[slot] = target;
+        } else if (where[slot] == OUT) {
             leaf[slot] = tree.insert(box, offset, slot);
             where[slot] = target;
         } else {
@@ -138,7 +150,33 @@ public final class BroadPhase {
         }
     }
 
+    private static boolean isEndless(double[] box, int offset) {
+        for (int i = 0; i < 6; i++) {
+            if (Double.isInfinite(box[offset + i])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void addEndless(int slot) {
+        if (endlessCount == endless.length) {
+            endless = Arrays.copyOf(endless, 2 * endlessCount);
+        }
+        endless[endlessCount++] = slot;
+    }
+
     private void takeOut(int slot) {
+        if (where[slot] == ENDLESS) {
+            int at = 0;
+            while (endless[at] != slot) {
+                at++;
+            }
+            // The order of the others stays: it is the order of their pairs.
+            System.arraycopy(endless, at + 1, endless, at, --endlessCount - at);
+            where[slot] = OUT;
+            return;
+        }
         (where[slot] == STATIC ? staticTree : dynamicTree).remove(leaf[slot]);
         where[slot] = OUT;
     }
@@ -268,7 +306,8 @@ public final class BroadPhase {
             if (where[slot] == DYNAMIC) {
                 count = query(dynamicTree, slot, found[block], count, stacks[worker]);
                 count = query(staticTree, slot, found[block], count, stacks[worker]);
-            } else if (where[slot] == STATIC) {
+                count = queryEndless(slot, found[block], count);
+            } else if (where[slot] != OUT) {
                 count = query(dynamicTree, slot, found[block], count, stacks[worker]);
             }
         }
@@ -311,6 +350,24 @@ public final class BroadPhase {
             }
         }
         return count;
+    }
+
+    /** A moving body reports its pairs with what is everywhere; no tree is needed for a few. */
+    private int queryEndless(int slot, long[] out, int count) {
+        int total = count;
+        for (int i = 0; i < endlessCount; i++) {
+            if (!AabbTree.overlap(fat, 6 * slot, fat, 6 * endless[i])) {
+                continue;
+            }
+            long key = PairSet.key(slot, endless[i]);
+            if (!pairs.contains(key)) {
+                if (total < out.length) {
+                    out[total] = key;
+                }
+                total++;
+            }
+        }
+        return total;
     }
 
     /** Which of two moved slots reports the pair: the dynamic one, else the lower one. */
@@ -383,6 +440,24 @@ public final class BroadPhase {
      */
     public AabbTree staticTree() {
         return staticTree;
+    }
+
+    /**
+     * Fixed bodies without end, in the order that they came; in no tree.
+     *
+     * @return an array; only the first {@link #endlessCount} count; read only
+     */
+    public int[] endless() {
+        return endless;
+    }
+
+    /**
+     * How many fixed bodies without end there are.
+     *
+     * @return at least 0
+     */
+    public int endlessCount() {
+        return endlessCount;
     }
 
     /**

@@ -120,6 +120,13 @@ final class Clipper {
         }
     }
 
+    /** Makes room for a number of corners that are put here from elsewhere. */
+    void ensure(int need) {
+        if (need > x.length) {
+            grow(need + need / 2);
+        }
+    }
+
     private void grow(int need) {
         x = Arrays.copyOf(x, need);
         y = Arrays.copyOf(y, need);

@@ -178,6 +178,31 @@ final class ContactPoints {
         single(x + gjk.vx / 2, y + gjk.vy / 2, z + gjk.vz / 2, gjk.distance, CLOSEST, out);
     }
 
+    /**
+     * Takes over corners that are given by their point on the incident shape, in A's frame; the
+     * normal is the reference's.
+     */
+    void take(Clipper c, double nx, double ny, double nz, Manifold out) {
+        out.pointCount = 0;
+        for (int i = 0; i < c.count; i++) {
+            double half = c.separation[i] / 2;
+            point(
+                    c.x[i] - half * nx,
+                    c.y[i] - half * ny,
+                    c.z[i] - half * nz,
+                    c.separation[i],
+                    c.feature[i],
+                    out);
+        }
+        writeNormal(out);
+    }
+
+    /** One point more, along the axis that is set. */
+    void add(double x, double y, double z, double separation, int name, Manifold out) {
+        point(x, y, z, separation, name, out);
+        writeNormal(out);
+    }
+
     void single(double x, double y, double z, double separation, int name, Manifold out) {
         out.pointCount = 0;
         point(x, y, z, separation, name, out);

@@ -1,7 +1,9 @@
 package dev.cairn.physics.narrowphase;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
 
 /**
  * Collides pairs of convex shapes: axis by {@link Gjk} and {@link Epa} (or {@link Axes#boxes}),
@@ -41,7 +43,9 @@ public final class NarrowPhase {
     private final Axes axes = new Axes();
     private final ContactPoints points = new ContactPoints(pair, axes, gjk);
     private final RoundQuery round = new RoundQuery();
+    private final CurvedPairs curved;
     private boolean general;
+    private boolean curvedLast;
     private double gap;
 
     /** Creates the scratch of one worker that uses the fast paths. */
@@ -56,6 +60,7 @@ public final class NarrowPhase {
      */
     public NarrowPhase(Method method) {
         this.method = method;
+        this.curved = new CurvedPairs(this, pair, gjk, epa, points, method == Method.SPECIALISED);
     }
 
     /**
@@ -82,7 +87,7 @@ public final class NarrowPhase {
      * @return true when a better axis may exist
      */
     public boolean capped() {
-        return round.capped || gjk.capped || epa.capped;
+        return curvedLast ? curved.capped : round.capped || gjk.capped || epa.capped;
     }
 
     /**
@@ -152,6 +157,11 @@ public final class NarrowPhase {
             double margin,
             long cache,
             Manifold out) {
+        if (!(plain(a) && plain(b))) {
+            curvedLast = true;
+            return curved.collide(
+                    a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz, margin, cache, out);
+        }
         begin(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
         out.pointCount = 0;
         out.bound = 0;
@@ -194,6 +204,10 @@ public final class NarrowPhase {
             double dx,
             double dy,
             double dz) {
+        if (!(plain(a) && plain(b))) {
+            curvedLast = true;
+            return curved.distance(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
+        }
         begin(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
         if (pair.roundA || pair.roundB) {
             round.run(pair, a, b, method == Method.SPECIALISED, gjk, Double.MAX_VALUE);
@@ -216,6 +230,125 @@ public final class NarrowPhase {
         return gjk.distance;
     }
 
+    /**
+     * The nearest points of two shapes.
+     *
+     * @param a first shape
+     * @param b second shape
+     * @param qAx orientation of A, world from body, unit quaternion
+     * @param qAy orientation of A
+     * @param qAz orientation of A
+     * @param qAw orientation of A
+     * @param qBx orientation of B, world from body, unit quaternion
+     * @param qBy orientation of B
+     * @param qBz orientation of B
+     * @param qBw orientation of B
+     * @param dx centre of mass of B minus that of A, world axes, m
+     * @param dy see {@code dx}
+     * @param dz see {@code dx}
+     * @param out receives one point, midway between the nearest points, its separation, and the
+     *     normal along which that is measured
+     * @return the signed distance, m, as {@link #distance} tells it
+     */
+    public double closest(
+            Shape a,
+            Shape b,
+            double qAx,
+            double qAy,
+            double qAz,
+            double qAw,
+            double qBx,
+            double qBy,
+            double qBz,
+            double qBw,
+            double dx,
+            double dy,
+            double dz,
+            Manifold out) {
+        double d = distance(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
+        double nx = axisX();
+        double ny = axisY();
+        double nz = axisZ();
+        out.pointCount = 0;
+        out.capped = capped();
+        witness(d, out);
+        double x = out.pointX[0];
+        double y = out.pointY[0];
+        double z = out.pointZ[0];
+        // Of flats that face each other the nearest vertex may be beside the other flat; a corner
+        // of the contact never is.
+        double slack = 0x1p-40 * pair.scale;
+        collide(
+                a,
+                b,
+                qAx,
+                qAy,
+                qAz,
+                qAw,
+                qBx,
+                qBy,
+                qBz,
+                qBw,
+                dx,
+                dy,
+                dz,
+                Math.max(d, 0) + slack,
+                0,
+                out);
+        double cosine = out.normalX * nx + out.normalY * ny + out.normalZ * nz;
+        for (int i = 0; i < out.pointCount; i++) {
+            if (Math.abs(out.separation[i] - d) <= slack && cosine >= 1 - 1e-12) {
+                x = out.pointX[i];
+                y = out.pointY[i];
+                z = out.pointZ[i];
+                break;
+            }
+        }
+        out.pointCount = 1;
+        out.normalX = nx;
+        out.normalY = ny;
+        out.normalZ = nz;
+        out.pointX[0] = x;
+        out.pointY[0] = y;
+        out.pointZ[0] = z;
+        out.separation[0] = d;
+        out.feature[0] = ContactPoints.CLOSEST;
+        return d;
+    }
+
+    /** One point from the axis that {@link #distance} left. */
+    private void witness(double d, Manifold out) {
+        if (curvedLast) {
+            curved.witness(d, out);
+            return;
+        }
+        double half = d / 2;
+        double ax = points.axisX;
+        double ay = points.axisY;
+        double az = points.axisZ;
+        if (pair.roundA) {
+            double reach = pair.radiusA + half;
+            points.single(reach * ax, reach * ay, reach * az, d, ContactPoints.CLOSEST, out);
+        } else if (!pair.roundB && d > 0) {
+            points.nearest(out);
+        } else {
+            pair.vertexB(pair.supportB(-ax, -ay, -az, 0));
+            double reach = pair.radiusB + half;
+            points.single(
+                    pair.px - reach * ax,
+                    pair.py - reach * ay,
+                    pair.pz - reach * az,
+                    d,
+                    ContactPoints.CLOSEST,
+                    out);
+        }
+    }
+
+    /** Final classes, so this is up to three comparisons, most often one. */
+    private static boolean plain(Shape shape) {
+        return shape instanceof Box || shape instanceof ConvexHull || shape instanceof Sphere;
+    }
+
     private void begin(
             Shape a,
             Shape b,
@@ -232,6 +365,7 @@ public final class NarrowPhase {
             double dz) {
         pair.set(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
         round.capped = false;
+        curvedLast = false;
         gjk.capped = false;
         epa.capped = false;
         gap = 0;

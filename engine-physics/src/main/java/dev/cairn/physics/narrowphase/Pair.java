@@ -4,20 +4,22 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
-import dev.cairn.physics.shape.Sphere;
 
 /**
  * Two shapes in the frame of the first: its centre of mass is the origin, its axes are the axes. A
- * shape is a core (a point or a polyhedron) and a radius around it. {@code r} turns B's axes into
- * A's, {@code d} is B's centre in A's frame, {@code w} turns A's axes into the world's.
+ * shape is a core (a polyhedron or a {@link Spindle}) and a radius around it. {@code r} turns B's
+ * axes into A's, {@code d} is B's centre in A's frame, {@code w} turns A's axes into the world's.
  */
 final class Pair {
     private static final Polyhedron NONE = Box.cube(1).polyhedron();
 
     Polyhedron a = NONE, b = NONE;
 
-    /** The core is a point; {@link #a} or {@link #b} is then meaningless. */
+    /** The core is no polyhedron; {@link #a} or {@link #b} is then meaningless. */
     boolean roundA, roundB;
+
+    /** The cores of round shapes. */
+    final Spindle spindleA = new Spindle(), spindleB = new Spindle();
 
     double radiusA, radiusB;
     double r00, r01, r02, r10, r11, r12, r20, r21, r22;
@@ -50,12 +52,12 @@ final class Pair {
             double wx,
             double wy,
             double wz) {
-        roundA = shapeA instanceof Sphere;
-        roundB = shapeB instanceof Sphere;
-        radiusA = roundA ? shapeA.outerRadius() : 0;
-        radiusB = roundB ? shapeB.outerRadius() : 0;
-        a = core(shapeA);
-        b = core(shapeB);
+        a = polyhedron(shapeA);
+        b = polyhedron(shapeB);
+        roundA = a == NONE && spindleA.set(shapeA);
+        roundB = b == NONE && spindleB.set(shapeB);
+        radiusA = roundA ? spindleA.round : 0;
+        radiusB = roundB ? spindleB.round : 0;
         inner = Math.min(shapeA.innerRadius(), shapeB.innerRadius());
         world(ax, ay, az, aw);
         dx = w00 * wx + w10 * wy + w20 * wz;
@@ -72,12 +74,11 @@ final class Pair {
                         + Math.max(Math.abs(dx), Math.max(Math.abs(dy), Math.abs(dz)));
     }
 
-    private static Polyhedron core(Shape shape) {
-        return switch (shape) {
-            case Box box -> box.polyhedron();
-            case ConvexHull hull -> hull.polyhedron();
-            case Sphere sphere -> NONE;
-        };
+    private static Polyhedron polyhedron(Shape shape) {
+        if (shape instanceof Box box) {
+            return box.polyhedron();
+        }
+        return shape instanceof ConvexHull hull ? hull.polyhedron() : NONE;
     }
 
     /**
@@ -115,46 +116,58 @@ final class Pair {
      * one.
      */
     int supportA(double x, double y, double z, int hint) {
-        return roundA ? 0 : a.support(x, y, z, hint);
+        return roundA ? spindleA.support(x, y, z) : a.support(x, y, z, hint);
     }
 
     /** The vertex of B's core farthest in a direction of A's frame. */
     int supportB(double x, double y, double z, int hint) {
-        return roundB
-                ? 0
-                : b.support(
-                        r00 * x + r10 * y + r20 * z,
-                        r01 * x + r11 * y + r21 * z,
-                        r02 * x + r12 * y + r22 * z,
-                        hint);
+        double bx = r00 * x + r10 * y + r20 * z;
+        double by = r01 * x + r11 * y + r21 * z;
+        double bz = r02 * x + r12 * y + r22 * z;
+        return roundB ? spindleB.support(bx, by, bz) : b.support(bx, by, bz, hint);
     }
 
     double vertexAX(int vertex) {
-        return roundA ? 0 : a.vertexX(vertex);
+        return roundA ? spindleA.x(vertex) : a.vertexX(vertex);
     }
 
     double vertexAY(int vertex) {
-        return roundA ? 0 : a.vertexY(vertex);
+        return roundA ? spindleA.y(vertex) : a.vertexY(vertex);
     }
 
     double vertexAZ(int vertex) {
-        return roundA ? 0 : a.vertexZ(vertex);
+        return roundA ? spindleA.z(vertex) : a.vertexZ(vertex);
     }
 
     /** Puts a vertex of B's core, in A's frame, into {@link #px}, {@link #py}, {@link #pz}. */
     void vertexB(int vertex) {
-        if (roundB) {
-            px = dx;
-            py = dy;
-            pz = dz;
-            return;
-        }
-        double x = b.vertexX(vertex);
-        double y = b.vertexY(vertex);
-        double z = b.vertexZ(vertex);
+        double x = roundB ? spindleB.x(vertex) : b.vertexX(vertex);
+        double y = roundB ? spindleB.y(vertex) : b.vertexY(vertex);
+        double z = roundB ? spindleB.z(vertex) : b.vertexZ(vertex);
         px = r00 * x + r01 * y + r02 * z + dx;
         py = r10 * x + r11 * y + r12 * z + dy;
         pz = r20 * x + r21 * y + r22 * z + dz;
+    }
+
+    /** How far B's core reaches along a direction of A's frame, from B's centre. */
+    double reachB(double x, double y, double z) {
+        double bx = r00 * x + r10 * y + r20 * z;
+        double by = r01 * x + r11 * y + r21 * z;
+        double bz = r02 * x + r12 * y + r22 * z;
+        if (roundB) {
+            return spindleB.reach(bx, by, bz);
+        }
+        int v = b.support(bx, by, bz);
+        return b.vertexX(v) * bx + b.vertexY(v) * by + b.vertexZ(v) * bz;
+    }
+
+    /** How far A's core reaches along a direction. */
+    double reachA(double x, double y, double z) {
+        if (roundA) {
+            return spindleA.reach(x, y, z);
+        }
+        int v = a.support(x, y, z);
+        return a.vertexX(v) * x + a.vertexY(v) * y + a.vertexZ(v) * z;
     }
 
     /**

@@ -34,6 +34,14 @@ final class Checks {
         }
     }
 
+    static void coordinate(String name, double value) {
+        if (!(Math.abs(value) <= MAX_LENGTH)) {
+            throw new DegenerateShapeException(
+                    Double.isFinite(value) ? Reason.EXTENT : Reason.NOT_FINITE,
+                    name + " is " + value + " m; it must lie in [-1e50, 1e50]");
+        }
+    }
+
     static void density(double density) {
         if (!(density > 0 && density <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException(

@@ -1,5 +1,6 @@
 package dev.cairn.physics.shape;
 
+import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
@@ -7,7 +8,8 @@ import org.joml.Vector3d;
  * metres in the shape frame; what the engine collides is relative to the centre of mass ({@link
  * #centreOfMass}).
  */
-public sealed interface Shape permits Sphere, Box, ConvexHull {
+public sealed interface Shape
+        permits Sphere, Box, Capsule, Cylinder, Cone, ConvexHull, HalfSpace, Moved {
     /**
      * The volume.
      *
@@ -59,4 +61,20 @@ public sealed interface Shape permits Sphere, Box, ConvexHull {
      * @param offset index of minX in {@code dest}
      */
     void bounds(double qx, double qy, double qz, double qw, double[] dest, int offset);
+
+    /**
+     * This shape at another place of the body: first turned about its frame's origin, then shifted.
+     * Mass, centre of mass and inertia follow.
+     *
+     * @param x where its frame's origin goes, m, finite
+     * @param y see {@code x}
+     * @param z see {@code x}
+     * @param turn unit quaternion within 1e-6; it is normalised
+     * @return a new shape that shares this one
+     * @throws IllegalArgumentException if a number is not finite, the quaternion is not a unit one,
+     *     or this is a {@link HalfSpace}
+     */
+    default Shape moved(double x, double y, double z, Quaterniond turn) {
+        return Moved.of(this, x, y, z, turn);
+    }
 }

@@ -11,6 +11,43 @@ package dev.cairn.physics.shape;
 final class Solids {
     private Solids() {}
 
+    /**
+     * The box of two discs at right angles to the y axis and all between them: a cylinder, or with
+     * an upper radius of 0 a cone. Along world axis i, with a = R y: a disc reaches a_i height +
+     * radius sqrt(1 - a_i²).
+     */
+    static void coneBounds(
+            double qx,
+            double qy,
+            double qz,
+            double qw,
+            double lowRadius,
+            double low,
+            double highRadius,
+            double high,
+            double[] dest,
+            int offset) {
+        for (int i = 0; i < 3; i++) {
+            double a =
+                    i == 0
+                            ? 2 * (qx * qy - qz * qw)
+                            : i == 1 ? 1 - 2 * (qx * qx + qz * qz) : 2 * (qy * qz + qx * qw);
+            double u =
+                    i == 0
+                            ? 1 - 2 * (qy * qy + qz * qz)
+                            : i == 1 ? 2 * (qx * qy + qz * qw) : 2 * (qx * qz - qy * qw);
+            double v =
+                    i == 0
+                            ? 2 * (qx * qz + qy * qw)
+                            : i == 1 ? 2 * (qy * qz - qx * qw) : 1 - 2 * (qx * qx + qy * qy);
+            double across = Math.sqrt(u * u + v * v);
+            dest[offset + i] =
+                    Math.min(a * low - lowRadius * across, a * high - highRadius * across);
+            dest[offset + 3 + i] =
+                    Math.max(a * low + lowRadius * across, a * high + highRadius * across);
+        }
+    }
+
     /** At density 1. */
     static MassProperties integrate(double[] p, int[][] loops) {
         int origin = 3 * loops[0][0];

@@ -1,9 +1,17 @@
 package dev.cairn.render.mesh;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
 
 import java.util.Collections;
 import java.util.Map;
@@ -23,6 +31,15 @@ public final class Meshes {
      */
     public static final Mesh BALL = ball("ball", 48, 24);
 
+    /** The cylinder of radius 1 from y = -1 to y = 1; flat caps, a smooth side. */
+    public static final Mesh CYLINDER = RoundMeshes.turned("cylinder", 1, 48);
+
+    /** The cone with its apex at y = 1 and its base, of radius 1, at y = -1. */
+    public static final Mesh CONE = RoundMeshes.turned("cone", 0, 48);
+
+    /** What is drawn of a half-space: a square of 2 km around the origin of its frame. */
+    public static final Mesh GROUND = RoundMeshes.ground(1000);
+
     private static final Map<ConvexHull, Mesh> HULLS =
             Collections.synchronizedMap(new WeakHashMap<>());
 
@@ -39,6 +56,15 @@ public final class Meshes {
             case Box box -> box(box.halfX(), box.halfY(), box.halfZ());
             case Sphere sphere -> sphere(sphere.radius());
             case ConvexHull hull -> hull(hull);
+            case Capsule capsule -> RoundMeshes.capsule(capsule.radius(), capsule.halfLength());
+            case Cylinder c -> RoundMeshes.scaled(CYLINDER, c.radius(), c.halfHeight());
+            case Cone c -> RoundMeshes.scaled(CONE, c.radius(), c.halfHeight());
+            case HalfSpace ground -> GROUND;
+            case Moved moved ->
+                    RoundMeshes.placed(
+                            of(moved.inner()),
+                            moved.position(new Vector3d()),
+                            moved.rotation(new Quaterniond()));
         };
     }
 

@@ -1,7 +1,12 @@
 package dev.cairn.render.mesh;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 
@@ -63,7 +68,8 @@ public record Model(
      * A collision shape as it is, in the shape's frame.
      *
      * @param shape which one
-     * @return the model; all boxes share one mesh, all spheres another, and each hull has one
+     * @return the model; all boxes share one mesh, so do all spheres, cylinders, cones and
+     *     half-spaces; each hull, capsule and moved shape has one
      */
     public static Model of(Shape shape) {
         return switch (shape) {
@@ -74,6 +80,17 @@ public record Model(
             case Sphere sphere ->
                     of(Meshes.BALL).texture(Texture.beachBall()).scale(sphere.radius());
             case ConvexHull hull -> of(Meshes.hull(hull));
+            case Cylinder cylinder ->
+                    of(Meshes.CYLINDER)
+                            .texture(Texture.panel())
+                            .scale(cylinder.radius(), cylinder.halfHeight(), cylinder.radius());
+            case Cone cone ->
+                    of(Meshes.CONE)
+                            .texture(Texture.panel())
+                            .scale(cone.radius(), cone.halfHeight(), cone.radius());
+            case Capsule capsule -> of(Meshes.of(capsule)).texture(Texture.beachBall());
+            case HalfSpace ground -> of(Meshes.GROUND).texture(Texture.grid().tiledEvery(2));
+            case Moved moved -> of(Meshes.of(moved));
         };
     }
 

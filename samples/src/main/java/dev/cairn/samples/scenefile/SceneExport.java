@@ -6,7 +6,12 @@ import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.render.mesh.Model;
@@ -16,8 +21,11 @@ import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFile.TickSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
+import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
+import dev.cairn.samples.scenefile.ShapeSpec.MovedShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 
 import org.joml.Vector3d;
 
@@ -114,6 +122,21 @@ public final class SceneExport {
                     points.add(new Xyz(xyz[i], xyz[i + 1], xyz[i + 2]));
                 }
                 yield new HullShape(points);
+            }
+            case Capsule c -> new TurnedShape("capsule", c.radius(), c.halfLength());
+            case Cylinder c -> new TurnedShape("cylinder", c.radius(), c.halfHeight());
+            case Cone c -> new TurnedShape("cone", c.radius(), c.halfHeight());
+            case HalfSpace _ -> new GroundShape();
+            case Moved moved -> {
+                Vector3d at = moved.position(new Vector3d());
+                yield new MovedShape(
+                        shape(moved.inner()),
+                        new Xyz(at.x, at.y, at.z),
+                        new Turn(
+                                moved.rotationX(),
+                                moved.rotationY(),
+                                moved.rotationZ(),
+                                moved.rotationW()));
             }
         };
     }

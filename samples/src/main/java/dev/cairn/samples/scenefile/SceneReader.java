@@ -5,9 +5,12 @@ import dev.cairn.render.camera.Light;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFile.TickSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
+import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
+import dev.cairn.samples.scenefile.ShapeSpec.MovedShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
@@ -64,7 +67,17 @@ public final class SceneReader {
     static final List<String> MATERIAL = List.of("friction", "restitution", "density");
     static final List<String> LOOK =
             List.of("visible", "color", "texture", "tileMetres", "mesh", "meshScale");
-    static final List<String> SHAPES = List.of("box", "sphere", "hull", "mesh");
+    static final List<String> SHAPES =
+            List.of(
+                    "box",
+                    "sphere",
+                    "capsule",
+                    "cylinder",
+                    "cone",
+                    "half-space",
+                    "hull",
+                    "mesh",
+                    "moved");
 
     private SceneReader() {}
 
@@ -277,7 +290,18 @@ public final class SceneReader {
 
     private static ShapeSpec shape(JsonNode node) {
         Map<String, JsonNode> any =
-                node.fields("a shape", List.of("type", "halfExtents", "radius", "points", "file"));
+                node.fields(
+                        "a shape",
+                        List.of(
+                                "type",
+                                "halfExtents",
+                                "radius",
+                                "halfHeight",
+                                "points",
+                                "file",
+                                "shape",
+                                "position",
+                                "rotation"));
         JsonNode type = node.required(any, "type");
         return switch (type.text("the kind of shape")) {
             case "box" -> {
@@ -295,6 +319,28 @@ public final class SceneReader {
                     points.add(point.xyz("a point"));
                 }
                 yield new HullShape(points);
+            }
+            case "capsule", "cylinder", "cone" -> {
+                String word = type.text("the kind of shape");
+                Map<String, JsonNode> in =
+                        node.fields("a " + word, List.of("type", "radius", "halfHeight"));
+                yield new TurnedShape(
+                        word,
+                        node.required(in, "radius").positive("a radius in metres"),
+                        node.required(in, "halfHeight").positive("half a height in metres"));
+            }
+            case "half-space" -> {
+                node.fields("a half-space", List.of("type"));
+                yield new GroundShape();
+            }
+            case "moved" -> {
+                Map<String, JsonNode> in =
+                        node.fields(
+                                "a moved shape", List.of("type", "shape", "position", "rotation"));
+                yield new MovedShape(
+                        shape(node.required(in, "shape")),
+                        node.required(in, "position").xyz("a place in metres"),
+                        rotation(node.required(in, "rotation")));
             }
             case "mesh" -> {
                 Map<String, JsonNode> in = node.fields("a mesh", List.of("type", "file"));

@@ -8,9 +8,12 @@ import com.google.gson.JsonPrimitive;
 import dev.cairn.physics.Material;
 import dev.cairn.render.camera.Light;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
+import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
+import dev.cairn.samples.scenefile.ShapeSpec.MovedShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -151,6 +154,21 @@ public final class SceneWriter {
                 JsonArray points = new JsonArray();
                 hull.points().forEach(point -> points.add(xyz(point)));
                 out.add("points", points);
+            }
+            case TurnedShape(String type, double radius, double half) -> {
+                out.add("radius", number(radius));
+                out.add("halfHeight", number(half));
+            }
+            case GroundShape() -> {}
+            case MovedShape(ShapeSpec inner, Xyz at, Turn turn) -> {
+                out.add("shape", shape(inner));
+                out.add("position", xyz(at));
+                JsonArray q = new JsonArray();
+                q.add(number(turn.x()));
+                q.add(number(turn.y()));
+                q.add(number(turn.z()));
+                q.add(number(turn.w()));
+                out.add("rotation", q);
             }
             case MeshShape(String file) -> out.addProperty("file", file);
         }

@@ -1,9 +1,15 @@
 package dev.cairn.samples.scenefile;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+
+import org.joml.Quaterniond;
 
 import java.util.List;
 
@@ -58,6 +64,37 @@ public sealed interface ShapeSpec {
     }
 
     /**
+     * A capsule, cylinder or cone along the y axis of its frame.
+     *
+     * @param type {@code capsule}, {@code cylinder} or {@code cone}
+     * @param radius m
+     * @param halfHeight half the height, m; for a capsule without its round ends
+     */
+    record TurnedShape(String type, double radius, double halfHeight) implements ShapeSpec {}
+
+    /** Everything below the plane y = 0 of its frame. */
+    record GroundShape() implements ShapeSpec {
+        @Override
+        public String type() {
+            return "half-space";
+        }
+    }
+
+    /**
+     * A shape at another place of the body.
+     *
+     * @param shape which one
+     * @param position where its frame's origin is, m
+     * @param rotation how it is turned
+     */
+    record MovedShape(ShapeSpec shape, Xyz position, Turn rotation) implements ShapeSpec {
+        @Override
+        public String type() {
+            return "moved";
+        }
+    }
+
+    /**
      * A file of triangles: drawn as it is, collides as the convex hull of its points.
      *
      * @param file path of an {@code .obj} file
@@ -92,10 +129,35 @@ public sealed interface ShapeSpec {
                 }
                 yield ConvexHull.of(xyz);
             }
+            case TurnedShape(String type, double radius, double half) -> {
+                double r = radius * scale.x();
+                double h = half * scale.y();
+                if (scale.x() != scale.z() || (scale.x() != scale.y() && type.equals("capsule"))) {
+                    uniform(scale);
+                }
+                yield switch (type) {
+                    case "capsule" -> Capsule.of(r, h);
+                    case "cylinder" -> Cylinder.of(r, h);
+                    default -> Cone.of(r, h);
+                };
+            }
+            case GroundShape() -> HalfSpace.of();
+            case MovedShape(ShapeSpec inner, Xyz at, Turn turn) ->
+                    inner.collider(Xyz.ONE.equals(scale) ? scale : allEqual(scale))
+                            .moved(
+                                    at.x() * scale.x(),
+                                    at.y() * scale.x(),
+                                    at.z() * scale.x(),
+                                    new Quaterniond(turn.x(), turn.y(), turn.z(), turn.w()));
             case MeshShape(String file) ->
                     throw new IllegalStateException(
                             "mesh " + file + " has no collision shape before it is read");
         };
+    }
+
+    private static Xyz allEqual(Xyz scale) {
+        uniform(scale);
+        return scale;
     }
 
     private static double uniform(Xyz scale) {

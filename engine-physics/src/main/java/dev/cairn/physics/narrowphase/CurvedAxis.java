@@ -1,0 +1,261 @@
+package dev.cairn.physics.narrowphase;
+
+/**
+ * Axis and signed distance of the cores of a pair of which one at least is a capsule, cylinder or
+ * cone: closed forms for points and segments, and for a point against a cylinder or cone; else
+ * {@link Gjk} and {@link Epa} for a rough axis and {@link Refine} for the exact one.
+ *
+ * <p>The iterations stop early, for they converge slowly on round surfaces. Their upper bound of
+ * the signed distance less the separation along the axis found is {@link #gap}: what the answer may
+ * be wrong by.
+ */
+final class CurvedAxis {
+    /** Of the squared distance. */
+    private static final double NEAR = 0x1p-40;
+
+    /** Of the pair's scale: two overlaps this close may be taken one for the other. */
+    private static final double DEEP = 0x1p-24;
+
+    /** Unit axis from A to B in A's frame, and the signed distance of the cores along it. */
+    double axisX, axisY, axisZ, separation;
+
+    /** The cores are farther apart than the limit; {@link #separation} is then a lower bound. */
+    boolean beyond;
+
+    /** By how much the signed distance may be larger, m. */
+    double gap;
+
+    boolean capped;
+
+    /** What the axis belongs to, see {@link Refine}. */
+    int kindA, kindB;
+
+    private final Refine refine = new Refine();
+    private double px, pz, across;
+
+    void find(Pair p, boolean closedForm, Gjk gjk, Epa epa, double limit) {
+        beyond = false;
+        capped = false;
+        gap = 0;
+        kindA = Refine.POINT;
+        kindB = Refine.POINT;
+        boolean thin = p.roundA && p.roundB && p.spindleA.isThin() && p.spindleB.isThin();
+        if (closedForm && thin) {
+            segments(p);
+            return;
+        }
+        boolean pointA = p.roundA && p.spindleA.isPoint() && p.roundB;
+        boolean pointB = p.roundB && p.spindleB.isPoint() && p.roundA;
+        if (closedForm && (pointA || pointB)) {
+            pointAgainst(p, pointB);
+            return;
+        }
+        iterate(p, thin, pointA, pointB, gjk, epa, limit);
+    }
+
+    private void iterate(
+            Pair p, boolean thin, boolean pointA, boolean pointB, Gjk gjk, Epa epa, double limit) {
+        double finest = gjk.tolerance;
+        gjk.tolerance = Math.max(NEAR, finest);
+        gjk.run(p, p.dx, p.dy, p.dz, limit);
+        gjk.tolerance = finest;
+        if (gjk.beyond) {
+            beyond = true;
+            separation = gjk.lower;
+            double s = 1 / gjk.distance;
+            set(gjk.vx * s, gjk.vy * s, gjk.vz * s);
+            return;
+        }
+        double upper;
+        if (!gjk.overlap) {
+            double s = 1 / gjk.distance;
+            upper = gjk.distance;
+            refine.run(p, gjk.vx * s, gjk.vy * s, gjk.vz * s);
+            capped = gjk.capped;
+        } else if (thin) {
+            separation = 0;
+            acrossBoth(p);
+            return;
+        } else if (pointA || pointB) {
+            // Inside, all points of the side may be equally near, too many for a polytope.
+            pointAgainst(p, pointB);
+            return;
+        } else {
+            double deepest = epa.relativeTolerance;
+            epa.relativeTolerance = Math.max(DEEP, deepest);
+            epa.run(p, gjk);
+            epa.relativeTolerance = deepest;
+            upper = -epa.lower;
+            refine.run(p, epa.axisX, epa.axisY, epa.axisZ);
+            capped = epa.capped;
+        }
+        set(refine.axisX, refine.axisY, refine.axisZ);
+        separation = refine.separation;
+        kindA = refine.kindA;
+        kindB = refine.kindB;
+        gap = Math.max(0, upper - separation);
+        capped &= gap > 4 * DEEP * p.scale;
+    }
+
+    private void set(double x, double y, double z) {
+        axisX = x;
+        axisY = y;
+        axisZ = z;
+    }
+
+    /** At right angles to both segments, which touch; to one, or any, when there is no other. */
+    private void acrossBoth(Pair p) {
+        boolean lineA = !p.spindleA.isPoint();
+        boolean lineB = !p.spindleB.isPoint();
+        double ux = lineB ? p.r01 : 0;
+        double uy = lineB ? p.r11 : 1;
+        double uz = lineB ? p.r21 : 0;
+        // The y axis of A, crossed with the axis of B.
+        double x = uz;
+        double z = -ux;
+        double square = x * x + z * z;
+        if (lineA && lineB && square > 0x1p-60) {
+            double length = Math.sqrt(square);
+            set(x / length, 0, z / length);
+            return;
+        }
+        // The coordinate axis that is least along the segment, made to be at right angles to it.
+        boolean small = Math.abs(ux) <= Math.abs(uz);
+        double e = small ? ux : uz;
+        double ax = (small ? 1 : 0) - e * ux;
+        double ay = -e * uy;
+        double az = (small ? 0 : 1) - e * uz;
+        double length = Math.sqrt(ax * ax + ay * ay + az * az);
+        set(ax / length, ay / length, az / length);
+    }
+
+    // Closed forms ------------------------------------------------------------------------------
+
+    private double best, bestX, bestY, bestZ;
+
+    /**
+     * Two segments (or points): their nearest points are an end of one and a point of the other, or
+     * inside both. All of these are tried, so that nearly parallel ones keep their digits.
+     */
+    private void segments(Pair p) {
+        double h = p.spindleA.high;
+        double k = p.spindleB.high;
+        double vx = p.r01 * k;
+        double vy = p.r11 * k;
+        double vz = p.r21 * k;
+        best = Double.MAX_VALUE;
+        for (int sign = -1; sign <= 1; sign += 2) {
+            double bx = p.dx + sign * vx;
+            double by = p.dy + sign * vy;
+            double bz = p.dz + sign * vz;
+            candidate(bx, by - Math.max(-h, Math.min(h, by)), bz, inside(by, h), Refine.POINT);
+            double wx = p.dx;
+            double wy = p.dy - sign * h;
+            double wz = p.dz;
+            double along = wx * p.r01 + wy * p.r11 + wz * p.r21;
+            double t = Math.max(-k, Math.min(k, -along));
+            candidate(
+                    wx + t * p.r01, wy + t * p.r11, wz + t * p.r21, Refine.POINT, inside(along, k));
+        }
+        // Inside both: the difference is along the common perpendicular, u x v with u = y.
+        double cx = p.r21;
+        double cz = -p.r01;
+        double square = cx * cx + cz * cz;
+        if (h > 0 && k > 0 && square > 0x1p-60) {
+            double t = -(p.dx * p.r01 + p.dz * p.r21) / square;
+            double s = p.dy + t * p.r11;
+            if (Math.abs(t) <= k && Math.abs(s) <= h) {
+                double f = (p.dx * cx + p.dz * cz) / square;
+                candidate(f * cx, 0, f * cz, Refine.LINE, Refine.LINE);
+            }
+        }
+        double most = Math.max(Math.abs(bestX), Math.max(Math.abs(bestY), Math.abs(bestZ)));
+        if (most <= 0x1p-60 * p.scale) {
+            separation = 0;
+            acrossBoth(p);
+            return;
+        }
+        double x = bestX / most;
+        double y = bestY / most;
+        double z = bestZ / most;
+        double length = Math.sqrt(x * x + y * y + z * z);
+        separation = length * most;
+        set(x / length, y / length, z / length);
+    }
+
+    private static int inside(double along, double half) {
+        return Math.abs(along) < half ? Refine.LINE : Refine.POINT;
+    }
+
+    private void candidate(double x, double y, double z, int ofA, int ofB) {
+        double square = x * x + y * y + z * z;
+        if (square < best) {
+            kindA = ofA;
+            kindB = ofB;
+            best = square;
+            bestX = x;
+            bestY = y;
+            bestZ = z;
+        }
+    }
+
+    /** A ball's centre against a cylinder or cone: a point and a trapezium in a plane. */
+    private void pointAgainst(Pair p, boolean ofB) {
+        Spindle s = ofB ? p.spindleA : p.spindleB;
+        double y = ofB ? p.dy : -(p.r01 * p.dx + p.r11 * p.dy + p.r21 * p.dz);
+        px = ofB ? p.dx : -(p.r00 * p.dx + p.r10 * p.dy + p.r20 * p.dz);
+        pz = ofB ? p.dz : -(p.r02 * p.dx + p.r12 * p.dy + p.r22 * p.dz);
+        double most = Math.max(Math.abs(px), Math.abs(pz));
+        double ux = most > 0 ? px / most : 1;
+        double uz = most > 0 ? pz / most : 0;
+        double length = Math.sqrt(ux * ux + uz * uz);
+        across = length * (most > 0 ? most : 0);
+        ux /= length;
+        uz /= length;
+        // Heights over the upper flat, the lower flat and the side; the latter's ends.
+        double top = y - s.high;
+        double bottom = s.low - y;
+        double side = (across - s.lowRadius) * s.sideAcross + (y - s.low) * s.sideAlong;
+        double along = (y - s.low) * s.sideAcross - (across - s.lowRadius) * s.sideAlong;
+        double rise = s.high - s.low;
+        double taper = s.lowRadius - s.highRadius;
+        double slant = Math.sqrt(rise * rise + taper * taper);
+        double outX;
+        double outY;
+        if (top <= 0 && bottom <= 0 && side <= 0) {
+            boolean flatTop = s.highRadius > 0 && top >= bottom;
+            double cap = flatTop ? top : bottom;
+            boolean bySide = side >= cap;
+            separation = Math.max(cap, side);
+            outX = bySide ? s.sideAcross : 0;
+            outY = bySide ? s.sideAlong : flatTop ? 1 : -1;
+        } else if (side > 0 && along >= 0 && along <= slant) {
+            separation = side;
+            outX = s.sideAcross;
+            outY = s.sideAlong;
+        } else {
+            // The nearer end of the side; below the base only the lower one.
+            boolean upper = bottom <= 0 && along > 0.5 * slant;
+            double radius = upper ? s.highRadius : s.lowRadius;
+            double ex = Math.max(0, across - radius);
+            double ey = y - (upper ? s.high : s.low);
+            double big = Math.max(ex, Math.abs(ey));
+            double a = ex / big;
+            double b = ey / big;
+            double l = Math.sqrt(a * a + b * b);
+            separation = l * big;
+            outX = a / l;
+            outY = b / l;
+        }
+        double nx = outX * ux;
+        double nz = outX * uz;
+        if (ofB) {
+            set(nx, outY, nz);
+        } else {
+            set(
+                    -(p.r00 * nx + p.r01 * outY + p.r02 * nz),
+                    -(p.r10 * nx + p.r11 * outY + p.r12 * nz),
+                    -(p.r20 * nx + p.r21 * outY + p.r22 * nz));
+        }
+    }
+}

@@ -1,0 +1,206 @@
+package dev.cairn.physics.narrowphase;
+
+import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.Moved;
+import dev.cairn.physics.shape.Shape;
+
+/**
+ * The pairs that are not of boxes, hulls and balls alone: unwraps moved shapes, sends half-spaces
+ * to {@link PlaneContact} and the rest to {@link CurvedAxis} and {@link CurvedContact}.
+ */
+final class CurvedPairs {
+    /** Of the smaller inner radius, as for polyhedra. */
+    private static final double CALM = 1e-3;
+
+    boolean capped;
+
+    private final NarrowPhase owner;
+    private final Pair pair;
+    private final Gjk gjk;
+    private final Epa epa;
+    private final ContactPoints points;
+    private final boolean closedForm;
+    private final CurvedAxis axis = new CurvedAxis();
+    private final CurvedContact contact;
+    private final PlaneContact plane;
+
+    /** Of the last distance: 1 when the first shape was a half-space, -1 when the second. */
+    private int planeLast;
+
+    private double lastX, lastY, lastZ;
+
+    /** An orientation that a moved shape's own turn was multiplied into. */
+    private double tx, ty, tz, tw;
+
+    CurvedPairs(
+            NarrowPhase owner,
+            Pair pair,
+            Gjk gjk,
+            Epa epa,
+            ContactPoints points,
+            boolean closedForm) {
+        this.owner = owner;
+        this.pair = pair;
+        this.gjk = gjk;
+        this.epa = epa;
+        this.points = points;
+        this.closedForm = closedForm;
+        this.contact = new CurvedContact(pair, points, axis);
+        this.plane = new PlaneContact(pair, points);
+    }
+
+    private void turn(double qx, double qy, double qz, double qw, Moved m) {
+        double mx = m.rotationX();
+        double my = m.rotationY();
+        double mz = m.rotationZ();
+        double mw = m.rotationW();
+        tx = qw * mx + qx * mw + qy * mz - qz * my;
+        ty = qw * my - qx * mz + qy * mw + qz * mx;
+        tz = qw * mz + qx * my - qy * mx + qz * mw;
+        tw = qw * mw - qx * mx - qy * my - qz * mz;
+    }
+
+    /** See {@link NarrowPhase#collide}; one of the shapes at least is none of the plain ones. */
+    long collide(
+            Shape a,
+            Shape b,
+            double qAx,
+            double qAy,
+            double qAz,
+            double qAw,
+            double qBx,
+            double qBy,
+            double qBz,
+            double qBw,
+            double dx,
+            double dy,
+            double dz,
+            double margin,
+            long cache,
+            Manifold out) {
+        if (a instanceof Moved m) {
+            turn(qAx, qAy, qAz, qAw, m);
+            return owner.collide(
+                    m.inner(), b, tx, ty, tz, tw, qBx, qBy, qBz, qBw, dx, dy, dz, margin, cache,
+                    out);
+        }
+        if (b instanceof Moved m) {
+            turn(qBx, qBy, qBz, qBw, m);
+            return owner.collide(
+                    a, m.inner(), qAx, qAy, qAz, qAw, tx, ty, tz, tw, dx, dy, dz, margin, cache,
+                    out);
+        }
+        capped = false;
+        out.pointCount = 0;
+        out.bound = 0;
+        out.capped = false;
+        if (a instanceof HalfSpace && b instanceof HalfSpace) {
+            return 0;
+        }
+        if (b instanceof HalfSpace) {
+            pair.set(a, a, qAx, qAy, qAz, qAw, qAx, qAy, qAz, qAw, 0, 0, 0);
+            double s = plane.distance(qBx, qBy, qBz, qBw, -dx, -dy, -dz);
+            return plane.run(s, false, margin, CALM * pair.inner, cache, out);
+        }
+        if (a instanceof HalfSpace) {
+            pair.set(b, b, qBx, qBy, qBz, qBw, qBx, qBy, qBz, qBw, 0, 0, 0);
+            double s = plane.distance(qAx, qAy, qAz, qAw, dx, dy, dz);
+            long word = plane.run(s, true, margin, CALM * pair.inner, cache, out);
+            swap(dx, dy, dz, out);
+            return word;
+        }
+        pair.set(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
+        axis.find(pair, closedForm, gjk, epa, margin + pair.radiusA + pair.radiusB);
+        capped = axis.capped;
+        if (axis.beyond) {
+            return 0;
+        }
+        long word = contact.run(margin, CALM * pair.inner, cache, out);
+        out.capped = capped;
+        return word;
+    }
+
+    /** See {@link NarrowPhase#distance}. */
+    double distance(
+            Shape a,
+            Shape b,
+            double qAx,
+            double qAy,
+            double qAz,
+            double qAw,
+            double qBx,
+            double qBy,
+            double qBz,
+            double qBw,
+            double dx,
+            double dy,
+            double dz) {
+        if (a instanceof Moved m) {
+            turn(qAx, qAy, qAz, qAw, m);
+            return owner.distance(m.inner(), b, tx, ty, tz, tw, qBx, qBy, qBz, qBw, dx, dy, dz);
+        }
+        if (b instanceof Moved m) {
+            turn(qBx, qBy, qBz, qBw, m);
+            return owner.distance(a, m.inner(), qAx, qAy, qAz, qAw, tx, ty, tz, tw, dx, dy, dz);
+        }
+        capped = false;
+        if (a instanceof HalfSpace && b instanceof HalfSpace) {
+            points.setAxis(0, 1, 0);
+            return Double.NEGATIVE_INFINITY;
+        }
+        if (b instanceof HalfSpace) {
+            pair.set(a, a, qAx, qAy, qAz, qAw, qAx, qAy, qAz, qAw, 0, 0, 0);
+            double s = plane.distance(qBx, qBy, qBz, qBw, -dx, -dy, -dz);
+            planeLast = -1;
+            axisFromWorld(-plane.normalX, -plane.normalY, -plane.normalZ);
+            return s;
+        }
+        if (a instanceof HalfSpace) {
+            pair.set(b, b, qBx, qBy, qBz, qBw, qBx, qBy, qBz, qBw, 0, 0, 0);
+            double s = plane.distance(qAx, qAy, qAz, qAw, dx, dy, dz);
+            planeLast = 1;
+            lastX = dx;
+            lastY = dy;
+            lastZ = dz;
+            axisFromWorld(plane.normalX, plane.normalY, plane.normalZ);
+            return s;
+        }
+        planeLast = 0;
+        pair.set(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
+        axis.find(pair, closedForm, gjk, epa, Double.MAX_VALUE);
+        capped = axis.capped;
+        points.setAxis(axis.axisX, axis.axisY, axis.axisZ);
+        return axis.separation - pair.radiusA - pair.radiusB;
+    }
+
+    /** One point for the pair of the last {@link #distance}. */
+    void witness(double d, Manifold out) {
+        if (planeLast != 0) {
+            plane.witness(d, out);
+            if (planeLast > 0) {
+                swap(lastX, lastY, lastZ, out);
+            }
+            return;
+        }
+        contact.witness(out);
+    }
+
+    private void axisFromWorld(double x, double y, double z) {
+        points.setAxis(
+                pair.w00 * x + pair.w10 * y + pair.w20 * z,
+                pair.w01 * x + pair.w11 * y + pair.w21 * z,
+                pair.w02 * x + pair.w12 * y + pair.w22 * z);
+    }
+
+    /** From the solid first to the half-space first. */
+    private static void swap(double dx, double dy, double dz, Manifold out) {
+        out.normalX = -out.normalX;
+        out.normalY = -out.normalY;
+        out.normalZ = -out.normalZ;
+        for (int i = 0; i < out.pointCount; i++) {
+            out.pointX[i] += dx;
+            out.pointY[i] += dy;
+            out.pointZ[i] += dz;
+        }
+    }
+}

@@ -1,0 +1,118 @@
+package dev.cairn.physics.query;
+
+/** The nearest points of two shapes. Filled by a query, again and again. */
+public final class Closest {
+    double distance, normalX, normalY, normalZ, ax, ay, az, bx, by, bz;
+
+    /** Without content. */
+    public Closest() {}
+
+    /**
+     * Takes over another result.
+     *
+     * @param other which one
+     */
+    public void set(Closest other) {
+        distance = other.distance;
+        normalX = other.normalX;
+        normalY = other.normalY;
+        normalZ = other.normalZ;
+        ax = other.ax;
+        ay = other.ay;
+        az = other.az;
+        bx = other.bx;
+        by = other.by;
+        bz = other.bz;
+    }
+
+    /**
+     * How far apart they are; negative, the length of the shortest move that parts them.
+     *
+     * @return m
+     */
+    public double distance() {
+        return distance;
+    }
+
+    /**
+     * Unit vector from the first to the second shape, along which the distance is measured.
+     *
+     * @return x component, world
+     */
+    public double normalX() {
+        return normalX;
+    }
+
+    /**
+     * See {@link #normalX}.
+     *
+     * @return y component, world
+     */
+    public double normalY() {
+        return normalY;
+    }
+
+    /**
+     * See {@link #normalX}.
+     *
+     * @return z component, world
+     */
+    public double normalZ() {
+        return normalZ;
+    }
+
+    /**
+     * The nearest point of the first shape; of overlapping shapes, the other point moved by
+     * distance x normal.
+     *
+     * @return world, m
+     */
+    public double pointAX() {
+        return ax;
+    }
+
+    /**
+     * See {@link #pointAX}.
+     *
+     * @return world, m
+     */
+    public double pointAY() {
+        return ay;
+    }
+
+    /**
+     * See {@link #pointAX}.
+     *
+     * @return world, m
+     */
+    public double pointAZ() {
+        return az;
+    }
+
+    /**
+     * The nearest point of the second shape; of overlapping shapes, a deepest one.
+     *
+     * @return world, m
+     */
+    public double pointBX() {
+        return bx;
+    }
+
+    /**
+     * See {@link #pointBX}.
+     *
+     * @return world, m
+     */
+    public double pointBY() {
+        return by;
+    }
+
+    /**
+     * See {@link #pointBX}.
+     *
+     * @return world, m
+     */
+    public double pointBZ() {
+        return bz;
+    }
+}
