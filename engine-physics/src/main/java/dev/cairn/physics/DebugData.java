@@ -88,7 +88,12 @@ public final class DebugData {
                 continue;
             }
             entities[n] = b.entity[s];
-            states[n] = b.kind[s] == BodyStore.DYNAMIC ? AWAKE : FIXED;
+            states[n] =
+                    switch (b.kind[s]) {
+                        case BodyStore.STATIC -> FIXED;
+                        case BodyStore.ASLEEP -> ASLEEP;
+                        default -> AWAKE;
+                    };
             centres[3 * n] = b.positionX[s];
             centres[3 * n + 1] = b.positionY[s];
             centres[3 * n + 2] = b.positionZ[s];

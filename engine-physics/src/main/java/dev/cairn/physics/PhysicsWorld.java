@@ -203,7 +203,7 @@ public final class PhysicsWorld implements AutoCloseable {
         BodyStore b = physics.table.bodies;
         double sum = 0;
         for (int s = 0; s < b.slotCount; s++) {
-            if (b.kind[s] == BodyStore.DYNAMIC) {
+            if (b.kind[s] == BodyStore.DYNAMIC || b.kind[s] == BodyStore.ASLEEP) {
                 sum -=
                         (physics.gravityX * b.positionX[s]
                                         + physics.gravityY * b.positionY[s]
