@@ -73,7 +73,11 @@ class RoundBodiesTest {
 
     @ParameterizedTest
     @CsvSource({
-        "cylinder, 0, 0.5", "cylinder, 90, 0.4", "capsule, 90, 0.3", "cone, 0, 0.225", "coin, 0, 0.05"
+        "cylinder, 0, 0.5",
+        "cylinder, 90, 0.4",
+        "capsule, 90, 0.3",
+        "cone, 0, 0.225",
+        "coin, 0, 0.05"
     })
     void whatIsPutDownStays(String name, double degrees, double height) {
         Shape shape =
@@ -112,8 +116,7 @@ class RoundBodiesTest {
         try (PhysicsWorld world = world()) {
             ground(world);
             BodyRef body =
-                    world.add(
-                            Body.dynamic().shape(shape).at(0, .3, 0).angularVelocity(0, 10, 0));
+                    world.add(Body.dynamic().shape(shape).at(0, .3, 0).angularVelocity(0, 10, 0));
             int[] names = {};
             double spin = 10;
             for (int i = 0; i < 200; i++) {

@@ -20,7 +20,7 @@ final class SandboxProbe extends Sandbox {
     private final Vector3d eye = new Vector3d();
 
     private SandboxProbe(List<SampleScene> scenes, PrintStream out) {
-        super(scenes, Map.of(), 1, 4, System.err);
+        super(scenes, Map.of(), 1, 4, false, System.err);
         this.out = out;
     }
 

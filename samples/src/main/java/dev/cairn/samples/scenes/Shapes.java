@@ -72,16 +72,16 @@ public final class Shapes {
         int count = scene.count("each") * kinds.length;
         BodyRef[] bodies = new BodyRef[count];
         for (int i = 0; i < count; i++) {
-            int cell = i % 16;
+            // layers of four by four
+            int layer = i / 16;
+            int row = i % 16 / 4;
+            int column = i % 4;
             bodies[i] =
                     scene.add(
                             kinds[i % kinds.length],
                             Palette.body(i % kinds.length),
                             Body.dynamic()
-                                    .at(
-                                            1.2 * (cell % 4) - 1.8,
-                                            0.9 + 1.1 * (i / 16),
-                                            1.2 * (cell / 4) - 1.8)
+                                    .at(1.2 * column - 1.8, 0.9 + 1.1 * layer, 1.2 * row - 1.8)
                                     .rotation(turn(scene))
                                     .material(material)
                                     .name("body " + i));
