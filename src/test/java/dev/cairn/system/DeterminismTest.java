@@ -12,11 +12,13 @@ import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.SceneRegistry;
 import dev.cairn.samples.SceneReport;
+import dev.cairn.samples.SceneRun;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -96,6 +98,57 @@ final class DeterminismTest {
         assertEquals(compiled, again);
         assertEquals(compiled, interpreted);
         assertEquals(Scenes.run("room", 2, 1, Map.of()).digest(), compiled);
+    }
+
+    @Test
+    void withoutTheVectorModuleTheBitsAreTheSame(@TempDir Path directory)
+            throws IOException, InterruptedException {
+        List<String> run =
+                List.of(
+                        "--headless",
+                        "--scene",
+                        "pyramid",
+                        "--set",
+                        "base=16",
+                        "--ticks",
+                        "60",
+                        "--lanes",
+                        "8",
+                        "--json",
+                        "-");
+
+        String wide = Jvm.samples(directory, List.of(), run);
+        // a module graph without the vectors' module
+        String plain =
+                Jvm.samples(
+                        directory,
+                        List.of("--limit-modules=java.se,jdk.unsupported,jdk.management,jdk.jfr"),
+                        run);
+
+        assertEquals(8, lanesOf(wide));
+        assertEquals(1, lanesOf(plain));
+        assertEquals(digestOf(wide), digestOf(plain));
+    }
+
+    private static int lanesOf(String json) {
+        return JsonParser.parseString(json).getAsJsonObject().get("lanes").getAsInt();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"pyramid", "room", "pile", "arch"})
+    void anyNumberOfLanesGivesTheSameBits(String id) {
+        SampleScene scene = SceneRegistry.get(id);
+        SceneOptions options = SceneOptions.defaults(scene);
+        String alone = null;
+        for (int lanes : new int[] {1, 4, 8}) {
+            for (int workers = 1; workers <= MAX_WORKERS; workers++) {
+                SceneReport report =
+                        new SceneRun(scene, options, 40, workers, 4).lanes(lanes).run(() -> {});
+                alone = alone == null ? report.digest() : alone;
+                String what = lanes + " lanes, " + workers + " workers";
+                assertEquals(alone, report.digest(), what);
+            }
+        }
     }
 
     private static String digestOf(String json) {

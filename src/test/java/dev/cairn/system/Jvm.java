@@ -28,9 +28,11 @@ final class Jvm {
             throws IOException, InterruptedException {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        if (flags.stream().noneMatch(flag -> flag.startsWith("--limit-modules"))) {
+            command.add("--add-modules=jdk.incubator.vector");
+        }
         command.addAll(
                 List.of(
-                        "--add-modules=jdk.incubator.vector",
                         "--enable-native-access=ALL-UNNAMED",
                         "--sun-misc-unsafe-memory-access=allow",
                         "-cp",

@@ -123,6 +123,10 @@ public final class PhysicsSystem implements WorldSystem {
         profile.end(table.bodies.slotCount, contacts.count);
     }
 
+    int lanes() {
+        return solver.lanes();
+    }
+
     boolean isRunning() {
         return running;
     }

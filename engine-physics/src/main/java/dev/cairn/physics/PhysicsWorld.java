@@ -99,6 +99,15 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
+     * Contacts that the solver takes at once. Any thread.
+     *
+     * @return 1 if it is scalar, else 4 or 8
+     */
+    public int lanes() {
+        return physics.lanes();
+    }
+
+    /**
      * The clock of the physics step's stages; off until it is enabled.
      *
      * @return the same object each time

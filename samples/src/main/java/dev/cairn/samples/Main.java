@@ -122,6 +122,12 @@ public final class Main {
     @Nullable String sleeping;
 
     @Option(
+            names = "--lanes",
+            paramLabel = "auto|1|4|8",
+            description = "Contacts that are solved at once; the results do not depend on it.")
+    @Nullable String lanes;
+
+    @Option(
             names = "--seed",
             paramLabel = "S",
             description = "Seed of all that is random in a scene.")

@@ -32,6 +32,7 @@ import java.util.Map;
  * @param workers threads of the physics
  * @param substeps sub-steps of the solver
  * @param sleeping whether bodies at rest fall asleep, or null for what suits the mode
+ * @param lanes contacts that are solved at once, 0 for what fits the machine
  * @param json where the JSON goes, {@code -} for standard output, or null
  * @param picture where the picture of the only scene goes, or null
  * @param at tick of that picture, or null for the last
@@ -48,6 +49,7 @@ record Request(
         int workers,
         int substeps,
         @Nullable Boolean sleeping,
+        int lanes,
         @Nullable String json,
         @Nullable Path picture,
         @Nullable Integer at,
@@ -134,6 +136,7 @@ record Request(
                 workers == null ? Jobs.defaultWorkers() : workers,
                 substeps == null ? substeps(described) : substeps,
                 onOff("--sleeping", typed.sleeping),
+                lanes(typed.lanes),
                 typed.json,
                 picture,
                 at,
@@ -145,6 +148,19 @@ record Request(
                 sheet,
                 described == null ? SampleScene.STEP_SECONDS : described.tick().seconds(),
                 export);
+    }
+
+    private static int lanes(@Nullable String text) {
+        return switch (text == null ? "auto" : text.trim()) {
+            case "auto" -> 0;
+            case "1" -> 1;
+            case "4" -> 4;
+            case "8" -> 8;
+            default ->
+                    throw new UsageException(
+                            "--lanes %s: want auto, 1, 4 or 8; the results are the same"
+                                    .formatted(text));
+        };
     }
 
     private static int substeps(@Nullable SceneFile described) {

@@ -181,7 +181,8 @@ final class Runner {
                 request.options().getOrDefault(scene.id(), SceneOptions.defaults(scene));
         SceneRun run =
                 new SceneRun(scene, options, ticks, request.workers(), request.substeps())
-                        .sleeping(request.sleepingOr(false));
+                        .sleeping(request.sleepingOr(false))
+                        .lanes(request.lanes());
         if (request.picture() != null) {
             run.picture(request.picture(), request.at() == null ? ticks : request.at());
         } else if (draw) {

@@ -37,6 +37,7 @@ public final class SceneRun {
     private final int workers;
     private final int substeps;
     private boolean sleeping;
+    private int lanes;
     private @Nullable Path picture;
     private int pictureTick;
 
@@ -87,6 +88,17 @@ public final class SceneRun {
     }
 
     /**
+     * Asks for a number of contacts that are solved at once; the results do not depend on it.
+     *
+     * @param count 1, 4 or 8, or 0 for what fits this machine
+     * @return this
+     */
+    public SceneRun lanes(int count) {
+        this.lanes = count;
+        return this;
+    }
+
+    /**
      * Asks for a picture; needs GL.
      *
      * @param file where the .png goes
@@ -112,7 +124,8 @@ public final class SceneRun {
                 PhysicsWorld.builder()
                         .gravity(0, -SampleScene.GRAVITY, 0)
                         .workers(workers)
-                        .substeps(substeps)
+                        .settings(
+                                PhysicsSettings.DEFAULT.withSubsteps(substeps).withLanes(lanes))
                         .sleeping(sleeping)
                         .seed(options.seed())
                         .build()) {
@@ -178,7 +191,7 @@ public final class SceneRun {
                 world.bodyCount(),
                 ticks,
                 workers,
-                1,
+                world.lanes(),
                 measures.percentile(0.5),
                 measures.percentile(0.99),
                 touching,

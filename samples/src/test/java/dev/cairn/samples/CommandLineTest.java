@@ -53,6 +53,7 @@ class CommandLineTest {
                 "--workers 0                    | from 1 to 256",
                 "--workers 1000                 | from 1 to 256",
                 "--substeps 0                   | from 1 to 64",
+                "--lanes 16                     | auto, 1, 4 or 8",
                 "--seed x                       | --seed x",
                 "--scene pyramid --set bse=5    | did you mean base?",
                 "--scene pyramid --set base=x   | whole number from 1 to 400",
@@ -137,7 +138,9 @@ class CommandLineTest {
     @Test
     void jsonOnStandardOutputIsAllThereIs() {
         Answer answer =
-                samples("--scene", "slope-box", "--ticks", "20", "--json", "-", "--workers", "2");
+                samples(
+                        "--scene", "slope-box", "--ticks", "20", "--json", "-", "--workers", "2",
+                        "--lanes", "1");
         assertEquals(0, answer.code, answer.err);
         JsonObject report = JsonParser.parseString(answer.out).getAsJsonObject();
         List<String> names = new ArrayList<>(report.keySet());

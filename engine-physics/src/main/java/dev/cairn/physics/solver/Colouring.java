@@ -8,7 +8,8 @@ import java.util.Arrays;
  *
  * <p>Greedy, in the order of the contact store: a contact of two bodies that move takes the lowest
  * of 64 colours that both still have free. A body with more neighbours goes on to colours of its
- * own count: they are as exact, only narrow. Contacts with what does not move come last, the n-th
+ * own count: they are as exact, only narrow. Contacts without an impulse have colours of their own,
+ * before the others: most are gaps, and a whole group of gaps costs little. Contacts with what does not move come last, the n-th
  * of a body in the n-th of their colours: the ground has the last word. The colours are a function
  * of the order of the contacts alone.
  *
@@ -23,14 +24,17 @@ final class Colouring {
     int[] start = {};
 
     private long[] used = {};
+    private long[] usedCold = {};
     private int[] next = {};
     private int[] still = {};
 
     /** By row: its colour among those of its family. */
     private int[] colour = {};
 
-    /** Rows of each colour by family: masked, more than masked, against what does not move. */
+    /** Rows of each colour by family: masked, masked and cold, more, against what does not move. */
     private final int[] masked = new int[MASKED];
+
+    private final int[] cold = new int[MASKED];
 
     private int[] more = new int[16];
     private int[] fixed = new int[16];
@@ -41,6 +45,7 @@ final class Colouring {
         if (used.length < slots) {
             int n = Math.max(slots, used.length + (used.length >> 1));
             used = new long[n];
+            usedCold = new long[n];
             next = new int[n];
             still = new int[n];
         }
@@ -48,25 +53,28 @@ final class Colouring {
             colour = new int[Math.max(rows, colour.length + (colour.length >> 1))];
         }
         Arrays.fill(used, 0, slots, 0L);
+        Arrays.fill(usedCold, 0, slots, 0L);
         Arrays.fill(next, 0, slots, 0);
         Arrays.fill(still, 0, slots, 0);
         Arrays.fill(masked, 0);
+        Arrays.fill(cold, 0);
         Arrays.fill(more, 0, moreColours, 0);
         Arrays.fill(fixed, 0, fixedColours, 0);
         moreColours = 0;
         fixedColours = 0;
     }
 
-    /** Row {@code m} is a contact of two bodies that move. */
-    void add(int m, int a, int b) {
-        long free = ~(used[a] | used[b]);
+    /** Row {@code m} is a contact of two bodies that move; {@code isCold} if nothing presses. */
+    void add(int m, int a, int b, boolean isCold) {
+        long[] taken = isCold ? usedCold : used;
+        long free = ~(taken[a] | taken[b]);
         if (free != 0) {
             long bit = Long.lowestOneBit(free);
-            used[a] |= bit;
-            used[b] |= bit;
+            taken[a] |= bit;
+            taken[b] |= bit;
             int c = Long.numberOfTrailingZeros(bit);
-            colour[m] = c;
-            masked[c]++;
+            colour[m] = isCold ? MASKED + c : c;
+            (isCold ? cold : masked)[c]++;
             return;
         }
         int k = Math.max(next[a], next[b]);
@@ -78,7 +86,7 @@ final class Colouring {
                 more = Arrays.copyOf(more, 2 * k);
             }
         }
-        colour[m] = MASKED + k;
+        colour[m] = 2 * MASKED + k;
         more[k]++;
     }
 
@@ -97,12 +105,15 @@ final class Colouring {
 
     /** Gives each row its place, and pads each colour to whole groups. */
     void finish(ConstraintRows rows) {
-        int most = MASKED + moreColours + fixedColours + 1;
+        int most = 2 * MASKED + moreColours + fixedColours + 1;
         if (start.length < most) {
             start = new int[2 * most];
         }
         colours = 0;
         int at = 0;
+        for (int k = 0; k < MASKED; k++) {
+            at = open(cold, k, at, rows.lanes);
+        }
         for (int k = 0; k < MASKED; k++) {
             at = open(masked, k, at, rows.lanes);
         }
@@ -116,10 +127,19 @@ final class Colouring {
         rows.places = at;
         rows.ensurePlaces(at);
         for (int m = 0; m < rows.count; m++) {
-            int c = colour[m];
-            rows.place[m] = c < 0 ? fixed[-1 - c]++ : c < MASKED ? masked[c]++ : more[c - MASKED]++;
+            rows.place[m] = take(colour[m]);
         }
         pad(rows);
+    }
+
+    private int take(int c) {
+        if (c < 0) {
+            return fixed[-1 - c]++;
+        }
+        if (c < MASKED) {
+            return masked[c]++;
+        }
+        return c < 2 * MASKED ? cold[c - MASKED]++ : more[c - 2 * MASKED]++;
     }
 
     /** Turns the number of rows of a colour into its first place; the end of its padding. */

@@ -50,6 +50,7 @@ public final class ContactSolver {
     private final BlockJob relax = this::relax;
     private final BlockJob finish = this::finish;
     private final BlockJob storeBodies = this::storeBodies;
+    private final BlockJob clearRows = this::clearRows;
     private final BlockJob storeRows = this::storeRows;
 
     private double step;
@@ -252,7 +253,7 @@ public final class ContactSolver {
                 colouring.addFixed(n, a);
                 guide[a] = guide[a] == SolverBodies.FREE ? n : SolverBodies.BOUND;
             } else {
-                colouring.add(n, a, b);
+                colouring.add(n, a, b, isCold(contacts, c));
                 guide[a] = SolverBodies.BOUND;
                 guide[b] = SolverBodies.BOUND;
                 stacked = true;
@@ -276,6 +277,16 @@ public final class ContactSolver {
             rows.link[l + ConstraintRows.SOURCE] = c;
             rows.unloaded[rows.place[m]] = 0;
         }
+    }
+
+    /** Whether a contact had no impulse at the end of the last tick; most such have a gap. */
+    private static boolean isCold(ContactStore c, int row) {
+        int p = ContactStore.POINTS * row;
+        double sum = 0;
+        for (int end = p + c.pointCount[row]; p < end; p++) {
+            sum += c.normalImpulse[p];
+        }
+        return sum == 0;
     }
 
     /** Flies the bodies without contacts, loads the others. */
@@ -356,10 +367,8 @@ public final class ContactSolver {
     private void store(BodyStore bodies, ContactStore contacts, int bodyBlocks, Jobs jobs) {
         still = STILL * weight() * step;
         jobs.run(storeBodies, bodyBlocks);
-        jobs.run(storeRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK));
-        for (int m = 0; m < rows.count; m++) {
-            storeRow(contacts, m);
-        }
+        jobs.run(clearRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK));
+        jobs.run(storeRows, Blocks.count(rows.places, ROWS_PER_BLOCK));
         if (settings.unloadSweeps() > 0) {
             for (int m = 0; m < rows.count; m++) {
                 Unloading.press(bodies, contacts, rows.source[m], 1 / subStep);
@@ -380,7 +389,7 @@ public final class ContactSolver {
     }
 
     /** Contacts without points have no impulses. */
-    private void storeRows(int block, int worker) {
+    private void clearRows(int block, int worker) {
         ContactStore c = stored(contactStore);
         int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
@@ -394,11 +403,19 @@ public final class ContactSolver {
         }
     }
 
-    private void storeRow(ContactStore contacts, int m) {
+    private void storeRows(int block, int worker) {
+        ContactStore c = stored(contactStore);
+        int end = Blocks.end(block, ROWS_PER_BLOCK, rows.places);
+        for (int j = Blocks.begin(block, ROWS_PER_BLOCK); j < end; j++) {
+            if (rows.link[j * ConstraintRows.LINK + ConstraintRows.COUNT] > 0) {
+                storeRow(c, j, rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE]);
+            }
+        }
+    }
+
+    private void storeRow(ContactStore contacts, int j, int c) {
         double[] d = rows.row;
         int lanes = rows.lanes;
-        int j = rows.place[m];
-        int c = rows.source[m];
         int o = rows.base(j);
         contacts.frictionImpulseX[c] = tangent(o, ConstraintRows.LAMBDA, 0);
         contacts.frictionImpulseY[c] = tangent(o, ConstraintRows.LAMBDA, 1);

@@ -445,6 +445,15 @@ final class LaneSweeps implements Sweeps {
             normal = normal.add(impulse);
             bound = bound.add(impulse.mul(DoubleVector.fromArray(S, d, o + (REACH + p) * L)));
         }
+        int l = o + LAMBDA * L;
+        // without any impulse, old or new, there is nothing to do
+        var any =
+                normal.add(DoubleVector.fromArray(S, d, l).abs())
+                        .add(DoubleVector.fromArray(S, d, l + L).abs())
+                        .add(DoubleVector.fromArray(S, d, l + 2 * L).abs());
+        if (!any.compare(VectorOperators.GT, 0.0).anyTrue()) {
+            return false;
+        }
         bound = bound.mul(mu);
         var active = DoubleVector.fromArray(S, st, marks + g).compare(VectorOperators.GT, 0.0);
         var rubs =
@@ -467,7 +476,6 @@ final class LaneSweeps implements Sweeps {
         var bvy = DoubleVector.fromArray(S, st, VB + CHUNK + g);
         var bvz = DoubleVector.fromArray(S, st, VB + 2 * CHUNK + g);
         int t = o + TWIST * L;
-        int l = o + LAMBDA * L;
         var tax = DoubleVector.fromArray(S, d, t);
         var tay = DoubleVector.fromArray(S, d, t + L);
         var taz = DoubleVector.fromArray(S, d, t + 2 * L);
@@ -540,7 +548,8 @@ final class LaneSweeps implements Sweeps {
         var limit = mu.mul(normal);
         var size = f1.mul(f1).add(f2.mul(f2));
         var scale =
-                DoubleVector.broadcast(S, 1.0)
+                DoubleVector.zero(S)
+                        .blend(1.0, limit.compare(VectorOperators.GT, 0.0))
                         .blend(
                                 limit.div(size.sqrt()),
                                 size.compare(VectorOperators.GT, limit.mul(limit)));

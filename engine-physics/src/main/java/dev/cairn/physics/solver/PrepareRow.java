@@ -353,9 +353,9 @@ final class PrepareRow {
                 d,
                 o + LAMBDA * lanes,
                 lanes,
-                x * d[t1] + y * d[t1 + lanes] + z * d[t1 + 2 * lanes],
-                x * d[t2] + y * d[t2 + lanes] + z * d[t2 + 2 * lanes],
-                d[o + TWIST_MASS * lanes] > 0 ? c.twistImpulse[source] * scale : 0);
+                x * d[t1] + y * d[t1 + lanes] + z * d[t1 + 2 * lanes] + 0.0,
+                x * d[t2] + y * d[t2 + lanes] + z * d[t2 + 2 * lanes] + 0.0,
+                d[o + TWIST_MASS * lanes] > 0 ? c.twistImpulse[source] * scale + 0.0 : 0);
         put(d, o + TOTAL * lanes, lanes, 0, 0, 0);
         addFriction(rows, bodies.warm, j, o, 1);
     }

@@ -394,7 +394,9 @@ final class ScalarSweeps implements Sweeps {
         double f1 = d[l] - (d[k] * v1 + d[k + lanes] * v2);
         double f2 = d[l + lanes] - (d[k + lanes] * v1 + d[k + 2 * lanes] * v2);
         double size = f1 * f1 + f2 * f2;
-        double scale = size > limit * limit ? limit / Math.sqrt(size) : 1;
+        // the square of a very small impulse is 0
+        double inside = limit > 0 ? 1 : 0;
+        double scale = size > limit * limit ? limit / Math.sqrt(size) : inside;
         f1 = f1 * scale + 0.0;
         f2 = f2 * scale + 0.0;
         double d1 = f1 - d[l];
