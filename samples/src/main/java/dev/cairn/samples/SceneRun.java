@@ -124,8 +124,7 @@ public final class SceneRun {
                 PhysicsWorld.builder()
                         .gravity(0, -SampleScene.GRAVITY, 0)
                         .workers(workers)
-                        .settings(
-                                PhysicsSettings.DEFAULT.withSubsteps(substeps).withLanes(lanes))
+                        .settings(PhysicsSettings.DEFAULT.withSubsteps(substeps).withLanes(lanes))
                         .sleeping(sleeping)
                         .seed(options.seed())
                         .build()) {

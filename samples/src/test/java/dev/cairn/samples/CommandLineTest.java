@@ -139,8 +139,16 @@ class CommandLineTest {
     void jsonOnStandardOutputIsAllThereIs() {
         Answer answer =
                 samples(
-                        "--scene", "slope-box", "--ticks", "20", "--json", "-", "--workers", "2",
-                        "--lanes", "1");
+                        "--scene",
+                        "slope-box",
+                        "--ticks",
+                        "20",
+                        "--json",
+                        "-",
+                        "--workers",
+                        "2",
+                        "--lanes",
+                        "1");
         assertEquals(0, answer.code, answer.err);
         JsonObject report = JsonParser.parseString(answer.out).getAsJsonObject();
         List<String> names = new ArrayList<>(report.keySet());

@@ -9,9 +9,9 @@ import java.util.Arrays;
  * <p>Greedy, in the order of the contact store: a contact of two bodies that move takes the lowest
  * of 64 colours that both still have free. A body with more neighbours goes on to colours of its
  * own count: they are as exact, only narrow. Contacts without an impulse have colours of their own,
- * before the others: most are gaps, and a whole group of gaps costs little. Contacts with what does not move come last, the n-th
- * of a body in the n-th of their colours: the ground has the last word. The colours are a function
- * of the order of the contacts alone.
+ * before the others: most are gaps, and a whole group of gaps costs little. Contacts with what does
+ * not move come last, the n-th of a body in the n-th of their colours: the ground has the last
+ * word. The colours are a function of the order of the contacts alone.
  *
  * <p>Source: E. Catto, Box3D's constraint graph (2025), but made anew each tick.
  */

@@ -1,5 +1,6 @@
 /**
- * Motion and contact of one tick: sub-stepped soft contacts in double.
+ * Motion and contact of one tick: sub-stepped soft contacts in double, wide over the contacts of a
+ * colour.
  *
  * <p>Problem: bodies that touch must not sink into each other, must stick and slide as friction
  * says, must bounce as restitution says, and must come to rest; towers couple all of them. A rigid
@@ -8,29 +9,32 @@
  * takes the velocity of that push out again:
  *
  * <pre>
- *   collect ─ contacts with points become flat rows; bodies without any fly their whole tick at once
+ *   collect ─ contacts with points get a colour and a place; bodies without any fly at once
  *   load    ─ what rests under a load is solved with that load's inertia, while it rests
- *   prepare ─ effective masses, levers, friction block; warm start of the last sub-step
+ *   prepare ─ weighted arms, effective masses, friction block; the bodies' first warm start
  *   sub-step, four times:
  *     impacts  bounces, each at its own time, before anything is solved
- *     kick     v += h (g + f/m)
- *     warm     v += M⁻¹ Jᵀ λ
+ *     kick     v += h (g + f/m), then the warm start of all contacts of a body at once
  *     bias     normals, soft: overlap is pushed out, gaps close at most to zero
  *     drift    x += h v under load, the parabola without; free rotation by Strang splitting
  *     relax    normals, hard, without push; then twist and friction at the patch's centre
- *     glide    bodies on one static contact: trapezoid along its plane
+ *     finish   what the contacts did is the next warm start; bodies on one static contact: trapezoid
  *   store   ─ impulses, totals, and what resting points have learnt of their load
  * </pre>
  *
+ * <p>Colours: no two contacts of a colour move the same body, so a colour may be solved at once, by
+ * lanes and by workers, with one result. A row lies in memory with its group, field by field, so
+ * that a field of a group is one vector. Angular velocities are weighted by a root of the inverse
+ * inertia: an arm then is three numbers that serve both ways. The warm start costs nothing per
+ * contact: a body keeps the sum of what its contacts did.
+ *
  * <p>Invariants: a contact's impulse on A is the exact negative of that on B, and the reported
  * totals are all the momentum that was exchanged; friction stays in its circle; normal impulses
- * never pull; impacts add no energy. Rows are solved in the order of the contact store by one
- * thread, bodies in blocks by all, so the bits do not depend on the number of workers. A scene
- * without restitution runs no impact, one without friction no tangent rows. Steps use + - * / and
- * square roots only, and allocate nothing.
- *
- * <p>The seam for a wide solver: {@code ConstraintRows} is the whole input of a sweep besides the
- * bodies' velocities; kernels are static methods over its arrays.
+ * never pull; impacts add no energy. The order of solving is that of the colours, which is a
+ * function of the contacts' order; the wide sweeps and the scalar ones do the same operations, so
+ * the bits depend neither on the workers nor on the lanes. A scene without restitution runs no
+ * impact, one without friction no tangent rows. Steps use + - * / and square roots only, and
+ * allocate nothing once the wide kernels are compiled, which is done beside the first ticks.
  *
  * <p>Sources: E. Catto, Solver2D and the Soft Step solver (2023-24); M. Macklin et al., "Small
  * Steps in Physics Simulation" (2019); E. Guendelman, R. Bridson, R. Fedkiw, "Nonconvex rigid
