@@ -40,6 +40,8 @@ import java.util.Map;
  * @param contactSheet where these pictures also go side by side, or null
  * @param stepSeconds length of a tick in a window, s
  * @param export where the only scene is written as a scene file, or null
+ * @param sceneFile the scene file that the only scene came from, or null
+ * @param described what is in that file, or null
  */
 record Request(
         Mode mode,
@@ -56,7 +58,9 @@ record Request(
         boolean gallery,
         @Nullable Path contactSheet,
         double stepSeconds,
-        @Nullable Path export) {
+        @Nullable Path export,
+        @Nullable Path sceneFile,
+        @Nullable SceneFile described) {
 
     /** What to do. */
     enum Mode {
@@ -147,7 +151,9 @@ record Request(
                                 && typed.json == null),
                 sheet,
                 described == null ? SampleScene.STEP_SECONDS : described.tick().seconds(),
-                export);
+                export,
+                file,
+                described);
     }
 
     private static int lanes(@Nullable String text) {

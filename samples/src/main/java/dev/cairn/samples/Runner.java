@@ -2,6 +2,7 @@ package dev.cairn.samples;
 
 import dev.cairn.render.app.Offscreen;
 import dev.cairn.samples.scenefile.SceneExport;
+import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneWriter;
 
 import me.tongfei.progressbar.ConsoleProgressBarConsumer;
@@ -109,6 +110,11 @@ final class Runner {
                         request.sleepingOr(true),
                         out);
         window.step(request.stepSeconds());
+        Path file = request.sceneFile();
+        SceneFile described = request.described();
+        if (file != null && described != null) {
+            window.edit(file, described);
+        }
         try {
             window.start();
         } catch (UsageException misuse) {

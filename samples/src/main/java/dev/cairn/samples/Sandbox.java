@@ -13,11 +13,17 @@ import dev.cairn.render.camera.Camera;
 import dev.cairn.render.input.Key;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.editor.Editor;
+import dev.cairn.samples.editor.EditorPanels;
+import dev.cairn.samples.scenefile.SceneExport;
+import dev.cairn.samples.scenefile.SceneFile;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
 import java.io.PrintStream;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -49,6 +55,10 @@ class Sandbox extends Application {
     private final List<SampleScene> scenes;
     private final PrintStream out;
     private final SandboxPanels panels;
+    private final EditorStage stage = new EditorStage(this);
+    private final Editor editor = new Editor(stage);
+    private final EditorPanels editorPanels = new EditorPanels(editor);
+    private double windowStepSeconds = SampleScene.STEP_SECONDS;
     private final TripleBuffer<SandboxState> states = new TripleBuffer<>(SandboxState::new);
 
     // The simulation thread's own, from initScene on.
@@ -104,6 +114,24 @@ class Sandbox extends Application {
         this.panels = new SandboxPanels(this, scenes);
     }
 
+    /**
+     * Has the window open with a scene file in the editor; before {@link #start}.
+     *
+     * @param file where it was read
+     * @param scene what is in it
+     */
+    void edit(Path file, SceneFile scene) {
+        windowStepSeconds = scene.tick().seconds();
+        Path whole = file.toAbsolutePath().normalize();
+        Path folder = whole.getParent();
+        editorPanels.ask(ready -> ready.open(scene, whole, folder == null ? whole : folder));
+    }
+
+    /** The editor; window thread. For tests. */
+    Editor editor() {
+        return editor;
+    }
+
     /** Returns why there was no window, or null if there was one; after {@link #start}. */
     @Nullable String noWindow() {
         return noWindow;
@@ -116,10 +144,11 @@ class Sandbox extends Application {
 
     @Override
     protected PhysicsWorld createPhysics() {
+        EditorStage.Shown edited = stage.shown();
         return PhysicsWorld.builder()
                 .gravity(0, -SampleScene.GRAVITY, 0)
                 .workers(workers)
-                .substeps(substeps)
+                .substeps(edited == null ? substeps : edited.scene().tick().substeps())
                 .sleeping(sleeping)
                 .seed(chosenOptions().seed())
                 .build();
@@ -139,12 +168,27 @@ class Sandbox extends Application {
         remarksShown = 0;
         thrown = 0;
         problem = "";
+        build(scene);
+        keepCamera = false;
+        publishState();
+    }
+
+    private void build(Scene scene) {
         SampleScene chosen = scenes.get(current);
-        scene.title("Cairn: " + chosen.title());
+        EditorStage.Shown edited = stage.shown();
+        scene.title("Cairn: " + (edited == null ? chosen.title() : edited.scene().name()));
+        problem = "";
         built = null;
         try {
-            SceneBuilder next = chosen.build(new SceneBuilder(scene.physics(), chosenOptions()));
-            built = next;
+            SceneBuilder next = new SceneBuilder(scene.physics(), chosenOptions());
+            if (edited == null) {
+                chosen.build(next);
+                built = next;
+            } else {
+                // Even if the world refuses an entity: what is there must be cleared some day.
+                built = next;
+                stage.build(edited, next);
+            }
             scene.light(next.light());
             if (!keepCamera) {
                 next.view().place(scene.camera());
@@ -152,9 +196,44 @@ class Sandbox extends Application {
         } catch (UsageException misuse) {
             problem = String.valueOf(misuse.getMessage());
             out.println(problem);
+        } catch (IllegalArgumentException refused) {
+            if (edited == null) {
+                throw refused;
+            }
+            problem = String.valueOf(refused.getMessage());
         }
-        keepCamera = false;
+    }
+
+    /** Starts the edited scene from its beginning. */
+    void showEdited(boolean placesCamera) {
+        keepCamera = !placesCamera;
+        restart();
+    }
+
+    /** Puts the edited scene as it is now in place of what the world holds. */
+    void rebuildEdited() {
+        SceneBuilder old = built;
+        if (old != null) {
+            old.clear();
+        }
+        boolean kept = keepCamera;
+        keepCamera = true;
+        build(scene());
+        keepCamera = kept;
         publishState();
+    }
+
+    /** Opens the editor with what the present scene begins with. */
+    void editCopy() {
+        SampleScene chosen = scenes.get(current);
+        Path folder = Path.of("").toAbsolutePath();
+        try {
+            SceneFile copy = SceneExport.of(chosen, chosenOptions(), substeps, folder);
+            editorPanels.ask(known -> known.openCopy(copy, folder));
+        } catch (UsageException misuse) {
+            problem = String.valueOf(misuse.getMessage());
+            publishState();
+        }
     }
 
     private void bind(Scene scene) {
@@ -177,7 +256,9 @@ class Sandbox extends Application {
                             }
                         })
                 .onKey(Key.H, "hide panels", panels::toggleHidden)
-                .onScroll("pull nearer, push away", hand::scroll);
+                .onScroll("pull nearer, push away", hand::scroll)
+                .onScroll("raise, lower in the editor", editorPanels::raise);
+        editorPanels.bind(scene.bindings());
     }
 
     // What panels and keys ask for; simulation thread ------------------------------------------
@@ -185,6 +266,11 @@ class Sandbox extends Application {
     /** Shows a scene; the index wraps around. */
     void show(int index) {
         current = Math.floorMod(index, scenes.size());
+        if (stage.shown() != null) {
+            stage.forget();
+            editorPanels.ask(Editor::left);
+            setPaused(false);
+        }
         restart();
     }
 
@@ -225,6 +311,9 @@ class Sandbox extends Application {
     }
 
     void throwBall() {
+        if (stage.rests()) {
+            return; // What is edited is the file's contents and nothing else.
+        }
         Camera camera = scene().camera();
         Vector3d eye = camera.position(new Vector3d());
         Vector3d ahead = camera.forward(new Vector3d());
@@ -279,6 +368,10 @@ class Sandbox extends Application {
 
     @Override
     protected void updated(double seconds) {
+        if (stage.rests()) {
+            // The user let time pass, by the pause key or a single step: that is to play.
+            editorPanels.ask(Editor::play);
+        }
         double millis = (System.nanoTime() - stepStartNanos) / 1e6;
         SceneBuilder now = built;
         if (now != null) {
@@ -305,9 +398,30 @@ class Sandbox extends Application {
         state.problem = problem;
         state.id = chosen.id();
         state.ball = ball;
+        state.entities = stage.entities();
+        state.notes = notes();
         hand.describe(state);
         state.history.copy(history);
         states.publish();
+    }
+
+    private String notes() {
+        EditorStage.Shown edited = stage.shown();
+        SceneBuilder now = built;
+        if (edited == null || now == null) {
+            return "";
+        }
+        List<String> lines = new ArrayList<>(now.remarks());
+        if (!problem.isEmpty()) {
+            lines.add(problem);
+        }
+        double tick = edited.scene().tick().seconds();
+        if (tick != windowStepSeconds) {
+            lines.add(
+                    "ticks are %s s here and %s s in the scene; open it by --scene-file"
+                            .formatted(windowStepSeconds, tick));
+        }
+        return String.join("; ", lines);
     }
 
     // Window thread ----------------------------------------------------------------------------
@@ -315,7 +429,15 @@ class Sandbox extends Application {
     @Override
     protected void panels(Ui ui, View view) {
         SandboxState state = states.latest();
-        panels.draw(ui, view, state);
+        editorPanels.hear();
+        if (editor.mode() == Editor.Mode.CLOSED) {
+            panels.draw(ui, view, state);
+        } else {
+            editorPanels.draw(ui, view, state.entities, state.notes);
+            if (editor.mode() == Editor.Mode.PLAYING) {
+                panels.drawPlaying(ui, view, state);
+            }
+        }
         shown(ui, view, state);
     }
 

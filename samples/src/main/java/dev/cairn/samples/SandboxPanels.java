@@ -70,7 +70,13 @@ final class SandboxPanels {
         double listHeight = Math.max(160, height * 0.5);
         scenes(ui, state, listHeight);
         chosen(ui, state, listHeight + 2 * GAP, height - listHeight - GAP);
-        simulation(ui, view, state, height);
+        simulation(ui, view, state, height, false);
+    }
+
+    /** The part that goes with an edited scene that runs. */
+    void drawPlaying(Ui ui, View view, SandboxState state) {
+        hand(view, state);
+        simulation(ui, view, state, ui.height() - 2 * GAP, true);
     }
 
     // The hand ---------------------------------------------------------------------------------
@@ -149,6 +155,12 @@ final class SandboxPanels {
                 asked.clear();
                 sandbox.post(sandbox::setDefaults);
             }
+            if (ui.button("Edit a copy")) {
+                sandbox.post(sandbox::editCopy);
+            }
+            if (ui.button("Editor (F2)")) {
+                sandbox.editor().open();
+            }
         }
         ui.endPanel();
     }
@@ -174,7 +186,7 @@ final class SandboxPanels {
 
     // Right ------------------------------------------------------------------------------------
 
-    private void simulation(Ui ui, View view, SandboxState state, double height) {
+    private void simulation(Ui ui, View view, SandboxState state, double height, boolean edited) {
         if (ui.panel("Simulation", ui.width() - RIGHT_WIDTH - GAP, GAP, RIGHT_WIDTH, height)) {
             controls(ui, view, state);
             if (ui.section("Plots", true)) {
@@ -189,7 +201,8 @@ final class SandboxPanels {
                 layers(ui);
                 ui.endSection();
             }
-            if (ui.section("Solver", false)) {
+            // An edited scene says itself how many sub-steps it wants.
+            if (!edited && ui.section("Solver", false)) {
                 solver(ui, state);
                 ui.endSection();
             }

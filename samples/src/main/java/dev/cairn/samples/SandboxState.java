@@ -17,6 +17,11 @@ final class SandboxState {
     String problem = "";
     Sandbox.Ball ball = Sandbox.Ball.DEFAULT;
 
+    /** The world's entity for each of the edited scene's, and what the world said about it. */
+    long[] entities = {};
+
+    String notes = "";
+
     /** The body that was picked last; empty if there was none. */
     String held = "";
 

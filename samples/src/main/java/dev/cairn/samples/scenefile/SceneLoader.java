@@ -3,6 +3,7 @@ package dev.cairn.samples.scenefile;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.Visual;
 import dev.cairn.physics.Body;
+import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.DegenerateShapeException;
@@ -25,30 +26,63 @@ import org.jspecify.annotations.Nullable;
 
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * Puts a scene file's contents into a world. One thread, the simulation's; one build per object.
  */
 public final class SceneLoader {
+    /** In place of an entity where a scene's has none in the world. */
+    public static final long NOTHING = -1;
+
     /** Half the edge of the cube that collides and is drawn where a mesh cannot be used, m. */
     private static final double PLACEHOLDER_HALF = 0.5;
 
     private final Path folder;
     private final SceneBuilder into;
-    private final Map<String, @Nullable ObjModel> meshes = new HashMap<>();
-    private final Map<String, @Nullable Texture> textures = new HashMap<>();
-    private final Map<Shared, Shape> shapes = new HashMap<>();
+    private final Map<String, @Nullable ObjModel> meshes;
+    private final Map<String, @Nullable Texture> textures;
+    private final Map<Shared, Shape> shapes;
 
     /** Entities of equal shape and scale share one collision shape, and so one mesh to draw. */
     private record Shared(ShapeSpec shape, Xyz scale) {}
 
-    private SceneLoader(Path folder, SceneBuilder into) {
+    /**
+     * What files held and shapes that were made, for scenes that are built again and again from one
+     * folder. A file that changes is noticed by a new one of these only. One thread.
+     */
+    public static final class Assets {
+        private final Map<String, @Nullable ObjModel> meshes = new HashMap<>();
+        private final Map<String, @Nullable Texture> textures = new HashMap<>();
+        private final Map<Shared, Shape> shapes = new HashMap<>();
+
+        /** Nothing yet. */
+        public Assets() {}
+
+        /** Forgets broken files, so that each build tells of them, and shapes if they are many. */
+        private void begin() {
+            meshes.values().removeIf(Objects::isNull);
+            textures.values().removeIf(Texture.missing()::equals);
+            if (shapes.size() > MOST_SHAPES) {
+                shapes.clear();
+            }
+        }
+    }
+
+    /** Shapes that are kept between builds: a scale that is dragged makes one a frame. */
+    private static final int MOST_SHAPES = 4096;
+
+    private SceneLoader(Path folder, SceneBuilder into, Assets assets) {
         this.folder = folder;
         this.into = into;
+        meshes = assets.meshes;
+        textures = assets.textures;
+        shapes = assets.shapes;
     }
 
     /**
@@ -101,7 +135,25 @@ public final class SceneLoader {
      *     overflows); the message names it
      */
     public static void build(SceneFile scene, Path folder, SceneBuilder into) {
-        SceneLoader loader = new SceneLoader(folder, into);
+        build(scene, folder, into, new Assets(), new long[scene.entities().size()]);
+    }
+
+    /**
+     * Builds a scene with what earlier builds have read, and tells which entity became which.
+     *
+     * @param scene what to build
+     * @param folder what relative paths are relative to, the same for all builds with these assets
+     * @param into an empty builder; its world gets the scene's gravity
+     * @param assets what was read
+     * @param made receives the world's entity for each of the scene's; {@link #NOTHING} where none
+     *     was made: not drawn, and without a part in the physics
+     * @throws IllegalArgumentException if the world refuses an entity; those before it are there
+     */
+    public static void build(
+            SceneFile scene, Path folder, SceneBuilder into, Assets assets, long[] made) {
+        assets.begin();
+        Arrays.fill(made, NOTHING);
+        SceneLoader loader = new SceneLoader(folder, into, assets);
         into.world().setGravity(scene.gravity().x(), scene.gravity().y(), scene.gravity().z());
         into.stepSeconds(scene.tick().seconds());
         into.light(scene.light());
@@ -118,7 +170,7 @@ public final class SceneLoader {
         for (int i = 0; i < scene.entities().size(); i++) {
             EntitySpec entity = scene.entities().get(i);
             try {
-                loader.add(entity, i);
+                made[i] = loader.add(entity, i);
             } catch (IllegalArgumentException refused) {
                 throw new IllegalArgumentException(
                         "$.entities[%d] \"%s\": %s"
@@ -128,18 +180,18 @@ public final class SceneLoader {
         }
     }
 
-    private void add(EntitySpec entity, int index) {
+    private long add(EntitySpec entity, int index) {
         Shape shape = shape(entity, index);
         LookSpec look = entity.look();
         Visual visual = look.visible() ? look(entity, shape, index) : null;
         Turn turn = entity.rotation();
         Xyz at = entity.position();
         if (entity.body() == BodyKind.NONE) {
-            if (visual != null) {
-                Quaterniond q = new Quaterniond(turn.x(), turn.y(), turn.z(), turn.w()).normalize();
-                into.addVisual(new Pose(at.x(), at.y(), at.z(), q.x, q.y, q.z, q.w, 0), visual);
+            if (visual == null) {
+                return NOTHING;
             }
-            return;
+            Quaterniond q = new Quaterniond(turn.x(), turn.y(), turn.z(), turn.w()).normalize();
+            return into.addVisual(new Pose(at.x(), at.y(), at.z(), q.x, q.y, q.z, q.w, 0), visual);
         }
         boolean fixed = entity.body() == BodyKind.FIXED;
         Body body =
@@ -156,11 +208,9 @@ public final class SceneLoader {
         Xyz w = entity.angularVelocity();
         body.velocity(v.x(), v.y(), v.z()).angularVelocity(w.x(), w.y(), w.z());
         Shape collider = shape == null ? placeholderShape(entity) : shape;
-        if (visual == null) {
-            into.addUnseen(collider, body);
-        } else {
-            into.add(collider, visual, body);
-        }
+        BodyRef made =
+                visual == null ? into.addUnseen(collider, body) : into.add(collider, visual, body);
+        return made.entity();
     }
 
     private static Shape placeholderShape(EntitySpec entity) {

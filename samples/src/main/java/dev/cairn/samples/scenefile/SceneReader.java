@@ -337,8 +337,13 @@ public final class SceneReader {
                 Map<String, JsonNode> in =
                         node.fields(
                                 "a moved shape", List.of("type", "shape", "position", "rotation"));
+                JsonNode within = node.required(in, "shape");
+                ShapeSpec inner = shape(within);
+                if (inner instanceof MeshShape) {
+                    throw within.wrong("a shape that is no mesh", "a mesh");
+                }
                 yield new MovedShape(
-                        shape(node.required(in, "shape")),
+                        inner,
                         node.required(in, "position").xyz("a place in metres"),
                         rotation(node.required(in, "rotation")));
             }

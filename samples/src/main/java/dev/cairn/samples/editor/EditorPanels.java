@@ -1,0 +1,387 @@
+package dev.cairn.samples.editor;
+
+import dev.cairn.render.app.Pick;
+import dev.cairn.render.app.View;
+import dev.cairn.render.camera.Camera;
+import dev.cairn.render.input.Bindings;
+import dev.cairn.render.input.Key;
+import dev.cairn.render.input.MouseButton;
+import dev.cairn.render.input.Pointer;
+import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
+import dev.cairn.samples.scenefile.Turn;
+import dev.cairn.samples.scenefile.Xyz;
+
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Consumer;
+
+/**
+ * The panels of the editor, and what the mouse does to the scene. Window thread; keys, which are
+ * bound to the simulation thread, reach it by {@link #ask}.
+ */
+public final class EditorPanels {
+    private static final double GAP = 10;
+    private static final double LEFT_WIDTH = 290;
+    private static final double PLAYING_HEIGHT = 150;
+    private static final int PROBLEM = 0xFF7A7A;
+    private static final int CHOSEN = 0xFFE082;
+
+    /** Frames without an edit after which the next one is a step of its own. */
+    private static final int REST_FRAMES = 30;
+
+    private static final double RAISE = 0.1;
+
+    /** The edges of a box, as pairs of corners; see {@link Sizes#corners}. */
+    private static final int[] EDGES = {
+        0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7
+    };
+
+    private final Editor editor;
+    private final EntityPanel entity;
+    private final ConcurrentLinkedQueue<Consumer<Editor>> asked = new ConcurrentLinkedQueue<>();
+    private String fileName = "scene.json";
+    private String meshName = "";
+    private @Nullable Path shownFile;
+    private @Nullable GroundDrag drag;
+    private boolean snaps = true;
+    private int stepsBefore;
+    private int restFrames;
+
+    /**
+     * Panels.
+     *
+     * @param editor what they show and act on
+     */
+    public EditorPanels(Editor editor) {
+        this.editor = editor;
+        this.entity = new EntityPanel(editor);
+    }
+
+    /**
+     * Has something done to the editor before the next frame. Any thread.
+     *
+     * @param action what to do
+     */
+    public void ask(Consumer<Editor> action) {
+        asked.add(action);
+    }
+
+    /**
+     * Binds the editor's keys. Simulation thread.
+     *
+     * @param bindings of the application
+     */
+    public void bind(Bindings bindings) {
+        bindings.onKey(
+                        Key.F2,
+                        "open or close the editor",
+                        () ->
+                                ask(known -> {
+                                    if (known.mode() == Editor.Mode.CLOSED) {
+                                        known.open();
+                                    } else {
+                                        known.close();
+                                    }
+                                }))
+                .onKey(
+                        Key.F5,
+                        "editor: play, stop",
+                        () ->
+                                ask(known -> {
+                                    if (known.mode() == Editor.Mode.PLAYING) {
+                                        known.stop();
+                                    } else {
+                                        known.play();
+                                    }
+                                }))
+                .onKey(
+                        Key.Z,
+                        "editor: undo, with Ctrl",
+                        () -> askWithControl(bindings, Editor::undo))
+                .onKey(
+                        Key.Y,
+                        "editor: redo, with Ctrl",
+                        () -> askWithControl(bindings, Editor::redo))
+                .onKey(Key.C, "editor: duplicate", () -> askAtRest(Editor::duplicate))
+                .onKey(Key.DELETE, "editor: delete", () -> askAtRest(Editor::delete));
+    }
+
+    private void askWithControl(Bindings bindings, Consumer<Editor> action) {
+        if (bindings.isDown(Key.LEFT_CONTROL) || bindings.isDown(Key.RIGHT_CONTROL)) {
+            askAtRest(action);
+        }
+    }
+
+    private void askAtRest(Consumer<Editor> action) {
+        if (editor.mode() == Editor.Mode.REST) {
+            ask(action);
+        }
+    }
+
+    /** Does what keys asked for; once a frame, also while the editor is closed. */
+    public void hear() {
+        for (Consumer<Editor> next = asked.poll(); next != null; next = asked.poll()) {
+            next.accept(editor);
+        }
+    }
+
+    /**
+     * Raises what is selected; the wheel. Any thread.
+     *
+     * @param steps of the wheel
+     */
+    public void raise(double steps) {
+        ask(known -> {
+            if (known.mode() == Editor.Mode.REST) {
+                known.change(
+                        "raise",
+                        e -> {
+                            double y = e.position().y() + RAISE * steps;
+                            double rounded = Math.rint(y * 1000) / 1000;
+                            return e.at(
+                                    new Xyz(e.position().x(), rounded, e.position().z()),
+                                    e.rotation());
+                        });
+            }
+        });
+    }
+
+    /**
+     * Draws the panels of an open editor.
+     *
+     * @param ui what panels are made of
+     * @param view what the frame shows
+     * @param entities the world's entity for each of the scene's, in its order
+     * @param notes what the world had to say about the scene; may be empty
+     */
+    public void draw(Ui ui, View view, long[] entities, String notes) {
+        if (editor.mode() == Editor.Mode.PLAYING) {
+            playing(ui);
+            return;
+        }
+        if (!Objects.equals(shownFile, editor.file())) {
+            Path file = editor.file();
+            shownFile = file;
+            fileName = file == null ? fileName : String.valueOf(file.getFileName());
+        }
+        mouse(view, entities);
+        double height = ui.height() - 2 * GAP;
+        double upper = Math.min(height - 150, 420);
+        if (ui.panel("Editor", GAP, GAP, LEFT_WIDTH, upper)) {
+            actions(ui, view);
+            if (!notes.isEmpty()) {
+                ui.label("The world says:", PROBLEM);
+                ui.text(notes);
+            }
+            palette(ui, view);
+        }
+        ui.endPanel();
+        list(ui, upper + 2 * GAP, height - upper - GAP);
+        entity.draw(ui, ui.width() - LEFT_WIDTH - GAP, GAP, LEFT_WIDTH, height);
+        outline(view);
+        seal();
+    }
+
+    private void playing(Ui ui) {
+        if (ui.panel("Editor", GAP, GAP, LEFT_WIDTH, PLAYING_HEIGHT)) {
+            ui.heading(editor.scene().name());
+            ui.columns(2);
+            if (ui.button("Stop (F5)")) {
+                editor.stop();
+            }
+            if (ui.button("Close (F2)")) {
+                editor.close();
+            }
+            ui.text("The scene runs. Stop goes back to the scene as it was edited.");
+        }
+        ui.endPanel();
+    }
+
+    private void actions(Ui ui, View view) {
+        ui.columns(3);
+        if (ui.button("Play (F5)")) {
+            editor.play();
+        }
+        if (ui.button("New")) {
+            editor.startNew();
+        }
+        if (ui.button("Close (F2)")) {
+            editor.close();
+        }
+        ui.columns(2);
+        if (ui.button("Undo (Ctrl+Z)")) {
+            editor.undo();
+        }
+        if (ui.button("Redo (Ctrl+Y)")) {
+            editor.redo();
+        }
+        String label = editor.history().undoLabel();
+        ui.value(
+                editor.history().steps() + " steps" + (editor.isChanged() ? ", unsaved" : ""),
+                label == null ? "" : label);
+        fileName = ui.textField("file", fileName);
+        ui.columns(3);
+        if (ui.button("Save")) {
+            editor.save(fileName);
+        }
+        if (ui.button("Load")) {
+            editor.load(fileName);
+        }
+        if (ui.button("Keep view")) {
+            keepView(view.camera());
+        }
+        if (!editor.message().isEmpty()) {
+            if (editor.isWrong()) {
+                ui.label("That did not work:", PROBLEM);
+            }
+            ui.text(editor.message());
+        }
+    }
+
+    private void palette(Ui ui, View view) {
+        ui.heading("Place");
+        ui.columns(3);
+        for (Supply.Item item : Supply.ITEMS) {
+            if (ui.button(item.name())) {
+                EntitySpec made = EntitySpec.of(item.name(), item.body(), item.shape());
+                editor.place(
+                        made.at(ahead(view, -Sizes.of(made).low().y()), Turn.NONE)
+                                .withName(item.name()));
+            }
+        }
+        meshName = ui.textField("mesh (.obj)", meshName);
+        ui.columns(1);
+        if (ui.button("Place mesh")) {
+            editor.placeMesh(meshName, ahead(view, 1));
+        }
+        snaps = ui.checkbox("snap to a grid of 0.25 m", snaps);
+    }
+
+    private void list(Ui ui, double top, double height) {
+        List<EntitySpec> entities = editor.scene().entities();
+        if (ui.panel("Entities", GAP, top, LEFT_WIDTH, height)) {
+            for (int i = 0; i < entities.size(); i++) {
+                if (ui.item(title(i, entities.get(i)), i == editor.selected(), "")) {
+                    editor.select(i == editor.selected() ? Editor.NOTHING : i);
+                }
+            }
+        }
+        ui.endPanel();
+    }
+
+    static String title(int index, EntitySpec entity) {
+        return "%d  %s, %s%s"
+                .formatted(
+                        index,
+                        entity.name().isEmpty() ? "(no name)" : entity.name(),
+                        entity.shape().type(),
+                        switch (entity.body()) {
+                            case DYNAMIC -> "";
+                            case FIXED -> ", fixed";
+                            case NONE -> ", only drawn";
+                        });
+    }
+
+    // Mouse ------------------------------------------------------------------------------------
+
+    private void mouse(View view, long[] entities) {
+        Pointer pointer = view.pointer();
+        if (pointer.wasPressed(MouseButton.LEFT)) {
+            Pick pick = view.pick(pointer.across(), pointer.upwards());
+            editor.select(pick == null ? Editor.NOTHING : indexOf(pick.entity(), entities));
+            EntitySpec taken = editor.selectedEntity();
+            if (pick != null && taken != null) {
+                Vector3d along = ray(view);
+                Vector3d at = view.camera().position(new Vector3d()).fma(pick.distance(), along);
+                drag = new GroundDrag(new Xyz(at.x, at.y, at.z), taken.position());
+            }
+        } else if (drag != null && pointer.isDown(MouseButton.LEFT)) {
+            EntitySpec held = editor.selectedEntity();
+            if (held != null) {
+                Vector3d eye = view.camera().position(new Vector3d());
+                Vector3d along = ray(view);
+                Xyz to =
+                        drag.to(
+                                new Xyz(eye.x, eye.y, eye.z),
+                                new Xyz(along.x, along.y, along.z),
+                                held.position(),
+                                snaps ? 0.25 : 0);
+                editor.change("drag", e -> e.at(to, e.rotation()));
+            }
+        } else if (drag != null) {
+            drag = null;
+            editor.seal();
+        }
+    }
+
+    private static int indexOf(long wanted, long[] entities) {
+        for (int i = 0; i < entities.length; i++) {
+            if (entities[i] == wanted) {
+                return i;
+            }
+        }
+        return Editor.NOTHING;
+    }
+
+    private static Vector3d ray(View view) {
+        Pointer pointer = view.pointer();
+        return view.camera()
+                .ray(pointer.across(), pointer.upwards(), view.aspect(), new Vector3d());
+    }
+
+    /** A place on the ground in the middle of the picture, or some metres ahead. */
+    private Xyz ahead(View view, double height) {
+        Vector3d eye = view.camera().position(new Vector3d());
+        Vector3d along = view.camera().forward(new Vector3d());
+        double t = -eye.y / along.y;
+        if (!(t > 2 && t < 40)) {
+            t = 8;
+        }
+        double grid = snaps ? 0.25 : 0.001;
+        return new Xyz(
+                GroundDrag.snap(eye.x + t * along.x, grid),
+                Math.rint(height * 1e6) / 1e6,
+                GroundDrag.snap(eye.z + t * along.z, grid));
+    }
+
+    private void keepView(Camera camera) {
+        Vector3d eye = camera.position(new Vector3d());
+        Vector3d target = camera.forward(new Vector3d()).mul(5).add(eye);
+        editor.camera(
+                new CameraSpec(
+                        new Xyz(eye.x, eye.y, eye.z),
+                        new Xyz(target.x, target.y, target.z),
+                        editor.scene().camera().fieldOfViewDegrees()));
+    }
+
+    /** The box around what is selected, drawn over the scene. */
+    private void outline(View view) {
+        EntitySpec chosen = editor.selectedEntity();
+        if (chosen == null) {
+            return;
+        }
+        Vector3d[] c = Sizes.of(chosen).corners(chosen.position(), chosen.rotation());
+        for (int i = 0; i < EDGES.length; i += 2) {
+            Vector3d a = c[EDGES[i]];
+            Vector3d b = c[EDGES[i + 1]];
+            view.line(a.x, a.y, a.z, b.x, b.y, b.z, CHOSEN, 1.5);
+        }
+    }
+
+    /** A slider that has rested for a while begins a new step when it moves again. */
+    private void seal() {
+        if (editor.edits() != stepsBefore) {
+            stepsBefore = editor.edits();
+            restFrames = 0;
+        } else if (++restFrames == REST_FRAMES && drag == null) {
+            editor.seal();
+        }
+    }
+}

@@ -1,0 +1,89 @@
+package dev.cairn.samples.editor;
+
+import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.ShapeSpec;
+import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
+import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
+import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
+import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
+import dev.cairn.samples.scenefile.ShapeSpec.MovedShape;
+import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
+import dev.cairn.samples.scenefile.Turn;
+import dev.cairn.samples.scenefile.Xyz;
+
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+
+import java.util.List;
+
+/**
+ * The box around an entity's shape, in the frame of the shape, after its scale. A mesh counts as
+ * the cube that stands in for it, since its file is not read here. Immutable.
+ *
+ * @param low least coordinates, m
+ * @param high greatest coordinates, m
+ */
+record Sizes(Xyz low, Xyz high) {
+    /** A half-space is shown as a square of this half width, m. */
+    private static final double GROUND_HALF = 5;
+
+    static Sizes of(EntitySpec entity) {
+        return of(entity.shape(), entity.scale());
+    }
+
+    private static Sizes of(ShapeSpec shape, Xyz s) {
+        return switch (shape) {
+            case BoxShape(Xyz half) -> around(half.x() * s.x(), half.y() * s.y(), half.z() * s.z());
+            case SphereShape(double radius) ->
+                    around(radius * s.x(), radius * s.y(), radius * s.z());
+            case TurnedShape(String type, double radius, double half) ->
+                    around(
+                            radius * s.x(),
+                            half * s.y() + (type.equals("capsule") ? radius * s.x() : 0),
+                            radius * s.z());
+            case GroundShape() -> around(GROUND_HALF, 0, GROUND_HALF);
+            case MovedShape(ShapeSpec inner, Xyz at, Turn turn) -> {
+                Xyz place = new Xyz(at.x() * s.x(), at.y() * s.x(), at.z() * s.x());
+                yield around(List.of(of(inner, s).corners(place, turn)));
+            }
+            case MeshShape mesh -> around(0.5 * s.x(), 0.5 * s.y(), 0.5 * s.z());
+            case HullShape(List<Xyz> points) -> {
+                yield around(
+                        points.stream()
+                                .map(p -> new Vector3d(p.x() * s.x(), p.y() * s.y(), p.z() * s.z()))
+                                .toList());
+            }
+        };
+    }
+
+    private static Sizes around(double x, double y, double z) {
+        return new Sizes(new Xyz(-x, -y, -z), new Xyz(x, y, z));
+    }
+
+    private static Sizes around(List<Vector3d> points) {
+        Vector3d low = new Vector3d(Double.POSITIVE_INFINITY);
+        Vector3d high = new Vector3d(Double.NEGATIVE_INFINITY);
+        for (Vector3d point : points) {
+            low.min(point);
+            high.max(point);
+        }
+        return new Sizes(new Xyz(low.x, low.y, low.z), new Xyz(high.x, high.y, high.z));
+    }
+
+    /** The eight corners in the world; bit 0, 1, 2 of the index: high in x, y, z. */
+    Vector3d[] corners(Xyz position, Turn turn) {
+        Quaterniond q = new Quaterniond(turn.x(), turn.y(), turn.z(), turn.w()).normalize();
+        Vector3d[] corners = new Vector3d[8];
+        for (int i = 0; i < 8; i++) {
+            corners[i] =
+                    q.transform(
+                                    new Vector3d(
+                                            (i & 1) == 0 ? low.x() : high.x(),
+                                            (i & 2) == 0 ? low.y() : high.y(),
+                                            (i & 4) == 0 ? low.z() : high.z()))
+                            .add(position.x(), position.y(), position.z());
+        }
+        return corners;
+    }
+}

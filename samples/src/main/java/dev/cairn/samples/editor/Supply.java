@@ -1,0 +1,64 @@
+package dev.cairn.samples.editor;
+
+import dev.cairn.samples.scenefile.BodyKind;
+import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.LookSpec;
+import dev.cairn.samples.scenefile.SceneFile;
+import dev.cairn.samples.scenefile.ShapeSpec;
+import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
+import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
+import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
+import dev.cairn.samples.scenefile.Turn;
+import dev.cairn.samples.scenefile.Xyz;
+
+import java.util.List;
+
+/** What the editor offers to be placed, and the scene it begins with. Stateless. */
+final class Supply {
+    /** Something to place. */
+    record Item(String name, BodyKind body, ShapeSpec shape) {}
+
+    static final List<Item> ITEMS =
+            List.of(
+                    new Item("box", BodyKind.DYNAMIC, new BoxShape(new Xyz(0.5, 0.5, 0.5))),
+                    new Item("ball", BodyKind.DYNAMIC, new SphereShape(0.5)),
+                    new Item("capsule", BodyKind.DYNAMIC, new TurnedShape("capsule", 0.3, 0.4)),
+                    new Item("cylinder", BodyKind.DYNAMIC, new TurnedShape("cylinder", 0.5, 0.5)),
+                    new Item("cone", BodyKind.DYNAMIC, new TurnedShape("cone", 0.5, 0.5)),
+                    new Item("plank", BodyKind.DYNAMIC, new BoxShape(new Xyz(1.5, 0.1, 0.4))),
+                    new Item(
+                            "pyramid",
+                            BodyKind.DYNAMIC,
+                            new HullShape(
+                                    List.of(
+                                            new Xyz(-0.5, 0, -0.5),
+                                            new Xyz(0.5, 0, -0.5),
+                                            new Xyz(0.5, 0, 0.5),
+                                            new Xyz(-0.5, 0, 0.5),
+                                            new Xyz(0, 1, 0)))),
+                    new Item(
+                            "wedge",
+                            BodyKind.FIXED,
+                            new HullShape(
+                                    List.of(
+                                            new Xyz(-1.5, 0, -1),
+                                            new Xyz(1.5, 0, -1),
+                                            new Xyz(-1.5, 1.2, -1),
+                                            new Xyz(-1.5, 0, 1),
+                                            new Xyz(1.5, 0, 1),
+                                            new Xyz(-1.5, 1.2, 1)))),
+                    new Item("wall", BodyKind.FIXED, new BoxShape(new Xyz(2, 1, 0.15))));
+
+    private Supply() {}
+
+    /** A fixed floor with one-metre squares, its upper side at y = 0. */
+    static SceneFile emptyScene() {
+        EntitySpec floor =
+                EntitySpec.of("floor", BodyKind.FIXED, new BoxShape(new Xyz(20, 0.5, 20)))
+                        .at(new Xyz(0, -0.5, 0), Turn.NONE)
+                        .withLook(
+                                LookSpec.DEFAULT.withRgb(0xC9CDD2).withTexture("builtin:grid", 2));
+        return SceneFile.empty("new scene").withEntities(List.of(floor));
+    }
+}

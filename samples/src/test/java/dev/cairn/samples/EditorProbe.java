@@ -1,0 +1,77 @@
+package dev.cairn.samples;
+
+import dev.cairn.core.snapshot.PoseSnapshot;
+import dev.cairn.render.app.View;
+import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenes.StackOfBoxes;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * The sandbox as a program of its own that tells, one line a frame, what the editor shows, for
+ * {@link EditorWindowTest}.
+ */
+final class EditorProbe extends Sandbox {
+    private static final List<String> BUTTONS = List.of("box", "Save", "Load");
+
+    private EditorProbe() {
+        super(List.of(StackOfBoxes.scene()), Map.of(), 1, 4, false, System.err);
+    }
+
+    /** Runs until the window is closed. */
+    public static void main(String[] arguments) {
+        new EditorProbe().size(1024, 640).start();
+    }
+
+    @Override
+    void shown(Ui ui, View view, SandboxState state) {
+        EntitySpec chosen = editor().selectedEntity();
+        StringBuilder line = new StringBuilder();
+        line.append(
+                String.format(
+                        Locale.ROOT,
+                        "frame=%d mode=%s tick=%d steps=%d entities=%d changed=%b wrong=%b"
+                                + " selected=%d selectedX=%s selectedY=%s seenY=%.6f",
+                        view.frames(),
+                        editor().mode(),
+                        state.tick,
+                        editor().history().steps(),
+                        editor().scene().entities().size(),
+                        editor().isChanged(),
+                        editor().isWrong(),
+                        editor().selected(),
+                        chosen == null ? "NaN" : chosen.position().x(),
+                        chosen == null ? "NaN" : chosen.position().y(),
+                        heightOfLast(view, state)));
+        for (String button : BUTTONS) {
+            double[] at = ui.boundsOf(button);
+            if (at != null) {
+                line.append(
+                        String.format(
+                                Locale.ROOT,
+                                " %sX=%.1f %sY=%.1f",
+                                button,
+                                at[0] + at[2] / 2,
+                                button,
+                                at[1] + at[3] / 2));
+            }
+        }
+        System.out.println(line);
+        System.out.flush();
+    }
+
+    /** Where the world has the last entity of the edited scene. */
+    private static double heightOfLast(View view, SandboxState state) {
+        PoseSnapshot snapshot = view.snapshot();
+        for (int row = 0; row < snapshot.size(); row++) {
+            int last = state.entities.length - 1;
+            if (last >= 0 && snapshot.entity(row) == state.entities[last]) {
+                return snapshot.current()[row * PoseSnapshot.STRIDE + 1];
+            }
+        }
+        return Double.NaN;
+    }
+}

@@ -1,0 +1,238 @@
+package dev.cairn.samples.editor;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.samples.scenefile.BodyKind;
+import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.SceneFile;
+import dev.cairn.samples.scenefile.SceneReader;
+import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
+import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
+import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+import dev.cairn.samples.scenefile.Turn;
+import dev.cairn.samples.scenefile.Xyz;
+
+import org.joml.Vector3d;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+
+/** What the editor does, without a window. */
+class EditorTest {
+    @TempDir private Path folder;
+    private final List<String> seen = new ArrayList<>();
+    private SceneFile shown;
+    private Editor editor;
+
+    /** Keeps what it is told. */
+    private final Stage stage =
+            new Stage() {
+                @Override
+                public void rest(SceneFile scene, Path from, boolean places) {
+                    seen.add("rest");
+                    shown = scene;
+                }
+
+                @Override
+                public void play(SceneFile scene, Path from) {
+                    seen.add("play");
+                    shown = scene;
+                }
+
+                @Override
+                public void leave() {
+                    seen.add("leave");
+                }
+            };
+
+    @BeforeEach
+    void open() {
+        editor = new Editor(stage);
+        editor.open(Supply.emptyScene(), null, folder);
+    }
+
+    private static EntitySpec box(String name) {
+        return EntitySpec.of(name, BodyKind.DYNAMIC, new BoxShape(new Xyz(0.5, 0.5, 0.5)));
+    }
+
+    @Test
+    void whatIsPlacedIsSelectedShownAndCanBeTakenBack() {
+        SceneFile before = editor.scene();
+        editor.place(box("crate"));
+        assertEquals("crate", editor.selectedEntity().name());
+        assertSame(editor.scene(), shown);
+        editor.duplicate();
+        // One metre wide, with 0.1 m between: the copy is 1.1 m along x.
+        assertEquals(new Xyz(1.1, 0, 0), editor.selectedEntity().position());
+        assertEquals(3, editor.scene().entities().size());
+        editor.delete();
+        assertEquals(Editor.NOTHING, editor.selected());
+        editor.undo();
+        editor.undo();
+        editor.undo();
+        assertEquals(before, editor.scene());
+        assertFalse(editor.isChanged());
+        editor.undo();
+        assertTrue(editor.isWrong());
+        editor.redo();
+        assertEquals("crate", editor.scene().entities().get(1).name());
+        assertSame(editor.scene(), shown);
+    }
+
+    @Test
+    void playingGoesBackToWhatWasEdited() {
+        editor.place(box("crate"));
+        SceneFile edited = editor.scene();
+        editor.play();
+        assertSame(edited, shown);
+        editor.delete();
+        editor.place(box("late"));
+        editor.undo();
+        assertTrue(editor.isWrong(), "a scene that runs is not edited");
+        assertSame(edited, editor.scene());
+        editor.stop();
+        assertSame(edited, shown);
+        editor.close();
+        editor.open();
+        assertSame(edited, shown);
+        assertEquals(List.of("rest", "rest", "play", "rest", "leave", "rest"), seen);
+    }
+
+    @Test
+    void savedAndLoadedIsTheSame() {
+        editor.place(box("crate").at(new Xyz(0.1, 1.0 / 3, -0.0), Turn.about(Xyz.ONE, 25)));
+        SceneFile edited = editor.scene();
+        editor.save("mine.json");
+        assertFalse(editor.isWrong(), editor.message());
+        assertFalse(editor.isChanged());
+        assertEquals(edited, SceneReader.read(folder.resolve("mine.json")));
+        editor.delete();
+        assertTrue(editor.isChanged());
+        editor.load("mine.json");
+        assertTrue(editor.isWrong(), "unsaved changes");
+        assertNotEquals(edited, editor.scene());
+        editor.load("mine.json");
+        assertFalse(editor.isWrong(), editor.message());
+        assertEquals(edited, editor.scene());
+    }
+
+    @Test
+    void anotherFileIsReplacedOnTheSecondCallOnly() throws IOException {
+        Files.writeString(folder.resolve("theirs.json"), "precious");
+        editor.save("theirs.json");
+        assertTrue(editor.isWrong());
+        assertEquals("precious", Files.readString(folder.resolve("theirs.json")));
+        editor.save("theirs.json");
+        assertFalse(editor.isWrong(), editor.message());
+        assertEquals(editor.scene(), SceneReader.read(folder.resolve("theirs.json")));
+    }
+
+    @Test
+    void mistakesAreTold() throws IOException {
+        SceneFile before = editor.scene();
+        Files.writeString(
+                folder.resolve("broken.json"),
+                "{\"format\": \"cairn-scene\", \"version\": 1,\n \"entities\": [{\"shape\": 3}]}");
+        editor.load("broken.json");
+        assertTrue(editor.isWrong());
+        assertTrue(
+                editor.message().contains("broken.json:2: $.entities[0].shape: expected"),
+                editor.message());
+        editor.load("absent.json");
+        assertTrue(editor.message().contains("nothing there"), editor.message());
+        editor.save("no-ending");
+        assertTrue(editor.message().contains(".json"), editor.message());
+        editor.save("no/such/folder/x.json");
+        assertTrue(editor.message().contains("not saved"), editor.message());
+        editor.placeMesh("absent.obj", Xyz.ZERO);
+        assertTrue(editor.message().contains("absent.obj"), editor.message());
+        editor.place(EntitySpec.of("ball", BodyKind.DYNAMIC, new SphereShape(1)));
+        editor.change("scale", e -> e.withScale(new Xyz(1, 2, 1)));
+        assertTrue(editor.message().contains("round shape"), editor.message());
+        editor.undo();
+        assertEquals(before, editor.scene());
+    }
+
+    @Test
+    void aSceneSavedElsewhereFindsItsMeshes() throws IOException {
+        Files.writeString(
+                folder.resolve("tetra.obj"),
+                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+        editor.placeMesh("tetra.obj", Xyz.ZERO);
+        assertFalse(editor.isWrong(), editor.message());
+        Files.createDirectory(folder.resolve("sub"));
+        editor.save("sub/there.json");
+        assertFalse(editor.isWrong(), editor.message());
+        assertEquals(new MeshShape("../tetra.obj"), editor.scene().entities().get(1).shape());
+    }
+
+    /** The ray to where the point is wanted, from random eyes, finds the wanted place. */
+    @Test
+    void aDraggedPointStaysUnderTheCursor() {
+        long seed = 9;
+        SplittableRandom random = new SplittableRandom(seed);
+        for (int i = 0; i < 200; i++) {
+            Xyz taken = new Xyz(random.nextDouble(-5, 5), random.nextDouble(0, 2), -3);
+            Xyz from = new Xyz(1, 0.5, -2);
+            Vector3d wanted =
+                    new Vector3d(random.nextDouble(-20, 20), taken.y(), random.nextDouble(-20, 20));
+            Vector3d eye = new Vector3d(random.nextDouble(-9, 9), random.nextDouble(3, 9), 14);
+            Vector3d along = new Vector3d(wanted).sub(eye).normalize();
+            Xyz to =
+                    new GroundDrag(taken, from)
+                            .to(
+                                    new Xyz(eye.x, eye.y, eye.z),
+                                    new Xyz(along.x, along.y, along.z),
+                                    from,
+                                    0);
+            assertEquals(from.x() + wanted.x - taken.x(), to.x(), 1e-9, "seed " + seed);
+            assertEquals(from.y(), to.y());
+            assertEquals(from.z() + wanted.z - taken.z(), to.z(), 1e-9, "seed " + seed);
+        }
+        GroundDrag drag = new GroundDrag(Xyz.ZERO, Xyz.ZERO);
+        Xyz now = new Xyz(3, 1, 4);
+        assertSame(now, drag.to(new Xyz(0, 2, 0), new Xyz(0, 0.6, -0.8), now, 0), "to the sky");
+        assertSame(now, drag.to(new Xyz(0, 2, 0), new Xyz(0, 0, -1), now, 0), "level");
+        Xyz snapped = drag.to(new Xyz(0.3, 2, 0.9), new Xyz(0, -1, 0), now, 0.25);
+        assertEquals(new Xyz(0.25, 1, 1), snapped);
+    }
+
+    @Test
+    void theOutlineHoldsTheTurnedBox() {
+        EntitySpec plank =
+                EntitySpec.of("plank", BodyKind.DYNAMIC, new BoxShape(new Xyz(2, 0.1, 0.5)))
+                        .at(new Xyz(10, 1, 0), Turn.about(new Xyz(0, 0, 1), 90))
+                        .withScale(new Xyz(2, 1, 1));
+        Vector3d[] corners = Sizes.of(plank).corners(plank.position(), plank.rotation());
+        // Standing upright: 8 m high, 0.2 m wide.
+        for (Vector3d corner : corners) {
+            assertEquals(0.1, Math.abs(corner.x - 10), 1e-12);
+            assertEquals(4, Math.abs(corner.y - 1), 1e-12);
+            assertEquals(0.5, Math.abs(corner.z), 1e-12);
+        }
+    }
+
+    @Test
+    void numbersAreReadAndWritten() {
+        assertEquals(-2.5, Fields.parse(" -2.5 "));
+        assertEquals(null, Fields.parse("1e"));
+        assertEquals(null, Fields.parse("NaN"));
+        assertEquals(0xC8553D, Fields.parseRgb("#c8553D"));
+        assertEquals(null, Fields.parseRgb("#C8553"));
+        assertEquals("0.333333", Fields.text(1.0 / 3));
+        assertEquals("12", Fields.text(12));
+        assertEquals("0.5", Fields.text(0.5));
+        assertEquals("1.0E-7", Fields.text(1e-7));
+    }
+}
