@@ -69,9 +69,20 @@ class RestTest {
         }
     }
 
-    /** 200 boxes in a pit of 5 m; the median of the last two seconds, for stones may still slip. */
+    /**
+     * 200 boxes in a pit of 5 m; the median of the last two seconds. One pile in fifteen still has
+     * a stone that slips (2e-3 m/s in the mean), so the median of three piles is held, to a quarter
+     * of that.
+     */
     @Test
-    void aPileOfTwoHundredBoxesComesToRest() {
+    void pilesOfTwoHundredBoxesComeToRest() {
+        double[] speeds = {restlessness(6), restlessness(7), restlessness(8)};
+        String measured = "seeds 6, 7, 8: mean speeds " + Arrays.toString(speeds) + " m/s";
+        Arrays.sort(speeds);
+        assertTrue(speeds[1] < 5e-4, measured);
+    }
+
+    private static double restlessness(long seed) {
         double mass = 0;
         double[] energy = new double[120];
         try (PhysicsWorld world = Scenes.awake().workers(1).substeps(8).build()) {
@@ -80,7 +91,7 @@ class RestTest {
                 world.add(Body.fixed().shape(Box.of(0.5, 5, 3)).at(3 * side, 5, 0));
                 world.add(Body.fixed().shape(Box.of(3, 5, 0.5)).at(0, 5, 3 * side));
             }
-            Random random = new Random(6);
+            Random random = new Random(seed);
             for (int i = 0; i < 200; i++) {
                 BodyRef box = world.add(stone(random, i));
                 mass += box.mass();
@@ -93,8 +104,7 @@ class RestTest {
             }
         }
         Arrays.sort(energy);
-        double speed = Math.sqrt(2 * energy[60] / mass);
-        assertTrue(speed < 2e-3, "mean speed " + speed + " m/s, " + mass + " kg");
+        return Math.sqrt(2 * energy[60] / mass);
     }
 
     private static Body stone(Random random, int i) {

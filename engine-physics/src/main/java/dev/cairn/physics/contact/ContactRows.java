@@ -197,6 +197,11 @@ public final class ContactRows {
         c.restitution[to] = c.restitution[from];
         c.touching[to] = c.touching[from];
         c.cache[to] = c.cache[from];
+        c.keeps[to] = c.keeps[from];
+        if (c.keeps[from]) {
+            int k = ContactStore.KEPT;
+            System.arraycopy(c.kept, k * from, c.kept, k * to, k);
+        }
         c.frictionImpulseX[to] = c.frictionImpulseX[from];
         c.frictionImpulseY[to] = c.frictionImpulseY[from];
         c.frictionImpulseZ[to] = c.frictionImpulseZ[from];
@@ -243,6 +248,7 @@ public final class ContactRows {
             c.restitution[row] = Math.max(bodies.restitution[a], bodies.restitution[b]);
             c.touching[row] = 0;
             c.cache[row] = 0;
+            c.keeps[row] = false;
             c.frictionImpulseX[row] = 0;
             c.frictionImpulseY[row] = 0;
             c.frictionImpulseZ[row] = 0;

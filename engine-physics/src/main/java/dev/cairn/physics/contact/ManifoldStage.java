@@ -27,6 +27,9 @@ public final class ManifoldStage {
     /** Fewer pairs of boxes go without lanes, whose kernels would stay uncompiled for long. */
     private static final int BOXES_FOR_LANES = 512;
 
+    /** At rest few pairs of a batch have moved; lanes would be empty. */
+    private static final int MOVED_FOR_LANES = 8;
+
     /** Other pairs cost from some hundred nanoseconds to some microseconds. */
     private static final int OTHERS_PER_BLOCK = 32;
 
@@ -34,6 +37,7 @@ public final class ManifoldStage {
     private final BlockJob job = this::block;
     private final PairKinds kinds = new PairKinds();
     private final PointStore points = new PointStore();
+    private final Recycler recycler = new Recycler();
     private Scratch[] scratch = {};
 
     private BodyStore bodies = new BodyStore();
@@ -79,6 +83,7 @@ public final class ManifoldStage {
             }
         }
         points.use(bodyStore, rows);
+        recycler.use(bodyStore, rows, stepSeconds);
         kinds.sort(bodyStore, rows, jobs);
         int boxes = kinds.begin(PairKinds.OTHERS);
         boxBlocks = Blocks.count(boxes, BOXES_PER_BLOCK);
@@ -106,13 +111,19 @@ public final class ManifoldStage {
         ContactStore c = contacts;
         int[] order = kinds.order();
         BoxContacts batch = own.boxes;
-        batch.useLanes(kinds.begin(PairKinds.OTHERS) >= BOXES_FOR_LANES);
+        int moved = 0;
         for (int i = 0; i < count; i++) {
             int row = order[begin + i];
             int a = c.bodyA[row];
             int b = c.bodyB[row];
+            double margin = margin(a, b);
+            if (recycler.renew(row, margin)) {
+                continue;
+            }
+            own.row[moved] = row;
+            own.margin[moved] = margin;
             batch.put(
-                    i,
+                    moved++,
                     (Box) s.shape[a],
                     (Box) s.shape[b],
                     s.orientationX[a],
@@ -127,14 +138,17 @@ public final class ManifoldStage {
                     s.positionY[b] - s.positionY[a],
                     s.positionZ[b] - s.positionZ[a],
                     Math.min(s.innerRadius[a], s.innerRadius[b]),
-                    margin(a, b),
+                    margin,
                     c.cache[row]);
         }
-        batch.run(count);
-        for (int i = 0; i < count; i++) {
-            int row = order[begin + i];
+        batch.useLanes(
+                kinds.begin(PairKinds.OTHERS) >= BOXES_FOR_LANES && moved >= MOVED_FOR_LANES);
+        batch.run(moved);
+        for (int i = 0; i < moved; i++) {
+            int row = own.row[i];
             c.cache[row] = batch.take(i, own.manifold);
             points.store(row, own.manifold, own.points);
+            recycler.keep(row, own.manifold, batch.leftOut(i), own.margin[i]);
         }
     }
 
@@ -180,6 +194,8 @@ public final class ManifoldStage {
     private static final class Scratch {
         final NarrowPhase narrowPhase = new NarrowPhase();
         final BoxContacts boxes = new BoxContacts(narrowPhase);
+        final int[] row = new int[BOXES_PER_BLOCK];
+        final double[] margin = new double[BOXES_PER_BLOCK];
         final Manifold manifold = new Manifold();
         final PointStore.Scratch points = new PointStore.Scratch();
     }

@@ -19,6 +19,9 @@ public final class ContactStore {
     /** Points per row. */
     public static final int POINTS = 4;
 
+    /** Numbers per row in {@link #kept}. */
+    public static final int KEPT = 24;
+
     /** Rows in use. */
     public int count;
 
@@ -51,6 +54,14 @@ public final class ContactStore {
 
     /** The narrow phase's warm-start word; 0 if there is none. */
     public long[] cache = {};
+
+    /** Whether {@link #kept} holds something of a row. */
+    public boolean[] keeps = {};
+
+    /**
+     * Relative pose and points when a pair of boxes was last collided; the manifold stage's own.
+     */
+    public double[] kept = {};
 
     /**
      * Friction impulse at the patch centre in world axes, N s over the last sub-step; warm start.
@@ -123,6 +134,8 @@ public final class ContactStore {
         restitution = Arrays.copyOf(restitution, n);
         touching = Arrays.copyOf(touching, n);
         cache = Arrays.copyOf(cache, n);
+        keeps = Arrays.copyOf(keeps, n);
+        kept = Arrays.copyOf(kept, n * KEPT);
         frictionImpulseX = Arrays.copyOf(frictionImpulseX, n);
         frictionImpulseY = Arrays.copyOf(frictionImpulseY, n);
         frictionImpulseZ = Arrays.copyOf(frictionImpulseZ, n);

@@ -56,7 +56,8 @@ public final class BoxContacts {
             margin = new double[CAPACITY],
             best = new double[CAPACITY],
             separation = new double[CAPACITY],
-            deepest = new double[CAPACITY];
+            deepest = new double[CAPACITY],
+            leftOut = new double[CAPACITY];
 
     private final long[] word = new long[CAPACITY];
     private final Box[] shapeA = new Box[CAPACITY], shapeB = new Box[CAPACITY];
@@ -181,6 +182,7 @@ public final class BoxContacts {
             if (kind[i] == FACE) {
                 int points = cuts.clip(t, i, inner[i], margin[i], (int) word[i]);
                 deepest[i] = cuts.deepest;
+                leftOut[i] = cuts.leftOut;
                 pointCount[i] = points;
             }
         }
@@ -211,8 +213,12 @@ public final class BoxContacts {
                 wide
                         ? deepest[i]
                         : faces.face(t, i, flip, face, inner[i], margin[i], (int) word[i], out);
+        if (!wide) {
+            leftOut[i] = faces.leftOut;
+        }
         int points = wide ? pointCount[i] : out.pointCount;
         if (points == 0 || strays(i, least)) {
+            leftOut[i] = Double.NaN;
             return single(i, out);
         }
         if (wide) {
@@ -221,6 +227,18 @@ public final class BoxContacts {
         out.bound = Math.abs(best[i] - least) + 0x1p-48 * scale(i);
         return NarrowPhase.word(
                 flip ? NarrowPhase.FACE_B : NarrowPhase.FACE_A, face, Names.of(out));
+    }
+
+    /**
+     * How much nearer a pair must come for another point; after {@link #take}.
+     *
+     * @param i its place
+     * @return the least separation of the points that were left out for the margin, m; infinite
+     *     when there are none; of a pair that is apart a lower bound of its distance; NaN when it
+     *     is neither apart nor on a face
+     */
+    public double leftOut(int i) {
+        return leftOut[i];
     }
 
     private void copy(int i, int points, Manifold out) {
@@ -250,15 +268,18 @@ public final class BoxContacts {
         if (stillApart(i, cache, distance)) {
             return;
         }
+        leftOut[i] = separationA;
         if (separationA > distance) {
             word[i] = NarrowPhase.word(NarrowPhase.FACE_A, faceA, 0);
             return;
         }
+        leftOut[i] = separationB;
         if (separationB > distance) {
             word[i] = NarrowPhase.word(NarrowPhase.FACE_B, faceB, 0);
             return;
         }
         best[i] = Math.max(Math.max(separationA, separationB), t[SEPARATION_EDGE + i]);
+        leftOut[i] = best[i];
         if (best[i] > distance) {
             boolean onB = separationB > separationA;
             word[i] =
@@ -324,11 +345,14 @@ public final class BoxContacts {
         long before = cache >>> 62;
         int face = (int) (cache >>> 47) & 0x7FFF;
         if (before == NarrowPhase.FACE_A && face < 6) {
-            return (face == faceA ? separationA : alongA(i, face)) > distance;
+            leftOut[i] = face == faceA ? separationA : alongA(i, face);
+            return leftOut[i] > distance;
         }
-        return before == NarrowPhase.FACE_B
-                && face < 6
-                && (face == faceB ? separationB : alongB(i, face)) > distance;
+        if (before == NarrowPhase.FACE_B && face < 6) {
+            leftOut[i] = face == faceB ? separationB : alongB(i, face);
+            return leftOut[i] > distance;
+        }
+        return false;
     }
 
     /** Separation along the normal of a face of A. */

@@ -88,6 +88,9 @@ final class BoxCuts {
     /** The least separation of the last pair. */
     double deepest;
 
+    /** The least separation that was beyond the margin, of the last pair. */
+    double leftOut;
+
     /**
      * Clips a pair.
      *
@@ -100,6 +103,7 @@ final class BoxCuts {
     int clip(double[] t, int i, double inner, double margin, int last) {
         this.last = last;
         flip = t[FLIP + i] != 0;
+        leftOut = Double.POSITIVE_INFINITY;
         first = Clipper.ON_PLANE * inner;
         boolean positive = t[SIGN + i] > 0;
         int incident = 4 * (int) t[INCIDENT + i];
@@ -160,6 +164,7 @@ final class BoxCuts {
             double height = t[from];
             double s = (positive ? height : -height) - limit;
             if (s > margin) {
+                leftOut = s < leftOut ? s : leftOut;
                 continue;
             }
             least = s < least ? s : least;
@@ -413,6 +418,7 @@ final class BoxCuts {
             double s = (positive ? n[k] : -n[k]) - limit;
             beyond[k] = s;
             boolean stays = s <= margin;
+            leftOut = !stays && s < leftOut ? s : leftOut;
             near |= stays ? (long) k << (4 * kept) : 0;
             kept += stays ? 1 : 0;
         }

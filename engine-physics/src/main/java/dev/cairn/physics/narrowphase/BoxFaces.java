@@ -60,6 +60,9 @@ final class BoxFaces {
     private int last;
     private double first, later;
 
+    /** The least separation that was beyond the margin, of the last pair. */
+    double leftOut;
+
     private final Clipper many = new Clipper();
     private final Reduction reduction = new Reduction();
 
@@ -277,6 +280,7 @@ final class BoxFaces {
         double[] c = axis == 0 ? x : axis == 1 ? y : z;
         double limit = half[axis];
         int kept = 0;
+        leftOut = Double.POSITIVE_INFINITY;
         for (int i = 0; i < count; i++) {
             double s = (positive ? c[i] : -c[i]) - limit;
             if (s <= margin) {
@@ -285,6 +289,8 @@ final class BoxFaces {
                 z[kept] = z[i];
                 feature[kept] = feature[i];
                 separation[kept++] = s;
+            } else {
+                leftOut = Math.min(leftOut, s);
             }
         }
         count = kept;

@@ -494,6 +494,26 @@ public final class NarrowPhase {
         return kind << 62 | face << 47 | (names & 0xFFFFFFFFL);
     }
 
+    /**
+     * The face in a warm-start word of kind face.
+     *
+     * @param word as {@link #collide} returns it
+     * @return its number on its shape
+     */
+    public static int faceOf(long word) {
+        return (int) (word >>> 47) & 0x7FFF;
+    }
+
+    /**
+     * Whether a face of B carried or separated the pair.
+     *
+     * @param word as {@link #collide} returns it
+     * @return false for a face of A and for other contacts
+     */
+    public static boolean onFaceOfB(long word) {
+        return word >>> 62 == FACE_B;
+    }
+
     /** The face that separated or carried the pair last time separates it now. */
     private boolean stillApart(long cache, double margin) {
         long kind = cache >>> 62;

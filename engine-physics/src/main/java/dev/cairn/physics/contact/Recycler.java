@@ -1,0 +1,285 @@
+package dev.cairn.physics.contact;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.narrowphase.Manifold;
+import dev.cairn.physics.narrowphase.NarrowPhase;
+import dev.cairn.physics.shape.Box;
+
+/**
+ * Renews the points of pairs of boxes that have hardly moved since they were collided, without
+ * colliding them again. Let the reference be the box whose face carries the contact (or separates
+ * the pair), the incident box the other one. Seen from the reference, no point of the incident box
+ * has moved by more than
+ *
+ * <pre>|de| + 2 |dq| R &lt;= sqrt(2 (|de|^2 + 4 |dq|^2 R^2))</pre>
+ *
+ * where e is its centre, q its orientation (a unit quaternion, turned by 2 asin|sin| of at most 2
+ * |dq|) and R its outer radius. Up to {@link #SHARE} of the smaller inner radius the same points of
+ * the incident box are the contact still: their separations from the face, and the normal, are
+ * those of the present poses. A pair that is apart stays so while it has moved by less than its
+ * distance exceeds the margin.
+ *
+ * <p>With d the true signed distance when the pair was collided, d' the one now, s and s' the least
+ * separations of the points: |d' - d| and |s' - s| are each at most the move, so the reported depth
+ * is as true as it was up to twice the {@link #SHARE}. The moves do not add up: they are counted
+ * from the poses at which the pair was collided. The idea is Catto's and Jolt's, see {@code
+ * solver-study} section 5.1; the bound is this engine's.
+ */
+final class Recycler {
+    /** Of the smaller inner radius: how far a pair may move before it is collided again. */
+    static final double SHARE = 0x1p-12;
+
+    /** Places in a row of {@link ContactStore#kept}. */
+    private static final int CENTRE = 4, HALF = 7, SPIN = 8, LIMIT = 9, GAP = 10, POINT = 12;
+
+    private BodyStore s = new BodyStore();
+    private ContactStore c = new ContactStore();
+    private double stepSquared;
+
+    /** Chooses the columns. */
+    void use(BodyStore bodyStore, ContactStore rows, double stepSeconds) {
+        s = bodyStore;
+        c = rows;
+        stepSquared = stepSeconds * stepSeconds;
+    }
+
+    /**
+     * Renews a row.
+     *
+     * @return false when the pair must be collided
+     */
+    boolean renew(int row, double margin) {
+        if (!c.keeps[row]) {
+            return false;
+        }
+        double[] k = c.kept;
+        int at = ContactStore.KEPT * row;
+        double room = k[at + GAP] - margin;
+        if (!(room > 0)) {
+            return false;
+        }
+        boolean flip = flip(row);
+        int r = flip ? c.bodyB[row] : c.bodyA[row];
+        int i = flip ? c.bodyA[row] : c.bodyB[row];
+        double rx = s.orientationX[r];
+        double ry = s.orientationY[r];
+        double rz = s.orientationZ[r];
+        double rw = s.orientationW[r];
+        double ix = s.orientationX[i];
+        double iy = s.orientationY[i];
+        double iz = s.orientationZ[i];
+        double iw = s.orientationW[i];
+        double ex = s.positionX[i] - s.positionX[r];
+        double ey = s.positionY[i] - s.positionY[r];
+        double ez = s.positionZ[i] - s.positionZ[r];
+        double qx = rw * ix - rx * iw - ry * iz + rz * iy - k[at];
+        double qy = rw * iy - ry * iw - rz * ix + rx * iz - k[at + 1];
+        double qz = rw * iz - rz * iw - rx * iy + ry * ix - k[at + 2];
+        double qw = rw * iw + rx * ix + ry * iy + rz * iz - k[at + 3];
+        // e in the reference's axes, by v + 2 u x (u x v + w v) with u = -q.
+        double tx = 2 * (rz * ey - ry * ez);
+        double ty = 2 * (rx * ez - rz * ex);
+        double tz = 2 * (ry * ex - rx * ey);
+        double cx = ex + rw * tx + (rz * ty - ry * tz) - k[at + CENTRE];
+        double cy = ey + rw * ty + (rx * tz - rz * tx) - k[at + CENTRE + 1];
+        double cz = ez + rw * tz + (ry * tx - rx * ty) - k[at + CENTRE + 2];
+        double moved =
+                2
+                        * ((cx * cx + cy * cy + cz * cz)
+                                + k[at + SPIN] * (qx * qx + qy * qy + (qz * qz + qw * qw)));
+        if (!(moved <= k[at + LIMIT] && moved < room * room)) {
+            return false;
+        }
+        if (c.pointCount[row] == 0) {
+            return true;
+        }
+        int face = NarrowPhase.faceOf(c.cache[row]);
+        double sign = (face & 1) == 0 ? -1 : 1;
+        // The face's outward normal is a column of the reference's rotation matrix.
+        double nx;
+        double ny;
+        double nz;
+        if (face >> 1 == 1) {
+            nx = sign * (2 * (rx * ry - rw * rz));
+            ny = sign * (1 - 2 * (rx * rx + rz * rz));
+            nz = sign * (2 * (ry * rz + rw * rx));
+        } else if (face >> 1 == 0) {
+            nx = sign * (1 - 2 * (ry * ry + rz * rz));
+            ny = sign * (2 * (rx * ry + rw * rz));
+            nz = sign * (2 * (rx * rz - rw * ry));
+        } else {
+            nx = sign * (2 * (rx * rz + rw * ry));
+            ny = sign * (2 * (ry * rz - rw * rx));
+            nz = sign * (1 - 2 * (rx * rx + ry * ry));
+        }
+        c.normalX[row] = flip ? -nx : nx;
+        c.normalY[row] = flip ? -ny : ny;
+        c.normalZ[row] = flip ? -nz : nz;
+        // A point that leaves the margin is a matter for the narrow phase, which writes all anew.
+        return points(row, flip, ix, iy, iz, iw, ex, ey, ez, nx, ny, nz) <= margin;
+    }
+
+    /** Writes the points from the present poses; returns the largest separation. */
+    private double points(
+            int row,
+            boolean flip,
+            double ix,
+            double iy,
+            double iz,
+            double iw,
+            double ex,
+            double ey,
+            double ez,
+            double nx,
+            double ny,
+            double nz) {
+        double m00 = 1 - 2 * (iy * iy + iz * iz);
+        double m01 = 2 * (ix * iy - iw * iz);
+        double m02 = 2 * (ix * iz + iw * iy);
+        double m10 = 2 * (ix * iy + iw * iz);
+        double m11 = 1 - 2 * (ix * ix + iz * iz);
+        double m12 = 2 * (iy * iz - iw * ix);
+        double m20 = 2 * (ix * iz - iw * iy);
+        double m21 = 2 * (iy * iz + iw * ix);
+        double m22 = 1 - 2 * (ix * ix + iy * iy);
+        double[] k = c.kept;
+        int at = ContactStore.KEPT * row;
+        double before = ex * nx + ey * ny + ez * nz - k[at + HALF];
+        int to = ContactStore.POINTS * row;
+        int end = to + c.pointCount[row];
+        double[] incidentX = flip ? c.anchorAX : c.anchorBX;
+        double[] incidentY = flip ? c.anchorAY : c.anchorBY;
+        double[] incidentZ = flip ? c.anchorAZ : c.anchorBZ;
+        double[] referenceX = flip ? c.anchorBX : c.anchorAX;
+        double[] referenceY = flip ? c.anchorBY : c.anchorAY;
+        double[] referenceZ = flip ? c.anchorBZ : c.anchorAZ;
+        double farthest = -Double.MAX_VALUE;
+        for (int p = at + POINT; to < end; to++, p += 3) {
+            double x = m00 * k[p] + m01 * k[p + 1] + m02 * k[p + 2];
+            double y = m10 * k[p] + m11 * k[p + 1] + m12 * k[p + 2];
+            double z = m20 * k[p] + m21 * k[p + 1] + m22 * k[p + 2];
+            double separation = x * nx + y * ny + z * nz + before;
+            farthest = separation > farthest ? separation : farthest;
+            // Anchors are midway between the surfaces.
+            double half = 0.5 * separation;
+            x -= half * nx;
+            y -= half * ny;
+            z -= half * nz;
+            incidentX[to] = x;
+            incidentY[to] = y;
+            incidentZ[to] = z;
+            referenceX[to] = x + ex;
+            referenceY[to] = y + ey;
+            referenceZ[to] = z + ez;
+            c.separation[to] = separation;
+            c.totalNormalImpulse[to] = 0;
+        }
+        return farthest;
+    }
+
+    /** The reference is B. */
+    private boolean flip(int row) {
+        return NarrowPhase.onFaceOfB(c.cache[row]);
+    }
+
+    /**
+     * Keeps what {@link #renew} needs, after a row was collided and stored.
+     *
+     * @param m what was stored
+     * @param gap the least separation of a point that was left out for the margin; of a pair that
+     *     is apart a lower bound of its distance; NaN when the contact is not one of a face
+     */
+    void keep(int row, Manifold m, double gap, double margin) {
+        c.keeps[row] = false;
+        if (Double.isNaN(gap)) {
+            return;
+        }
+        int a = c.bodyA[row];
+        int b = c.bodyB[row];
+        double inner = Math.min(s.innerRadius[a], s.innerRadius[b]);
+        boolean apart = m.pointCount == 0;
+        double allowed = apart ? gap - margin : SHARE * inner;
+        double vx = s.velocityX[b] - s.velocityX[a];
+        double vy = s.velocityY[b] - s.velocityY[a];
+        double vz = s.velocityZ[b] - s.velocityZ[a];
+        // Who will be elsewhere in the next tick need not be remembered.
+        if (!(stepSquared * (vx * vx + vy * vy + vz * vz) < allowed * allowed)) {
+            return;
+        }
+        c.keeps[row] = true;
+        boolean flip = flip(row);
+        int r = flip ? b : a;
+        int i = flip ? a : b;
+        double rx = s.orientationX[r];
+        double ry = s.orientationY[r];
+        double rz = s.orientationZ[r];
+        double rw = s.orientationW[r];
+        double ix = s.orientationX[i];
+        double iy = s.orientationY[i];
+        double iz = s.orientationZ[i];
+        double iw = s.orientationW[i];
+        double ex = s.positionX[i] - s.positionX[r];
+        double ey = s.positionY[i] - s.positionY[r];
+        double ez = s.positionZ[i] - s.positionZ[r];
+        double[] k = c.kept;
+        int at = ContactStore.KEPT * row;
+        k[at] = rw * ix - rx * iw - ry * iz + rz * iy;
+        k[at + 1] = rw * iy - ry * iw - rz * ix + rx * iz;
+        k[at + 2] = rw * iz - rz * iw - rx * iy + ry * ix;
+        k[at + 3] = rw * iw + rx * ix + ry * iy + rz * iz;
+        double tx = 2 * (rz * ey - ry * ez);
+        double ty = 2 * (rx * ez - rz * ex);
+        double tz = 2 * (ry * ex - rx * ey);
+        k[at + CENTRE] = ex + rw * tx + (rz * ty - ry * tz);
+        k[at + CENTRE + 1] = ey + rw * ty + (rx * tz - rz * tx);
+        k[at + CENTRE + 2] = ez + rw * tz + (ry * tx - rx * ty);
+        Box box = (Box) s.shape[r];
+        int axis = NarrowPhase.faceOf(c.cache[row]) >> 1;
+        k[at + HALF] = axis == 0 ? box.halfX() : axis == 1 ? box.halfY() : box.halfZ();
+        k[at + SPIN] = 4 * s.outerRadius[i] * s.outerRadius[i];
+        k[at + LIMIT] = apart ? Double.MAX_VALUE : allowed * allowed;
+        k[at + GAP] = gap;
+        keepPoints(m, flip, at + POINT, ix, iy, iz, iw, ex, ey, ez);
+    }
+
+    /** Keeps the points on the surface of the incident box, in its axes. */
+    private void keepPoints(
+            Manifold m,
+            boolean flip,
+            int at,
+            double ix,
+            double iy,
+            double iz,
+            double iw,
+            double ex,
+            double ey,
+            double ez) {
+        double[] k = c.kept;
+        double m00 = 1 - 2 * (iy * iy + iz * iz);
+        double m01 = 2 * (ix * iy - iw * iz);
+        double m02 = 2 * (ix * iz + iw * iy);
+        double m10 = 2 * (ix * iy + iw * iz);
+        double m11 = 1 - 2 * (ix * ix + iz * iz);
+        double m12 = 2 * (iy * iz - iw * ix);
+        double m20 = 2 * (ix * iz - iw * iy);
+        double m21 = 2 * (iy * iz + iw * ix);
+        double m22 = 1 - 2 * (ix * ix + iy * iy);
+        for (int p = 0; p < m.pointCount; p++) {
+            // The normal points from A to B: the surface of B is half the separation ahead.
+            double half = flip ? -0.5 * m.separation[p] : 0.5 * m.separation[p];
+            double x = m.pointX[p] + half * m.normalX;
+            double y = m.pointY[p] + half * m.normalY;
+            double z = m.pointZ[p] + half * m.normalZ;
+            if (!flip) {
+                x -= ex;
+                y -= ey;
+                z -= ez;
+            }
+            int to = at + 3 * p;
+            k[to] = m00 * x + m10 * y + m20 * z;
+            k[to + 1] = m01 * x + m11 * y + m21 * z;
+            k[to + 2] = m02 * x + m12 * y + m22 * z;
+        }
+    }
+}
