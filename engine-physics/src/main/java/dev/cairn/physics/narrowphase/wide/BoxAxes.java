@@ -13,9 +13,16 @@ public final class BoxAxes {
 
     private static final boolean WIDE =
             ModuleLayer.boot().findModule("jdk.incubator.vector").isPresent()
+                    && vectorsAreCompiled()
                     && BoxAxesWide.paysOff();
 
     private BoxAxes() {}
+
+    /** Without the C2 compiler every vector is an object on the heap, for good. */
+    private static boolean vectorsAreCompiled() {
+        String mode = System.getProperty("java.vm.info", "");
+        return !(mode.contains("emulated-client") || mode.contains("interpreted"));
+    }
 
     /**
      * Fills the result columns of the first pairs of a batch; what follows them up to the next
