@@ -32,25 +32,12 @@ import java.util.function.DoubleSupplier;
  * around each step. One thread, the simulation's.
  */
 public final class SceneBuilder {
-
-    /** What a scene does around a tick. */
-    @FunctionalInterface
-    public interface Hook {
-        /**
-         * Runs once per tick.
-         *
-         * @param tick number of the tick, 1 for the first
-         * @param seconds time of the scene at the end of that tick
-         */
-        void run(long tick, double seconds);
-    }
-
     private final PhysicsWorld world;
     private final SceneOptions options;
     private final SplittableRandom random;
     private final List<BodyRef> bodies = new ArrayList<>();
-    private final List<Hook> before = new ArrayList<>();
-    private final List<Hook> after = new ArrayList<>();
+    private final List<TickHook> before = new ArrayList<>();
+    private final List<TickHook> after = new ArrayList<>();
     private final Map<String, DoubleSupplier> errors = new LinkedHashMap<>();
     private final List<ConstantForce> forces = new ArrayList<>();
     private final List<String> remarks = new ArrayList<>();
@@ -359,14 +346,14 @@ public final class SceneBuilder {
      *
      * @param hook called with the number of the tick to come and the time at its end
      */
-    public void beforeTick(Hook hook) {
+    public void beforeTick(TickHook hook) {
         before.add(hook);
     }
 
     /**
      * Whether the scene does something before ticks, which a scene file cannot hold.
      *
-     * @return true if {@link #beforeTick(Hook)} was called
+     * @return true if {@link #beforeTick(TickHook)} was called
      */
     public boolean actsBeforeTicks() {
         return !before.isEmpty();
@@ -377,7 +364,7 @@ public final class SceneBuilder {
      *
      * @param hook called with the number of the tick and the time at its end
      */
-    public void afterTick(Hook hook) {
+    public void afterTick(TickHook hook) {
         after.add(hook);
     }
 

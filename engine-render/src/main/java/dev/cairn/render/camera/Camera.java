@@ -32,11 +32,7 @@ public final class Camera {
     private double near = 0.1;
     private double far = 2000;
     private double speed = 5;
-    private long followed = NOTHING;
-    private double followX;
-    private double followY;
-    private double followZ;
-    private boolean followLooks;
+    private final Following following = new Following();
 
     /** A camera at (0, 3, 10) that looks at the origin. */
     public Camera() {
@@ -131,9 +127,7 @@ public final class Camera {
             x += dx;
             y += dy;
             z += dz;
-            followX += dx;
-            followY += dy;
-            followZ += dz;
+            following.shift(dx, dy, dz);
         } finally {
             lock.unlock();
         }
@@ -173,11 +167,7 @@ public final class Camera {
         checkFinite("offset", offsetX, offsetY, offsetZ);
         lock.lock();
         try {
-            followed = entity;
-            followX = offsetX;
-            followY = offsetY;
-            followZ = offsetZ;
-            followLooks = lookAtIt;
+            following.set(entity, offsetX, offsetY, offsetZ, lookAtIt);
         } finally {
             lock.unlock();
         }
@@ -192,7 +182,7 @@ public final class Camera {
     public Camera release() {
         lock.lock();
         try {
-            followed = NOTHING;
+            following.entity = NOTHING;
         } finally {
             lock.unlock();
         }
@@ -207,7 +197,7 @@ public final class Camera {
     public long followed() {
         lock.lock();
         try {
-            return followed;
+            return following.entity;
         } finally {
             lock.unlock();
         }
@@ -224,12 +214,12 @@ public final class Camera {
     public void rideOn(double entityX, double entityY, double entityZ) {
         lock.lock();
         try {
-            if (followed != NOTHING) {
-                x = entityX + followX;
-                y = entityY + followY;
-                z = entityZ + followZ;
-                if (followLooks) {
-                    turnTo(-followX, -followY, -followZ);
+            if (following.entity != NOTHING) {
+                x = entityX + following.x;
+                y = entityY + following.y;
+                z = entityZ + following.z;
+                if (following.looks) {
+                    turnTo(-following.x, -following.y, -following.z);
                 }
             }
         } finally {
@@ -367,8 +357,7 @@ public final class Camera {
         }
         // Never holds two locks, so that two cameras may be set from each other.
         double[] state;
-        long target;
-        boolean looks;
+        Following theirs = new Following();
         other.lock.lock();
         try {
             state =
@@ -381,13 +370,9 @@ public final class Camera {
                         other.fieldOfView,
                         other.near,
                         other.far,
-                        other.speed,
-                        other.followX,
-                        other.followY,
-                        other.followZ
+                        other.speed
                     };
-            target = other.followed;
-            looks = other.followLooks;
+            theirs.set(other.following);
         } finally {
             other.lock.unlock();
         }
@@ -402,11 +387,7 @@ public final class Camera {
             near = state[6];
             far = state[7];
             speed = state[8];
-            followX = state[9];
-            followY = state[10];
-            followZ = state[11];
-            followed = target;
-            followLooks = looks;
+            following.set(theirs);
         } finally {
             lock.unlock();
         }

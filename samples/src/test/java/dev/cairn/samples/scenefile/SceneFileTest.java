@@ -209,6 +209,9 @@ class SceneFileTest {
                         + " above 0 | -1",
                 "\"shape\": {\"type\": \"hull\", \"points\": [[0,0,0],[1,0,0],[0,1,0]]} |"
                         + " $.entities[0].shape | point | ",
+                "\"shape\": {\"type\": \"moved\", \"shape\": {\"type\": \"mesh\", \"file\":"
+                        + " \"a.obj\"}, \"position\": [0,0,0], \"rotation\": [0,0,0,1]} |"
+                        + " $.entities[0].shape.shape | no mesh | mesh",
                 "\"name\": \"x\" | $.entities[0] | \"shape\" | name",
                 "SPHERE, \"body\": \"static\" | $.entities[0].body | \"dynamic\", \"fixed\" or"
                         + " \"none\" | \"static\"",
