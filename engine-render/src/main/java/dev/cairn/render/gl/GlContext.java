@@ -200,6 +200,11 @@ public final class GlContext implements AutoCloseable {
      * @return true for Mesa's llvmpipe and softpipe, and SwiftShader
      */
     public boolean isSoftware() {
+        return isSoftware(renderer);
+    }
+
+    /** The same, by what {@code GL_RENDERER} says. */
+    static boolean isSoftware(String renderer) {
         String name = renderer.toLowerCase(Locale.ROOT);
         return name.contains("llvmpipe")
                 || name.contains("softpipe")
