@@ -310,7 +310,8 @@ public final class ContactSolver {
     private void prepare(int block, int worker) {
         int first = from + Blocks.begin(block, ROWS_PER_BLOCK);
         int end = from + Blocks.end(block, ROWS_PER_BLOCK, to - from);
-        PrepareRow.run(rows, body, stored(contactStore), first, end, sub, impulseScale);
+        sweep.fill(
+                rows, body, stored(contactStore), sub, impulseScale, first, end, scratch[worker]);
     }
 
     private void bias(int block, int worker) {

@@ -25,6 +25,8 @@ import static dev.cairn.physics.solver.ConstraintRows.TWIST_MASS;
 import static dev.cairn.physics.solver.SolverBodies.LOADED;
 import static dev.cairn.physics.solver.SolverBodies.P;
 
+import dev.cairn.physics.internal.ContactStore;
+
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
@@ -54,6 +56,17 @@ final class LaneSweeps implements Sweeps {
     private static final int RUBS = 26 * CHUNK;
     private static final int ONES = Sweeps.ONES;
 
+    private final RowFiller filler;
+
+    /**
+     * Sweeps beside a filler of the same number of lanes.
+     *
+     * @param filler fills the rows
+     */
+    LaneSweeps(RowFiller filler) {
+        this.filler = filler;
+    }
+
     private static VectorSpecies<Double> species() {
         try {
             int lanes = MethodHandles.classData(MethodHandles.lookup(), "_", Integer.class);
@@ -66,6 +79,19 @@ final class LaneSweeps implements Sweeps {
     @Override
     public int lanes() {
         return L;
+    }
+
+    @Override
+    public void fill(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            ContactStore contacts,
+            SubStep sub,
+            double scale,
+            int from,
+            int to,
+            double[] scratch) {
+        filler.fill(rows, bodies, contacts, sub, scale, from, to, scratch);
     }
 
     @Override
@@ -102,7 +128,9 @@ final class LaneSweeps implements Sweeps {
             int n = rows.points[j / L];
             int o = j * ConstraintRows.FIELDS;
             int g = j - from;
-            separations(d, o, scratch, g, n);
+            if (separations(d, o, scratch, g, n)) {
+                continue;
+            }
             if (hard(d, o, scratch, g, n, inverse, sub.sweeps, ONES)) {
                 hard(d, o, scratch, g, n, inverse, sub.landing - sub.sweeps, LANDS);
             }
@@ -292,8 +320,13 @@ final class LaneSweeps implements Sweeps {
         return lands.anyTrue();
     }
 
-    /** Where the points are after the movement of the sub-step. */
-    private static void separations(double[] d, int o, double[] st, int g, int points) {
+    /**
+     * Where the points are after the movement of the sub-step.
+     *
+     * @return whether all are open without an impulse: then the pass has nothing to do, since the
+     *     bias pass has left no negative zeros
+     */
+    private static boolean separations(double[] d, int o, double[] st, int g, int points) {
         var nx = DoubleVector.fromArray(S, d, o);
         var ny = DoubleVector.fromArray(S, d, o + L);
         var nz = DoubleVector.fromArray(S, d, o + 2 * L);
@@ -313,6 +346,7 @@ final class LaneSweeps implements Sweeps {
                                                 .sub(
                                                         DoubleVector.fromArray(
                                                                 S, st, PA + 2 * CHUNK + g))));
+        var idle = moved.compare(VectorOperators.EQ, moved);
         var ax = DoubleVector.fromArray(S, st, PA + 3 * CHUNK + g);
         var ay = DoubleVector.fromArray(S, st, PA + 4 * CHUNK + g);
         var az = DoubleVector.fromArray(S, st, PA + 5 * CHUNK + g);
@@ -327,11 +361,30 @@ final class LaneSweeps implements Sweeps {
             var wx = DoubleVector.fromArray(S, d, q + ARM_B * L);
             var wy = DoubleVector.fromArray(S, d, q + (ARM_B + 1) * L);
             var wz = DoubleVector.fromArray(S, d, q + (ARM_B + 2) * L);
-            moved.add(DoubleVector.fromArray(S, d, o + (GAP + p) * L))
-                    .add(wx.mul(bx).add(wy.mul(by)).add(wz.mul(bz)))
-                    .sub(ux.mul(ax).add(uy.mul(ay)).add(uz.mul(az)))
-                    .intoArray(d, q + SEPARATION * L);
+            var s =
+                    moved.add(DoubleVector.fromArray(S, d, o + (GAP + p) * L))
+                            .add(wx.mul(bx).add(wy.mul(by)).add(wz.mul(bz)))
+                            .sub(ux.mul(ax).add(uy.mul(ay)).add(uz.mul(az)));
+            s.intoArray(d, q + SEPARATION * L);
+            // a point that is not there has no mass
+            idle =
+                    s.compare(VectorOperators.GT, 0.0)
+                            .and(
+                                    DoubleVector.fromArray(S, d, q + IMPULSE * L)
+                                            .compare(VectorOperators.EQ, 0.0))
+                            .or(
+                                    DoubleVector.fromArray(S, d, q + MASS * L)
+                                            .compare(VectorOperators.EQ, 0.0))
+                            .and(idle);
         }
+        // friction of a lane whose points have all opened goes to zero first
+        int l = o + LAMBDA * L;
+        var last =
+                DoubleVector.fromArray(S, d, l)
+                        .abs()
+                        .add(DoubleVector.fromArray(S, d, l + L).abs())
+                        .add(DoubleVector.fromArray(S, d, l + 2 * L).abs());
+        return idle.and(last.compare(VectorOperators.EQ, 0.0)).allTrue();
     }
 
     /**

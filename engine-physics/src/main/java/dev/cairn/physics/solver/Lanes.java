@@ -8,6 +8,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodHandles.Lookup;
+import java.lang.reflect.Constructor;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /** Chooses the sweeps for a number of lanes; the Vector API is touched only where it is there. */
@@ -60,19 +61,27 @@ final class Lanes {
         if (known != null) {
             return known;
         }
-        try (InputStream in = Lanes.class.getResourceAsStream("LaneSweeps.class")) {
-            if (in == null) {
-                throw new IllegalStateException("LaneSweeps.class is missing beside Lanes.class");
-            }
-            Lookup lookup = MethodHandles.lookup();
-            Lookup hidden = lookup.defineHiddenClassWithClassData(in.readAllBytes(), lanes, true);
-            Object sweeps = hidden.lookupClass().getDeclaredConstructor().newInstance();
-            WideSweeps made = new WideSweeps((Sweeps) sweeps);
+        try {
+            RowFiller filler = (RowFiller) make("LanePrepare", lanes).newInstance();
+            Sweeps sweeps = (Sweeps) make("LaneSweeps", lanes, RowFiller.class).newInstance(filler);
+            WideSweeps made = new WideSweeps(sweeps);
             MADE[lanes] = made;
             return made;
         } catch (IOException | ReflectiveOperationException failed) {
             throw new IllegalStateException(
                     "the wide sweeps could not be made for " + lanes + " lanes", failed);
+        }
+    }
+
+    private static Constructor<?> make(String name, int lanes, Class<?>... arguments)
+            throws IOException, ReflectiveOperationException {
+        try (InputStream in = Lanes.class.getResourceAsStream(name + ".class")) {
+            if (in == null) {
+                throw new IllegalStateException(name + ".class is missing beside Lanes.class");
+            }
+            Lookup lookup = MethodHandles.lookup();
+            Lookup hidden = lookup.defineHiddenClassWithClassData(in.readAllBytes(), lanes, true);
+            return hidden.lookupClass().getDeclaredConstructor(arguments);
         }
     }
 

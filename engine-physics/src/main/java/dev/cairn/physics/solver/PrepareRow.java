@@ -29,28 +29,23 @@ import dev.cairn.physics.internal.ContactStore;
  * Fills constraint rows from contacts and their two bodies, and adds their last impulses to the
  * bodies' warm start. Chunks of a colour may run in parallel.
  */
-final class PrepareRow {
+final class PrepareRow implements RowFiller {
     /**
      * Share of the patch's radius over which a point that leaves fades out of the friction's
      * centre.
      */
-    private static final double FADE = 0.02;
+    static final double FADE = 0.02;
 
-    private PrepareRow() {}
-
-    /**
-     * Fills the places from {@code from} to {@code to}, both at the bounds of groups.
-     *
-     * @param scale factor on the stored impulses: this sub-step over the last tick's
-     */
-    static void run(
+    @Override
+    public void fill(
             ConstraintRows rows,
             SolverBodies bodies,
             ContactStore c,
+            SubStep sub,
+            double scale,
             int from,
             int to,
-            SubStep sub,
-            double scale) {
+            double[] scratch) {
         int lanes = rows.lanes;
         for (int group = from; group < to; group += lanes) {
             int most = 0;
@@ -110,6 +105,16 @@ final class PrepareRow {
         } else {
             clear(d, o, lanes, REACH, REACH + 4);
             clear(d, o, lanes, BLOCK, ConstraintRows.FIELDS);
+        }
+        positive(bodies.warm, a);
+        positive(bodies.warm, b);
+    }
+
+    /** Zeros leave positive: what a lane has to add nothing of could still turn a -0. */
+    private static void positive(double[] warm, int body) {
+        int i = body >> 1;
+        for (int end = body == 0 ? i : i + 6; i < end; i++) {
+            warm[i] += 0.0;
         }
     }
 

@@ -25,6 +25,8 @@ import static dev.cairn.physics.solver.ConstraintRows.TWIST_MASS;
 import static dev.cairn.physics.solver.SolverBodies.LOADED;
 import static dev.cairn.physics.solver.SolverBodies.P;
 
+import dev.cairn.physics.internal.ContactStore;
+
 /**
  * The sweeps in scalar arithmetic: what runs without the Vector API, and what the wide ones are
  * held to, bit by bit.
@@ -39,9 +41,24 @@ import static dev.cairn.physics.solver.SolverBodies.P;
  * <p>Source: E. Catto, Soft Step solver (2023).
  */
 final class ScalarSweeps implements Sweeps {
+    private final RowFiller filler = new PrepareRow();
+
     @Override
     public int lanes() {
         return 1;
+    }
+
+    @Override
+    public void fill(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            ContactStore contacts,
+            SubStep sub,
+            double scale,
+            int from,
+            int to,
+            double[] scratch) {
+        filler.fill(rows, bodies, contacts, sub, scale, from, to, scratch);
     }
 
     @Override

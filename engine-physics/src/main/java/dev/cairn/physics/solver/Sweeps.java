@@ -3,13 +3,14 @@ package dev.cairn.physics.solver;
 import java.util.Arrays;
 
 /**
- * The sweeps over constraint rows of one colour. There is one set for each number of lanes; all
- * give the same bits, because each row's arithmetic is the same, in the same order.
+ * What fills the constraint rows of one colour, and the sweeps over them. There is one set for each
+ * number of lanes; all give the same bits, because each row's arithmetic is the same, in the same
+ * order.
  *
  * <p>Zeros leave a sweep positive: where a wide sweep adds nothing and the scalar one stops early,
  * nothing but the sign of a zero could differ.
  */
-interface Sweeps {
+interface Sweeps extends RowFiller {
     /** Doubles of scratch that a worker brings. */
     int SCRATCH = 28 * ConstraintRows.CHUNK;
 

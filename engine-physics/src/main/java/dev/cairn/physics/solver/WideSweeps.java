@@ -1,7 +1,10 @@
 package dev.cairn.physics.solver;
 
+import dev.cairn.physics.internal.ContactStore;
+
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.Arrays;
 import java.util.Random;
 
 /**
@@ -29,6 +32,19 @@ final class WideSweeps implements Sweeps {
     @Override
     public int lanes() {
         return wide.lanes();
+    }
+
+    @Override
+    public void fill(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            ContactStore contacts,
+            SubStep sub,
+            double scale,
+            int from,
+            int to,
+            double[] scratch) {
+        (warm ? wide : scalar).fill(rows, bodies, contacts, sub, scale, from, to, scratch);
     }
 
     @Override
@@ -69,7 +85,11 @@ final class WideSweeps implements Sweeps {
 
     private void warmUp() {
         ConstraintRows rows = new ConstraintRows(lanes());
-        double[] body = new double[(2 * ConstraintRows.CHUNK + 1) * SolverBodies.STRIDE];
+        ContactStore contacts = new ContactStore();
+        contacts.ensureCapacity(ConstraintRows.CHUNK);
+        SolverBodies bodies = new SolverBodies();
+        bodies.ensureCapacity(2 * ConstraintRows.CHUNK);
+        double[] body = bodies.state;
         double[] scratch = Sweeps.scratch();
         SubStep sub = new SubStep();
         Softness soft = Softness.of(30, 10, 1 / 240.0);
@@ -78,14 +98,16 @@ final class WideSweeps implements Sweeps {
         long bestWide = Long.MAX_VALUE;
         long bestScalar = Long.MAX_VALUE;
         for (int round = 0; round < ROUNDS; round++) {
-            fill(rows, body, random, round);
+            fill(rows, bodies, contacts, random, round);
             int to = rows.places;
             long start = System.nanoTime();
+            scalar.fill(rows, bodies, contacts, sub, 1, 0, to, scratch);
             scalar.bias(rows, body, sub, 0, to, scratch);
             scalar.relax(rows, body, sub, 0, to, scratch);
             long middle = System.nanoTime();
-            fill(rows, body, random, round);
+            fill(rows, bodies, contacts, random, round);
             long begin = System.nanoTime();
+            wide.fill(rows, bodies, contacts, sub, 1, 0, to, scratch);
             wide.bias(rows, body, sub, 0, to, scratch);
             wide.relax(rows, body, sub, 0, to, scratch);
             long end = System.nanoTime();
@@ -109,34 +131,54 @@ final class WideSweeps implements Sweeps {
                         + " ns. The results are the same.");
     }
 
-    /** Rows between pairs of bodies, as unlike as those of a scene. */
-    private static void fill(ConstraintRows rows, double[] body, Random random, int round) {
+    /** Contacts between pairs of bodies, as unlike as those of a scene. */
+    private static void fill(
+            ConstraintRows rows, SolverBodies bodies, ContactStore c, Random random, int round) {
         int n = ConstraintRows.CHUNK;
         rows.ensurePlaces(n);
         rows.places = n;
-        for (int i = SolverBodies.STRIDE; i < body.length; i++) {
-            body[i] = 0.01 * random.nextDouble();
+        random(random, bodies.state, 0.01);
+        random(random, bodies.root, 1);
+        random(random, bodies.warm, 0.01);
+        Arrays.fill(bodies.state, 0, SolverBodies.STRIDE, 0.0);
+        for (double[] column :
+                new double[][] {
+                    c.normalX,
+                    c.normalY,
+                    c.normalZ,
+                    c.anchorAX,
+                    c.anchorAY,
+                    c.anchorAZ,
+                    c.anchorBX,
+                    c.anchorBY,
+                    c.anchorBZ,
+                    c.separation,
+                    c.normalImpulse,
+                    c.preload
+                }) {
+            random(random, column, 1);
         }
         for (int j = 0; j < n; j++) {
             int l = j * ConstraintRows.LINK;
-            rows.link[l] = j % 7 == 0 ? 0 : (2 * j + 1) * SolverBodies.STRIDE;
-            rows.link[l + 1] = (2 * j + 2) * SolverBodies.STRIDE;
-            rows.link[l + ConstraintRows.COUNT] = 1 + (round + j / 8) % 4;
-            int o = rows.base(j);
+            boolean pads = j % 8 == 5 && round % 3 == 0;
+            rows.link[l] = pads || j % 7 == 0 ? 0 : (2 * j + 1) * SolverBodies.STRIDE;
+            rows.link[l + 1] = pads ? 0 : (2 * j + 2) * SolverBodies.STRIDE;
+            rows.link[l + ConstraintRows.SOURCE] = j;
+            c.pointCount[j] = 1 + (round + j / 8) % 4;
+            rows.link[l + ConstraintRows.COUNT] = pads ? 0 : c.pointCount[j];
+            c.friction[j] = (round + j / 8) % 16 == 0 ? 0 : 0.5;
             boolean cold = round % 4 == 3 && j % 5 == 0;
-            for (int f = 0; f < ConstraintRows.FIELDS; f++) {
-                rows.row[o + f * rows.lanes] = random.nextDouble() - 0.3;
+            for (int p = ContactStore.POINTS * j; p < ContactStore.POINTS * (j + 1); p++) {
+                c.normalImpulse[p] = cold ? 0 : Math.abs(c.normalImpulse[p]);
             }
-            rows.row[o + ConstraintRows.FRICTION * rows.lanes] = 0.5;
-            for (int p = 0; p < 4; p++) {
-                int q = ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS;
-                double impulse = cold ? 0 : random.nextDouble();
-                rows.row[o + (q + ConstraintRows.IMPULSE) * rows.lanes] = impulse;
-            }
+            bodies.state[(2 * j + 1) * SolverBodies.STRIDE + SolverBodies.MASS] = 0.5;
+            bodies.state[(2 * j + 2) * SolverBodies.STRIDE + SolverBodies.MASS] = 0.5;
         }
-        for (int g = 0; g < n / rows.lanes; g++) {
-            rows.points[g] = 1 + (round + g * rows.lanes / 8) % 4;
-            rows.rough[g] = (round + g) % 16 != 0;
+    }
+
+    private static void random(Random random, double[] column, double size) {
+        for (int i = 0; i < column.length; i++) {
+            column[i] = size * (random.nextDouble() - 0.3);
         }
     }
 }

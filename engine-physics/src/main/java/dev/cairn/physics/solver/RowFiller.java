@@ -1,0 +1,23 @@
+package dev.cairn.physics.solver;
+
+import dev.cairn.physics.internal.ContactStore;
+
+/** Fills constraint rows; {@link PrepareRow} and the wide fillers give the same bits. */
+interface RowFiller {
+    /**
+     * Fills the places from {@code from} to {@code to} of one colour, both at the bounds of groups,
+     * and adds the last impulses to the bodies' warm start.
+     *
+     * @param scale factor on the stored impulses: this sub-step over the last tick's
+     * @param scratch of the worker, see {@link Sweeps#scratch()}
+     */
+    void fill(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            ContactStore contacts,
+            SubStep sub,
+            double scale,
+            int from,
+            int to,
+            double[] scratch);
+}
