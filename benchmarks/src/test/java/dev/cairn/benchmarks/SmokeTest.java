@@ -46,9 +46,9 @@ class SmokeTest {
             suites.add(benchmark.split("\\.")[3]);
         }
         assertEquals(
-                "[EcsCreateDelete, EcsIterate, JobsDispatch, JobsWake, SnapshotHandOver,"
-                        + " WorldStep]",
+                "[EcsCreateDelete, EcsIterate, JobsDispatch, JobsWake, NarrowPhasePairs,"
+                        + " SnapshotHandOver, WorldStep]",
                 suites.toString());
-        assertEquals(7 + 3 + 2 + 2 + 2 + 1, results.size());
+        assertEquals(7 + 3 + 2 + 2 + 23 + 2 + 1, results.size());
     }
 }
