@@ -2,6 +2,7 @@ package dev.cairn.benchmarks;
 
 import dev.cairn.benchmarks.compare.Compare;
 import dev.cairn.benchmarks.cost.Cost;
+import dev.cairn.benchmarks.narrowphase.ErrorAgainstTime;
 import dev.cairn.benchmarks.regress.Regress;
 import dev.cairn.benchmarks.render.RenderFrame;
 
@@ -27,6 +28,7 @@ public final class Main {
         switch (command) {
             case "compare" -> Compare.main(Arrays.copyOfRange(args, 1, args.length));
             case "cost" -> Cost.main(Arrays.copyOfRange(args, 1, args.length));
+            case "narrow-phase" -> ErrorAgainstTime.main(Arrays.copyOfRange(args, 1, args.length));
             case "regress" -> Regress.main(Arrays.copyOfRange(args, 1, args.length));
             case "render-frame" -> RenderFrame.main(Arrays.copyOfRange(args, 1, args.length));
             default -> org.openjdk.jmh.Main.main(args);

@@ -48,8 +48,8 @@ class SmokeTest {
         }
         assertEquals(
                 "[BroadPhasePairs, EcsCreateDelete, EcsIterate, JobsDispatch, JobsWake,"
-                        + " SnapshotHandOver, WorldStep]",
+                        + " NarrowPhasePairs, SnapshotHandOver, WorldStep]",
                 suites.toString());
-        assertEquals(3 + 7 + 3 + 2 + 2 + 2 + 2, results.size());
+        assertEquals(3 + 7 + 3 + 2 + 2 + 2 + 2 + 23, results.size());
     }
 }
