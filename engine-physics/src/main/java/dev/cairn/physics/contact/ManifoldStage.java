@@ -10,6 +10,7 @@ import dev.cairn.physics.narrowphase.BoxContacts;
 import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
+import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
 import dev.cairn.physics.shape.Box;
 
 import java.util.Arrays;
@@ -142,7 +143,9 @@ public final class ManifoldStage {
                     c.cache[row]);
         }
         batch.useLanes(
-                kinds.begin(PairKinds.OTHERS) >= BOXES_FOR_LANES && moved >= MOVED_FOR_LANES);
+                kinds.begin(PairKinds.OTHERS) >= BOXES_FOR_LANES
+                        && moved >= MOVED_FOR_LANES
+                        && BoxWarmUp.ready());
         batch.run(moved);
         for (int i = 0; i < moved; i++) {
             int row = own.row[i];

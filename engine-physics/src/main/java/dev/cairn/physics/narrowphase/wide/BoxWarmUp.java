@@ -1,0 +1,109 @@
+package dev.cairn.physics.narrowphase.wide;
+
+import java.util.Random;
+
+/**
+ * Runs the wide kernels of boxes in a thread of their own until the compiler is done with them.
+ * Code of the Vector API that is not compiled yet is some hundred times slower than scalar code,
+ * and its vectors are objects on the heap. The lanes give the same bits as the scalar path, so it
+ * does not matter to the result when the change comes.
+ */
+public final class BoxWarmUp {
+    private static final int LEAST = 12_000;
+    private static final int MOST = 100_000;
+    private static final Object LOCK = new Object();
+
+    private static volatile boolean begun;
+    private static volatile boolean ready;
+
+    private BoxWarmUp() {}
+
+    /**
+     * Whether the kernels are compiled; starts the thread at the first call. Any thread; allocates
+     * at the first call only.
+     *
+     * @return false on a machine without lanes
+     */
+    public static boolean ready() {
+        if (!begun && BoxAxes.wide()) {
+            begin();
+        }
+        return ready;
+    }
+
+    private static void begin() {
+        synchronized (LOCK) {
+            if (begun) {
+                return;
+            }
+            begun = true;
+            Thread thread = new Thread(BoxWarmUp::run, "cairn-warm-up-boxes");
+            thread.setDaemon(true);
+            thread.start();
+        }
+    }
+
+    private static void run() {
+        BoxBatch batch = new BoxBatch();
+        Random random = new Random(1);
+        long scalar = Long.MAX_VALUE;
+        long axes = Long.MAX_VALUE;
+        long faces = Long.MAX_VALUE;
+        for (int round = 0; round < MOST; round++) {
+            fill(batch.data, random);
+            long start = System.nanoTime();
+            BoxAxes.run(batch, BoxBatch.CAPACITY, false);
+            long second = System.nanoTime();
+            BoxAxes.run(batch, BoxBatch.CAPACITY, true);
+            long third = System.nanoTime();
+            choose(batch.data, round);
+            long fourth = System.nanoTime();
+            BoxAxes.corners(batch, BoxBatch.CAPACITY);
+            BoxAxes.world(batch, BoxBatch.CAPACITY);
+            long end = System.nanoTime();
+            scalar = Math.min(scalar, second - start);
+            axes = Math.min(axes, third - second);
+            faces = Math.min(faces, end - fourth);
+            // compiled, corners and world together cost no more than the axes
+            if (round > LEAST && axes < scalar && faces < scalar) {
+                ready = true;
+                return;
+            }
+        }
+    }
+
+    /** Pairs of unlike boxes in any pose. */
+    private static void fill(double[] t, Random random) {
+        for (int i = 0; i < BoxBatch.CAPACITY; i++) {
+            turn(t, BoxBatch.TURN_A + i, random);
+            turn(t, BoxBatch.TURN_B + i, random);
+            for (int k = 0; k < 3; k++) {
+                int column = k * BoxBatch.CAPACITY + i;
+                t[BoxBatch.OFFSET + column] = 2 * random.nextDouble() - 1;
+                t[BoxBatch.HALF_A + column] = 0.5 + random.nextDouble();
+                t[BoxBatch.HALF_B + column] = 0.5 + random.nextDouble();
+            }
+        }
+    }
+
+    private static void turn(double[] t, int at, Random random) {
+        double x = random.nextDouble() - 0.5;
+        double y = random.nextDouble() - 0.5;
+        double z = random.nextDouble() - 0.5;
+        double w = 0.5 + random.nextDouble();
+        double size = Math.sqrt(x * x + y * y + z * z + w * w);
+        t[at] = x / size;
+        t[at + BoxBatch.CAPACITY] = y / size;
+        t[at + 2 * BoxBatch.CAPACITY] = z / size;
+        t[at + 3 * BoxBatch.CAPACITY] = w / size;
+    }
+
+    /** Any face will do. */
+    private static void choose(double[] t, int round) {
+        for (int i = 0; i < BoxBatch.CAPACITY; i++) {
+            t[BoxBatch.FLIP + i] = (i + round) % 2;
+            t[BoxBatch.AXIS + i] = (i + round) % 3;
+            t[BoxBatch.SIGN + i] = i % 4 < 2 ? 1 : -1;
+        }
+    }
+}
