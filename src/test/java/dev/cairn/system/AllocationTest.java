@@ -35,4 +35,19 @@ final class AllocationTest {
                 SceneRegistry.ids().stream().map(id -> id + " 0\n").collect(Collectors.joining());
         assertEquals(nothing, lines.replace("\r", ""));
     }
+
+    /**
+     * With C2, and so with lanes. In a JVM of its own: tests that try several numbers of lanes in
+     * one JVM leave type profiles behind that keep the Vector API's calls from being inlined, and
+     * then vectors are objects on the heap.
+     */
+    @Test
+    void everySceneIsSteadyOnceItIsCompiled(@TempDir Path directory)
+            throws IOException, InterruptedException {
+        String lines = Jvm.run(directory, List.of(), SteadyProbe.class.getName(), List.of("2"));
+
+        String nothing =
+                SceneRegistry.ids().stream().map(id -> id + " 0.0\n").collect(Collectors.joining());
+        assertEquals(nothing, lines.replace("\r", ""));
+    }
 }

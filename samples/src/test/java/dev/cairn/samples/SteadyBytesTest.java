@@ -36,14 +36,4 @@ class SteadyBytesTest {
         assertEquals(0, perTick(90, tick -> tick < 40 || tick == 67 || tick == 69 ? 98168 : 0));
         assertEquals(0, perTick(0, tick -> 1));
     }
-
-    @Test
-    void everySceneIsSteady() {
-        for (SampleScene scene : SceneRegistry.all()) {
-            SceneReport report =
-                    new SceneRun(scene, SceneOptions.defaults(scene), scene.ticks(), 2, 4)
-                            .run(() -> {});
-            assertEquals(0, report.allocatedBytesPerTick(), scene.id());
-        }
-    }
 }

@@ -346,7 +346,8 @@ final class LaneSweeps implements Sweeps {
                                                 .sub(
                                                         DoubleVector.fromArray(
                                                                 S, st, PA + 2 * CHUNK + g))));
-        var idle = moved.compare(VectorOperators.EQ, moved);
+        // a mask that is carried round a loop would be an object; a number above 0 says the same
+        var busy = DoubleVector.zero(S);
         var ax = DoubleVector.fromArray(S, st, PA + 3 * CHUNK + g);
         var ay = DoubleVector.fromArray(S, st, PA + 4 * CHUNK + g);
         var az = DoubleVector.fromArray(S, st, PA + 5 * CHUNK + g);
@@ -367,15 +368,12 @@ final class LaneSweeps implements Sweeps {
                             .sub(ux.mul(ax).add(uy.mul(ay)).add(uz.mul(az)));
             s.intoArray(d, q + SEPARATION * L);
             // a point that is not there has no mass
-            idle =
+            var open =
                     s.compare(VectorOperators.GT, 0.0)
                             .and(
                                     DoubleVector.fromArray(S, d, q + IMPULSE * L)
-                                            .compare(VectorOperators.EQ, 0.0))
-                            .or(
-                                    DoubleVector.fromArray(S, d, q + MASS * L)
-                                            .compare(VectorOperators.EQ, 0.0))
-                            .and(idle);
+                                            .compare(VectorOperators.EQ, 0.0));
+            busy = busy.max(DoubleVector.fromArray(S, d, q + MASS * L).blend(0.0, open));
         }
         // friction of a lane whose points have all opened goes to zero first
         int l = o + LAMBDA * L;
@@ -384,7 +382,7 @@ final class LaneSweeps implements Sweeps {
                         .abs()
                         .add(DoubleVector.fromArray(S, d, l + L).abs())
                         .add(DoubleVector.fromArray(S, d, l + 2 * L).abs());
-        return idle.and(last.compare(VectorOperators.EQ, 0.0)).allTrue();
+        return busy.add(last).compare(VectorOperators.EQ, 0.0).allTrue();
     }
 
     /**
