@@ -64,11 +64,11 @@ final class ModulesTest {
     }
 
     @Test
-    void physicsExportsItsFacadeAndItsShapesOnly() {
+    void physicsExportsItsFacadeItsShapesAndItsQueriesOnly() {
         ModuleDescriptor physics = modules().find("dev.cairn.physics").orElseThrow().descriptor();
 
         assertEquals(
-                Set.of("dev.cairn.physics", "dev.cairn.physics.shape"),
+                Set.of("dev.cairn.physics", "dev.cairn.physics.query", "dev.cairn.physics.shape"),
                 physics.exports().stream().map(e -> e.source()).collect(Collectors.toSet()));
         assertFalse(physics.isOpen());
     }
