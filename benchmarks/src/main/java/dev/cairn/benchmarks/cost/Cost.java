@@ -76,14 +76,28 @@ public final class Cost implements Callable<Integer> {
                     scenes, pairs, 3 * Mix.NAMES.size());
             return CommandLine.ExitCode.USAGE;
         }
-        String tables = priceList() + "\n" + ladder();
         if (out == null) {
-            System.out.println(tables);
-        } else {
-            String text = Files.readString(out, StandardCharsets.UTF_8);
-            Files.writeString(out, replaced(text, tables), StandardCharsets.UTF_8);
+            System.out.println(priceList() + "\n" + ladder());
+            return CommandLine.ExitCode.OK;
         }
+        String page = page(out);
+        try {
+            // now, and not after minutes of measuring
+            replaced(page, "");
+        } catch (IllegalArgumentException unmarked) {
+            err.printf("--out %s: %s%n", out, unmarked.getMessage());
+            return CommandLine.ExitCode.USAGE;
+        }
+        String tables = priceList() + "\n" + ladder();
+        Files.writeString(out, replaced(page, tables), StandardCharsets.UTF_8);
         return CommandLine.ExitCode.OK;
+    }
+
+    /** The text of a file; of one that is not there yet, the marks. */
+    static String page(Path file) throws IOException {
+        return Files.exists(file)
+                ? Files.readString(file, StandardCharsets.UTF_8)
+                : BEGIN + "\n" + END + "\n";
     }
 
     static String replaced(String text, String tables) {

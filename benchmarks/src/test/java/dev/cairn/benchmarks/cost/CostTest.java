@@ -7,7 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.cairn.physics.PhysicsSettings;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -108,5 +111,11 @@ class CostTest {
         assertTrue(replaced.contains("new") && !replaced.contains("old"));
         assertEquals(replaced, Cost.replaced(replaced, "new"));
         assertThrows(IllegalArgumentException.class, () -> Cost.replaced("none", "new"));
+    }
+
+    @Test
+    void aFileThatIsNotThereYetGetsTheTables(@TempDir Path folder) throws IOException {
+        String page = Cost.page(folder.resolve("new.md"));
+        assertTrue(Cost.replaced(page, "new").contains("new"), page);
     }
 }
