@@ -3,6 +3,8 @@ package dev.cairn.physics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.shape.Box;
+
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -81,6 +83,36 @@ class StackTest {
         double with = StackStudy.hitMomentum(PhysicsSettings.DEFAULT, 1000);
         double without = StackStudy.hitMomentum(PLAIN, 1000);
         assertEquals(without, with, 0.03, "momentum of the stack over the projectile's");
+    }
+
+    /**
+     * No friction: the plate is alone in the direction of the pull, v = F t / m; up to the tilt
+     * that its load, a quarter of a metre off its middle at the end, gives soft contacts.
+     */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 60})
+    void whatIsPulledUnderALoadAnswersWithItsOwnMass(int ticksOfRest) {
+        Material smooth = new Material(0, 0, 1000);
+        try (PhysicsWorld world =
+                PhysicsWorld.builder().sleeping(false).gravity(0, -9.81, 0).workers(1).build()) {
+            world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0).material(smooth));
+            BodyRef plate =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.of(2, 0.25, 2))
+                                    .at(0, 0.25, 0)
+                                    .mass(1)
+                                    .material(smooth));
+            world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 1, 0).mass(10).material(smooth));
+            for (int tick = 0; tick < ticksOfRest; tick++) {
+                world.step(1.0 / 60);
+            }
+            for (int tick = 0; tick < 30; tick++) {
+                plate.applyForce(2, 0, 0);
+                world.step(1.0 / 60);
+            }
+            assertEquals(1, plate.velocity().x(), 2e-3);
+        }
     }
 
     @Test

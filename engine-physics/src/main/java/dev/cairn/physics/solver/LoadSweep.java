@@ -180,12 +180,10 @@ final class LoadSweep {
                                                                 wy - old[o + 4],
                                                                 wz - old[o + 5])
                                                         * radius)
-                                + norm(b.forceX[i], b.forceY[i], b.forceZ[i])
-                                        * b.inverseMass[i]
-                                        / gravity;
+                                + pushed(i);
                 b.unrest[i] = Math.max(a, DECAY * b.unrest[i]);
             } else {
-                b.unrest[i] = 0;
+                b.unrest[i] = pushed(i);
                 b.restTicks[i] = b.inertiaScale[i] > 0 ? 0 : HOLD;
             }
             old[o] = vx;
@@ -196,6 +194,12 @@ final class LoadSweep {
             old[o + 5] = wz;
             height[i] = upX * b.positionX[i] + upY * b.positionY[i] + upZ * b.positionZ[i];
         }
+    }
+
+    /** What the force of this tick would do to a body alone, over gravity. */
+    private double pushed(int i) {
+        BodyStore b = bodies;
+        return norm(b.forceX[i], b.forceY[i], b.forceZ[i]) * b.inverseMass[i] / gravity;
     }
 
     private static double norm(double x, double y, double z) {
@@ -491,6 +495,9 @@ final class LoadSweep {
                 b.unrest[i] = Math.max(unrest, 2 * limit);
             } else if (!(s > 0)) {
                 s = wanted;
+            } else if (pushed(i) > limit) {
+                // what is pulled answers with its own mass from the first tick on
+                s = floor;
             } else {
                 s += (wanted > s ? RISE : FALL) * (wanted - s);
                 s = s < 1.001 && wanted == 1 ? 1 : s;
