@@ -149,6 +149,43 @@ class SleepTest {
         }
     }
 
+    /** A ball on a point has nothing to stop its spin about the vertical: 2 mm/s at its rim. */
+    @Test
+    void aBallThatSpinsSlowlyInItsPlaceIsNotStopped() {
+        try (PhysicsWorld world = world()) {
+            Scenes.ground(world);
+            double spin = 0.004;
+            BodyRef ball =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Sphere.of(0.5))
+                                    .at(0, 0.5, 0)
+                                    .angularVelocity(0, spin, 0));
+            for (int tick = 0; tick < 600; tick++) {
+                world.step(Scenes.STEP);
+                assertFalse(ball.isAsleep(), "tick " + tick);
+            }
+            assertEquals(spin, ball.angularVelocity().y, 1e-9 * spin);
+        }
+    }
+
+    /** Friction holds the box against a push of a tenth of its weight, but it is pushed. */
+    @Test
+    void aBoxThatIsPushedInEachTickDoesNotSleepThoughItDoesNotMove() {
+        try (PhysicsWorld world = world()) {
+            Scenes.ground(world);
+            BodyRef box = world.add(Body.dynamic().shape(Box.cube(0.5)).mass(1).at(0, 0.5, 0));
+            for (int tick = 0; tick < 300; tick++) {
+                box.applyForce(0.981, 0, 0);
+                world.step(Scenes.STEP);
+                assertFalse(box.isAsleep(), "tick " + tick);
+            }
+            assertEquals(0, box.position().x, 1e-4);
+            run(world, 300);
+            assertTrue(box.isAsleep(), "nobody pushes any more");
+        }
+    }
+
     @Test
     void withoutGravityOnlyWhatDoesNotMoveAtAllSleeps() {
         try (PhysicsWorld world = weightless()) {

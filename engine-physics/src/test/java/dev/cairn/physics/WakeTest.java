@@ -114,6 +114,36 @@ class WakeTest {
         }
     }
 
+    /** Catalogue B13, asleep: what the solver knew of the load must survive the sleep. */
+    @Test
+    void aLoadThatIsTakenOffASleepingColumnLeavesItAtRest() {
+        try (PhysicsWorld world = world()) {
+            Scenes.ground(world);
+            List<BodyRef> column = new ArrayList<>();
+            for (int i = 0; i < 5; i++) {
+                column.add(
+                        world.add(Body.dynamic().shape(Box.cube(0.5)).mass(1).at(0, 0.5 + i, 0)));
+            }
+            BodyRef load = world.add(Body.dynamic().shape(Box.cube(0.5)).mass(100).at(0, 5.5, 0));
+            SleepTest.run(world, 600);
+            assertTrue(SleepTest.allAsleep(column) && load.isAsleep(), "all sleep");
+            double[] before = new double[5];
+            for (int i = 0; i < 5; i++) {
+                before[i] = column.get(i).position().y;
+            }
+            load.remove();
+            Vector3d velocity = new Vector3d();
+            for (int tick = 0; tick < 60; tick++) {
+                world.step(Scenes.STEP);
+                for (int i = 0; i < 5; i++) {
+                    column.get(i).velocity(velocity);
+                    assertTrue(velocity.y < 0.02, "box " + i + " jumps at " + velocity.y);
+                    assertEquals(before[i], column.get(i).position().y, 1e-3);
+                }
+            }
+        }
+    }
+
     @Test
     void aFixedBodyThatComesWakesWhomItTouchesOnly() {
         wakes(p -> p.world.add(Body.fixed().shape(Box.cube(0.5)).at(0.95, 2.5, 0)));
