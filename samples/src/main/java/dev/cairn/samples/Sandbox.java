@@ -190,6 +190,7 @@ class Sandbox extends Application {
                 stage.build(edited, next);
             }
             scene.light(next.light());
+            scene.camera().release();
             if (!keepCamera) {
                 next.view().place(scene.camera());
             }

@@ -8,6 +8,7 @@ import dev.cairn.physics.StepProfile;
 import dev.cairn.physics.StepStage;
 import dev.cairn.render.app.Offscreen;
 import dev.cairn.render.camera.Camera;
+import dev.cairn.render.camera.CameraMount;
 
 import org.jspecify.annotations.Nullable;
 
@@ -163,6 +164,7 @@ public final class SceneRun {
 
     private void draw(SnapshotExchange exchange, SceneBuilder built) {
         Camera camera = built.view().place(new Camera());
+        CameraMount.attach(built.world().ecs(), camera);
         try (Offscreen screen = Offscreen.open(1280, 720)) {
             screen.draw(exchange.latest(), 1, camera, built.light());
             if (picture != null) {

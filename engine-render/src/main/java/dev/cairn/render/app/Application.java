@@ -407,10 +407,12 @@ public abstract class Application {
                                                 Application.this.getClass().getSimpleName());
                                 scene = filled;
                                 initScene(filled);
+                                filled.mountCamera();
                             }
 
                             @Override
                             public void update(double seconds) {
+                                scene().drive(seconds);
                                 Application.this.update(seconds);
                             }
 

@@ -6,11 +6,13 @@ import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.render.camera.Camera;
+import dev.cairn.render.camera.CameraMount;
 import dev.cairn.render.camera.Light;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.mesh.Model;
 
 import java.util.Objects;
+import java.util.Set;
 
 /**
  * What an application shows: a world of bodies, how they look, the camera, the light and the key
@@ -21,6 +23,7 @@ public final class Scene {
     private final PhysicsWorld physics;
     private final Camera camera;
     private final Bindings bindings;
+    private final Controls controls;
     private volatile Light light = Light.DAYLIGHT;
     private volatile String title;
 
@@ -29,6 +32,22 @@ public final class Scene {
         this.camera = camera;
         this.bindings = bindings;
         this.title = title;
+        this.controls = new Controls(physics, camera, bindings);
+        bindings.reserve(Set.of());
+    }
+
+    /**
+     * Has the camera ride on what carries it; a camera that the scene itself put on stays there.
+     */
+    void mountCamera() {
+        if (physics.ecs().query(CameraMount.COMPONENT).entityCount() > 0) {
+            CameraMount.attach(physics.ecs(), camera);
+        }
+    }
+
+    /** Lets the user drive what is {@code Controllable}, before a tick. */
+    void drive(double seconds) {
+        controls.drive(seconds);
     }
 
     /**

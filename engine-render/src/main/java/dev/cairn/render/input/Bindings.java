@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.function.DoubleConsumer;
 
 /**
@@ -30,6 +31,9 @@ public final class Bindings {
     private final Map<MouseButton, String> actionOfButton = new EnumMap<>(MouseButton.class);
     private final EnumSet<Key> downKeys = EnumSet.noneOf(Key.class);
     private final EnumSet<MouseButton> downButtons = EnumSet.noneOf(MouseButton.class);
+    private final EnumSet<Key> pressedKeys = EnumSet.noneOf(Key.class);
+    private final EnumSet<MouseButton> pressedButtons = EnumSet.noneOf(MouseButton.class);
+    private EnumSet<Key> reserved = EnumSet.noneOf(Key.class);
     private volatile Map<String, Key[]> keysOfAction = Map.of();
     private volatile List<Binding> listed = List.of();
 
@@ -194,6 +198,46 @@ public final class Bindings {
     }
 
     /**
+     * Whether a key went down since the last tick that was not paused.
+     *
+     * @param key which key
+     * @return true if so, even if it is up again; simulation thread
+     */
+    public boolean wasPressed(Key key) {
+        return pressedKeys.contains(key);
+    }
+
+    /**
+     * Whether a mouse button went down since the last tick that was not paused.
+     *
+     * @param button which button
+     * @return true if so, even if it is up again; simulation thread
+     */
+    public boolean wasPressed(MouseButton button) {
+        return pressedButtons.contains(button);
+    }
+
+    /** What the application does once a tick has seen the presses: they are forgotten. */
+    public void endTick() {
+        pressedKeys.clear();
+        pressedButtons.clear();
+    }
+
+    /**
+     * Takes keys away from their actions, as a {@link Controllable} does that is in the scene. The
+     * actions keep them for the time when they are free again.
+     *
+     * @param keys all keys that are taken from now on; copied
+     */
+    public void reserve(Set<Key> keys) {
+        if (!reserved.equals(keys)) {
+            reserved = EnumSet.noneOf(Key.class);
+            reserved.addAll(keys);
+            refresh();
+        }
+    }
+
+    /**
      * Whether any trigger of an action is down, as of the tick's input.
      *
      * @param action its name
@@ -201,7 +245,7 @@ public final class Bindings {
      */
     public boolean isHeld(String action) {
         for (Key key : downKeys) {
-            if (action.equals(actionOfKey.get(key))) {
+            if (!reserved.contains(key) && action.equals(actionOfKey.get(key))) {
                 return true;
             }
         }
@@ -221,7 +265,10 @@ public final class Bindings {
      */
     public void press(Key key) {
         downKeys.add(key);
-        run(actionOfKey.get(key));
+        pressedKeys.add(key);
+        if (!reserved.contains(key)) {
+            run(actionOfKey.get(key));
+        }
     }
 
     /**
@@ -241,6 +288,7 @@ public final class Bindings {
      */
     public void press(MouseButton button) {
         downButtons.add(button);
+        pressedButtons.add(button);
         run(actionOfButton.get(button));
     }
 
@@ -257,6 +305,7 @@ public final class Bindings {
     public void releaseAll() {
         downKeys.clear();
         downButtons.clear();
+        endTick();
     }
 
     /**
@@ -303,7 +352,7 @@ public final class Bindings {
             List<Key> own = new ArrayList<>();
             List<String> names = new ArrayList<>();
             actionOfKey.forEach((key, bound) -> {
-                if (bound.equals(action)) {
+                if (bound.equals(action) && !reserved.contains(key)) {
                     own.add(key);
                     names.add(key.name());
                 }

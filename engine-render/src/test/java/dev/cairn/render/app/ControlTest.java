@@ -1,17 +1,28 @@
 package dev.cairn.render.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.input.Bindings;
+import dev.cairn.render.input.Control;
+import dev.cairn.render.input.Controllable;
 import dev.cairn.render.input.Key;
+import dev.cairn.render.input.MouseButton;
+import dev.cairn.render.mesh.Meshes;
+import dev.cairn.render.mesh.Model;
 
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
+
+import java.util.ArrayList;
+import java.util.List;
 
 /** An entity that the user controls: keys that are held push it, a key that is pressed kicks it. */
 class ControlTest {
@@ -55,5 +66,107 @@ class ControlTest {
             }
             world.step(STEP);
         }
+    }
+
+    private static void drive(Scene scene, int ticks) {
+        for (int tick = 0; tick < ticks; tick++) {
+            scene.drive(STEP);
+            scene.physics().step(STEP);
+        }
+    }
+
+    /** The camera looks along +x, so away is +x and right is +z. */
+    @Test
+    void aControllableEntityIsDrivenWithoutCode() {
+        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
+            Camera camera = new Camera().lookAt(-9, 4, 0, 0, 0, 0);
+            Scene scene = new Scene(world, camera, new Bindings(), "control");
+            Bindings keys = scene.bindings();
+            int[] flown = new int[1];
+            keys.onKey(Key.UP, "look up", () -> flown[0]++);
+            Control spin =
+                    new Control(
+                            null,
+                            MouseButton.MIDDLE,
+                            Control.Effect.TURN,
+                            Control.Axes.WORLD,
+                            0,
+                            3,
+                            0);
+            List<Control> controls = new ArrayList<>(Controllable.arrows(4, 5).controls());
+            controls.add(spin);
+            BodyRef box =
+                    scene.add(
+                            Body.dynamic()
+                                    .shape(Box.of(0.2, 0.3, 0.7))
+                                    .mass(7)
+                                    .with(new Controllable(controls)));
+            drive(scene, 1);
+            keys.press(Key.UP);
+            keys.press(Key.RIGHT);
+            drive(scene, 60);
+            assertEquals(0, flown[0], "its keys are its own");
+            assertEquals(0, keys.keys("look up").length);
+            // v = a t whatever the mass
+            Vector3d v = box.velocity(new Vector3d());
+            assertEquals(4, v.x, 1e-12);
+            assertEquals(0, v.y, 1e-12);
+            assertEquals(4, v.z, 1e-12);
+            keys.release(Key.UP);
+            keys.release(Key.RIGHT);
+            keys.press(Key.RIGHT_CONTROL);
+            keys.release(Key.RIGHT_CONTROL);
+            drive(scene, 30);
+            assertEquals(5, box.velocity(new Vector3d()).y, 1e-12, "one press is one kick");
+            keys.press(MouseButton.MIDDLE);
+            drive(scene, 60);
+            // About a principal axis: w = a t.
+            assertEquals(3, box.angularVelocity(new Vector3d()).y, 1e-9);
+            world.ecs().remove(box.entity(), Controllable.COMPONENT);
+            drive(scene, 1);
+            keys.press(Key.UP);
+            assertEquals(1, flown[0], "the keys are free again");
+            drive(scene, 5);
+            assertEquals(4, box.velocity(new Vector3d()).x, 1e-12);
+        }
+    }
+
+    @Test
+    void aControllableEntityWithoutABodyMovesItsPose() {
+        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
+            Scene scene =
+                    new Scene(
+                            world, new Camera().lookAt(0, 4, 9, 0, 0, 0), new Bindings(), "poses");
+            long sign = scene.addVisual(Pose.at(1, 2, 3), Model.of(Meshes.CUBE));
+            world.ecs()
+                    .add(
+                            sign,
+                            new Controllable(
+                                    List.of(
+                                            Control.of(Key.I, Control.Effect.PUSH, 0, 0, -2),
+                                            Control.of(Key.O, Control.Effect.KICK, 0, 1, 0),
+                                            Control.of(
+                                                    Key.U, Control.Effect.TURN, 0, Math.PI, 0))));
+            scene.bindings().press(Key.I);
+            scene.bindings().press(Key.O);
+            scene.bindings().press(Key.U);
+            drive(scene, 30);
+            Pose seen = world.ecs().get(sign, Pose.COMPONENT);
+            assertEquals(1, seen.x(), 1e-12);
+            assertEquals(3, seen.y(), 1e-12);
+            assertEquals(2, seen.z(), 1e-12);
+            // A quarter turn.
+            assertEquals(Math.sqrt(0.5), seen.qy(), 1e-12);
+        }
+    }
+
+    @Test
+    void aControlNamesWhatIsWrongWithIt() {
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> new Control(null, null, Control.Effect.PUSH, Control.Axes.VIEW, 0, 1, 0));
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> Control.of(Key.A, Control.Effect.PUSH, Double.NaN, 0, 0));
     }
 }

@@ -26,12 +26,22 @@ final class EntityPanel {
         0, 0xC8553D, 0xE0A458, 0x6A994E, 0x3D5A80, 0x8F6593, 0xF2F2F2, 0x8A8A8A
     };
 
+    private static final List<String> TEXTURES =
+            List.of("", "builtin:plain", "builtin:grid", "builtin:panel", "builtin:beach-ball");
+    private static final List<String> TEXTURE_NAMES =
+            List.of("of the shape", "plain", "grid", "panel", "beach ball", "a file");
+    private static final int FROM_FILE = 5;
+
     private final Editor editor;
     private final Fields fields = new Fields();
+    private final ShapeFields shapes;
+    private final DrivenFields driven;
     private int shown = Editor.NOTHING;
 
     EntityPanel(Editor editor) {
         this.editor = editor;
+        this.shapes = new ShapeFields(editor, fields);
+        this.driven = new DrivenFields(editor);
     }
 
     void draw(Ui ui, double left, double top, double width, double height) {
@@ -64,6 +74,7 @@ final class EntityPanel {
             place(ui, entity);
             substance(ui, entity);
             motion(ui, entity);
+            driven.draw(ui, entity);
         }
         ui.endPanel();
     }
@@ -74,6 +85,7 @@ final class EntityPanel {
             editor.change("rename", e -> e.withName(name));
         }
         ui.value("shape", entity.shape().type());
+        shapes.draw(ui, entity);
         int present = KINDS.indexOf(entity.body());
         int kind = ui.choice("body", KIND_NAMES, present);
         if (kind != present) {
@@ -91,9 +103,38 @@ final class EntityPanel {
                     "colour",
                     e -> e.withLook(e.look().withRgb(colour == 0 ? null : (Integer) RGB[colour])));
         }
+        texture(ui, look);
         Integer typed = fields.rgb(ui, "colour #", rgb);
         if (typed != null && !typed.equals(rgb)) {
             editor.change("colour", e -> e.withLook(e.look().withRgb(typed)));
+        }
+    }
+
+    private void texture(Ui ui, LookSpec look) {
+        String texture = look.texture();
+        int present = texture == null ? 0 : TEXTURES.indexOf(texture);
+        int known = present < 0 ? FROM_FILE : present;
+        int chosen = ui.choice("texture", TEXTURE_NAMES, known);
+        if (chosen != known) {
+            String wanted =
+                    chosen == 0 ? null : chosen == FROM_FILE ? "picture.png" : TEXTURES.get(chosen);
+            editor.change(
+                    "texture of", e -> e.withLook(e.look().withTexture(wanted, look.tileMetres())));
+        }
+        if (texture == null) {
+            return;
+        }
+        if (known == FROM_FILE) {
+            String file = ui.textField("picture (.png)", texture);
+            if (!file.equals(texture) && !file.isBlank()) {
+                editor.change(
+                        "texture of",
+                        e -> e.withLook(e.look().withTexture(file, look.tileMetres())));
+            }
+        }
+        double tile = fields.number(ui, "tile, m", look.tileMetres());
+        if (tile != look.tileMetres() && tile >= 0) {
+            editor.change("texture of", e -> e.withLook(e.look().withTexture(texture, tile)));
         }
     }
 

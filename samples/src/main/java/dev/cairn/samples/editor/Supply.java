@@ -6,6 +6,7 @@ import dev.cairn.samples.scenefile.LookSpec;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.ShapeSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
+import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
 import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
@@ -48,7 +49,19 @@ final class Supply {
                                             new Xyz(-1.5, 0, 1),
                                             new Xyz(1.5, 0, 1),
                                             new Xyz(-1.5, 1.2, 1)))),
-                    new Item("wall", BodyKind.FIXED, new BoxShape(new Xyz(2, 1, 0.15))));
+                    new Item("wall", BodyKind.FIXED, new BoxShape(new Xyz(2, 1, 0.15))),
+                    new Item("half-space", BodyKind.FIXED, new GroundShape()),
+                    new Item(
+                            "hull",
+                            BodyKind.DYNAMIC,
+                            new HullShape(
+                                    List.of(
+                                            new Xyz(-0.6, 0, -0.4),
+                                            new Xyz(0.6, 0, -0.4),
+                                            new Xyz(0.4, 0, 0.5),
+                                            new Xyz(-0.4, 0, 0.5),
+                                            new Xyz(-0.3, 0.8, -0.2),
+                                            new Xyz(0.3, 0.6, 0.2)))));
 
     private Supply() {}
 

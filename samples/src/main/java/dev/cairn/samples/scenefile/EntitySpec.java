@@ -1,8 +1,12 @@
 package dev.cairn.samples.scenefile;
 
 import dev.cairn.physics.Material;
+import dev.cairn.render.camera.CameraMount;
+import dev.cairn.render.input.Control;
 
 import org.jspecify.annotations.Nullable;
+
+import java.util.List;
 
 /**
  * One thing of a scene. World frame, metres, seconds, y up. Immutable.
@@ -18,6 +22,7 @@ import org.jspecify.annotations.Nullable;
  * @param velocity of the centre of mass, m/s
  * @param angularVelocity rad/s
  * @param look how it looks
+ * @param driven what the user does to it
  */
 public record EntitySpec(
         String name,
@@ -30,7 +35,24 @@ public record EntitySpec(
         @Nullable Double mass,
         Xyz velocity,
         Xyz angularVelocity,
-        LookSpec look) {
+        LookSpec look,
+        Driven driven) {
+    /**
+     * What drives an entity, and whether it carries the camera.
+     *
+     * @param controls what keys and buttons do to it
+     * @param camera where the camera rides on it, or null if it does not
+     */
+    public record Driven(List<Control> controls, @Nullable CameraMount camera) {
+        /** By nothing but physics. */
+        public static final Driven NONE = new Driven(List.of(), null);
+
+        /** Copies the list. */
+        public Driven {
+            controls = List.copyOf(controls);
+        }
+    }
+
     /** Checks scale and mass. */
     public EntitySpec {
         if (!(scale.x() > 0 && scale.y() > 0 && scale.z() > 0)) {
@@ -61,7 +83,8 @@ public record EntitySpec(
                 null,
                 Xyz.ZERO,
                 Xyz.ZERO,
-                LookSpec.DEFAULT);
+                LookSpec.DEFAULT,
+                Driven.NONE);
     }
 
     /**
@@ -82,7 +105,8 @@ public record EntitySpec(
                 mass,
                 velocity,
                 angularVelocity,
-                look);
+                look,
+                driven);
     }
 
     /**
@@ -103,7 +127,8 @@ public record EntitySpec(
                 mass,
                 velocity,
                 angularVelocity,
-                look);
+                look,
+                driven);
     }
 
     /**
@@ -124,7 +149,8 @@ public record EntitySpec(
                 mass,
                 velocity,
                 angularVelocity,
-                look);
+                look,
+                driven);
     }
 
     /**
@@ -146,7 +172,8 @@ public record EntitySpec(
                 mass,
                 velocity,
                 angularVelocity,
-                look);
+                look,
+                driven);
     }
 
     /**
@@ -167,7 +194,8 @@ public record EntitySpec(
                 mass,
                 velocity,
                 angularVelocity,
-                look);
+                look,
+                driven);
     }
 
     /**
@@ -189,7 +217,8 @@ public record EntitySpec(
                 newMass,
                 velocity,
                 angularVelocity,
-                look);
+                look,
+                driven);
     }
 
     /**
@@ -201,8 +230,8 @@ public record EntitySpec(
      */
     public EntitySpec moving(Xyz linear, Xyz angular) {
         return new EntitySpec(
-                name, body, shape, position, rotation, scale, material, mass, linear, angular,
-                look);
+                name, body, shape, position, rotation, scale, material, mass, linear, angular, look,
+                driven);
     }
 
     /**
@@ -223,6 +252,29 @@ public record EntitySpec(
                 mass,
                 velocity,
                 angularVelocity,
+                value,
+                driven);
+    }
+
+    /**
+     * The same, driven otherwise.
+     *
+     * @param value what the user does to it
+     * @return a copy
+     */
+    public EntitySpec withDriven(Driven value) {
+        return new EntitySpec(
+                name,
+                body,
+                shape,
+                position,
+                rotation,
+                scale,
+                material,
+                mass,
+                velocity,
+                angularVelocity,
+                look,
                 value);
     }
 }

@@ -8,6 +8,9 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.DegenerateShapeException;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.render.camera.CameraMount;
+import dev.cairn.render.input.Control;
+import dev.cairn.render.input.Controllable;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.mesh.ModelGroup;
 import dev.cairn.render.mesh.ObjFormatException;
@@ -191,7 +194,9 @@ public final class SceneLoader {
                 return NOTHING;
             }
             Quaterniond q = new Quaterniond(turn.x(), turn.y(), turn.z(), turn.w()).normalize();
-            return into.addVisual(new Pose(at.x(), at.y(), at.z(), q.x, q.y, q.z, q.w, 0), visual);
+            return drive(
+                    into.addVisual(new Pose(at.x(), at.y(), at.z(), q.x, q.y, q.z, q.w, 0), visual),
+                    entity);
         }
         boolean fixed = entity.body() == BodyKind.FIXED;
         Body body =
@@ -210,7 +215,19 @@ public final class SceneLoader {
         Shape collider = shape == null ? placeholderShape(entity) : shape;
         BodyRef made =
                 visual == null ? into.addUnseen(collider, body) : into.add(collider, visual, body);
-        return made.entity();
+        return drive(made.entity(), entity);
+    }
+
+    private long drive(long made, EntitySpec entity) {
+        List<Control> controls = entity.driven().controls();
+        if (!controls.isEmpty()) {
+            into.world().ecs().add(made, new Controllable(controls));
+        }
+        CameraMount camera = entity.driven().camera();
+        if (camera != null) {
+            into.world().ecs().add(made, camera);
+        }
+        return made;
     }
 
     private static Shape placeholderShape(EntitySpec entity) {

@@ -62,7 +62,9 @@ public final class SceneReader {
                     "mass",
                     "velocity",
                     "angularVelocity",
-                    "look");
+                    "look",
+                    "controls",
+                    "camera");
     static final List<String> ROTATION = List.of("axis", "degrees");
     static final List<String> MATERIAL = List.of("friction", "restitution", "density");
     static final List<String> LOOK =
@@ -266,7 +268,8 @@ public final class SceneReader {
                                 in.containsKey("angularVelocity")
                                         ? in.get("angularVelocity").xyz("an angular velocity")
                                         : Xyz.ZERO)
-                        .withLook(in.containsKey("look") ? look(in.get("look")) : base.look());
+                        .withLook(in.containsKey("look") ? look(in.get("look")) : base.look())
+                        .withDriven(DrivenJson.read(in));
         if (!(made.shape() instanceof MeshShape)) {
             try {
                 // Made once more by the loader; here only so that a refusal can name the line.

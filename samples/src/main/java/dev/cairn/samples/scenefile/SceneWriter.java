@@ -141,6 +141,7 @@ public final class SceneWriter {
         if (!entity.look().equals(LookSpec.DEFAULT)) {
             out.add("look", look(entity.look()));
         }
+        DrivenJson.write(entity.driven(), out);
         return out;
     }
 
@@ -198,7 +199,7 @@ public final class SceneWriter {
         return out;
     }
 
-    private static JsonArray xyz(Xyz value) {
+    static JsonArray xyz(Xyz value) {
         JsonArray out = new JsonArray();
         out.add(number(value.x()));
         out.add(number(value.y()));

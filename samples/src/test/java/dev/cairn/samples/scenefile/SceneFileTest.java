@@ -7,7 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.render.camera.CameraMount;
 import dev.cairn.render.camera.Light;
+import dev.cairn.render.input.Control;
+import dev.cairn.render.input.Key;
+import dev.cairn.render.input.MouseButton;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
@@ -102,7 +106,29 @@ class SceneFileTest {
                                 random.nextBoolean() ? null : "builtin:grid",
                                 random.nextBoolean() ? 0 : random.nextDouble(9),
                                 random.nextBoolean() ? null : "x.obj",
-                                positive(random)));
+                                positive(random)))
+                .withDriven(driven(random));
+    }
+
+    private static EntitySpec.Driven driven(SplittableRandom random) {
+        List<Control> controls = new ArrayList<>();
+        for (int i = random.nextInt(3); i > 0; i--) {
+            boolean byKey = random.nextBoolean();
+            controls.add(
+                    new Control(
+                            byKey ? Key.values()[random.nextInt(Key.values().length)] : null,
+                            byKey ? null : MouseButton.values()[random.nextInt(3)],
+                            Control.Effect.values()[random.nextInt(3)],
+                            Control.Axes.values()[random.nextInt(3)],
+                            any(random),
+                            any(random),
+                            any(random)));
+        }
+        return new EntitySpec.Driven(
+                controls,
+                random.nextBoolean()
+                        ? null
+                        : new CameraMount(random.nextDouble(1, 9), 2, -0.0, random.nextBoolean()));
     }
 
     private static SceneFile scene(SplittableRandom random) {
@@ -231,6 +257,14 @@ class SceneFileTest {
                         + " restitution, density | unknown",
                 "SPHERE, \"look\": {\"texture\": \"builtin:wood\"} | $.entities[0].look.texture |"
                         + " builtin:grid | builtin:wood",
+                "SPHERE, \"controls\": [{\"does\": \"push\", \"along\": [0,0,1]}] |"
+                    + " $.entities[0].controls[0] | a field \"key\" or a field \"mouse\" | does",
+                "SPHERE, \"controls\": [{\"key\": \"up\", \"does\": \"push\", \"along\":"
+                        + " [0,0,1]}] | $.entities[0].controls[0].key | did you mean UP? | \"up\"",
+                "SPHERE, \"controls\": [{\"key\": \"UP\", \"does\": \"pull\", \"along\": [0,0,1]}]"
+                        + " | $.entities[0].controls[0].does | push, turn, kick | \"pull\"",
+                "SPHERE, \"camera\": {\"offset\": [0,0,0]} | $.entities[0].camera | distance |"
+                        + " (0, 0, 0)",
                 "SPHERE, \"look\": {\"visible\": 1} | $.entities[0].look.visible | true or false |"
                         + " 1",
             })
