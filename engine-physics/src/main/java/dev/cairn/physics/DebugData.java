@@ -2,6 +2,7 @@ package dev.cairn.physics;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.island.Islands;
 
 import java.util.Arrays;
 
@@ -14,6 +15,9 @@ import java.util.Arrays;
  * say. Filling one again allocates only while the numbers grow.
  */
 public final class DebugData {
+    /** In place of an island or a colour where there is none. */
+    public static final int NONE = -1;
+
     /** A body that never moves. */
     public static final byte FIXED = 0;
 
@@ -28,7 +32,15 @@ public final class DebugData {
     private double[] normals = {};
     private double[] impulses = {};
     private double[] separations = {};
+    private int[] firstBodies = {};
+    private int[] secondBodies = {};
+    private int[] colours = {};
+    private int[] colourOfRow = {};
     private int bodyCount;
+    private int[] islands = {};
+    private int[] bodyOfSlot = {};
+    private int[] awakeSlots = {};
+    private final Islands links = new Islands();
     private double[] centres = {};
     private double[] velocities = {};
     private double[] boxes = {};
@@ -40,8 +52,15 @@ public final class DebugData {
 
     /** Copies. Simulation thread, between steps. */
     void fill(PhysicsSystem physics) {
-        fillPoints(physics.table.bodies, physics.contacts);
         fillBodies(physics.table);
+        fillIslands(physics.table, physics.contacts);
+        ContactStore rows = physics.contacts;
+        if (colourOfRow.length < rows.count) {
+            colourOfRow = new int[rows.count + (rows.count >> 1)];
+        }
+        Arrays.fill(colourOfRow, 0, rows.count, NONE);
+        physics.solver.readColours(colourOfRow);
+        fillPoints(physics.table.bodies, rows);
     }
 
     private void fillPoints(BodyStore bodies, ContactStore rows) {
@@ -52,6 +71,9 @@ public final class DebugData {
             normals = new double[3 * capacity];
             impulses = new double[capacity];
             separations = new double[capacity];
+            firstBodies = new int[capacity];
+            secondBodies = new int[capacity];
+            colours = new int[capacity];
         }
         int n = 0;
         for (int row = 0; row < rows.count; row++) {
@@ -66,6 +88,9 @@ public final class DebugData {
                 normals[3 * n + 2] = rows.normalZ[row];
                 impulses[n] = rows.totalNormalImpulse[at];
                 separations[n] = rows.separation[at];
+                firstBodies[n] = bodyOfSlot[a];
+                secondBodies[n] = bodyOfSlot[rows.bodyB[row]];
+                colours[n] = colourOfRow[row];
             }
         }
         pointCount = n;
@@ -80,13 +105,18 @@ public final class DebugData {
             boxes = new double[6 * capacity];
             states = new byte[capacity];
             entities = new long[capacity];
+            islands = new int[capacity];
+            bodyOfSlot = new int[capacity];
+            awakeSlots = new int[capacity];
         }
         double[] fat = table.broadPhase.fatBoxes();
         int n = 0;
         for (int s = 0; s < b.slotCount; s++) {
+            bodyOfSlot[s] = NONE;
             if (b.kind[s] == BodyStore.FREE) {
                 continue;
             }
+            bodyOfSlot[s] = n;
             entities[n] = b.entity[s];
             states[n] =
                     switch (b.kind[s]) {
@@ -108,6 +138,28 @@ public final class DebugData {
             n++;
         }
         bodyCount = n;
+    }
+
+    private void fillIslands(BodyTable table, ContactStore rows) {
+        links.ensureSlots(table.bodies.slotCount);
+        int awake = 0;
+        for (int s = 0; s < table.bodies.slotCount; s++) {
+            if (table.bodies.kind[s] == BodyStore.DYNAMIC) {
+                awakeSlots[awake++] = s;
+            }
+        }
+        links.build(table.bodies, rows, awakeSlots, awake);
+        for (int s = 0; s < table.bodies.slotCount; s++) {
+            int body = bodyOfSlot[s];
+            if (body != NONE) {
+                islands[body] =
+                        switch (states[body]) {
+                            case FIXED -> NONE;
+                            case ASLEEP -> table.sleepers.islandOf(s);
+                            default -> links.root(s);
+                        };
+            }
+        }
     }
 
     /**
@@ -157,6 +209,34 @@ public final class DebugData {
     }
 
     /**
+     * The first body of each point.
+     *
+     * @return places in the list of bodies
+     */
+    public int[] firstBodies() {
+        return firstBodies;
+    }
+
+    /**
+     * The second body of each point.
+     *
+     * @return places in the list of bodies
+     */
+    public int[] secondBodies() {
+        return secondBodies;
+    }
+
+    /**
+     * The colour of each point's contact in the constraint graph, in the order in which colours are
+     * solved: no two contacts of a colour move the same body.
+     *
+     * @return colours from 0, or {@link #NONE} where nothing was solved: the bodies sleep
+     */
+    public int[] colours() {
+        return colours;
+    }
+
+    /**
      * The deepest overlap at any point.
      *
      * @return m, at least 0
@@ -194,6 +274,15 @@ public final class DebugData {
      */
     public byte[] states() {
         return states;
+    }
+
+    /**
+     * The island of each body: those that hang together by contacts have equal numbers.
+     *
+     * @return numbers without an order; {@link #NONE} for a fixed body
+     */
+    public int[] islands() {
+        return islands;
     }
 
     /**

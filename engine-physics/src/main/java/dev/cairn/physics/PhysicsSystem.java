@@ -38,7 +38,7 @@ public final class PhysicsSystem implements WorldSystem {
     private final ContactRows rows;
     private final WakeStage wakes;
     private final ManifoldStage manifolds;
-    private final ContactSolver solver;
+    final ContactSolver solver;
     private final Publisher publisher;
     double gravityX;
     double gravityY;

@@ -279,6 +279,25 @@ public final class ContactSolver {
         }
     }
 
+    /**
+     * Tells the colours of the last step, for drawing. Between steps.
+     *
+     * @param colourOfContact receives the colour of each contact that was solved, in the order in
+     *     which colours are solved, at the contact's row; other entries stay as they are; at least
+     *     as long as the store had rows
+     */
+    public void readColours(int[] colourOfContact) {
+        for (int c = 0; c < colouring.colours; c++) {
+            for (int place = colouring.start[c]; place < colouring.start[c + 1]; place++) {
+                int l = place * ConstraintRows.LINK;
+                int row = rows.link[l + ConstraintRows.SOURCE];
+                if (rows.link[l + ConstraintRows.COUNT] > 0 && row < colourOfContact.length) {
+                    colourOfContact[row] = c;
+                }
+            }
+        }
+    }
+
     /** Whether a contact had no impulse at the end of the last tick; most such have a gap. */
     private static boolean isCold(ContactStore c, int row) {
         int p = ContactStore.POINTS * row;

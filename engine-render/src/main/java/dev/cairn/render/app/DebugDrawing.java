@@ -39,6 +39,12 @@ final class DebugDrawing {
                 }
             }
         }
+        if (has(mask, DebugLayer.ISLANDS)) {
+            graph(data, lines, false);
+        }
+        if (has(mask, DebugLayer.COLOURS)) {
+            graph(data, lines, true);
+        }
         if (has(mask, DebugLayer.NORMALS)) {
             along(data, lines, NORMAL, false);
         }
@@ -71,6 +77,60 @@ final class DebugDrawing {
                 lines.box(box, 6 * i, rgb, sleeps ? 1.5 : 0.75);
             }
         }
+    }
+
+    /** From each moving body's centre of mass to its contact points. */
+    private static void graph(DebugData data, DebugLines lines, boolean byColour) {
+        double[] p = data.points();
+        double[] c = data.centres();
+        for (int i = 0; i < data.pointCount(); i++) {
+            int a = data.firstBodies()[i];
+            int b = data.secondBodies()[i];
+            if (a == DebugData.NONE || b == DebugData.NONE) {
+                continue;
+            }
+            int island = Math.max(data.islands()[a], data.islands()[b]);
+            int which = byColour ? data.colours()[i] : island;
+            if (which == DebugData.NONE) {
+                continue;
+            }
+            int rgb = distinct(which);
+            for (int end = 0; end < 2; end++) {
+                int body = end == 0 ? a : b;
+                if (data.states()[body] != DebugData.FIXED) {
+                    int k = 3 * body;
+                    lines.line(
+                            c[k],
+                            c[k + 1],
+                            c[k + 2],
+                            p[3 * i],
+                            p[3 * i + 1],
+                            p[3 * i + 2],
+                            rgb,
+                            byColour ? 2 : 1.25);
+                }
+            }
+        }
+        if (!byColour) {
+            for (int i = 0; i < data.bodyCount(); i++) {
+                if (data.islands()[i] != DebugData.NONE) {
+                    lines.box(data.boxes(), 6 * i, distinct(data.islands()[i]), 1);
+                }
+            }
+        }
+    }
+
+    /** Colours that differ from their neighbours: hues a golden angle apart. */
+    static int distinct(int index) {
+        double hue = 6 * (index * 0.618033988749895 % 1);
+        int rgb = 0;
+        for (int channel = 0; channel < 3; channel++) {
+            // Distance of the hue to the channel's own, round a circle of six.
+            double away = Math.abs((hue - 2 * channel + 9) % 6 - 3);
+            double share = Math.clamp(2 - away, 0.0, 1.0);
+            rgb = rgb << 8 | (int) Math.round(64 + 191 * share);
+        }
+        return rgb;
     }
 
     private static void velocities(DebugData data, DebugLines lines) {

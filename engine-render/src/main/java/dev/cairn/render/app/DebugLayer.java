@@ -15,7 +15,13 @@ public enum DebugLayer {
     /** Centres of mass. */
     CENTRES("centres of mass", 32),
     /** Boxes around bodies that sleep. */
-    SLEEP("sleeping bodies", 64);
+    SLEEP("sleeping bodies", 64),
+    /**
+     * Islands: bodies that hang together by contacts, joined by lines of one colour, each in a box.
+     */
+    ISLANDS("islands", 128),
+    /** The constraint graph: a line for each contact, in the colour in which it is solved. */
+    COLOURS("colours of the constraint graph", 256);
 
     private final String title;
     private final int bit;
