@@ -44,6 +44,8 @@ final class AccuracyTest {
                 "B14",
                 "C6",
                 "C7",
+                "C8",
+                "C9",
                 "E3-1000",
                 "E4-28",
                 "E4-1e3",

@@ -190,6 +190,7 @@ public final class ContactRows {
         c.bodyA[to] = c.bodyA[from];
         c.bodyB[to] = c.bodyB[from];
         c.pointCount[to] = c.pointCount[from];
+        c.patch[to] = c.patch[from];
         c.normalX[to] = c.normalX[from];
         c.normalY[to] = c.normalY[from];
         c.normalZ[to] = c.normalZ[from];

@@ -55,6 +55,7 @@ final class PointStore {
         double dx = s.positionX[b] - s.positionX[a];
         double dy = s.positionY[b] - s.positionY[a];
         double dz = s.positionZ[b] - s.positionZ[a];
+        c.patch[row] = m.patch;
         int at = ContactStore.POINTS * row;
         for (int p = 0; p < m.pointCount; p++, at++) {
             c.anchorAX[at] = m.pointX[p];

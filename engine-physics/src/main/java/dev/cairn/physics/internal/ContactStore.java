@@ -40,6 +40,12 @@ public final class ContactStore {
     /** 0 to 4. */
     public int[] pointCount = {};
 
+    /**
+     * Mean distance of the patch's area from its middle over that of its points; 0 when the points
+     * are all of the patch.
+     */
+    public double[] patch = {};
+
     /** Unit normal from A to B, world. */
     public double[] normalX = {}, normalY = {}, normalZ = {};
 
@@ -127,6 +133,7 @@ public final class ContactStore {
         bodyA = Arrays.copyOf(bodyA, n);
         bodyB = Arrays.copyOf(bodyB, n);
         pointCount = Arrays.copyOf(pointCount, n);
+        patch = Arrays.copyOf(patch, n);
         normalX = Arrays.copyOf(normalX, n);
         normalY = Arrays.copyOf(normalY, n);
         normalZ = Arrays.copyOf(normalZ, n);

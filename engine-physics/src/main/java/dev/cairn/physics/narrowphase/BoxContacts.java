@@ -202,6 +202,7 @@ public final class BoxContacts {
             choose(i);
         }
         out.pointCount = 0;
+        out.patch = 0;
         out.bound = 0;
         out.capped = false;
         if (kind[i] == APART) {

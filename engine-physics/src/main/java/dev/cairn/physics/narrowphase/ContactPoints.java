@@ -82,7 +82,10 @@ final class ContactPoints {
         double ny = reference.normalY(face);
         double nz = reference.normalZ(face);
         clipper.clip(pair, flip, face, incident(flip, nx, ny, nz), margin, last);
+        boolean many = clipper.count > Manifold.POINTS;
+        double mean = many ? Reduction.meanDistance(clipper) : 0;
         reduction.reduce(clipper, nx, ny, nz, 0.01 * calm, calm, last);
+        out.patch = many ? mean / Reduction.meanOfCorners(clipper) : 0;
         for (int i = 0; i < clipper.count; i++) {
             double half = clipper.separation[i] / 2;
             double x = clipper.x[i] - half * nx;

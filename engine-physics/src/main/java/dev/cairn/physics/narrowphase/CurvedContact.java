@@ -117,6 +117,8 @@ final class CurvedContact {
         double sign = ref.second ? -1 : 1;
         points.setAxis(sign * ref.nx, sign * ref.ny, sign * ref.nz);
         points.take(overlay.out, ref.nx, ref.ny, ref.nz, out);
+        boolean disc = ref.flat == Patch.DISC || (inc.flat == Patch.DISC && inc.flatter);
+        out.patch = disc && out.pointCount == Manifold.POINTS ? Patch.DISC_SHARE : 0;
     }
 
     /** Two lines side by side: both ends of the part that they share. */

@@ -92,6 +92,7 @@ final class CurvedPairs {
         }
         capped = false;
         out.pointCount = 0;
+        out.patch = 0;
         out.bound = 0;
         out.capped = false;
         if (a instanceof HalfSpace && b instanceof HalfSpace) {

@@ -46,6 +46,12 @@ public final class Manifold {
      */
     public double bound;
 
+    /**
+     * Of a patch that has more corners than points: the mean distance of its area from its middle
+     * over that of the points from theirs; 0 when the points are all of the patch.
+     */
+    public double patch;
+
     /** Creates an empty manifold. */
     public Manifold() {}
 }

@@ -164,6 +164,7 @@ public final class NarrowPhase {
         }
         begin(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
         out.pointCount = 0;
+        out.patch = 0;
         out.bound = 0;
         boolean ball = pair.roundA || pair.roundB;
         long word = ball ? ball(a, b, margin, out) : polyhedra(a, b, margin, cache, out);

@@ -14,6 +14,9 @@ final class Patch {
     static final int FACE = 1;
     static final int DISC = 2;
 
+    /** Mean distance of a disc's area from its middle, over that of its rim. */
+    static final double DISC_SHARE = 2.0 / 3;
+
     /** Names of the ends of a line, of a cap's rim from 0, and of sides where they cross others. */
     static final int END = 32;
 

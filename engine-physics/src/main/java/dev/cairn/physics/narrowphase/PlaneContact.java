@@ -78,6 +78,8 @@ final class PlaneContact {
             overlay.finish(margin);
             reduction.reduce(overlay.out, nx, ny, nz, 0.01 * calm, calm, last);
             points.take(overlay.out, nx, ny, nz, out);
+            boolean disc = patch.flat == Patch.DISC && patch.flatter;
+            out.patch = disc && out.pointCount == Manifold.POINTS ? Patch.DISC_SHARE : 0;
         }
         // As it is in the world, not turned to and fro.
         out.normalX = -normalX;

@@ -17,6 +17,9 @@ final class Reduction {
 
     private static final int MANY = 16;
 
+    /** Mean distance of a disc's area from its middle over its radius of gyration. */
+    private static final double GYRATION = 2 * Math.sqrt(2) / 3;
+
     /** Half of the 16 directions in which the corners of a large polygon are sought. */
     private static final double[] COS = new double[MANY / 2], SIN = new double[MANY / 2];
 
@@ -64,6 +67,69 @@ final class Reduction {
             chosen[index[four[i]]] = true;
         }
         compact(c);
+    }
+
+    /**
+     * Mean distance of the area of a convex polygon from its middle, m: {@code 2 sqrt(2)/3} of the
+     * radius of gyration, which is exact for a disc, 0.6 % too much for a square and 2 % too much
+     * for an equilateral triangle.
+     */
+    static double meanDistance(Clipper c) {
+        double x0 = c.x[0];
+        double y0 = c.y[0];
+        double z0 = c.z[0];
+        double area = 0;
+        double mx = 0;
+        double my = 0;
+        double mz = 0;
+        double square = 0;
+        for (int i = 1; i + 1 < c.count; i++) {
+            double ax = c.x[i] - x0;
+            double ay = c.y[i] - y0;
+            double az = c.z[i] - z0;
+            double bx = c.x[i + 1] - x0;
+            double by = c.y[i + 1] - y0;
+            double bz = c.z[i + 1] - z0;
+            double nx = ay * bz - az * by;
+            double ny = az * bx - ax * bz;
+            double nz = ax * by - ay * bx;
+            double w = Math.sqrt(nx * nx + ny * ny + nz * nz);
+            double aa = ax * ax + ay * ay + az * az;
+            double bb = bx * bx + by * by + bz * bz;
+            double ab = ax * bx + ay * by + az * bz;
+            area += w;
+            mx += w * (ax + bx);
+            my += w * (ay + by);
+            mz += w * (az + bz);
+            square += w * (aa + bb + ab);
+        }
+        if (!(area > 0)) {
+            return 0;
+        }
+        // mean of r² over a triangle (0, a, b) is (a² + b² + a.b)/6, its middle (a + b)/3
+        double k = 1 / (3 * area);
+        double gyration = square / (6 * area) - k * k * (mx * mx + my * my + mz * mz);
+        return GYRATION * Math.sqrt(Math.max(0, gyration));
+    }
+
+    /** Mean distance of the corners from their mean, m. */
+    static double meanOfCorners(Clipper c) {
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        for (int i = 0; i < c.count; i++) {
+            x += c.x[i] / c.count;
+            y += c.y[i] / c.count;
+            z += c.z[i] / c.count;
+        }
+        double sum = 0;
+        for (int i = 0; i < c.count; i++) {
+            double dx = c.x[i] - x;
+            double dy = c.y[i] - y;
+            double dz = c.z[i] - z;
+            sum += Math.sqrt(dx * dx + dy * dy + dz * dz);
+        }
+        return sum / c.count;
     }
 
     /** Drops the coordinate along which the plane is steepest; ratios of areas stay. */

@@ -72,6 +72,9 @@ final class LanePrepare implements RowFiller {
     /** Squares and product of the levers of A, square of its twist; then of B. */
     private static final int DOTS = 90;
 
+    /** How far from the patch's middle a point rubs, over its own distance. */
+    private static final int SHARE = 98;
+
     private static VectorSpecies<Double> species() {
         try {
             int lanes = MethodHandles.classData(MethodHandles.lookup(), "_", Integer.class);
@@ -154,6 +157,7 @@ final class LanePrepare implements RowFiller {
         st[STIFFNESS * L + l] = sub.stiffness(fixed);
         st[MU * L + l] = c.friction[source];
         st[POINTS * L + l] = c.pointCount[source];
+        st[SHARE * L + l] = PrepareRow.share(c, source);
         copy(bodies.root, (a >> 4) * SolverBodies.ROOT, 9, st, ROOT_A * L + l);
         copy(bodies.root, (b >> 4) * SolverBodies.ROOT, 9, st, ROOT_B * L + l);
         copy(bodies.warm, a >> 1, 6, st, WARM_A * L + l);
@@ -414,7 +418,12 @@ final class LanePrepare implements RowFiller {
             var x = DoubleVector.fromArray(S, st, p).sub(ax);
             var y = DoubleVector.fromArray(S, st, p + L).sub(ay);
             var z = DoubleVector.fromArray(S, st, p + 2 * L).sub(az);
-            var far = x.mul(x).add(y.mul(y)).add(z.mul(z)).sqrt();
+            var far =
+                    x.mul(x)
+                            .add(y.mul(y))
+                            .add(z.mul(z))
+                            .sqrt()
+                            .mul(DoubleVector.fromArray(S, st, SHARE * L));
             DoubleVector.zero(S)
                     .blend(far, count.compare(VectorOperators.GT, (double) i))
                     .intoArray(d, o + (REACH + i) * L);

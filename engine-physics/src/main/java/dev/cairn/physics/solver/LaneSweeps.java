@@ -54,6 +54,18 @@ final class LaneSweeps implements Sweeps {
     private static final int PRESSED = 24 * CHUNK;
     private static final int LANDS = 25 * CHUNK;
     private static final int RUBS = 26 * CHUNK;
+
+    /**
+     * Of one group that slips: squares of the impulses that stop its slide and its spin, their
+     * limits, and the shares of them that it can give.
+     */
+    private static final int SLIDE = 27 * CHUNK;
+
+    private static final int SPIN = SLIDE + L;
+    private static final int LIMIT = SLIDE + 2 * L;
+    private static final int BOUND = SLIDE + 3 * L;
+    private static final int SLIDE_SHARE = SLIDE + 4 * L;
+    private static final int SPIN_SHARE = SLIDE + 5 * L;
     private static final int ONES = Sweeps.ONES;
 
     private final RowFiller filler;
@@ -540,12 +552,10 @@ final class LaneSweeps implements Sweeps {
                         .add(tbz.mul(bz))
                         .sub(tax.mul(ax).add(tay.mul(ay)).add(taz.mul(az)));
         var twist =
-                oldTwist.sub(DoubleVector.fromArray(S, d, o + TWIST_MASS * L).mul(spin))
-                        .min(bound)
-                        .max(bound.neg())
-                        .add(0.0);
-        twist = oldTwist.blend(twist, active);
-        twist.intoArray(d, l + 2 * L);
+                oldTwist.blend(
+                        oldTwist.sub(DoubleVector.fromArray(S, d, o + TWIST_MASS * L).mul(spin))
+                                .blend(0.0, bound.compare(VectorOperators.LE, 0.0)),
+                        active);
         var turn = twist.sub(oldTwist);
         ax = ax.sub(turn.mul(tax));
         ay = ay.sub(turn.mul(tay));
@@ -598,12 +608,37 @@ final class LaneSweeps implements Sweeps {
         var f2 = old2.sub(k12.mul(v1).add(k22.mul(v2)));
         var limit = mu.mul(normal);
         var size = f1.mul(f1).add(f2.mul(f2));
-        var scale =
-                DoubleVector.zero(S)
-                        .blend(1.0, limit.compare(VectorOperators.GT, 0.0))
-                        .blend(
-                                limit.div(size.sqrt()),
-                                size.compare(VectorOperators.GT, limit.mul(limit)));
+        var square = twist.mul(twist);
+        var scale = DoubleVector.zero(S).blend(1.0, limit.compare(VectorOperators.GT, 0.0));
+        var twistScale = DoubleVector.zero(S).blend(1.0, bound.compare(VectorOperators.GT, 0.0));
+        var l2 = limit.mul(limit);
+        var b2 = bound.mul(bound);
+        var slips =
+                size.compare(VectorOperators.GT, l2)
+                        .or(square.compare(VectorOperators.GT, b2))
+                        .or(
+                                size.mul(b2)
+                                        .mul(9.0)
+                                        .add(square.mul(l2).mul(16.0))
+                                        .compare(VectorOperators.GT, l2.mul(b2).mul(9.0)));
+        if (slips.anyTrue()) {
+            size.intoArray(st, SLIDE);
+            square.intoArray(st, SPIN);
+            limit.intoArray(st, LIMIT);
+            bound.intoArray(st, BOUND);
+            slip(d, o, st);
+            scale = DoubleVector.fromArray(S, st, SLIDE_SHARE);
+            twistScale = DoubleVector.fromArray(S, st, SPIN_SHARE);
+        }
+        var newTwist = oldTwist.blend(twist.mul(twistScale).add(0.0), active);
+        newTwist.intoArray(d, l + 2 * L);
+        turn = newTwist.sub(twist);
+        ax = ax.sub(turn.mul(tax));
+        ay = ay.sub(turn.mul(tay));
+        az = az.sub(turn.mul(taz));
+        bx = bx.add(turn.mul(tbx));
+        by = by.add(turn.mul(tby));
+        bz = bz.add(turn.mul(tbz));
         f1 = old1.blend(f1.mul(scale).add(0.0), active);
         f2 = old2.blend(f2.mul(scale).add(0.0), active);
         f1.intoArray(d, l);
@@ -628,6 +663,66 @@ final class LaneSweeps implements Sweeps {
         by.add(d1.mul(b1y).add(d2.mul(b2y))).add(0.0).intoArray(st, VB + 4 * CHUNK + g);
         bz.add(d1.mul(b1z).add(d2.mul(b2z))).add(0.0).intoArray(st, VB + 5 * CHUNK + g);
         return rubs.anyTrue();
+    }
+
+    /** The shares of the impulses that the slipping lanes of a group can give, see {@link Rub}. */
+    private static void slip(double[] d, int o, double[] st) {
+        var slide = DoubleVector.fromArray(S, st, SLIDE);
+        var spin = DoubleVector.fromArray(S, st, SPIN);
+        var limit = DoubleVector.fromArray(S, st, LIMIT);
+        var bound = DoubleVector.fromArray(S, st, BOUND);
+        int k = o + BLOCK * L;
+        var mass =
+                DoubleVector.fromArray(S, d, k)
+                        .add(DoubleVector.fromArray(S, d, k + 2 * L))
+                        .mul(0.5);
+        var inertia = DoubleVector.fromArray(S, d, o + TWIST_MASS * L);
+        var reach = bound.div(limit);
+        var r2 = reach.mul(reach).mul(Rub.REACH);
+        var e =
+                slide.mul(inertia.mul(inertia))
+                        .div(spin.mul(r2.mul(mass.mul(mass))).add(Double.MIN_NORMAL));
+        var one = DoubleVector.broadcast(S, 1.0);
+        var inner = e.mul(e.mul(e.mul(e).mul(Rub.EIGHTH).add(Rub.FOURTH)).add(1.0)).add(1.0);
+        var share =
+                one.div(
+                        e.mul(Rub.FAST)
+                                .sub(Rub.LESS)
+                                .blend(inner, e.compare(VectorOperators.LT, Rub.TURNING)));
+        var whole = share.mul(Rub.NEAR).add(Rub.FAR).mul(r2).mul(limit);
+        var across = share.mul(Rub.CLOSE).add(Rub.FAR).mul(r2).mul(spin);
+        var give = DoubleVector.zero(S);
+        for (int i = 0; i < Rub.STEPS; i++) {
+            var u = mass.mul(give).add(limit);
+            var w = inertia.mul(give).add(whole).add(Rub.LEAST);
+            var p = slide.div(u.mul(u));
+            var q = across.div(w.mul(w));
+            var h = p.add(q);
+            give =
+                    give.add(
+                                    h.mul(h.sqrt().sub(1.0))
+                                            .div(p.mul(mass).div(u).add(q.mul(inertia).div(w))))
+                            .max(0.0);
+        }
+        var l2 = limit.mul(limit);
+        var b2 = bound.mul(bound);
+        var holds =
+                slide.compare(VectorOperators.LE, l2)
+                        .and(spin.compare(VectorOperators.LE, b2))
+                        .and(
+                                slide.mul(b2)
+                                        .mul(9.0)
+                                        .add(spin.mul(l2).mul(16.0))
+                                        .compare(VectorOperators.LE, l2.mul(b2).mul(9.0)));
+        var rubs = limit.compare(VectorOperators.GT, 0.0);
+        limit.div(mass.mul(give).add(limit))
+                .blend(1.0, holds)
+                .blend(0.0, rubs.not())
+                .intoArray(st, SLIDE_SHARE);
+        whole.div(inertia.mul(give).add(whole).add(Rub.LEAST))
+                .blend(1.0, holds.and(bound.compare(VectorOperators.GT, 0.0)))
+                .blend(0.0, bound.compare(VectorOperators.LE, 0.0))
+                .intoArray(st, SPIN_SHARE);
     }
 
     private static void total(double[] d, int o, int points) {

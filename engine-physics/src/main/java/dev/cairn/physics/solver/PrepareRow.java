@@ -36,6 +36,23 @@ final class PrepareRow implements RowFiller {
      */
     static final double FADE = 0.02;
 
+    /**
+     * Mean distance of an evenly pressed patch's area from its middle, over that of its points: of
+     * a line, an equilateral triangle and a square, by their number. Oblongs lie between the line
+     * and the square.
+     */
+    private static final double LINE = 0.5;
+
+    private static final double TRIANGLE = 0.46;
+    private static final double SQUARE = 0.541;
+
+    /** How far from the patch's middle a point rubs, over its own distance. */
+    static double share(ContactStore c, int source) {
+        double share = c.patch[source];
+        int n = c.pointCount[source];
+        return share > 0 ? share : n == 4 ? SQUARE : n == 3 ? TRIANGLE : LINE;
+    }
+
     @Override
     public void fill(
             ConstraintRows rows,
@@ -278,11 +295,13 @@ final class PrepareRow implements RowFiller {
         bx = bx * k + shift * nx;
         by = by * k + shift * ny;
         bz = bz * k + shift * nz;
+        double share = share(c, source);
         for (int i = 0; i < ContactStore.POINTS; i++) {
             double x = c.anchorAX[first + i] - ax;
             double y = c.anchorAY[first + i] - ay;
             double z = c.anchorAZ[first + i] - az;
-            d[o + (REACH + i) * lanes] = i < n ? Math.sqrt(x * x + y * y + z * z) : 0;
+            double far = i < n ? Math.sqrt(x * x + y * y + z * z) : 0;
+            d[o + (REACH + i) * lanes] = far * share;
         }
         block(rows, bodies, j, o, ax, ay, az, bx, by, bz, n > 1);
         warm(rows, bodies, c, j, o, source, scale);

@@ -356,9 +356,9 @@ final class ScalarSweeps implements Sweeps {
     }
 
     /**
-     * Friction of one contact at the patch's centre: twist first, {@code |twist| <= mu sum(reach_i
-     * l_i)}, then the 2 x 2 tangent block, {@code l' = l - K^-1 vt} drawn back to the circle {@code
-     * |l'| <= mu sum(l_i)}. Returns the sum.
+     * Friction of one contact at the patch's centre: the twist and the 2 x 2 tangent block that
+     * would stop it, {@code t' = t - w/K, l' = l - K^-1 vt}, drawn back to what the patch can do,
+     * see {@link Rub}. Returns the sum of the normal impulses.
      */
     static double friction(double[] d, int o, int lanes, double[] body, int a, int b, int points) {
         double mu = d[o + FRICTION * lanes];
@@ -372,20 +372,25 @@ final class ScalarSweeps implements Sweeps {
         bound *= mu;
         int t = o + TWIST * lanes;
         int three = 3 * lanes;
-        int l = o + LAMBDA * lanes;
-        double old = d[l + 2 * lanes];
+        double old = d[o + (LAMBDA + 2) * lanes];
         double speed = dot(d, t + three, lanes, body, b + 3) - dot(d, t, lanes, body, a + 3);
-        double next =
-                Math.max(-bound, Math.min(old - d[o + TWIST_MASS * lanes] * speed, bound)) + 0.0;
-        d[l + 2 * lanes] = next;
+        double next = bound > 0 ? old - d[o + TWIST_MASS * lanes] * speed : 0;
         turn(d, t, lanes, body, a, old - next);
         turn(d, t + three, lanes, body, b, next - old);
-        slide(d, o, lanes, body, a, b, mu * normal);
+        slide(d, o, lanes, body, a, b, mu * normal, bound, next);
         return normal;
     }
 
     private static void slide(
-            double[] d, int o, int lanes, double[] body, int a, int b, double limit) {
+            double[] d,
+            int o,
+            int lanes,
+            double[] body,
+            int a,
+            int b,
+            double limit,
+            double bound,
+            double twist) {
         int three = 3 * lanes;
         int t1 = o + TANGENT1 * lanes;
         int t2 = t1 + three;
@@ -412,22 +417,39 @@ final class ScalarSweeps implements Sweeps {
         double f2 = d[l + lanes] - (d[k + lanes] * v1 + d[k + 2 * lanes] * v2);
         double size = f1 * f1 + f2 * f2;
         // the square of a very small impulse is 0
-        double inside = limit > 0 ? 1 : 0;
-        double scale = size > limit * limit ? limit / Math.sqrt(size) : inside;
+        double scale = limit > 0 ? 1 : 0;
+        double twistScale = bound > 0 ? 1 : 0;
+        double square = twist * twist;
+        if (limit > 0 && !Rub.holds(size, square, limit * limit, bound * bound)) {
+            double mass = 0.5 * (d[k] + d[k + 2 * lanes]);
+            double inertia = d[o + TWIST_MASS * lanes];
+            double reach = bound / limit;
+            double r2 = Rub.REACH * (reach * reach);
+            double share = Rub.share(size, square, r2, mass, inertia);
+            double give = Rub.give(size, square, r2, mass, inertia, limit, share);
+            double whole = (Rub.FAR + Rub.NEAR * share) * r2 * limit;
+            scale = limit / (mass * give + limit);
+            twistScale = whole / (inertia * give + whole + Rub.LEAST);
+        }
         f1 = f1 * scale + 0.0;
         f2 = f2 * scale + 0.0;
         double d1 = f1 - d[l];
         double d2 = f2 - d[l + lanes];
+        double d3 = twist * twistScale + 0.0;
         d[l] = f1;
         d[l + lanes] = f2;
+        d[l + 2 * lanes] = d3;
+        d3 -= twist;
         double px = d1 * d[t1] + d2 * d[t2];
         double py = d1 * d[t1 + lanes] + d2 * d[t2 + lanes];
         double pz = d1 * d[t1 + 2 * lanes] + d2 * d[t2 + 2 * lanes];
+        int t = o + TWIST * lanes;
         if (a != 0) {
             double ma = d[o + MASS_A * lanes];
             body[a] = body[a] - ma * px + 0.0;
             body[a + 1] = body[a + 1] - ma * py + 0.0;
             body[a + 2] = body[a + 2] - ma * pz + 0.0;
+            turn(d, t, lanes, body, a, -d3);
             turn(d, lever, lever + three, lanes, body, a, -d1, -d2);
         }
         if (b != 0) {
@@ -435,6 +457,7 @@ final class ScalarSweeps implements Sweeps {
             body[b] = body[b] + mb * px + 0.0;
             body[b + 1] = body[b + 1] + mb * py + 0.0;
             body[b + 2] = body[b + 2] + mb * pz + 0.0;
+            turn(d, t + three, lanes, body, b, d3);
             turn(d, lever + 2 * three, lever + 3 * three, lanes, body, b, d1, d2);
         }
     }

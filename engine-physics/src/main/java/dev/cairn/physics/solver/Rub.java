@@ -1,0 +1,99 @@
+package dev.cairn.physics.solver;
+
+/**
+ * What an evenly pressed patch can do against sliding and spinning at once.
+ *
+ * <p>Problem: a disc that slides at v and spins at w rubs in a different direction at every point.
+ * Bounded apart, its slide and its spin stop one after the other; really they stop together, with
+ * {@code v/(r w) = 0.653}. Let N be the normal impulse, R the patch's radius ({@code 3/2} of the
+ * mean distance of its area from its middle), {@code x = |v|, y = R w, e = x/y}. Then
+ *
+ * <pre>F = mu N x/S,  T = mu N k R y/S,  S² = x² + s y²</pre>
+ *
+ * where k falls from 2/3 (spin alone) to 1/4 (slide alone) and s from 1 to 1/4. Both follow the one
+ * function {@code g(e)}: k = 1/4 + 5/12 g, s = 1/4 + 3/4 g, with {@code 1/g = 1 + e² (1 + 0.97 e² +
+ * 2 e⁶)} while the centre of rotation is in the patch, {@code e² < 1.1}, and {@code 8 e² - 2.6}
+ * beyond. The ends are exact to second order in e and 1/e; k is right to 1 %.
+ *
+ * <p>The impulses F, T that would stop everything are scaled back such that the law holds for the
+ * velocities after them: with effective masses m, J and {@code D = S}, {@code F' = F mu N/(m D + mu
+ * N), T' = T k R² mu N/(J D + k R² mu N)}, and one equation, {@code (F/(m D + mu N))² + s (R T/(J D
+ * + k R² mu N))² = 1}, is left for {@code D >= 0}. One over the root of its left side is linear in
+ * D where there is only slide or only spin, so Newton's method on that is exact at once there, and
+ * has the rest in three steps. Where the left side is at most 1 at D = 0, the patch sticks.
+ *
+ * <p>Source: quadrature over the disc; P. D. Weidman and C. P. Malhotra, "On the terminal motion of
+ * sliding spinning disks with uniform Coulomb friction", Physica D 233 (2007); own fit.
+ */
+final class Rub {
+    /** R² over the square of the mean distance. */
+    static final double REACH = 2.25;
+
+    /** {@code k = FAR + NEAR g}, {@code s = FAR + CLOSE g}. */
+    static final double FAR = 0.25;
+
+    static final double NEAR = 5.0 / 12;
+    static final double CLOSE = 0.75;
+
+    /** a and b of g. */
+    static final double FOURTH = 0.97;
+
+    static final double EIGHTH = 2;
+
+    /** e² where the centre of rotation leaves the patch, and g beyond. */
+    static final double TURNING = 1.1;
+
+    static final double FAST = 8;
+    static final double LESS = 2.6;
+
+    /** Keeps what is 0 from being divided by 0. */
+    static final double LEAST = 1e-150;
+
+    static final int STEPS = 3;
+
+    private Rub() {}
+
+    /**
+     * Whether a patch sticks for certain: it does inside of the smallest of the law's ellipses.
+     *
+     * @param slide square of the impulse that stops the slide
+     * @param spin square of the impulse that stops the spin
+     * @param limit square of mu N
+     * @param bound square of mu N times the mean distance
+     */
+    static boolean holds(double slide, double spin, double limit, double bound) {
+        return slide <= limit
+                && spin <= bound
+                && 9 * (slide * bound) + 16 * (spin * limit) <= 9 * (limit * bound);
+    }
+
+    /** g at the velocities that the impulses stop. */
+    static double share(double slide, double spin, double r2, double mass, double inertia) {
+        double e = slide * (inertia * inertia) / (spin * (r2 * (mass * mass)) + Double.MIN_NORMAL);
+        return 1 / (e < TURNING ? 1 + e * (1 + e * (FOURTH + e * e * EIGHTH)) : FAST * e - LESS);
+    }
+
+    /** D: the speed of the rub that is left, m/s. */
+    static double give(
+            double slide,
+            double spin,
+            double r2,
+            double mass,
+            double inertia,
+            double limit,
+            double share) {
+        double whole = (FAR + NEAR * share) * r2 * limit;
+        double square = (FAR + CLOSE * share) * r2 * spin;
+        double give = 0;
+        for (int i = 0; i < STEPS; i++) {
+            double u = mass * give + limit;
+            double w = inertia * give + whole + LEAST;
+            double p = slide / (u * u);
+            double q = square / (w * w);
+            double h = p + q;
+            give += h * (Math.sqrt(h) - 1) / (p * mass / u + q * inertia / w);
+            give = Math.max(give, 0);
+        }
+        return give;
+    }
+}
