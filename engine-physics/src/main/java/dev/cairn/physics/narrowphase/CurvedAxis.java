@@ -13,8 +13,11 @@ final class CurvedAxis {
     /** Of the squared distance. */
     private static final double NEAR = 0x1p-40;
 
-    /** Of the pair's scale: two overlaps this close may be taken one for the other. */
+    /** Of the smaller shape: two overlaps this close may be taken one for the other. */
     private static final double DEEP = 0x1p-24;
+
+    /** Axes that are tried when the polytope met its cap. */
+    private static final int STARTS = 12;
 
     /** Unit axis from A to B in A's frame, and the signed distance of the cores along it. */
     double axisX, axisY, axisZ, separation;
@@ -31,6 +34,11 @@ final class CurvedAxis {
     int kindA, kindB;
 
     private final Refine refine = new Refine();
+
+    /** Cosine of the angle, 0.3 rad, between axes that count as different ones. */
+    private static final double APART = 0.955;
+
+    private final double[] tried = new double[3 * STARTS];
     private double px, pz, across;
 
     void find(Pair p, boolean closedForm, Gjk gjk, Epa epa, double limit) {
@@ -66,35 +74,90 @@ final class CurvedAxis {
             set(gjk.vx * s, gjk.vy * s, gjk.vz * s);
             return;
         }
-        double upper;
-        if (!gjk.overlap) {
-            double s = 1 / gjk.distance;
-            upper = gjk.distance;
-            refine.run(p, gjk.vx * s, gjk.vy * s, gjk.vz * s);
-            capped = gjk.capped;
-        } else if (thin) {
+        if (gjk.overlap && thin) {
             separation = 0;
             acrossBoth(p);
-            return;
-        } else if (pointA || pointB) {
+        } else if (gjk.overlap && (pointA || pointB)) {
             // Inside, all points of the side may be equally near, too many for a polytope.
             pointAgainst(p, pointB);
-            return;
+        } else if (gjk.overlap) {
+            overlapping(p, gjk, epa);
         } else {
-            double deepest = epa.relativeTolerance;
-            epa.relativeTolerance = Math.max(DEEP, deepest);
-            epa.run(p, gjk);
-            epa.relativeTolerance = deepest;
-            upper = -epa.lower;
-            refine.run(p, epa.axisX, epa.axisY, epa.axisZ);
-            capped = epa.capped;
+            double s = 1 / gjk.distance;
+            refine.run(p, gjk.vx * s, gjk.vy * s, gjk.vz * s);
+            take();
+            gap = Math.max(0, gjk.distance - separation);
+            capped = gjk.capped && gap > 4 * DEEP * p.scale;
         }
+    }
+
+    private void overlapping(Pair p, Gjk gjk, Epa epa) {
+        if (p.roundA && p.roundB && onOneLine(p)) {
+            return;
+        }
+        double finest = epa.relativeTolerance;
+        double tolerance = DEEP * p.small;
+        epa.relativeTolerance = Math.max(tolerance / p.scale, finest);
+        epa.run(p, gjk);
+        epa.relativeTolerance = finest;
+        refine.run(p, epa.axisX, epa.axisY, epa.axisZ);
+        take();
+        if (epa.capped) {
+            tried[0] = epa.axisX;
+            tried[1] = epa.axisY;
+            tried[2] = epa.axisZ;
+            for (int i = 1; i < STARTS && epa.another(tried, i, APART); i++) {
+                better(p, tried[3 * i], tried[3 * i + 1], tried[3 * i + 2]);
+            }
+        }
+        gap = Math.max(0, -epa.lower - separation);
+        capped = epa.capped && gap > 4 * DEEP * p.scale;
+    }
+
+    private void take() {
         set(refine.axisX, refine.axisY, refine.axisZ);
         separation = refine.separation;
         kindA = refine.kindA;
         kindB = refine.kindB;
-        gap = Math.max(0, upper - separation);
-        capped &= gap > 4 * DEEP * p.scale;
+    }
+
+    private void better(Pair p, double x, double y, double z) {
+        refine.run(p, x, y, z);
+        if (refine.separation > separation) {
+            take();
+        }
+    }
+
+    /**
+     * Two round shapes about one line: a whole circle of directions is equally good, too many for a
+     * polytope. Were the line exactly one, the cross-section of the Minkowski difference would be a
+     * polygon, whose sides are at right angles to the line or are those of the two shapes. The
+     * separation along any axis differs from that by no more than B is aside and its ends are
+     * turned away, so the best of these is the best up to twice as much.
+     */
+    private boolean onOneLine(Pair p) {
+        double aside = Math.sqrt(p.dx * p.dx + p.dz * p.dz);
+        double sine = Math.sqrt(p.r01 * p.r01 + p.r21 * p.r21);
+        double slack = 4 * (aside + sine * p.reach());
+        if (!(slack <= DEEP * p.small)) {
+            return false;
+        }
+        double most = Math.max(Math.abs(p.dx), Math.abs(p.dz));
+        double ux = most > 0 ? p.dx / most : 1;
+        double uz = most > 0 ? p.dz / most : 0;
+        double length = Math.sqrt(ux * ux + uz * uz);
+        ux /= length;
+        uz /= length;
+        separation = Axes.NEVER;
+        better(p, 0, p.dy < 0 ? -1 : 1, 0);
+        better(p, 0, p.dy < 0 ? 1 : -1, 0);
+        Spindle a = p.spindleA;
+        better(p, a.sideAcross * ux, a.sideAlong, a.sideAcross * uz);
+        Spindle b = p.spindleB;
+        double along = p.r11 < 0 ? b.sideAlong : -b.sideAlong;
+        better(p, b.sideAcross * ux, along, b.sideAcross * uz);
+        gap = slack;
+        return true;
     }
 
     private void set(double x, double y, double z) {

@@ -25,8 +25,11 @@ final class Epa {
     /** Overlap of the cores along the axis, and a lower bound of the depth. */
     double depth, lower;
 
+    /** What rounding may have moved a plane by; grows as the smaller shape's part of the pair. */
+    private double noise;
+
     /** These two may be coarser where time is weighed against error. */
-    int cap = MAX_POINTS;
+    int cap = 4 * MAX_POINTS;
 
     double relativeTolerance = TOLERANCE;
     boolean capped;
@@ -63,9 +66,9 @@ final class Epa {
         depth = Double.MAX_VALUE;
         start(pair, gjk);
         double tolerance = relativeTolerance * pair.scale;
-        int near = 0;
+        noise = 0x1p-50 * pair.scale * (pair.scale / pair.small);
         for (iterations = 1; ; iterations++) {
-            near = nearest();
+            int near = nearest();
             lower = offset[near];
             double ax = nx[near];
             double ay = ny[near];
@@ -82,15 +85,56 @@ final class Epa {
                 axisY = -ay;
                 axisZ = -az;
             }
-            if (reach - lower <= tolerance || depth - lower <= 0) {
+            if (reach - lower <= tolerance || depth - lower <= tolerance) {
                 points--;
                 return;
             }
-            if (iterations >= cap || known(w) || !expand(near, w, 0x1p-48 * pair.scale)) {
+            if (iterations >= cap) {
                 capped = true;
                 return;
             }
+            boolean last = known(w);
+            if (last || !expand(near, w, 0x1p-48 * pair.scale)) {
+                // A face of the difference itself, or a sliver: the reach is its distance, its
+                // plane had lost digits.
+                capped |= !last;
+                points--;
+                offset[near] = reach;
+            }
         }
+    }
+
+    /**
+     * The nearest face whose normal is not near any of those tried, if it is nearer than the answer
+     * or up to rounding as near: where a better axis may hide when shapes are very unequal, or
+     * after a cap was met.
+     *
+     * @param tried x, y and z of the axes tried; receives the one found
+     * @param count number of axes tried
+     * @param apart cosine of the angle between axes that count as different ones
+     */
+    boolean another(double[] tried, int count, double apart) {
+        double least = depth + noise;
+        int best = -1;
+        for (int f = 0; f < faces; f++) {
+            if (alive[f] && offset[f] < least) {
+                double nearby = -1;
+                for (int i = 0; i < 3 * count; i += 3) {
+                    double dot = nx[f] * tried[i] + ny[f] * tried[i + 1] + nz[f] * tried[i + 2];
+                    nearby = Math.max(nearby, -dot);
+                }
+                if (nearby < apart) {
+                    least = offset[f];
+                    best = f;
+                }
+            }
+        }
+        if (best >= 0) {
+            tried[3 * count] = -nx[best];
+            tried[3 * count + 1] = -ny[best];
+            tried[3 * count + 2] = -nz[best];
+        }
+        return best >= 0;
     }
 
     private int nearest() {
@@ -279,25 +323,46 @@ final class Epa {
         corner[3 * f] = a;
         corner[3 * f + 1] = b;
         corner[3 * f + 2] = c;
-        double ex = x[b] - x[a];
-        double ey = y[b] - y[a];
-        double ez = z[b] - z[a];
-        double gx = x[c] - x[a];
-        double gy = y[c] - y[a];
-        double gz = z[c] - z[a];
+        // Across the shortest side, whose digits count most; named in the order of their age, so
+        // that the mirror image has the mirrored bits.
+        int p = Math.min(a, Math.min(b, c));
+        int r = Math.max(a, Math.max(b, c));
+        int q = a + b + c - p - r;
+        double pq = square(p, q);
+        double qr = square(q, r);
+        double rp = square(r, p);
+        boolean first = pq <= qr && pq <= rp;
+        boolean second = !first && qr <= rp;
+        int i = first ? p : second ? q : r;
+        int j = first ? q : second ? r : p;
+        int k = p + q + r - i - j;
+        boolean even = (i == a && j == b) || (i == b && j == c) || (i == c && j == a);
+        double ex = x[j] - x[i];
+        double ey = y[j] - y[i];
+        double ez = z[j] - z[i];
+        double gx = x[k] - x[i];
+        double gy = y[k] - y[i];
+        double gz = z[k] - z[i];
         double ux = ey * gz - ez * gy;
         double uy = ez * gx - ex * gz;
         double uz = ex * gy - ey * gx;
         double length = Math.sqrt(ux * ux + uy * uy + uz * uz);
-        double inverse = length > 0 ? 1 / length : 0;
+        double inverse = length > 0 ? (even ? 1 : -1) / length : 0;
         nx[f] = ux * inverse;
         ny[f] = uy * inverse;
         nz[f] = uz * inverse;
         offset[f] =
-                length > 0 ? nx[f] * x[a] + ny[f] * y[a] + nz[f] * z[a] : Double.POSITIVE_INFINITY;
+                length > 0 ? nx[f] * x[i] + ny[f] * y[i] + nz[f] * z[i] : Double.POSITIVE_INFINITY;
         alive[f] = true;
         mark[f] = 0;
         return f;
+    }
+
+    private double square(int i, int j) {
+        double ex = x[j] - x[i];
+        double ey = y[j] - y[i];
+        double ez = z[j] - z[i];
+        return ex * ex + ey * ey + ez * ez;
     }
 
     /**

@@ -17,6 +17,9 @@ final class Gjk {
     /** Relative duality gap, of the squared distance, at which the search ends. */
     static final double TOLERANCE = 0x1p-48;
 
+    /** Of the pair's scale: nearer than rounding can tell, {@link Epa} decides. */
+    static final double TOUCHING = 0x1p-42;
+
     /** These two may be coarser where time is weighed against error. */
     int cap = CAP;
 
@@ -67,7 +70,7 @@ final class Gjk {
         vx = wx[0];
         vy = wy[0];
         vz = wz[0];
-        double touching = 0x1p-42 * pair.scale;
+        double touching = TOUCHING * pair.scale;
         for (iterations = 1; iterations <= cap; iterations++) {
             double square = vx * vx + vy * vy + vz * vz;
             distance = Math.sqrt(square);
@@ -76,10 +79,13 @@ final class Gjk {
                 return;
             }
             if (step(pair, square, limit)) {
+                // What stalls without a plane between the cores is not known to be apart.
+                overlap |= lower <= 0;
                 return;
             }
         }
         capped = true;
+        overlap = lower <= 0;
     }
 
     /** One step; true when done. */
@@ -191,7 +197,12 @@ final class Gjk {
             point(j);
         } else {
             t /= square;
-            if (better(wx[i] + t * ex, wy[i] + t * ey, wz[i] + t * ez)) {
+            double x = wx[i] + t * ex;
+            double y = wy[i] + t * ey;
+            double z = wz[i] + t * ez;
+            // What rounding left along the edge would count by the edge's length near touching.
+            double rest = (x * ex + y * ey + z * ez) / square;
+            if (better(x - rest * ex, y - rest * ey, z - rest * ez)) {
                 bestCount = 2;
                 bestIndex[0] = i;
                 bestIndex[1] = j;

@@ -44,9 +44,8 @@ public final class NarrowPhase {
     private final ContactPoints points = new ContactPoints(pair, axes, gjk);
     private final RoundQuery round = new RoundQuery();
     private final CurvedPairs curved;
-    private boolean general;
+    private final PolyhedronAxis search;
     private boolean curvedLast;
-    private double gap;
 
     /** Creates the scratch of one worker that uses the fast paths. */
     public NarrowPhase() {
@@ -60,6 +59,8 @@ public final class NarrowPhase {
      */
     public NarrowPhase(Method method) {
         this.method = method;
+        this.search =
+                new PolyhedronAxis(pair, gjk, epa, axes, points, method == Method.SPECIALISED);
         this.curved = new CurvedPairs(this, pair, gjk, epa, points, method == Method.SPECIALISED);
     }
 
@@ -215,20 +216,7 @@ public final class NarrowPhase {
             points.setAxis(round.axisX, round.axisY, round.axisZ);
             return round.distance - pair.radiusA - pair.radiusB;
         }
-        findAxes(a, b, Double.MAX_VALUE);
-        double best = axes.best();
-        points.bestAxis();
-        if (best <= 0) {
-            return best;
-        }
-        if (!general) {
-            gjk.run(pair, pair.dx, pair.dy, pair.dz, Double.MAX_VALUE);
-        }
-        if (gjk.overlap || gjk.distance - best <= 0x1p-42 * pair.scale) {
-            return best;
-        }
-        points.setAxis(gjk.vx / gjk.distance, gjk.vy / gjk.distance, gjk.vz / gjk.distance);
-        return gjk.distance;
+        return search.distance(a, b);
     }
 
     /**
@@ -369,7 +357,7 @@ public final class NarrowPhase {
         curvedLast = false;
         gjk.capped = false;
         epa.capped = false;
-        gap = 0;
+        search.gap = 0;
     }
 
     /**
@@ -403,33 +391,13 @@ public final class NarrowPhase {
         return 0x1p-48 * pair.scale;
     }
 
-    /** Fills {@link #axes}, by iteration or by the fifteen axes. */
-    private void findAxes(Shape a, Shape b, double margin) {
-        general = method == Method.GENERAL || !(a instanceof Box && b instanceof Box);
-        if (!general) {
-            axes.boxes(pair, margin);
-            return;
-        }
-        gjk.run(pair, pair.dx, pair.dy, pair.dz, margin);
-        if (gjk.beyond) {
-            axes.clear(gjk.lower);
-        } else if (gjk.overlap) {
-            epa.run(pair, gjk);
-            axes.snap(pair, epa.axisX, epa.axisY, epa.axisZ);
-            gap = Math.max(0, -epa.lower - axes.best());
-        } else {
-            double s = 1 / gjk.distance;
-            axes.snap(pair, gjk.vx * s, gjk.vy * s, gjk.vz * s);
-        }
-    }
-
     private long polyhedra(Shape a, Shape b, double margin, long cache, Manifold out) {
         if (stillApart(cache, margin)) {
             return cache;
         }
-        findAxes(a, b, margin);
+        search.find(a, b, margin);
         double best = axes.best();
-        if (best > margin && general && gjk.beyond) {
+        if (best > margin && search.general && gjk.beyond) {
             return 0;
         }
         if (best > margin) {
@@ -447,7 +415,7 @@ public final class NarrowPhase {
         if (out.pointCount == 0) {
             return word(flip ? FACE_B : FACE_A, 0);
         }
-        out.bound = Math.abs(best - deepest(out)) + gap + rounding();
+        out.bound = Math.abs(best - deepest(out)) + search.gap + rounding();
         return word(kind, Names.of(out));
     }
 
@@ -557,7 +525,7 @@ public final class NarrowPhase {
         if (axes.separationEdge >= best - CALM * pair.inner && points.crossing(margin, out)) {
             return;
         }
-        if (!general) {
+        if (!search.general) {
             gjk.run(pair, pair.dx, pair.dy, pair.dz, margin);
         }
         if (!gjk.overlap) {

@@ -32,6 +32,9 @@ final class Pair {
      */
     double scale;
 
+    /** The smaller outer diameter: what an answer of any use is much finer than. */
+    double small;
+
     /** The smaller inner radius: what a tolerance of a contact may be proportional to. */
     double inner;
 
@@ -59,6 +62,7 @@ final class Pair {
         radiusA = roundA ? spindleA.round : 0;
         radiusB = roundB ? spindleB.round : 0;
         inner = Math.min(shapeA.innerRadius(), shapeB.innerRadius());
+        small = 2 * Math.min(shapeA.outerRadius(), shapeB.outerRadius());
         world(ax, ay, az, aw);
         dx = w00 * wx + w10 * wy + w20 * wz;
         dy = w01 * wx + w11 * wy + w21 * wz;
@@ -147,6 +151,12 @@ final class Pair {
         px = r00 * x + r01 * y + r02 * z + dx;
         py = r10 * x + r11 * y + r12 * z + dy;
         pz = r20 * x + r21 * y + r22 * z + dz;
+    }
+
+    /** How far the ends of B's core are from its centre at most. */
+    double reach() {
+        double end = Math.max(Math.abs(spindleB.low), Math.abs(spindleB.high));
+        return end + Math.max(spindleB.lowRadius, spindleB.highRadius);
     }
 
     /** How far B's core reaches along a direction of A's frame, from B's centre. */

@@ -1,7 +1,5 @@
 package dev.cairn.physics.narrowphase;
 
-import dev.cairn.physics.shape.Polyhedron;
-
 /**
  * From a rough axis of a pair with a round core to the exact one.
  *
@@ -20,8 +18,10 @@ import dev.cairn.physics.shape.Polyhedron;
  * signed distance from below whatever led to it, so the largest is the answer.
  */
 final class Refine {
-    private static final int EDGES = 3;
-    private static final int MOST = 8;
+    private static final int STEPS = 32;
+
+    /** Cosine of 0.02 rad: a rim this much across the axis may bend the separation sharply. */
+    private static final double NEARLY = 0.9998;
 
     /** A flat: its normal is the axis. */
     static final int FLAT = 0;
@@ -39,34 +39,10 @@ final class Refine {
     double axisX, axisY, axisZ, separation;
 
     int kindA, kindB;
-    private final Side sideA = new Side(), sideB = new Side();
+    private final Features sideA = new Features(false), sideB = new Features(true);
     private Pair pair = new Pair();
     private double nx, ny, nz;
     private double startX, startY, startZ;
-
-    /** What one shape may touch with; everything in A's frame and turned towards n. */
-    private static final class Side {
-        int flats, lines, points;
-        final double[] flatX = new double[MOST], flatY = new double[MOST], flatZ = new double[MOST];
-
-        /** Circles: n . c = level. */
-        final double[] lineX = new double[MOST],
-                lineY = new double[MOST],
-                lineZ = new double[MOST],
-                level = new double[MOST];
-
-        /** A point of each line or a disc, from A's centre; with the radius of the disc. */
-        final double[] px = new double[2 * MOST],
-                py = new double[2 * MOST],
-                pz = new double[2 * MOST],
-                radius = new double[2 * MOST];
-
-        /** The axis of the discs. */
-        double ax, ay, az;
-
-        final double[] cosine = new double[EDGES];
-        final int[] edge = new int[EDGES];
-    }
 
     /** Starts from a unit axis, which is the answer if nothing is better. */
     void run(Pair p, double x, double y, double z) {
@@ -80,8 +56,8 @@ final class Refine {
         kindA = ROUGH;
         kindB = ROUGH;
         separation = along(x, y, z);
-        gather(sideA, p.roundA, p.spindleA, p.a, false);
-        gather(sideB, p.roundB, p.spindleB, p.b, true);
+        sideA.gather(p, x, y, z);
+        sideB.gather(p, -x, -y, -z);
         for (int i = 0; i < sideA.flats; i++) {
             tryAxis(sideA.flatX[i], sideA.flatY[i], sideA.flatZ[i], FLAT, POINT);
         }
@@ -93,17 +69,17 @@ final class Refine {
                 crossing(i, j);
             }
             for (int j = 0; j < sideB.points; j++) {
-                circle(sideA, i, MOST + j, sideB, LINE, POINT);
+                circle(sideA, i, Features.MOST + j, sideB, LINE, POINT);
             }
         }
         for (int j = 0; j < sideB.lines; j++) {
             for (int i = 0; i < sideA.points; i++) {
-                circle(sideB, j, MOST + i, sideA, POINT, LINE);
+                circle(sideB, j, Features.MOST + i, sideA, POINT, LINE);
             }
         }
         for (int i = 0; i < sideA.points; i++) {
             for (int j = 0; j < sideB.points; j++) {
-                free(MOST + i, MOST + j);
+                free(Features.MOST + i, Features.MOST + j);
             }
         }
     }
@@ -119,8 +95,11 @@ final class Refine {
     private void tryAxis(double x, double y, double z, int ofA, int ofB) {
         double s = along(x, y, z);
         double tie = 0x1p-46 * pair.scale;
-        // Among equals the flatter features tell more.
-        if (s > separation + tie || (s > separation - tie && ofA + ofB < kindA + kindB)) {
+        // Among equals the flatter features tell more; else the order of trying shall not matter.
+        int flatness = Integer.compare(ofA + ofB, kindA + kindB);
+        if (s > separation + tie
+                || (s > separation - tie && flatness < 0)
+                || (s > separation && flatness == 0)) {
             separation = s;
             axisX = x;
             axisY = y;
@@ -137,165 +116,6 @@ final class Refine {
         if (length > 0 && dot > 0.5 * length) {
             tryAxis(nx / length, ny / length, nz / length, ofA, ofB);
         }
-    }
-
-    private void gather(Side s, boolean isRound, Spindle spindle, Polyhedron h, boolean flip) {
-        s.flats = 0;
-        s.lines = 0;
-        s.points = 0;
-        double x = flip ? -startX : startX;
-        double y = flip ? -startY : startY;
-        double z = flip ? -startZ : startZ;
-        if (flip) {
-            double bx = pair.r00 * x + pair.r10 * y + pair.r20 * z;
-            double by = pair.r01 * x + pair.r11 * y + pair.r21 * z;
-            z = pair.r02 * x + pair.r12 * y + pair.r22 * z;
-            x = bx;
-            y = by;
-        }
-        if (isRound) {
-            spindle(s, spindle, y, flip);
-        } else {
-            polyhedron(s, h, x, y, z, flip);
-        }
-    }
-
-    private void spindle(Side s, Spindle c, double along, boolean flip) {
-        s.ax = flip ? pair.r01 : 0;
-        s.ay = flip ? pair.r11 : 1;
-        s.az = flip ? pair.r21 : 0;
-        double sign = flip ? -1 : 1;
-        if (along > 0.5 && c.highRadius > 0) {
-            flat(s, sign * s.ax, sign * s.ay, sign * s.az);
-        }
-        if (along < -0.5 && c.lowRadius > 0) {
-            flat(s, -sign * s.ax, -sign * s.ay, -sign * s.az);
-        }
-        if (c.isPoint()) {
-            point(s, c.high, 0, flip);
-            return;
-        }
-        if (Math.abs(along - c.sideAlong) < 0.5) {
-            line(s, s.ax, s.ay, s.az, sign * c.sideAlong);
-            disc(s, s.lines - 1, c.high, c.highRadius, flip);
-        }
-        boolean nearSide = Math.abs(along - c.sideAlong) < 0.1;
-        if (nearSide || along >= c.sideAlong) {
-            point(s, c.high, c.highRadius, flip);
-        }
-        if (nearSide || along < c.sideAlong) {
-            point(s, c.low, c.lowRadius, flip);
-        }
-    }
-
-    private static void flat(Side s, double x, double y, double z) {
-        s.flatX[s.flats] = x;
-        s.flatY[s.flats] = y;
-        s.flatZ[s.flats++] = z;
-    }
-
-    private static void line(Side s, double x, double y, double z, double level) {
-        s.lineX[s.lines] = x;
-        s.lineY[s.lines] = y;
-        s.lineZ[s.lines] = z;
-        s.level[s.lines++] = level;
-    }
-
-    private void point(Side s, double height, double radius, boolean flip) {
-        disc(s, MOST + s.points++, height, radius, flip);
-    }
-
-    private void disc(Side s, int at, double height, double radius, boolean flip) {
-        s.px[at] = s.ax * height + (flip ? pair.dx : 0);
-        s.py[at] = s.ay * height + (flip ? pair.dy : 0);
-        s.pz[at] = s.az * height + (flip ? pair.dz : 0);
-        s.radius[at] = radius;
-    }
-
-    private void polyhedron(Side s, Polyhedron h, double x, double y, double z, boolean flip) {
-        s.ax = 0;
-        s.ay = 1;
-        s.az = 0;
-        int v = h.support(x, y, z);
-        int face = Axes.faceToward(h, v, x, y, z);
-        double fx = h.normalX(face);
-        double fy = h.normalY(face);
-        double fz = h.normalZ(face);
-        if (flip) {
-            flat(s, -turnX(fx, fy, fz), -turnY(fx, fy, fz), -turnZ(fx, fy, fz));
-        } else {
-            flat(s, fx, fy, fz);
-        }
-        vertex(s, MOST + s.points++, h, v, flip);
-        int edges = nearestEdges(s, h, v, x, y, z);
-        for (int i = 0; i < edges; i++) {
-            int from = h.edgeFrom(s.edge[i]);
-            int to = h.edgeTo(s.edge[i]);
-            double ex = h.vertexX(to) - h.vertexX(from);
-            double ey = h.vertexY(to) - h.vertexY(from);
-            double ez = h.vertexZ(to) - h.vertexZ(from);
-            double length = Math.sqrt(ex * ex + ey * ey + ez * ez);
-            ex /= length;
-            ey /= length;
-            ez /= length;
-            if (flip) {
-                line(s, turnX(ex, ey, ez), turnY(ex, ey, ez), turnZ(ex, ey, ez), 0);
-            } else {
-                line(s, ex, ey, ez, 0);
-            }
-            vertex(s, s.lines - 1, h, v, flip);
-        }
-    }
-
-    private void vertex(Side s, int at, Polyhedron h, int v, boolean flip) {
-        s.radius[at] = 0;
-        if (flip) {
-            pair.vertexB(v);
-            s.px[at] = pair.px;
-            s.py[at] = pair.py;
-            s.pz[at] = pair.pz;
-        } else {
-            s.px[at] = h.vertexX(v);
-            s.py[at] = h.vertexY(v);
-            s.pz[at] = h.vertexZ(v);
-        }
-    }
-
-    private double turnX(double x, double y, double z) {
-        return pair.r00 * x + pair.r01 * y + pair.r02 * z;
-    }
-
-    private double turnY(double x, double y, double z) {
-        return pair.r10 * x + pair.r11 * y + pair.r12 * z;
-    }
-
-    private double turnZ(double x, double y, double z) {
-        return pair.r20 * x + pair.r21 * y + pair.r22 * z;
-    }
-
-    private static int nearestEdges(Side s, Polyhedron h, int v, double x, double y, double z) {
-        int count = 0;
-        for (int k = h.spokeBegin(v); k < h.spokeBegin(v + 1); k++) {
-            int to = h.spokeVertex(k);
-            double ex = h.vertexX(to) - h.vertexX(v);
-            double ey = h.vertexY(to) - h.vertexY(v);
-            double ez = h.vertexZ(to) - h.vertexZ(v);
-            double c = Math.abs(ex * x + ey * y + ez * z) / Math.sqrt(ex * ex + ey * ey + ez * ez);
-            int at = count;
-            while (at > 0 && s.cosine[at - 1] > c) {
-                at--;
-            }
-            if (at < EDGES) {
-                count = Math.min(count + 1, EDGES);
-                for (int m = count - 1; m > at; m--) {
-                    s.cosine[m] = s.cosine[m - 1];
-                    s.edge[m] = s.edge[m - 1];
-                }
-                s.cosine[at] = c;
-                s.edge[at] = h.spokeEdge(k);
-            }
-        }
-        return count;
     }
 
     /** Where two circles of normals cross: n . a = s and n . b = t. */
@@ -333,10 +153,41 @@ final class Refine {
     }
 
     /**
-     * The best axis on the circle of a line of one side against a vertex or rim of the other:
-     * Newton along the circle.
+     * The best axis on the circle of a line of one side against a vertex or rim of the other. When
+     * the rim's own axis nearly lies on the circle the reach bends sharply there, so that is a
+     * second place to start from.
      */
-    private void circle(Side own, int line, int point, Side other, int ofA, int ofB) {
+    private void circle(Features own, int line, int point, Features other, int ofA, int ofB) {
+        climb(own, line, point, other, startX, startY, startZ, ofA, ofB);
+        if (other.radius[point] > 0) {
+            double dot = startX * other.ax + startY * other.ay + startZ * other.az;
+            if (Math.abs(dot) > NEARLY) {
+                double sign = dot < 0 ? -1 : 1;
+                climb(
+                        own,
+                        line,
+                        point,
+                        other,
+                        sign * other.ax,
+                        sign * other.ay,
+                        sign * other.az,
+                        ofA,
+                        ofB);
+            }
+        }
+    }
+
+    /** Newton along a circle from the place of it that is nearest to a direction. */
+    private void climb(
+            Features own,
+            int line,
+            int point,
+            Features other,
+            double fromX,
+            double fromY,
+            double fromZ,
+            int ofA,
+            int ofB) {
         double ax = own.lineX[line];
         double ay = own.lineY[line];
         double az = own.lineZ[line];
@@ -346,11 +197,21 @@ final class Refine {
         double cx = sign * (other.px[point] - own.px[line]);
         double cy = sign * (other.py[point] - own.py[line]);
         double cz = sign * (other.pz[point] - own.pz[line]);
-        double dot = startX * ax + startY * ay + startZ * az;
-        double mx = startX - dot * ax;
-        double my = startY - dot * ay;
-        double mz = startZ - dot * az;
-        for (int step = 0; step < 16; step++) {
+        double radius = other.radius[point];
+        double noise = 0x1p-50 * (Math.abs(cx) + Math.abs(cy) + Math.abs(cz) + radius);
+        double dot = fromX * ax + fromY * ay + fromZ * az;
+        double mx = fromX - dot * ax;
+        double my = fromY - dot * ay;
+        double mz = fromZ - dot * az;
+        double keptX = mx;
+        double keptY = my;
+        double keptZ = mz;
+        double tx = 0;
+        double ty = 0;
+        double tz = 0;
+        double delta = 0;
+        double last = Axes.NEVER;
+        for (int step = 0; step < STEPS; step++) {
             double length = Math.sqrt(mx * mx + my * my + mz * mz);
             if (!(length > 0)) {
                 return;
@@ -358,32 +219,44 @@ final class Refine {
             mx /= length;
             my /= length;
             mz /= length;
-            double tx = ay * mz - az * my;
-            double ty = az * mx - ax * mz;
-            double tz = ax * my - ay * mx;
             nx = s * ax + q * mx;
             ny = s * ay + q * my;
             nz = s * az + q * mz;
+            double na = nx * other.ax + ny * other.ay + nz * other.az;
+            double ux = nx - na * other.ax;
+            double uy = ny - na * other.ay;
+            double uz = nz - na * other.az;
+            double rho = Math.sqrt(ux * ux + uy * uy + uz * uz);
+            double value = nx * cx + ny * cy + nz * cz - radius * rho;
+            if (value < last - noise) {
+                // Too far: the reach bends more than it did where the step began.
+                delta *= 0.25;
+                mx = keptX + delta * tx;
+                my = keptY + delta * ty;
+                mz = keptZ + delta * tz;
+                continue;
+            }
+            last = value;
+            keptX = mx;
+            keptY = my;
+            keptZ = mz;
+            tx = ay * mz - az * my;
+            ty = az * mx - ax * mz;
+            tz = ax * my - ay * mx;
             // n' = q t, n'' = -q m.
             double slope = q * (tx * cx + ty * cy + tz * cz);
             double bend = -q * (mx * cx + my * cy + mz * cz);
-            if (other.radius[point] > 0) {
-                double na = nx * other.ax + ny * other.ay + nz * other.az;
-                double ta = q * (tx * other.ax + ty * other.ay + tz * other.az);
-                double ma = -q * (mx * other.ax + my * other.ay + mz * other.az);
-                double ux = nx - na * other.ax;
-                double uy = ny - na * other.ay;
-                double uz = nz - na * other.az;
-                double rho = Math.sqrt(ux * ux + uy * uy + uz * uz);
-                if (rho <= 0x1p-40) {
+            if (radius > 0) {
+                if (rho <= 0x1p-46) {
                     return;
                 }
+                double ta = q * (tx * other.ax + ty * other.ay + tz * other.az);
+                double ma = -q * (mx * other.ax + my * other.ay + mz * other.az);
                 double rhoSlope = -na * ta / rho;
-                slope -= other.radius[point] * rhoSlope;
-                bend += other.radius[point] * (ta * ta + na * ma + rhoSlope * rhoSlope) / rho;
+                slope -= radius * rhoSlope;
+                bend += radius * (ta * ta + na * ma + rhoSlope * rhoSlope) / rho;
             }
-            double delta =
-                    bend < 0 ? Math.max(-0.5, Math.min(0.5, -slope / bend)) : slope > 0 ? .2 : -.2;
+            delta = bend < 0 ? Math.max(-0.5, Math.min(0.5, -slope / bend)) : slope > 0 ? .2 : -.2;
             mx += delta * tx;
             my += delta * ty;
             mz += delta * tz;
@@ -391,91 +264,158 @@ final class Refine {
                 break;
             }
         }
-        tryLength(ofA, ofB);
+        double turn = other == sideA ? 1 : -1;
+        if (other.reachesWith(point, turn * nx, turn * ny, turn * nz)) {
+            tryLength(ofA, ofB);
+        }
     }
 
-    /** The best axis between two vertices or rims: Newton on the sphere. */
+    /**
+     * The best axis between two vertices or rims. Where rims are nearly parallel the separation
+     * bends sharply between their two axes, so there is a second place to start from.
+     */
     private void free(int i, int j) {
         double cx = sideB.px[j] - sideA.px[i];
         double cy = sideB.py[j] - sideA.py[i];
         double cz = sideB.pz[j] - sideA.pz[i];
+        if (sideA.radius[i] == 0 && sideB.radius[j] == 0) {
+            double length = Math.sqrt(cx * cx + cy * cy + cz * cz);
+            nx = cx / length;
+            ny = cy / length;
+            nz = cz / length;
+            if (sideA.reachesWith(i, nx, ny, nz) && sideB.reachesWith(j, -nx, -ny, -nz)) {
+                tryLength(POINT, POINT);
+            }
+            return;
+        }
         nx = startX;
         ny = startY;
         nz = startZ;
-        if (sideA.radius[i] == 0 && sideB.radius[j] == 0) {
-            nx = cx;
-            ny = cy;
-            nz = cz;
-            tryLength(POINT, POINT);
-            return;
-        }
-        for (int step = 0; step < 16; step++) {
-            // A basis of the tangent plane from the coordinate axis that is least along n.
-            boolean small = Math.abs(nx) < 0.6;
-            double ux = small ? 0 : -nz;
-            double uy = small ? nz : 0;
-            double uz = small ? -ny : nx;
-            double length = Math.sqrt(ux * ux + uy * uy + uz * uz);
-            ux /= length;
-            uy /= length;
-            uz /= length;
-            double vx = ny * uz - nz * uy;
-            double vy = nz * ux - nx * uz;
-            double vz = nx * uy - ny * ux;
-            double gu = cx * ux + cy * uy + cz * uz;
-            double gv = cx * vx + cy * vy + cz * vz;
-            double value = cx * nx + cy * ny + cz * nz;
-            double huu = 0;
-            double huv = 0;
-            double hvv = 0;
-            for (int k = 0; k < 2; k++) {
-                Side side = k == 0 ? sideA : sideB;
-                double radius = k == 0 ? side.radius[i] : side.radius[j];
-                if (radius == 0) {
-                    continue;
-                }
-                double na = nx * side.ax + ny * side.ay + nz * side.az;
-                double mx = nx - na * side.ax;
-                double my = ny - na * side.ay;
-                double mz = nz - na * side.az;
-                double rho = Math.sqrt(mx * mx + my * my + mz * mz);
-                if (rho <= 0x1p-40) {
-                    return;
-                }
-                value -= radius * rho;
-                gu -= radius * (mx * ux + my * uy + mz * uz) / rho;
-                gv -= radius * (mx * vx + my * vy + mz * vz) / rho;
-                // The direction along the rim, axis x n / rho, in the tangent plane.
-                double wx = (side.ay * nz - side.az * ny) / rho;
-                double wy = (side.az * nx - side.ax * nz) / rho;
-                double wz = (side.ax * ny - side.ay * nx) / rho;
-                double wu = wx * ux + wy * uy + wz * uz;
-                double wv = wx * vx + wy * vy + wz * vz;
-                huu -= radius / rho * wu * wu;
-                huv -= radius / rho * wu * wv;
-                hvv -= radius / rho * wv * wv;
-            }
-            huu -= value;
-            hvv -= value;
-            double det = huu * hvv - huv * huv;
-            if (!(det > 0 && huu < 0)) {
-                return;
-            }
-            double du = -(hvv * gu - huv * gv) / det;
-            double dv = -(huu * gv - huv * gu) / det;
-            double move = Math.sqrt(du * du + dv * dv);
-            double limit = move > 0.3 ? 0.3 / move : 1;
-            nx += limit * (du * ux + dv * vx);
-            ny += limit * (du * uy + dv * vy);
-            nz += limit * (du * uz + dv * vz);
-            length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        climb(i, j, cx, cy, cz);
+        double a = startX * sideA.ax + startY * sideA.ay + startZ * sideA.az;
+        double b = startX * sideB.ax + startY * sideB.ay + startZ * sideB.az;
+        boolean rims = sideA.radius[i] > 0 && sideB.radius[j] > 0;
+        if (rims && Math.abs(a) > NEARLY && Math.abs(b) > NEARLY) {
+            double p = a < 0 ? -1 : 1;
+            double q = b < 0 ? -1 : 1;
+            nx = p * sideA.ax + q * sideB.ax;
+            ny = p * sideA.ay + q * sideB.ay;
+            nz = p * sideA.az + q * sideB.az;
+            double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
             nx /= length;
             ny /= length;
             nz /= length;
-            if (!(move > 0x1p-50)) {
+            climb(i, j, cx, cy, cz);
+        }
+    }
+
+    private double gu, gv, huu, huv, hvv, value;
+    private double ux, uy, uz, vx, vy, vz;
+
+    /** Newton on the sphere from n. */
+    private void climb(int i, int j, double cx, double cy, double cz) {
+        double radii = sideA.radius[i] + sideB.radius[j];
+        double noise = 0x1p-50 * (Math.abs(cx) + Math.abs(cy) + Math.abs(cz) + radii);
+        double keptX = nx;
+        double keptY = ny;
+        double keptZ = nz;
+        double moveX = 0;
+        double moveY = 0;
+        double moveZ = 0;
+        double last = Axes.NEVER;
+        for (int step = 0; step < STEPS; step++) {
+            if (!local(i, j, cx, cy, cz)) {
+                return;
+            }
+            boolean back = value < last - noise;
+            double size;
+            if (back) {
+                moveX *= 0.25;
+                moveY *= 0.25;
+                moveZ *= 0.25;
+                size = 1;
+            } else {
+                last = value;
+                keptX = nx;
+                keptY = ny;
+                keptZ = nz;
+                double det = huu * hvv - huv * huv;
+                if (!(det > 0 && huu < 0)) {
+                    return;
+                }
+                double du = -(hvv * gu - huv * gv) / det;
+                double dv = -(huu * gv - huv * gu) / det;
+                size = Math.sqrt(du * du + dv * dv);
+                double limit = size > 0.3 ? 0.3 / size : 1;
+                moveX = limit * (du * ux + dv * vx);
+                moveY = limit * (du * uy + dv * vy);
+                moveZ = limit * (du * uz + dv * vz);
+            }
+            nx = keptX + moveX;
+            ny = keptY + moveY;
+            nz = keptZ + moveZ;
+            double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+            nx /= length;
+            ny /= length;
+            nz /= length;
+            if (!(size > 0x1p-50)) {
                 break;
             }
         }
-        tryLength(POINT, POINT);
+        if (sideA.reachesWith(i, nx, ny, nz) && sideB.reachesWith(j, -nx, -ny, -nz)) {
+            tryLength(POINT, POINT);
+        }
+    }
+
+    /** The separation along n, its slope and its bend; false on the axis of a rim. */
+    private boolean local(int i, int j, double cx, double cy, double cz) {
+        // A basis of the tangent plane from the coordinate axis that is least along n.
+        boolean small = Math.abs(nx) < 0.6;
+        ux = small ? 0 : -nz;
+        uy = small ? nz : 0;
+        uz = small ? -ny : nx;
+        double length = Math.sqrt(ux * ux + uy * uy + uz * uz);
+        ux /= length;
+        uy /= length;
+        uz /= length;
+        vx = ny * uz - nz * uy;
+        vy = nz * ux - nx * uz;
+        vz = nx * uy - ny * ux;
+        gu = cx * ux + cy * uy + cz * uz;
+        gv = cx * vx + cy * vy + cz * vz;
+        value = cx * nx + cy * ny + cz * nz;
+        huu = 0;
+        huv = 0;
+        hvv = 0;
+        for (int k = 0; k < 2; k++) {
+            Features side = k == 0 ? sideA : sideB;
+            double radius = k == 0 ? side.radius[i] : side.radius[j];
+            if (radius == 0) {
+                continue;
+            }
+            double na = nx * side.ax + ny * side.ay + nz * side.az;
+            double mx = nx - na * side.ax;
+            double my = ny - na * side.ay;
+            double mz = nz - na * side.az;
+            double rho = Math.sqrt(mx * mx + my * my + mz * mz);
+            if (rho <= 0x1p-46) {
+                return false;
+            }
+            value -= radius * rho;
+            gu -= radius * (mx * ux + my * uy + mz * uz) / rho;
+            gv -= radius * (mx * vx + my * vy + mz * vz) / rho;
+            // The direction along the rim, axis x n / rho, in the tangent plane.
+            double wx = (side.ay * nz - side.az * ny) / rho;
+            double wy = (side.az * nx - side.ax * nz) / rho;
+            double wz = (side.ax * ny - side.ay * nx) / rho;
+            double wu = wx * ux + wy * uy + wz * uz;
+            double wv = wx * vx + wy * vy + wz * vz;
+            huu -= radius / rho * wu * wu;
+            huv -= radius / rho * wu * wv;
+            hvv -= radius / rho * wv * wv;
+        }
+        huu -= value;
+        hvv -= value;
+        return true;
     }
 }

@@ -1,9 +1,12 @@
 package dev.cairn.physics.narrowphase;
 
+import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cone;
+import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
@@ -24,6 +27,11 @@ final class ReachOracle {
 
     /** How far a shape reaches along a unit direction, from its centre of mass. */
     double reach(Shape shape, Quaterniond q, Vector3d direction) {
+        if (shape instanceof Moved m) {
+            // The centre of mass moves along, so only the turn is left.
+            Quaterniond turn = new Quaterniond(q).mul(m.rotation(new Quaterniond()));
+            return reach(m.inner(), turn, direction);
+        }
         Vector3d d = q.transformInverse(direction, local);
         double across = Math.sqrt(d.x * d.x + d.z * d.z);
         if (shape instanceof Sphere s) {
@@ -49,6 +57,10 @@ final class ReachOracle {
 
     /** The separation along a unit direction from A to B: a lower bound of the signed distance. */
     double separation(Scene s, Vector3d n) {
+        if (s.a instanceof HalfSpace) {
+            Vector3d up = s.qa.transform(new Vector3d(0, 1, 0));
+            return up.dot(s.d) - reach(s.b, s.qb, up.negate());
+        }
         if (s.b instanceof HalfSpace) {
             Vector3d up = s.qb.transform(new Vector3d(0, 1, 0));
             return -up.dot(s.d) - reach(s.a, s.qa, up.negate());
@@ -84,10 +96,15 @@ final class ReachOracle {
     }
 
     private void flats(Scene s, Vector3d[] best, double[] value, Shape shape, Quaterniond q) {
+        if (shape instanceof Moved m) {
+            Quaterniond turn = new Quaterniond(q).mul(m.rotation(new Quaterniond()));
+            flats(s, best, value, m.inner(), turn);
+            return;
+        }
         if (shape instanceof Cylinder || shape instanceof Cone) {
             keep(s, best, value, q.transform(new Vector3d(0, 1, 0)));
             keep(s, best, value, q.transform(new Vector3d(0, -1, 0)));
-        } else if (!(shape instanceof Sphere || shape instanceof Capsule)) {
+        } else if (shape instanceof Box || shape instanceof ConvexHull) {
             Polyhedron h = ConvexOracle.polyhedron(shape);
             for (int f = 0; f < h.faceCount(); f++) {
                 Vector3d n = new Vector3d(h.normalX(f), h.normalY(f), h.normalZ(f));

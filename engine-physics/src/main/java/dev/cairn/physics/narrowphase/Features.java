@@ -1,0 +1,224 @@
+package dev.cairn.physics.narrowphase;
+
+import dev.cairn.physics.shape.Polyhedron;
+
+/**
+ * What one shape of a pair may touch with near a direction: flats, lines (circles of normals), and
+ * vertices or rims. Everything in A's frame and turned towards B.
+ */
+final class Features {
+    static final int MOST = 8;
+    private static final int EDGES = 3;
+
+    int flats, lines, points;
+    final double[] flatX = new double[MOST], flatY = new double[MOST], flatZ = new double[MOST];
+
+    /** Circles: n . c = level. */
+    final double[] lineX = new double[MOST],
+            lineY = new double[MOST],
+            lineZ = new double[MOST],
+            level = new double[MOST];
+
+    /** A point of each line or a disc, from A's centre; with the radius of the disc. */
+    final double[] px = new double[2 * MOST],
+            py = new double[2 * MOST],
+            pz = new double[2 * MOST],
+            radius = new double[2 * MOST];
+
+    /** The same points from the shape's own centre. */
+    final double[] ownX = new double[2 * MOST],
+            ownY = new double[2 * MOST],
+            ownZ = new double[2 * MOST];
+
+    /** The axis of the discs. */
+    double ax, ay, az;
+
+    final double[] cosine = new double[EDGES];
+    final int[] edge = new int[EDGES];
+
+    private final boolean flip;
+    private Pair pair = new Pair();
+
+    Features(boolean ofB) {
+        flip = ofB;
+    }
+
+    /** Looks along a unit direction of A's frame, from the shape outwards. */
+    void gather(Pair p, double dx, double dy, double dz) {
+        pair = p;
+        flats = 0;
+        lines = 0;
+        points = 0;
+        double x = dx;
+        double y = dy;
+        double z = dz;
+        if (flip) {
+            x = p.r00 * dx + p.r10 * dy + p.r20 * dz;
+            y = p.r01 * dx + p.r11 * dy + p.r21 * dz;
+            z = p.r02 * dx + p.r12 * dy + p.r22 * dz;
+        }
+        if (flip ? p.roundB : p.roundA) {
+            spindle(flip ? p.spindleB : p.spindleA, y);
+        } else {
+            polyhedron(flip ? p.b : p.a, x, y, z);
+        }
+    }
+
+    private void spindle(Spindle c, double along) {
+        ax = flip ? pair.r01 : 0;
+        ay = flip ? pair.r11 : 1;
+        az = flip ? pair.r21 : 0;
+        double sign = flip ? -1 : 1;
+        if (along > 0.5 && c.highRadius > 0) {
+            flat(sign * ax, sign * ay, sign * az);
+        }
+        if (along < -0.5 && c.lowRadius > 0) {
+            flat(-sign * ax, -sign * ay, -sign * az);
+        }
+        if (c.isPoint()) {
+            point(c.high, 0);
+            return;
+        }
+        if (Math.abs(along - c.sideAlong) < 0.5) {
+            line(ax, ay, az, sign * c.sideAlong);
+            disc(lines - 1, c.high, c.highRadius);
+        }
+        boolean nearSide = Math.abs(along - c.sideAlong) < 0.1;
+        if (nearSide || along >= c.sideAlong) {
+            point(c.high, c.highRadius);
+        }
+        if (nearSide || along < c.sideAlong) {
+            point(c.low, c.lowRadius);
+        }
+    }
+
+    private void flat(double x, double y, double z) {
+        flatX[flats] = x;
+        flatY[flats] = y;
+        flatZ[flats++] = z;
+    }
+
+    private void line(double x, double y, double z, double cosineWithAxis) {
+        lineX[lines] = x;
+        lineY[lines] = y;
+        lineZ[lines] = z;
+        level[lines++] = cosineWithAxis;
+    }
+
+    private void point(double height, double rimRadius) {
+        disc(MOST + points++, height, rimRadius);
+    }
+
+    private void disc(int at, double height, double rimRadius) {
+        radius[at] = rimRadius;
+        place(at, ax * height, ay * height, az * height);
+    }
+
+    private void polyhedron(Polyhedron h, double x, double y, double z) {
+        ax = 0;
+        ay = 1;
+        az = 0;
+        int v = h.support(x, y, z);
+        int face = Axes.faceToward(h, v, x, y, z);
+        double fx = h.normalX(face);
+        double fy = h.normalY(face);
+        double fz = h.normalZ(face);
+        if (flip) {
+            flat(-turnX(fx, fy, fz), -turnY(fx, fy, fz), -turnZ(fx, fy, fz));
+        } else {
+            flat(fx, fy, fz);
+        }
+        vertex(MOST + points++, h, v);
+        int edges = nearestEdges(h, v, x, y, z);
+        for (int i = 0; i < edges; i++) {
+            int from = h.edgeFrom(edge[i]);
+            int to = h.edgeTo(edge[i]);
+            double ex = h.vertexX(to) - h.vertexX(from);
+            double ey = h.vertexY(to) - h.vertexY(from);
+            double ez = h.vertexZ(to) - h.vertexZ(from);
+            double length = Math.sqrt(ex * ex + ey * ey + ez * ez);
+            ex /= length;
+            ey /= length;
+            ez /= length;
+            if (flip) {
+                line(turnX(ex, ey, ez), turnY(ex, ey, ez), turnZ(ex, ey, ez), 0);
+            } else {
+                line(ex, ey, ez, 0);
+            }
+            vertex(lines - 1, h, v);
+        }
+    }
+
+    private void vertex(int at, Polyhedron h, int v) {
+        radius[at] = 0;
+        double x = h.vertexX(v);
+        double y = h.vertexY(v);
+        double z = h.vertexZ(v);
+        if (flip) {
+            place(at, turnX(x, y, z), turnY(x, y, z), turnZ(x, y, z));
+        } else {
+            place(at, x, y, z);
+        }
+    }
+
+    private void place(int at, double x, double y, double z) {
+        ownX[at] = x;
+        ownY[at] = y;
+        ownZ[at] = z;
+        px[at] = x + (flip ? pair.dx : 0);
+        py[at] = y + (flip ? pair.dy : 0);
+        pz[at] = z + (flip ? pair.dz : 0);
+    }
+
+    private double turnX(double x, double y, double z) {
+        return pair.r00 * x + pair.r01 * y + pair.r02 * z;
+    }
+
+    private double turnY(double x, double y, double z) {
+        return pair.r10 * x + pair.r11 * y + pair.r12 * z;
+    }
+
+    private double turnZ(double x, double y, double z) {
+        return pair.r20 * x + pair.r21 * y + pair.r22 * z;
+    }
+
+    private int nearestEdges(Polyhedron h, int v, double x, double y, double z) {
+        int count = 0;
+        for (int k = h.spokeBegin(v); k < h.spokeBegin(v + 1); k++) {
+            int to = h.spokeVertex(k);
+            double ex = h.vertexX(to) - h.vertexX(v);
+            double ey = h.vertexY(to) - h.vertexY(v);
+            double ez = h.vertexZ(to) - h.vertexZ(v);
+            double c = Math.abs(ex * x + ey * y + ez * z) / Math.sqrt(ex * ex + ey * ey + ez * ez);
+            int at = count;
+            while (at > 0 && cosine[at - 1] > c) {
+                at--;
+            }
+            if (at < EDGES) {
+                count = Math.min(count + 1, EDGES);
+                for (int m = count - 1; m > at; m--) {
+                    cosine[m] = cosine[m - 1];
+                    edge[m] = edge[m - 1];
+                }
+                cosine[at] = c;
+                edge[at] = h.spokeEdge(k);
+            }
+        }
+        return count;
+    }
+
+    /**
+     * Whether the shape reaches along a direction with the vertex or rim at a place. Far apart the
+     * separations of all axes are equal up to rounding, and would not tell.
+     */
+    boolean reachesWith(int at, double x, double y, double z) {
+        double along = x * ax + y * ay + z * az;
+        double ux = x - along * ax;
+        double uy = y - along * ay;
+        double uz = z - along * az;
+        double rim = radius[at] * Math.sqrt(ux * ux + uy * uy + uz * uz);
+        double own = x * ownX[at] + y * ownY[at] + z * ownZ[at] + rim;
+        double most = flip ? pair.reachB(x, y, z) : pair.reachA(x, y, z);
+        return own >= most - 0x1p-40 * pair.small;
+    }
+}

@@ -1,0 +1,123 @@
+package dev.cairn.physics.narrowphase;
+
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Shape;
+
+/**
+ * The axis and the signed distance of two polyhedra: by the fifteen axes of boxes, or by {@link
+ * Gjk} and {@link Epa}, snapped to true features.
+ */
+final class PolyhedronAxis {
+    /** Cosine of the angle, 1e-6 rad, between axes that are one up to rounding. */
+    private static final double SAME_AXIS = 1 - 0x1p-41;
+
+    /** Of the pair's scale: nearer than this GJK's direction loses digits that can be regained. */
+    private static final double NEAR = 0x1p-10;
+
+    /** The last axes were found by iteration. */
+    boolean general;
+
+    /** By how much the signed distance may be larger, m. */
+    double gap;
+
+    private final Pair pair;
+    private final Gjk gjk;
+    private final Epa epa;
+    private final Axes axes;
+    private final ContactPoints points;
+    private final boolean fifteen;
+    private final Refine refine = new Refine();
+    private final double[] tried = new double[3 * 16];
+
+    PolyhedronAxis(Pair pair, Gjk gjk, Epa epa, Axes axes, ContactPoints points, boolean fifteen) {
+        this.pair = pair;
+        this.gjk = gjk;
+        this.epa = epa;
+        this.axes = axes;
+        this.points = points;
+        this.fifteen = fifteen;
+    }
+
+    /** Fills the axes, by iteration or by the fifteen axes. */
+    void find(Shape a, Shape b, double margin) {
+        general = !fifteen || !(a instanceof Box && b instanceof Box);
+        if (!general) {
+            axes.boxes(pair, margin);
+            return;
+        }
+        gjk.run(pair, pair.dx, pair.dy, pair.dz, margin);
+        if (gjk.beyond) {
+            axes.clear(gjk.lower);
+        } else if (gjk.overlap) {
+            epa.run(pair, gjk);
+            snapDeepest();
+            gap = Math.max(0, -epa.lower - axes.best());
+        } else {
+            double s = 1 / gjk.distance;
+            axes.snap(pair, gjk.vx * s, gjk.vy * s, gjk.vz * s);
+        }
+    }
+
+    /** The signed distance of the pair; leaves its axis in the points. */
+    double distance(Shape a, Shape b) {
+        find(a, b, Double.MAX_VALUE);
+        double best = axes.best();
+        points.bestAxis();
+        if (best <= 0) {
+            return best;
+        }
+        if (!general) {
+            gjk.run(pair, pair.dx, pair.dy, pair.dz, Double.MAX_VALUE);
+        }
+        if (gjk.overlap || gjk.distance <= NEAR * pair.scale) {
+            return nearlyTouching(best);
+        }
+        points.setAxis(gjk.vx / gjk.distance, gjk.vy / gjk.distance, gjk.vz / gjk.distance);
+        return gjk.distance;
+    }
+
+    /**
+     * Shapes that are apart by so little that the difference of their nearest points has lost
+     * digits: all features near the axes known so far compete, as for round shapes.
+     */
+    private double nearlyTouching(double best) {
+        double most = best;
+        refine.run(pair, points.axisX, points.axisY, points.axisZ);
+        for (int i = 0; i < 2; i++) {
+            if (refine.separation > most) {
+                most = refine.separation;
+                points.setAxis(refine.axisX, refine.axisY, refine.axisZ);
+            }
+            if (i == 1 || gjk.overlap) {
+                break;
+            }
+            double s = 1 / gjk.distance;
+            refine.run(pair, gjk.vx * s, gjk.vy * s, gjk.vz * s);
+        }
+        return most;
+    }
+
+    /**
+     * Snaps the axis of the polytope, and what rounding cannot tell from it, and keeps the best.
+     */
+    private void snapDeepest() {
+        tried[0] = epa.axisX;
+        tried[1] = epa.axisY;
+        tried[2] = epa.axisZ;
+        axes.snap(pair, epa.axisX, epa.axisY, epa.axisZ);
+        int best = 0;
+        int count = 1;
+        double most = axes.best();
+        while (3 * count < tried.length && epa.another(tried, count, SAME_AXIS)) {
+            axes.snap(pair, tried[3 * count], tried[3 * count + 1], tried[3 * count + 2]);
+            if (axes.best() > most) {
+                most = axes.best();
+                best = count;
+            }
+            count++;
+        }
+        if (best < count - 1) {
+            axes.snap(pair, tried[3 * best], tried[3 * best + 1], tried[3 * best + 2]);
+        }
+    }
+}

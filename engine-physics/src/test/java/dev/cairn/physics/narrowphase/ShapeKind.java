@@ -1,0 +1,140 @@
+package dev.cairn.physics.narrowphase;
+
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Cone;
+import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.Moved;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
+
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+
+/** The kinds of shapes and all pairs of them; random ones, and their scaled and mirrored twins. */
+enum ShapeKind {
+    BALL,
+    CAPSULE,
+    CYLINDER,
+    CONE,
+    BOX,
+    HULL,
+    HALF_SPACE;
+
+    /** Two kinds, the first of which does not come after the second. */
+    record Two(ShapeKind a, ShapeKind b) {
+        @Override
+        public String toString() {
+            return a + " and " + b;
+        }
+    }
+
+    /** All pairs but that of two half-spaces. */
+    static List<Two> pairs() {
+        List<Two> all = new ArrayList<>();
+        for (ShapeKind a : values()) {
+            for (ShapeKind b : values()) {
+                if (a.ordinal() <= b.ordinal() && a != HALF_SPACE) {
+                    all.add(new Two(a, b));
+                }
+            }
+        }
+        return all;
+    }
+
+    /** About 0.2 to 3 m, up to ten times as long as wide; one in four is moved within its body. */
+    Shape shape(SplittableRandom r) {
+        double size = Scene.logUniform(r, .2, 3);
+        double other = size * Scene.logUniform(r, .1, 3);
+        Shape plain =
+                switch (this) {
+                    case BALL -> Sphere.of(size);
+                    case CAPSULE -> Capsule.of(size, other);
+                    case CYLINDER -> Cylinder.of(size, other);
+                    case CONE -> Cone.of(size, other);
+                    case BOX -> Box.of(size, other, size * Scene.logUniform(r, .1, 3));
+                    case HULL -> Scene.hull(r, 4 + r.nextInt(12), size);
+                    case HALF_SPACE -> HalfSpace.of();
+                };
+        return this != HALF_SPACE && r.nextInt(4) == 0
+                ? plain.moved(r.nextDouble(), r.nextDouble(), r.nextDouble(), Scene.turn(r))
+                : plain;
+    }
+
+    /** The radius of a ball around a shape; 0 for a half-space, which has none. */
+    static double size(Shape shape) {
+        return shape instanceof HalfSpace ? 0 : shape.outerRadius();
+    }
+
+    static double size(Scene s) {
+        return size(s.a) + size(s.b);
+    }
+
+    /** The shape with all its lengths times a factor. */
+    static Shape scaled(Shape shape, double f) {
+        return switch (shape) {
+            case Sphere b -> Sphere.of(f * b.radius());
+            case Capsule c -> Capsule.of(f * c.radius(), f * c.halfLength());
+            case Cylinder c -> Cylinder.of(f * c.radius(), f * c.halfHeight());
+            case Cone c -> Cone.of(f * c.radius(), f * c.halfHeight());
+            case Box b -> Box.of(f * b.halfX(), f * b.halfY(), f * b.halfZ());
+            case ConvexHull h -> {
+                double[] xyz = h.vertices();
+                for (int i = 0; i < xyz.length; i++) {
+                    xyz[i] *= f;
+                }
+                yield ConvexHull.of(xyz);
+            }
+            case HalfSpace h -> h;
+            case Moved m -> {
+                Vector3d at = m.position(new Vector3d()).mul(f);
+                yield scaled(m.inner(), f).moved(at.x, at.y, at.z, m.rotation(new Quaterniond()));
+            }
+        };
+    }
+
+    /** The mirror image with x negated, which for most is the shape itself. */
+    static Shape mirrored(Shape shape) {
+        return switch (shape) {
+            case ConvexHull h -> {
+                double[] xyz = h.vertices();
+                for (int i = 0; i < xyz.length; i += 3) {
+                    xyz[i] = -xyz[i];
+                }
+                yield ConvexHull.of(xyz);
+            }
+            case Moved m -> {
+                Vector3d at = m.position(new Vector3d());
+                Quaterniond q = mirrored(m.rotation(new Quaterniond()));
+                yield mirrored(m.inner()).moved(-at.x, at.y, at.z, q);
+            }
+            default -> shape;
+        };
+    }
+
+    static Quaterniond mirrored(Quaterniond q) {
+        return new Quaterniond(q.x, -q.y, -q.z, q.w);
+    }
+
+    static Scene scaled(Scene s, double f) {
+        Scene t = new Scene(scaled(s.a, f), scaled(s.b, f));
+        t.qa = s.qa;
+        t.qb = s.qb;
+        t.d = s.d.mul(f, new Vector3d());
+        return t;
+    }
+
+    static Scene mirrored(Scene s) {
+        Scene t = new Scene(mirrored(s.a), mirrored(s.b));
+        t.qa = mirrored(s.qa);
+        t.qb = mirrored(s.qb);
+        t.d.set(-s.d.x, s.d.y, s.d.z);
+        return t;
+    }
+}
