@@ -276,6 +276,7 @@ final class BodyAccess {
         double pz = Checks.between("z", z + rotated[2], -BoundsStage.LIMIT, BoundsStage.LIMIT);
         table.world().set(bodies.entity[s], new Pose(x, y, z, qx, qy, qz, qw, table.jumps[s] + 1));
         table.jumps[s]++;
+        table.places++;
         wake(s);
         bodies.positionX[s] = px;
         bodies.positionY[s] = py;

@@ -55,9 +55,12 @@ final class BodyTable {
     private int goneCount;
 
     /** Fixed bodies whose box must be placed at the next tick, in the order of the calls. */
-    private int[] unplaced = new int[16];
+    int[] unplaced = new int[16];
 
-    private int unplacedCount;
+    int unplacedCount;
+
+    /** Grows whenever a body may have come to another place. */
+    long places;
 
     final List<BodyRef> quarantined = new ArrayList<>();
     private @Nullable World world;
@@ -126,6 +129,7 @@ final class BodyTable {
         fill(slot, entity, body, shape, mass, inverse, com);
         sleepers.born(slot, body.maySleep);
         listsStale = true;
+        places++;
         if (body.fixed) {
             addUnplaced(slot);
         }
@@ -353,6 +357,7 @@ final class BodyTable {
 
     /** Before the bounds: lists are up to date, and fixed bodies where they were put. */
     void beginTick() {
+        places++;
         refreshLists();
         sweepFixed();
         refreshLists();
@@ -487,15 +492,5 @@ final class BodyTable {
         for (int slot = 0; slot < bodies.slotCount; slot++) {
             clearForces(slot);
         }
-    }
-
-    List<BodyRef> alive() {
-        List<BodyRef> alive = new ArrayList<>();
-        for (int slot = 0; slot < bodies.slotCount; slot++) {
-            if (isAlive(slot, bodies.entity[slot])) {
-                alive.add(refs[slot]);
-            }
-        }
-        return alive;
     }
 }

@@ -117,6 +117,16 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
+     * Makes what answers questions about places: rays, moving shapes, nearest bodies, overlaps.
+     * Make one and keep it.
+     *
+     * @return a new one, for one thread
+     */
+    public WorldQueries queries() {
+        return new WorldQueries(this);
+    }
+
+    /**
      * Who fell asleep and who woke.
      *
      * @return the same view each time
@@ -162,7 +172,14 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return a new list
      */
     public List<BodyRef> bodies() {
-        return physics.table.alive();
+        List<BodyRef> alive = new ArrayList<>();
+        for (int slot = 0; slot < physics.table.bodies.slotCount; slot++) {
+            BodyRef ref = physics.table.refs[slot];
+            if (ref.isAlive()) {
+                alive.add(ref);
+            }
+        }
+        return alive;
     }
 
     /**
@@ -316,6 +333,14 @@ public final class PhysicsWorld implements AutoCloseable {
     public Vector3d gravity(Vector3d destination) {
         Checks.notNull("destination", destination);
         return destination.set(physics.gravityX, physics.gravityY, physics.gravityZ);
+    }
+
+    void requireBetweenSteps(String call) {
+        requireOpen(call);
+        if (stepping || physics.isRunning()) {
+            throw new IllegalStateException(
+                    call + " was made during a step; ask between steps, when nobody moves");
+        }
     }
 
     private void requireOpen(String call) {

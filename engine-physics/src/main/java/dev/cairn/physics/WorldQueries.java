@@ -1,0 +1,369 @@
+package dev.cairn.physics;
+
+import dev.cairn.physics.broadphase.AabbTree;
+import dev.cairn.physics.broadphase.BoxWalk;
+import dev.cairn.physics.broadphase.BroadPhase;
+import dev.cairn.physics.broadphase.RayWalk;
+import dev.cairn.physics.broadphase.TreeWalk;
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.query.Closest;
+import dev.cairn.physics.query.Hit;
+import dev.cairn.physics.query.Placement;
+import dev.cairn.physics.query.ShapeQueries;
+
+import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Predicate;
+
+/**
+ * What a ray, a moving shape or a place meets among the bodies of a world. The answers are those of
+ * {@link ShapeQueries} for each body alone; the broad phase only says whom to ask.
+ *
+ * <p>Between steps. Each thread may have its own, and ask while nobody changes the world. Answers
+ * do not depend on workers or on the history of the trees: of equals, the body that was added first
+ * (more exactly, the lowest slot) wins. Allocates only while its lists grow. The first question
+ * after a step or a teleport looks at all bodies that move, some 50 ns each; the others take
+ * logarithmic time.
+ */
+public final class WorldQueries {
+    private static final Predicate<BodyRef> ALL = body -> true;
+    private static final int NONE = AabbTree.NONE;
+
+    /** The dynamic tree, the static tree, bodies without end, bodies that went astray. */
+    private static final int SOURCES = 4;
+
+    private static final int TREES = 2;
+
+    private final PhysicsWorld world;
+    private final BodyTable table;
+    private final ShapeQueries shapes = new ShapeQueries();
+    private final RayWalk rayWalk = new RayWalk();
+    private final BoxWalk boxWalk = new BoxWalk();
+    private final Placement target = new Placement();
+    private @Nullable Placement mover;
+    private double originX, originY, originZ;
+    private final Hit hit = new Hit(), best = new Hit();
+    private final Closest closest = new Closest(), nearest = new Closest();
+    private final double[] box = new double[6], tight = new double[6];
+
+    /** Bodies that the trees do not know where they are: new, moved by the user, or hit. */
+    private int[] astray = new int[16];
+
+    private int astrayCount;
+    private int[] found = new int[16];
+    private int foundCount;
+    private long places = -1;
+
+    /** Where the candidates come from: see {@link #next}. */
+    private int source;
+
+    private int place;
+    private Predicate<BodyRef> filter = ALL;
+
+    WorldQueries(PhysicsWorld world) {
+        this.world = world;
+        table = world.physics.table;
+    }
+
+    /**
+     * Chooses whom the following questions are about.
+     *
+     * @param wanted false for bodies to look through; {@code null} for all bodies
+     * @return this
+     */
+    public WorldQueries filter(@Nullable Predicate<BodyRef> wanted) {
+        filter = wanted == null ? ALL : wanted;
+        return this;
+    }
+
+    /**
+     * Follows a ray to the first body.
+     *
+     * @param fromX where the ray starts, world, m, finite
+     * @param fromY see {@code fromX}
+     * @param fromZ see {@code fromX}
+     * @param directionX where it goes, world, any length above 0
+     * @param directionY see {@code directionX}
+     * @param directionZ see {@code directionX}
+     * @param maxDistance how far it goes, m, at least 0, may be infinite
+     * @param out receives the hit; unchanged when there is none
+     * @return the body, or {@code null} if there is none
+     * @throws IllegalArgumentException if a number is not finite, the direction is zero or the
+     *     distance negative
+     * @throws IllegalStateException if the world is closed or a step runs
+     */
+    public @Nullable BodyRef rayCast(
+            double fromX,
+            double fromY,
+            double fromZ,
+            double directionX,
+            double directionY,
+            double directionZ,
+            double maxDistance,
+            Hit out) {
+        originX = Checks.finite("fromX", fromX);
+        originY = Checks.finite("fromY", fromY);
+        originZ = Checks.finite("fromZ", fromZ);
+        mover = null;
+        box[0] = box[3] = fromX;
+        box[1] = box[4] = fromY;
+        box[2] = box[5] = fromZ;
+        return cast(directionX, directionY, directionZ, maxDistance, out);
+    }
+
+    /**
+     * Moves a shape, without turning it, to the first body that it touches.
+     *
+     * @param moving the shape where it starts; not a half-space
+     * @param directionX where it goes, world, any length above 0
+     * @param directionY see {@code directionX}
+     * @param directionZ see {@code directionX}
+     * @param maxDistance how far it goes, m, at least 0, may be infinite
+     * @param out receives the hit; unchanged when there is none
+     * @return the body, or {@code null} if there is none
+     * @throws IllegalArgumentException if a number is not finite, the direction is zero, the
+     *     distance negative, or the mover endless
+     * @throws IllegalStateException if the world is closed or a step runs
+     */
+    public @Nullable BodyRef shapeCast(
+            Placement moving,
+            double directionX,
+            double directionY,
+            double directionZ,
+            double maxDistance,
+            Hit out) {
+        mover = Checks.notNull("moving", moving);
+        moving.bounds(box);
+        for (double edge : box) {
+            if (!Double.isFinite(edge)) {
+                throw new IllegalArgumentException(
+                        "moving is "
+                                + moving.shape()
+                                + ", which has no end; ask with the other shape, or with a box");
+            }
+        }
+        return cast(directionX, directionY, directionZ, maxDistance, out);
+    }
+
+    private @Nullable BodyRef cast(double dx, double dy, double dz, double maxDistance, Hit out) {
+        Checks.notNull("out", out);
+        Checks.finite("directionX", dx);
+        Checks.finite("directionY", dy);
+        Checks.finite("directionZ", dz);
+        Checks.between("maxDistance", maxDistance, 0, Double.POSITIVE_INFINITY);
+        double most = Math.max(Math.abs(dx), Math.max(Math.abs(dy), Math.abs(dz)));
+        if (most == 0) {
+            throw new IllegalArgumentException(
+                    "direction is (0, 0, 0); it must point somewhere, its length does not matter");
+        }
+        double x = dx / most;
+        double y = dy / most;
+        double z = dz / most;
+        double length = Math.sqrt(x * x + y * y + z * z);
+        begin();
+        double limit = maxDistance;
+        int winner = NONE;
+        for (source = 0; source < SOURCES; source++) {
+            if (source < TREES) {
+                rayWalk.start(tree(), box, x / length, y / length, z / length);
+            }
+            for (int slot = next(rayWalk, limit); slot != NONE; slot = next(rayWalk, limit)) {
+                if (!isWanted(slot) || !meets(slot, dx, dy, dz, limit)) {
+                    continue;
+                }
+                double distance = hit.distance();
+                if (winner == NONE || distance < limit || (distance == limit && slot < winner)) {
+                    limit = distance;
+                    winner = slot;
+                    best.set(hit);
+                }
+            }
+        }
+        if (winner == NONE) {
+            return null;
+        }
+        out.set(best);
+        return table.refs[winner];
+    }
+
+    private boolean meets(int slot, double dx, double dy, double dz, double limit) {
+        aim(slot);
+        return mover == null
+                ? shapes.rayCast(target, originX, originY, originZ, dx, dy, dz, limit, hit)
+                : shapes.shapeCast(mover, dx, dy, dz, limit, target, hit);
+    }
+
+    /**
+     * Finds the body that is nearest to a place.
+     *
+     * @param shape the place
+     * @param within how far away it may be at most, m, at least 0, may be infinite
+     * @param out receives nearest points, normal and signed distance, the place first; unchanged
+     *     when there is no body. Of bodies that overlap the place, the deepest is the nearest
+     * @return the body, or {@code null} if none is near enough
+     * @throws IllegalArgumentException if {@code within} is negative or not a number
+     * @throws IllegalStateException if the world is closed or a step runs
+     */
+    public @Nullable BodyRef closest(Placement shape, double within, Closest out) {
+        Checks.notNull("out", out);
+        Checks.between("within", within, 0, Double.POSITIVE_INFINITY);
+        Checks.notNull("shape", shape).bounds(box);
+        begin();
+        double limit = within;
+        int winner = NONE;
+        for (source = 0; source < SOURCES; source++) {
+            if (source < TREES) {
+                boxWalk.start(tree(), box);
+            }
+            // What overlaps is entered at 0, however deep it is.
+            for (int slot = next(boxWalk, Math.max(limit, 0));
+                    slot != NONE;
+                    slot = next(boxWalk, Math.max(limit, 0))) {
+                if (!isWanted(slot)) {
+                    continue;
+                }
+                aim(slot);
+                double distance = shapes.closest(shape, target, closest);
+                if (distance < limit || (distance == limit && (winner == NONE || slot < winner))) {
+                    limit = distance;
+                    winner = slot;
+                    nearest.set(closest);
+                }
+            }
+        }
+        if (winner == NONE) {
+            return null;
+        }
+        out.set(nearest);
+        return table.refs[winner];
+    }
+
+    /**
+     * Finds all bodies that touch or overlap a place.
+     *
+     * @param shape the place
+     * @param out receives the bodies, in slot order, after what it holds already
+     * @return how many there are
+     * @throws IllegalStateException if the world is closed or a step runs
+     */
+    public int overlaps(Placement shape, List<? super BodyRef> out) {
+        Checks.notNull("out", out);
+        Checks.notNull("shape", shape).bounds(box);
+        begin();
+        foundCount = 0;
+        for (source = 0; source < SOURCES; source++) {
+            if (source < TREES) {
+                boxWalk.start(tree(), box);
+            }
+            for (int slot = next(boxWalk, 0); slot != NONE; slot = next(boxWalk, 0)) {
+                if (isWanted(slot)) {
+                    aim(slot);
+                    if (shapes.overlaps(shape, target)) {
+                        note(slot);
+                    }
+                }
+            }
+        }
+        Arrays.sort(found, 0, foundCount);
+        int count = 0;
+        for (int i = 0; i < foundCount; i++) {
+            if (i == 0 || found[i] != found[i - 1]) {
+                out.add(table.refs[found[i]]);
+                count++;
+            }
+        }
+        return count;
+    }
+
+    private void note(int slot) {
+        if (foundCount == found.length) {
+            found = Arrays.copyOf(found, 2 * foundCount);
+        }
+        found[foundCount++] = slot;
+    }
+
+    // Whom to ask --------------------------------------------------------------------------------
+
+    private AabbTree tree() {
+        place = 0;
+        return source == 0 ? table.broadPhase.dynamicTree() : table.broadPhase.staticTree();
+    }
+
+    /** The next candidate of the trees, of the bodies without end, or of those that went astray. */
+    private int next(TreeWalk walk, double limit) {
+        if (source < TREES) {
+            return walk.next(limit);
+        }
+        BroadPhase known = table.broadPhase;
+        int[] list = source == TREES ? known.endless() : astray;
+        int count = source == TREES ? known.endlessCount() : astrayCount;
+        if (place == count) {
+            place = 0;
+            return NONE;
+        }
+        return list[place++];
+    }
+
+    private boolean isWanted(int slot) {
+        BodyRef body = table.refs[slot];
+        return body.isAlive() && (filter == ALL || filter.test(body));
+    }
+
+    private void aim(int s) {
+        BodyStore b = table.bodies;
+        target.setCentre(
+                b.shape[s],
+                b.positionX[s],
+                b.positionY[s],
+                b.positionZ[s],
+                b.orientationX[s],
+                b.orientationY[s],
+                b.orientationZ[s],
+                b.orientationW[s]);
+    }
+
+    /** Looks for bodies that are not within their fat box, once after each change of places. */
+    private void begin() {
+        world.requireBetweenSteps("a query");
+        if (places == table.places) {
+            return;
+        }
+        places = table.places;
+        astrayCount = 0;
+        for (int i = 0; i < table.unplacedCount; i++) {
+            stray(table.unplaced[i]);
+        }
+        byte[] kind = table.bodies.kind;
+        for (int slot = 0; slot < table.bodies.slotCount; slot++) {
+            if ((kind[slot] == BodyStore.DYNAMIC || kind[slot] == BodyStore.ASLEEP)
+                    && !inFatBox(slot)) {
+                stray(slot);
+            }
+        }
+    }
+
+    private void stray(int slot) {
+        if (astrayCount == astray.length) {
+            astray = Arrays.copyOf(astray, 2 * astrayCount);
+        }
+        astray[astrayCount++] = slot;
+    }
+
+    private boolean inFatBox(int slot) {
+        if (!table.broadPhase.contains(slot)) {
+            return false;
+        }
+        aim(slot);
+        target.bounds(tight);
+        double[] fat = table.broadPhase.fatBoxes();
+        for (int axis = 0; axis < 3; axis++) {
+            if (!(fat[6 * slot + axis] <= tight[axis]
+                    && tight[axis + 3] <= fat[6 * slot + axis + 3])) {
+                return false;
+            }
+        }
+        return true;
+    }
+}
