@@ -15,10 +15,6 @@ import java.util.Locale;
  * @param round number of the timed round, 0 elsewhere
  */
 record Cell(Case scene, Engine engine, PeerSettings peer, Protocol.Kind kind, int round) {
-    /** Rough cost of a body in a sub-step, s, for the estimate of the time that is left. */
-    private static final double NATIVE_SECONDS = 1.0e-6;
-
-    private static final double JAVA_SECONDS = 6e-6;
     private static final double BEST_FACTOR = 2.5;
 
     /** Building, reading poses and looking for overlaps, per body and tick, s. */
@@ -42,25 +38,34 @@ record Cell(Case scene, Engine engine, PeerSettings peer, Protocol.Kind kind, in
     }
 
     /** Guesses how long it takes, s; right within a factor of a few. */
-    double estimate(int bodies, Campaign.Plan plan) {
+    double estimate(int bodies, Plan plan) {
         if (kind == Protocol.Kind.COLD) {
             return plan.coldSeconds() + 1;
         }
-        double each =
-                switch (engine) {
-                    case ODE4J, JBULLET -> JAVA_SECONDS;
-                    case CAIRN -> 2 * NATIVE_SECONDS;
-                    default -> NATIVE_SECONDS;
-                };
+        double each = bodySeconds();
         if (peer.tuning() == PeerSettings.Tuning.BEST) {
             each *= BEST_FACTOR;
         }
         double tick = each * bodies * peer.substeps() * peer.iterationFactor();
+        double whole = tick * scene.ticks();
         if (kind == Protocol.Kind.TIME) {
-            double whole = tick * scene.ticks();
-            return Math.max(plan.seconds(), Math.min(4 * plan.seconds(), whole)) + 2 * tick;
+            double stepped = Math.max(plan.seconds(), whole);
+            boolean enough = round * stepped >= plan.pointSeconds();
+            return whole > plan.judgeSeconds() || (round > 0 && enough) ? 0 : stepped + 2 * tick;
         }
         double looks = JUDGE_SECONDS * scene.lookCost() * bodies * scene.ticks();
-        return Math.min(plan.judgeSeconds(), tick * scene.ticks()) + looks + 0.02;
+        return Math.min(plan.judgeSeconds(), whole) + looks + 0.02;
+    }
+
+    /** Rough cost of a body in a sub-step, s. */
+    private double bodySeconds() {
+        return switch (engine) {
+            case BOX3D -> 0.6e-6;
+            case CAIRN -> 1e-6;
+            case PHYSX -> 1.7e-6;
+            case JOLT, BULLET -> 3e-6;
+            case JBULLET -> 9e-6;
+            case ODE4J -> 14e-6;
+        };
     }
 }

@@ -18,16 +18,17 @@ import java.util.Map;
 /**
  * The finished measurements of a campaign, in a file that grows by a line with each, so that an
  * interrupted campaign goes on where it stopped. The first line says what the measurements depend
- * on; where that has changed, the file starts over. One thread.
+ * on; where that has changed, the file starts over. Any thread.
  */
 final class CellStore implements AutoCloseable {
     private final Gson gson = new Gson();
     private final Map<String, Protocol.Answer> known = new LinkedHashMap<>();
     private final BufferedWriter out;
     private final @Nullable String changed;
+    private final Map<String, Double> seconds = new LinkedHashMap<>();
 
     /** What a line holds. */
-    private record Line(String key, Protocol.Answer answer) {}
+    private record Line(String key, Protocol.Answer answer, double seconds) {}
 
     /** What the first line holds. */
     private record Head(Map<String, String> setup) {}
@@ -53,7 +54,7 @@ final class CellStore implements AutoCloseable {
                         StandardOpenOption.TRUNCATE_EXISTING);
         write(gson.toJson(new Head(setup)));
         for (Map.Entry<String, Protocol.Answer> entry : known.entrySet()) {
-            write(gson.toJson(new Line(entry.getKey(), entry.getValue())));
+            write(gson.toJson(new Line(entry.getKey(), entry.getValue(), spent(entry.getKey()))));
         }
     }
 
@@ -83,6 +84,7 @@ final class CellStore implements AutoCloseable {
                 Line one = gson.fromJson(line, Line.class);
                 if (one != null && one.key() != null && one.answer() != null) {
                     known.put(one.key(), one.answer());
+                    seconds.put(one.key(), one.seconds());
                 }
             } catch (JsonSyntaxException torn) {
                 // The line that was being written when the last campaign was stopped.
@@ -96,17 +98,32 @@ final class CellStore implements AutoCloseable {
         return changed;
     }
 
-    int size() {
+    synchronized int size() {
         return known.size();
     }
 
-    Protocol.@Nullable Answer get(String key) {
+    synchronized Protocol.@Nullable Answer get(String key) {
         return known.get(key);
     }
 
-    void put(String key, Protocol.Answer answer) throws IOException {
+    /** Keeps an answer and how long it took, s. */
+    synchronized void put(String key, Protocol.Answer answer, double took) throws IOException {
         known.put(key, answer);
-        write(gson.toJson(new Line(key, answer)));
+        seconds.put(key, took);
+        write(gson.toJson(new Line(key, answer, took)));
+    }
+
+    private double spent(String key) {
+        return seconds.getOrDefault(key, 0.0);
+    }
+
+    /** Returns the time of all that is kept, s. */
+    synchronized double seconds() {
+        double sum = 0;
+        for (double one : seconds.values()) {
+            sum += one;
+        }
+        return sum;
     }
 
     private void write(String line) throws IOException {

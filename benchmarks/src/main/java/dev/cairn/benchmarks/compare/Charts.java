@@ -41,11 +41,12 @@ final class Charts {
 
     private Charts() {}
 
-    static XYChart chart(String xTitle, String yTitle) {
+    static XYChart chart(String title, String xTitle, String yTitle) {
         XYChart chart =
                 new XYChartBuilder()
-                        .width(940)
-                        .height(480)
+                        .width(960)
+                        .height(500)
+                        .title(title)
                         .xAxisTitle(xTitle)
                         .yAxisTitle(yTitle)
                         .build();
@@ -54,7 +55,10 @@ final class Charts {
         styler.setChartBackgroundColor(Color.WHITE);
         styler.setPlotBackgroundColor(Color.WHITE);
         styler.setPlotBorderColor(Color.GRAY);
-        styler.setPlotGridLinesColor(new Color(0xDDDDDD));
+        styler.setPlotGridLinesColor(new Color(0xEEEEEE));
+        styler.setPlotGridLinesStroke(new BasicStroke(1));
+        styler.setChartTitleBoxVisible(false);
+        styler.setChartTitleFont(font.deriveFont(Font.BOLD, 15f));
         styler.setAxisTitleFont(font);
         styler.setAxisTickLabelsFont(font);
         styler.setLegendFont(font.deriveFont(12f));
@@ -63,7 +67,6 @@ final class Charts {
         styler.setAnnotationTextFont(font.deriveFont(10f));
         styler.setMarkerSize(7);
         styler.setDefaultSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Line);
-        styler.setChartTitleVisible(false);
         return chart;
     }
 
@@ -110,8 +113,9 @@ final class Charts {
     }
 
     /** Draws wall time of a tick against workers, of the points with one number of sub-steps. */
-    static String scaling(List<Results.Point> points) throws IOException {
-        XYChart chart = chart("workers (threads)", "wall time of a tick, ms   (down is better)");
+    static String scaling(String title, List<Results.Point> points) throws IOException {
+        XYChart chart =
+                chart(title, "workers (threads)", "wall time of a tick, ms   (down is better)");
         Map<Engine, TreeMap<Integer, Double>> curves = new EnumMap<>(Engine.class);
         for (Results.Point point : points) {
             if (!point.best() && !Double.isNaN(point.medianMillis())) {
@@ -126,7 +130,12 @@ final class Charts {
         });
         chart.getStyler().setYAxisLogarithmic(true);
         chart.getStyler().setXAxisMin(0.5);
-        chart.getStyler().setXAxisDecimalPattern("0.#");
+        int most = curves.values().stream().mapToInt(TreeMap::lastKey).max().orElse(1);
+        chart.getStyler().setXAxisMax(most + 0.5);
+        // Whole numbers only: the other ticks of the axis have no label.
+        chart.setCustomXAxisTickLabelsFormatter(
+                x -> Math.abs(x - Math.rint(x)) < 1e-6 ? String.valueOf(Math.round(x)) : " ");
+        chart.setCustomYAxisTickLabelsFormatter(Html::number);
         return svg(chart);
     }
 
@@ -134,6 +143,7 @@ final class Charts {
     static String cold(List<Results.Cold> starts) throws IOException {
         XYChart chart =
                 chart(
+                        "Cold start: pyramid, N = 4",
                         "seconds since the start of the JVM",
                         "time of a tick, ms   (down is better)");
         for (Results.Cold start : starts) {

@@ -54,7 +54,13 @@ final class Checks {
     private static final List<Engine> ODE = List.of(Engine.ODE4J);
     private static final List<Engine> BULLET = List.of(Engine.BULLET);
     private static final List<Engine> FIRST_ORDER =
-            List.of(Engine.JOLT, Engine.BULLET, Engine.PHYSX, Engine.ODE4J, Engine.JBULLET);
+            List.of(
+                    Engine.JOLT,
+                    Engine.BULLET,
+                    Engine.PHYSX,
+                    Engine.ODE4J,
+                    Engine.JBULLET,
+                    Engine.BOX3D);
     private static final List<Engine> CAIRN = List.of(Engine.CAIRN);
 
     private static final List<Rule> RULES =

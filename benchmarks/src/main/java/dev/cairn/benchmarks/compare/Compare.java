@@ -1,5 +1,6 @@
 package dev.cairn.benchmarks.compare;
 
+import dev.cairn.benchmarks.Marked;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.PeerSettings.Tuning;
 
@@ -26,6 +27,8 @@ import java.util.concurrent.Callable;
         sortOptions = false,
         description = "Measures speed against error: scenes x engines x workers x sub-steps.")
 public final class Compare implements Callable<Integer> {
+    private static final Marked PART = new Marked("compare");
+
     @Option(
             names = "--scenes",
             split = ",",
@@ -37,7 +40,9 @@ public final class Compare implements Callable<Integer> {
             names = "--engines",
             split = ",",
             paramLabel = "ID",
-            description = "cairn, jolt, bullet, physx, ode4j, jbullet; all by default")
+            description =
+                    "cairn, jolt, bullet, physx, ode4j, jbullet, box3d; all that are there by"
+                            + " default")
     private List<String> engines = List.of();
 
     @Option(
@@ -52,14 +57,17 @@ public final class Compare implements Callable<Integer> {
             split = ",",
             paramLabel = "N",
             description =
-                    "threads; 1,2 by default, in scenes of many bodies; engines that cannot are"
-                            + " left out above 1; with --quick 1")
+                    "threads; 1,2 by default, more than one in scenes of many bodies at N = 4;"
+                            + " engines that cannot are left out above 1; with --quick 1")
     private List<Integer> workers = List.of();
 
     @Option(names = "--defaults-only", description = "leaves out the engines' best-effort settings")
     private boolean defaultsOnly;
 
-    @Option(names = "--rounds", paramLabel = "N", description = "timed rounds; 10, with --quick 3")
+    @Option(
+            names = "--rounds",
+            paramLabel = "N",
+            description = "timed rounds, at most; 10, with --quick 3")
     private int rounds;
 
     @Option(
@@ -69,6 +77,14 @@ public final class Compare implements Callable<Integer> {
 
     @Option(names = "--out", paramLabel = "DIR", description = "default: ${DEFAULT-VALUE}")
     private Path out = Path.of("results", "compare");
+
+    @Option(
+            names = "--readme",
+            paramLabel = "FILE",
+            description =
+                    "also replaces the table in this page, README.md, and draws the main diagram"
+                            + " beside it, docs/images/speed-against-error.svg")
+    private @Nullable Path readme;
 
     private final PrintStream err = System.err;
 
@@ -86,7 +102,7 @@ public final class Compare implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        Campaign.Plan plan;
+        Plan plan;
         try {
             plan = plan();
         } catch (IllegalArgumentException misuse) {
@@ -94,6 +110,16 @@ public final class Compare implements Callable<Integer> {
             return CommandLine.ExitCode.USAGE;
         }
         Files.createDirectories(out);
+        Path page = readme;
+        if (page != null) {
+            try {
+                // now, and not after an hour of measuring
+                PART.replaced(PART.page(page), "");
+            } catch (IllegalArgumentException unmarked) {
+                err.printf("--readme %s: %s%n", page, unmarked.getMessage());
+                return CommandLine.ExitCode.USAGE;
+            }
+        }
         Results results;
         try (CellStore store = new CellStore(out.resolve("cells.jsonl"), plan.setup())) {
             if (store.changed() != null) {
@@ -110,6 +136,16 @@ public final class Compare implements Callable<Integer> {
                 results = campaign.run(reporter::done);
             }
         }
+        Path report = write(results);
+        if (page != null) {
+            readme(new ReadmePart(results), page);
+        }
+        summary(results);
+        System.out.println(report.toAbsolutePath());
+        return CommandLine.ExitCode.OK;
+    }
+
+    private Path write(Results results) throws IOException {
         Page page = new Page(results);
         Path report = out.resolve("report.html");
         Files.writeString(report, page.write(), StandardCharsets.UTF_8);
@@ -118,12 +154,18 @@ public final class Compare implements Callable<Integer> {
         }
         results.writeCsv(out.resolve("results.csv"));
         results.writeJson(out.resolve("results.json"));
-        summary(results);
-        System.out.println(report.toAbsolutePath());
-        return CommandLine.ExitCode.OK;
+        return report;
     }
 
-    private Campaign.Plan plan() {
+    private static void readme(ReadmePart part, Path page) throws IOException {
+        Path picture = page.resolveSibling(Path.of("docs", "images", "speed-against-error.svg"));
+        Files.createDirectories(picture.toAbsolutePath().getParent());
+        Files.writeString(picture, part.picture(), StandardCharsets.UTF_8);
+        Files.writeString(
+                page, PART.replaced(PART.page(page), part.table()), StandardCharsets.UTF_8);
+    }
+
+    private Plan plan() {
         List<String> chosen = scenes;
         if (chosen.isEmpty()) {
             chosen =
@@ -142,7 +184,7 @@ public final class Compare implements Callable<Integer> {
             boolean two = !quick && Runtime.getRuntime().availableProcessors() > 1;
             threads = two ? List.of(1, 2) : List.of(1);
         }
-        return new Campaign.Plan(
+        return new Plan(
                 chosen.stream()
                         .map(Case::of)
                         .map(one -> quick ? one.with(one.quick()) : one)
@@ -152,9 +194,10 @@ public final class Compare implements Callable<Integer> {
                 threads,
                 steps.stream().sorted().distinct().toList(),
                 rounds > 0 ? rounds : quick ? 3 : 10,
-                quick ? 0.04 : 0.1,
-                quick ? 0.8 : 5,
-                quick ? 4 : 12,
+                0.03,
+                quick ? 0.3 : 1,
+                quick ? 0.8 : 4,
+                quick ? 4 : 10,
                 quick ? 2 : 5,
                 !quick);
     }
@@ -184,11 +227,11 @@ public final class Compare implements Callable<Integer> {
                                     .formatted(
                                             shown(point.judged().error()),
                                             shown(point.judged().deepest()),
-                                            Page.number(point.cpuMicros())));
+                                            Html.number(point.cpuMicros())));
         }
     }
 
     private static String shown(@Nullable Double value) {
-        return value == null ? "?" : Page.number(value);
+        return value == null ? "?" : Html.number(value);
     }
 }

@@ -44,13 +44,15 @@ final class Diagram {
     /** Draws the curves from the points of one scene and one number of workers. */
     static String svg(
             List<Results.Point> points,
+            String title,
             String yTitle,
             Function<Results.Point, @Nullable Double> error)
             throws IOException {
-        return new Diagram(error).draw(points, yTitle);
+        return new Diagram(error).draw(points, title, yTitle);
     }
 
-    private String draw(List<Results.Point> points, String yTitle) throws IOException {
+    private String draw(List<Results.Point> points, String title, String yTitle)
+            throws IOException {
         Map<String, List<Results.Point>> good = new LinkedHashMap<>();
         Map<Engine, List<Results.Point>> bad = new LinkedHashMap<>();
         double lowest = Double.POSITIVE_INFINITY;
@@ -83,6 +85,7 @@ final class Diagram {
         right = Math.max(10 * left, Charts.decade(dearest, Math::ceil));
         XYChart chart =
                 Charts.chart(
+                        title,
                         "CPU time per body and tick of 1/60 s, \u00B5s   (left is better)",
                         yTitle + "   (down is better)");
         chart.getStyler().setXAxisLogarithmic(true);

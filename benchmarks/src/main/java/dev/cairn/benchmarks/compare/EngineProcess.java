@@ -16,7 +16,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -39,6 +41,21 @@ final class EngineProcess implements AutoCloseable {
                     "--sun-misc-unsafe-memory-access=allow");
 
     private static final int MAX_DEATHS = 2;
+    private static final int MOMENT_MILLIS = 300;
+
+    /** What runs now; ended with this JVM. */
+    private static final Set<Process> RUNNING = ConcurrentHashMap.newKeySet();
+
+    private static volatile boolean ending;
+
+    static {
+        Runtime.getRuntime()
+                .addShutdownHook(
+                        new Thread(() -> {
+                            ending = true;
+                            RUNNING.forEach(Process::destroyForcibly);
+                        }));
+    }
 
     private final Engine engine;
     private final Path logs;
@@ -56,8 +73,15 @@ final class EngineProcess implements AutoCloseable {
         this.extraFlags = List.copyOf(extraFlags);
     }
 
-    Engine engine() {
-        return engine;
+    /** How often its JVM has crashed or been silent. */
+    int deaths() {
+        return deaths;
+    }
+
+    /** Answers all that is still asked with a failure. */
+    void giveUp(String why) {
+        deaths = MAX_DEATHS;
+        lastDeath = why;
     }
 
     Protocol.Answer ask(Protocol.Request request, double limitSeconds) {
@@ -97,6 +121,11 @@ final class EngineProcess implements AutoCloseable {
                 // A JVM that has crashed needs a moment until it has a status.
                 if (dead.waitFor(5, TimeUnit.SECONDS)) {
                     how += " with status " + dead.exitValue();
+                }
+                // Ctrl-C ends the engines' JVMs with this one: that is no failure of theirs.
+                Thread.sleep(MOMENT_MILLIS);
+                if (ending) {
+                    Thread.sleep(Long.MAX_VALUE);
                 }
             } catch (InterruptedException stop) {
                 Thread.currentThread().interrupt();
@@ -141,6 +170,7 @@ final class EngineProcess implements AutoCloseable {
                         .redirectError(ProcessBuilder.Redirect.appendTo(logFile().toFile()))
                         .start();
         process = started;
+        RUNNING.add(started);
         answers =
                 new BufferedReader(
                         new InputStreamReader(started.getInputStream(), StandardCharsets.UTF_8));
@@ -187,6 +217,7 @@ final class EngineProcess implements AutoCloseable {
         Process running = process;
         if (running != null) {
             running.destroyForcibly();
+            RUNNING.remove(running);
         }
         process = null;
         answers = null;

@@ -3,6 +3,7 @@ package dev.cairn.benchmarks.compare;
 import dev.cairn.benchmarks.peer.Peer;
 import dev.cairn.benchmarks.peer.SceneDescription;
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.samples.Penetration;
 import dev.cairn.samples.SampleScene;
@@ -49,6 +50,8 @@ final class Judge implements AutoCloseable {
         this.scene = scene;
         this.world =
                 PhysicsWorld.builder()
+                        // never stepped: no vectors, and no word about their absence
+                        .settings(PhysicsSettings.DEFAULT.withLanes(1))
                         .sleeping(false)
                         .gravity(0, -SampleScene.GRAVITY, 0)
                         .workers(1)

@@ -1,16 +1,10 @@
 package dev.cairn.benchmarks.compare;
 
 import dev.cairn.benchmarks.peer.Engine;
-import dev.cairn.benchmarks.peer.Peer;
-
-import org.jspecify.annotations.Nullable;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Base64;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -21,25 +15,23 @@ import java.util.TreeSet;
 final class Page {
     private static final String STYLE =
             """
-            body { font: 16px/1.5 sans-serif; color: #222; max-width: 60em; margin: 2em auto;
+            body { font: 16px/1.5 sans-serif; color: #222; max-width: 62em; margin: 2em auto;
                    padding: 0 1em }
             h1, h2 { line-height: 1.2 } h2 { margin-top: 2.5em; border-top: 1px solid #ccc;
                    padding-top: 1em }
             img { max-width: 100%; display: block }
             table { border-collapse: collapse; font-size: 14px; margin: 1em 0 }
-            th, td { padding: .2em .7em; text-align: right; border-bottom: 1px solid #ddd;
-                   vertical-align: top }
-            th { border-bottom: 2px solid #888; font-weight: bold }
-            .text { text-align: left } .failed { color: #b00020 }
-            .best { font-weight: bold } p.note { color: #555; font-size: 14px }
+            th, td { padding: .2em .6em; text-align: right; border-bottom: 1px solid #ddd;
+                   vertical-align: top; white-space: nowrap }
+            th, .text { white-space: normal } th { border-bottom: 2px solid #888; font-weight: bold }
+            table.facts th { border-bottom: 1px solid #ddd }
+            .text { text-align: left } .failed { color: #b00020 } summary { cursor: pointer }
+            p.note { color: #555; font-size: 14px }
             """;
-
-    /** Engines whose contact counts differ by more than this share do not do the same work. */
-    private static final double DIFFERENT = 0.05;
 
     private final Results results;
     private final Map<String, String> svgs = new LinkedHashMap<>();
-    private final StringBuilder html = new StringBuilder();
+    private final Html html = new Html();
 
     Page(Results results) {
         this.results = results;
@@ -51,42 +43,45 @@ final class Page {
     }
 
     String write() throws IOException {
-        html.append(
+        List<Case> scenes = results.scenes();
+        html.add(
                 """
                 <!DOCTYPE html>
                 <html xmlns="http://www.w3.org/1999/xhtml" lang="en">
                 <head><meta charset="utf-8"/><title>Speed against error</title>
                 <style>
                 """);
-        html.append(STYLE).append("</style></head>\n<body>\n");
-        html.append("<h1>Rigid-body engines: speed against error</h1>\n");
-        html.append(
-                """
-                <p>Every engine simulates the same scenes. Each point below is one engine with one
-                number N of sub-steps per tick of 1/60 s; the curve joins its points from small N
-                to large. <b>Down is more accurate, left is cheaper: better is down-left.</b>
-                Both axes are logarithmic. A full line is the engine with its own default settings,
-                a dashed one its best effort: what its documentation offers for accuracy. A cross
-                at the top edge is a run that failed; the table below the diagram says why.</p>
-                """);
-        how();
-        Set<String> scenes = new LinkedHashSet<>();
-        results.points().forEach(point -> scenes.add(point.scene()));
-        for (String scene : scenes) {
-            scene(Case.of(scene));
+        html.add(STYLE).add("</style></head>\n<body>\n");
+        html.add("<h1>Rigid-body engines: speed against error</h1>\n");
+        introduction();
+        contents(scenes);
+        new SceneTables(results).glance(html, scenes);
+        for (Case scene : scenes) {
+            scene(scene);
         }
         checks();
         budgets();
         cold();
         engines();
-        facts("How it was run", results.settings());
-        facts("Machine", results.machine());
-        html.append("</body>\n</html>\n");
+        facts("how", "How it was run", results.settings());
+        facts("machine", "Machine", results.machine());
+        html.add("</body>\n</html>\n");
         return html.toString();
     }
 
-    private void how() {
-        html.append(
+    private void introduction() {
+        html.add(
+                """
+                <p>Every engine simulates the same scenes. Each point of a diagram is one engine
+                with one number N of sub-steps per tick of 1/60 s; the curve joins its points from
+                small N to large. <b>Down is more accurate, left is cheaper: better is
+                down-left.</b> Both axes are logarithmic. A full line is the engine with its own
+                default settings, a dashed one its best effort: what it offers for accuracy besides
+                sub-steps. A cross at the top edge is a run that failed; the list below the diagram
+                says why. Versions and settings are under <a href="#engines">Engines</a>.</p>
+                """);
+        html.add("<p>").say(headline()).add("</p>\n");
+        html.add(
                 """
                 <p class="note">Scenes are built once, by Cairn's samples, and handed to all engines
                 as numbers: poses, shapes, mass, inertia, friction, restitution. Errors are computed
@@ -94,31 +89,76 @@ final class Page {
                 measured by an exact separating-axis test outside all engines. CPU time is that of
                 the whole process, all threads and the garbage collector in it, the JIT compilers
                 left out where the system tells them apart (Linux), without building the scene,
-                without the first tick, per movable body. Sleeping and damping are off in all.
-                What else was set is listed under “Engines”.</p>
+                without the first tick, per movable body. Sleeping and damping are off in all.</p>
                 """);
+    }
+
+    /** Processor, JVM and engines in a line. */
+    private String headline() {
+        List<String> engines = new ArrayList<>();
+        for (Engine engine : Engine.values()) {
+            if (results.points().stream().anyMatch(point -> point.engine() == engine)) {
+                engines.add(engine.title() + " (" + engine.version() + ")");
+            }
+        }
+        Map<String, String> machine = results.machine();
+        return "Measured on %s, %s cores, Java %s: %s."
+                .formatted(
+                        machine.getOrDefault("processor", "?"),
+                        machine.getOrDefault("cores seen by the JVM", "?"),
+                        Runtime.version().feature(),
+                        String.join(", ", engines));
+    }
+
+    private void contents(List<Case> scenes) {
+        html.add("<p><a href=\"#glance\">At a glance</a>");
+        for (Case scene : scenes) {
+            html.add(" · <a href=\"#" + scene.id() + "\">").say(scene.title()).add("</a>");
+        }
+        link("checks", "Does the instrument read right?", !Checks.of(results).isEmpty());
+        link("budget", "Where the error comes from", !results.budgets().isEmpty());
+        link("cold", "Cold start", !results.colds().isEmpty());
+        link("engines", "Engines", true);
+        link("how", "How it was run", true);
+        link("machine", "Machine", true);
+        html.add("</p>\n");
+    }
+
+    private void link(String id, String title, boolean there) {
+        if (there) {
+            html.add(" · <a href=\"#" + id + "\">").say(title).add("</a>");
+        }
     }
 
     private void scene(Case scene) throws IOException {
         List<Results.Point> all = results.of(scene.id());
-        html.append("<h2 id=\"").append(scene.id()).append("\">");
-        html.append(text(scene.title())).append("</h2>\n<p>").append(text(scene.truth()));
-        html.append("</p>\n<p class=\"note\">Scene <code>").append(text(scene.scene().id()));
-        html.append("</code> with ").append(text(all.getFirst().parameters()));
-        html.append(", ").append(all.getFirst().judged().ticks() > 0 ? "" : "up to ");
-        html.append(scene.ticks()).append(" ticks.</p>\n");
+        html.add("<h2 id=\"" + scene.id() + "\">").say(scene.title()).add("</h2>\n<p>");
+        html.say(scene.truth()).add("</p>\n<p class=\"note\">Scene <code>").say(scene.scene().id());
+        html.add("</code> with ").say(all.getFirst().parameters()).add(", ");
+        html.say(scene.ticks()).add(" ticks.</p>\n");
         Set<Integer> workers = new TreeSet<>();
         all.forEach(point -> workers.add(point.workers()));
+        int first = workers.iterator().next();
+        List<Results.Point> points =
+                all.stream().filter(point -> point.workers() == first).toList();
+        pictures(scene, points);
+        SceneTables.failures(html, points);
+        html.add("<details><summary>All numbers</summary>\n");
+        SceneTables.points(html, scene, points);
         for (int count : workers) {
-            List<Results.Point> points =
-                    all.stream().filter(point -> point.workers() == count).toList();
-            if (count == workers.iterator().next()) {
-                pictures(scene, points);
-            } else {
-                html.append("<h3>").append(count).append(" workers</h3>\n");
+            if (count != first) {
+                html.add("<p>" + count + " workers:</p>\n");
+                SceneTables.points(
+                        html,
+                        scene,
+                        all.stream().filter(point -> point.workers() == count).toList());
             }
-            table(scene, points);
         }
+        html.add("<p class=\"note\">Touching pairs and contact points after the last tick, as the");
+        html.add(" engine counts them; – where it does not say. * more than 5 % off the median of");
+        html.add(" the column: not the same work, so compare the times with care. <b>Bold</b>: no");
+        html.add(" other point is both cheaper and more accurate. CPU time of what was stopped as");
+        html.add(" too slow is the wall time of its error run.</p>\n</details>\n");
         scaling(scene, all, workers);
     }
 
@@ -126,33 +166,37 @@ final class Page {
         picture(
                 scene.id() + "-error",
                 scene.title() + ": " + scene.error() + " against CPU time",
-                Diagram.svg(points, scene.error(), point -> point.judged().error()));
+                Diagram.svg(points, scene.title(), scene.error(), point -> point.judged().error()));
         if (!scene.metric().equals(Case.REST_OVERLAP) && overlaps(points)) {
             picture(
                     scene.id() + "-overlap",
                     scene.title() + ": deepest overlap against CPU time",
-                    Diagram.svg(points, "deepest overlap, m", point -> point.judged().deepest()));
+                    Diagram.svg(
+                            points,
+                            scene.title() + ": overlap",
+                            "deepest overlap of the whole run, m",
+                            point -> point.judged().deepest()));
         }
     }
 
-    /** Wall time over workers, at the number of sub-steps nearest to 4 that all have. */
+    /** Wall time over workers, at the number of sub-steps that all have. */
     private void scaling(Case scene, List<Results.Point> all, Set<Integer> workers)
             throws IOException {
         if (workers.size() < 2) {
             return;
         }
-        int substeps = all.getFirst().substeps();
-        for (Results.Point point : all) {
-            substeps = point.substeps() <= 4 ? Math.max(substeps, point.substeps()) : substeps;
-        }
-        int n = substeps;
-        html.append("<h3>Scaling over workers, N = ").append(n).append("</h3>\n");
+        int n = Schedule.scalingSubsteps(all.stream().map(Results.Point::substeps).toList());
+        html.add("<h3>Scaling over workers, N = " + n + "</h3>\n");
         picture(
                 scene.id() + "-scaling",
                 scene.title() + ": wall time of a tick against workers",
-                Charts.scaling(all.stream().filter(point -> point.substeps() == n).toList()));
-        html.append("<p class=\"note\">An engine with a single point has no threads in the build");
-        html.append(" that is used here. Default settings.</p>\n");
+                Charts.scaling(
+                        scene.title() + ", N = " + n,
+                        all.stream().filter(point -> point.substeps() == n).toList()));
+        html.add("<p class=\"note\">Median wall time of a tick, median of the rounds. An engine");
+        html.add(" with a single point has no threads in the build that is used here. Default");
+        html.add(" settings. On a machine with as many cores as workers, whatever else runs");
+        html.add(" shows here first.</p>\n");
     }
 
     private static boolean overlaps(List<Results.Point> points) {
@@ -167,68 +211,7 @@ final class Page {
 
     private void picture(String name, String alt, String svg) {
         svgs.put(name + ".svg", svg);
-        html.append("<img alt=\"").append(text(alt)).append("\" src=\"data:image/svg+xml;base64,");
-        html.append(Base64.getEncoder().encodeToString(svg.getBytes(StandardCharsets.UTF_8)));
-        html.append("\"/>\n");
-    }
-
-    private void table(Case scene, List<Results.Point> points) {
-        html.append("<table><tr><th class=\"text\">engine</th><th>N</th><th>");
-        html.append(text(scene.error())).append("</th><th>deepest overlap, m</th>");
-        html.append("<th>contacts</th><th>points</th><th>CPU µs per body and tick</th>");
-        html.append("<th>lowest … highest round</th>");
-        html.append("<th>tick ms, median</th><th>99 %</th></tr>\n");
-        int usual = usualPairs(points);
-        for (Results.Point point : points) {
-            Protocol.Answer judged = point.judged();
-            html.append("<tr><td class=\"text\">");
-            html.append(onFront(point, points) ? "<b>" : "").append(text(point.title()));
-            html.append(onFront(point, points) ? "</b>" : "")
-                    .append("</td><td>")
-                    .append(point.substeps())
-                    .append("</td>");
-            String failure = point.failure();
-            if (failure != null) {
-                html.append("<td class=\"text failed\" colspan=\"4\">").append(text(failure));
-                html.append("</td>");
-            } else {
-                cell(judged.error());
-                cell(judged.deepest());
-                count(judged.pairs(), usual);
-                count(judged.points(), Peer.UNKNOWN);
-            }
-            cell(point.cpuMicros());
-            html.append("<td>").append(number(point.cpuLow())).append(" … ");
-            html.append(number(point.cpuHigh())).append("</td>");
-            cell(point.medianMillis());
-            cell(point.p99Millis());
-            html.append("</tr>\n");
-        }
-        html.append("</table>\n");
-        html.append("<p class=\"note\">contacts, points: touching pairs and contact points after");
-        html.append(" the last tick, as the engine counts them; – where it does not say.");
-        html.append(" * more than 5 % off the median of the column: not the same work, so do not");
-        html.append(" compare the times. <b>Bold</b>: no other point is both cheaper and more");
-        html.append(" accurate. CPU time of what was stopped as too slow is its wall time.</p>\n");
-    }
-
-    /** Says whether no other point is at least as good in both and better in one. */
-    private static boolean onFront(Results.Point point, List<Results.Point> points) {
-        Double error = point.judged().error();
-        if (point.failure() != null || error == null || Double.isNaN(point.cpuMicros())) {
-            return false;
-        }
-        for (Results.Point other : points) {
-            Double rival = other.judged().error();
-            if (other.failure() == null
-                    && rival != null
-                    && rival <= error
-                    && other.cpuMicros() <= point.cpuMicros()
-                    && (rival < error || other.cpuMicros() < point.cpuMicros())) {
-                return false;
-            }
-        }
-        return true;
+        html.picture(alt, svg);
     }
 
     private void checks() {
@@ -236,24 +219,32 @@ final class Page {
         if (rows.isEmpty()) {
             return;
         }
-        html.append("<h2>Does the instrument read right?</h2>\n");
-        html.append("<p>Cases whose error is known beforehand, by closed form or because somebody");
-        html.append(" published it for the same engine, brought to the step used here. Order: the");
-        html.append(" slope of the error between the two smallest steps up to N = 16.</p>\n");
-        html.append("<table><tr><th class=\"text\">quantity</th><th class=\"text\">engine</th>");
-        html.append("<th>N</th><th>expected</th><th>found</th><th>found / expected</th>");
-        html.append("<th>order</th><th class=\"text\">where the expectation is from</th></tr>\n");
+        html.add("<h2 id=\"checks\">Does the instrument read right?</h2>\n");
+        html.add("<p>Cases whose error is known beforehand, by closed form or because somebody");
+        html.add(" published it for the same engine, brought to the step used here. Order: the");
+        html.add(" slope of the error between the two smallest steps up to N = 16.</p>\n");
+        html.table(
+                List.of(
+                        " quantity",
+                        " engine",
+                        "N",
+                        "expected",
+                        "found",
+                        "found / expected",
+                        "order",
+                        " where the expectation is from, and why the figure differs"));
         for (Checks.Row row : rows) {
-            html.append("<tr><td class=\"text\">").append(text(row.what()));
-            html.append("</td><td class=\"text\">").append(text(row.engine().title()));
-            html.append("</td><td>").append(row.substeps()).append("</td>");
-            cell(row.expected());
-            cell(row.found());
-            cell(row.found() / row.expected());
-            cell(row.order());
-            html.append("<td class=\"text\">").append(text(row.source())).append("</td></tr>\n");
+            html.add("<tr>").words(row.what()).words(row.engine().title());
+            html.cell(Integer.toString(row.substeps()));
+            html.cell(Double.isNaN(row.expected()) ? "rounding" : Html.number(row.expected()));
+            html.cell(row.found()).cell(row.found() / row.expected());
+            html.cell(
+                    Double.isNaN(row.order()) || Double.isNaN(row.expected())
+                            ? "–"
+                            : String.format(Locale.ROOT, "%.2f", row.order() + 0.0));
+            html.words(row.source()).add("</tr>\n");
         }
-        html.append("</table>\n");
+        html.add("</table>\n");
     }
 
     private void budgets() {
@@ -262,131 +253,73 @@ final class Page {
         }
         List<String> columns =
                 List.of(Budget.BASE, Budget.CONTACTS, Budget.SOLVER, Budget.STEP, Budget.ALL);
-        html.append("<h2>Where the error comes from</h2>\n");
-        html.append("<p>Error of the default settings at N = 4, and what is left of it when one");
-        html.append(" thing is refined: the narrow phase (contacts found in each sub-step, for");
-        html.append(" engines that find them once a tick; the others do so anyway), the solver");
-        html.append(" (8 x its iterations, where it has any), the step (16 x the sub-steps:");
-        html.append(" integrator, and solver in time). The column with the smallest number names");
-        html.append(" the part that the error is made of; where none helps, it is the model");
-        html.append(" (margins, thresholds, pyramids of friction).</p>\n");
-        html.append("<table><tr><th class=\"text\">scene</th><th class=\"text\">engine</th>");
-        columns.forEach(column -> html.append("<th>").append(text(column)).append("</th>"));
-        html.append("</tr>\n");
+        html.add("<h2 id=\"budget\">Where the error comes from</h2>\n");
+        html.add("<p>Error of the default settings at N = 4, and what is left of it when one");
+        html.add(" thing is refined: the narrow phase (contacts found in each sub-step, for");
+        html.add(" engines that find them once a tick; the others do so anyway), the solver");
+        html.add(" (8 x its iterations, where it has any), the step (16 x the sub-steps:");
+        html.add(" integrator, and solver in time). The column with the smallest number names");
+        html.add(" the part that the error is made of; where none helps, it is the model");
+        html.add(" (margins, thresholds, pyramids of friction). – where the engine has no such");
+        html.add(" thing, or was too slow.</p>\n");
+        List<String> heads = new ArrayList<>(List.of(" scene", " error of", " engine"));
+        heads.addAll(columns);
+        html.table(heads);
         for (Budget budget : results.budgets()) {
-            html.append("<tr><td class=\"text\">").append(text(Case.of(budget.scene()).title()));
-            html.append("</td><td class=\"text\">").append(text(budget.engine().title()));
-            html.append("</td>");
-            columns.forEach(column -> cell(budget.errors().get(column)));
-            html.append("</tr>\n");
+            Case scene = Case.of(budget.scene());
+            html.add("<tr>").words(scene.title()).words(scene.error());
+            html.words(budget.engine().title());
+            columns.forEach(column -> html.cell(budget.errors().get(column)));
+            html.add("</tr>\n");
         }
-        html.append("</table>\n");
+        html.add("</table>\n");
     }
 
     private void cold() throws IOException {
         if (results.colds().isEmpty()) {
             return;
         }
-        html.append("<h2 id=\"cold\">Cold start</h2>\n");
-        html.append(
-                "<p>Scene “pyramid”, N = 4, one worker, default settings: the median time of a");
-        html.append(
-                " tick in spans of time since the start of the JVM. The curve begins where the");
-        html.append(" engine has built the scene; this program loads its classes and runs the");
-        html.append(" scene's script before that, the same for all.</p>\n");
+        html.add("<h2 id=\"cold\">Cold start</h2>\n");
+        html.add("<p>Scene “pyramid”, N = 4, one worker, default settings: the median time of a");
+        html.add(" tick in spans of time since the start of the JVM; down is better. The curve");
+        html.add(
+                " begins where the engine has built the scene; this program loads its classes and");
+        html.add(" runs the scene's script before that, the same for all.</p>\n");
         picture("cold-start", "Cold start: time of a tick", Charts.cold(results.colds()));
     }
 
     private void engines() {
-        html.append("<h2>Engines</h2>\n<table><tr><th class=\"text\">engine</th>");
-        html.append("<th class=\"text\">version</th><th class=\"text\">kind</th>");
-        html.append(
-                "<th class=\"text\">N means</th><th class=\"text\">set, and not set</th></tr>\n");
+        html.add("<h2 id=\"engines\">Engines</h2>\n");
+        html.table(List.of(" engine", " version", " kind", " N means", " set, and not set"));
         for (Engine engine : Engine.values()) {
             List<Results.Point> of =
                     results.points().stream().filter(point -> point.engine() == engine).toList();
-            if (of.isEmpty()) {
-                continue;
-            }
             List<String> notes = new ArrayList<>();
+            if (of.isEmpty()) {
+                notes.add("not measured: not asked for, or not named by a property");
+            }
             for (Results.Point point : of) {
                 if (notes.isEmpty()) {
                     notes.addAll(point.judged().notes());
                 }
             }
-            if (of.stream().allMatch(point -> point.judged().missing())) {
+            if (!of.isEmpty() && of.stream().allMatch(point -> point.judged().missing())) {
                 notes.add("not measured: " + of.getFirst().judged().failure());
             }
-            html.append("<tr>");
-            for (String words : List.of(engine.title(), engine.version(), engine.kind())) {
-                html.append("<td class=\"text\">").append(text(words)).append("</td>");
-            }
-            html.append("<td class=\"text\">").append(text(engine.knob())).append("</td>");
-            html.append("<td class=\"text\">");
-            html.append(String.join(";<br/>", notes.stream().map(Page::text).toList()));
-            html.append("</td></tr>\n");
+            html.add("<tr>").words(engine.title()).words(engine.version()).words(engine.kind());
+            html.words(engine.knob()).add("<td class=\"text\">");
+            html.add(String.join(";<br/>", notes.stream().map(Html::text).toList()));
+            html.add("</td></tr>\n");
         }
-        html.append("</table>\n");
+        html.add("</table>\n");
     }
 
-    private void facts(String title, Map<String, String> facts) {
-        html.append("<h2>").append(text(title)).append("</h2>\n<table>\n");
-        facts.forEach((name, value) ->
-                html.append("<tr><th class=\"text\">")
-                        .append(text(name))
-                        .append("</th><td class=\"text\">")
-                        .append(text(value))
-                        .append("</td></tr>\n"));
-        html.append("</table>\n");
-    }
-
-    private void cell(@Nullable Double value) {
-        html.append("<td>").append(value == null ? "–" : number(value)).append("</td>");
-    }
-
-    /** Writes a count, with a star if it is off the usual one. */
-    private void count(int value, int usual) {
-        boolean off =
-                usual >= 0
-                        && value >= 0
-                        && Math.abs(value - usual) > DIFFERENT * Math.max(1, usual);
-        html.append("<td>").append(value < 0 ? "–" : Integer.toString(value));
-        html.append(off ? "*" : "").append("</td>");
-    }
-
-    /** Returns the median of the contact counts that are known, or unknown. */
-    private static int usualPairs(List<Results.Point> points) {
-        int[] known =
-                points.stream()
-                        .filter(point -> point.failure() == null)
-                        .mapToInt(point -> point.judged().pairs())
-                        .filter(pairs -> pairs >= 0)
-                        .sorted()
-                        .toArray();
-        return known.length == 0 ? Peer.UNKNOWN : known[known.length / 2];
-    }
-
-    /** Three digits, without an exponent where that is short. */
-    static String number(double value) {
-        if (Double.isNaN(value)) {
-            return "–";
-        }
-        double size = Math.abs(value);
-        if (size == 0) {
-            return "0";
-        }
-        if (size >= 1e-3 && size < 1e5) {
-            int digits = Math.clamp(2 - (int) Math.floor(StrictMath.log10(size)), 0, 5);
-            return String.format(Locale.ROOT, "%." + digits + "f", value);
-        }
-        return String.format(Locale.ROOT, "%.2e", value);
-    }
-
-    private static String text(Object value) {
-        return value.toString()
-                .replace("&", "&amp;")
-                .replace("<", "&lt;")
-                .replace(">", "&gt;")
-                .replace("\"", "&quot;");
+    private void facts(String id, String title, Map<String, String> facts) {
+        html.add("<h2 id=\"" + id + "\">").say(title).add("</h2>\n<table class=\"facts\">\n");
+        facts.forEach((name, value) -> {
+            html.add("<tr><th class=\"text\">").say(name).add("</th>");
+            html.words(value).add("</tr>\n");
+        });
+        html.add("</table>\n");
     }
 }

@@ -15,6 +15,7 @@ import java.util.Locale;
 final class Reporter implements AutoCloseable {
     private static final int BAR_WIDTH = 100;
     private static final double LINE_SECONDS = 10;
+    private static final double GUESS_SECONDS = 60;
 
     private final PrintStream err;
     private final double total;
@@ -60,9 +61,11 @@ final class Reporter implements AutoCloseable {
             double spent = (now - start) / 1e9;
             err.printf(
                     Locale.ROOT,
-                    "%.0f %%, about %.0f s left, %s%n",
+                    "%.0f %%, about %.0f min left, %s%n",
                     100 * done / total,
-                    spent * (total - done) / done,
+                    // the guess counts for as much as its first minute, then what was seen
+                    Math.ceil(
+                            (spent + GUESS_SECONDS) / (done + GUESS_SECONDS) * (total - done) / 60),
                     underWay);
         }
     }

@@ -138,6 +138,22 @@ record Results(
         return judged.failure() != null && judged.failure().startsWith("too slow");
     }
 
+    /** Says whether an error run was stopped, or left out, because it takes too long. */
+    static boolean slow(Protocol.Answer judged) {
+        return tooSlow(judged)
+                || (judged.failure() != null && judged.failure().startsWith("not run"));
+    }
+
+    /** Returns the scenes of the points, in order. */
+    List<Case> scenes() {
+        return points.stream().map(Point::scene).distinct().map(Case::of).toList();
+    }
+
+    /** Returns the number of sub-steps nearest to 4 from below, or the smallest. */
+    int usualSubsteps() {
+        return Schedule.scalingSubsteps(points.stream().map(Point::substeps).toList());
+    }
+
     List<Point> of(String scene) {
         return points.stream().filter(point -> point.scene().equals(scene)).toList();
     }

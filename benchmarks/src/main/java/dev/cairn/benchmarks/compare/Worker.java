@@ -70,7 +70,7 @@ final class Worker {
             return switch (request.kind()) {
                 case JUDGE -> judge(scene, request);
                 case WARM -> warm(scene, request);
-                case TIME -> time(scene, request, request.seconds());
+                case TIME -> time(scene, request, request.seconds(), Long.MAX_VALUE);
                 case COLD -> cold(scene, request);
             };
         } catch (MissingEngineException absent) {
@@ -148,7 +148,7 @@ final class Worker {
         double low = 0;
         double high = 0;
         int agreeing = 0;
-        Protocol.Answer last = time(scene, request, WINDOW_SECONDS);
+        Protocol.Answer last = window(scene, request);
         while (agreeing < WINDOWS && System.nanoTime() < end && last.cpuMicros() != null) {
             double now = last.cpuMicros();
             if (agreeing > 0 && now >= high * (1 - AGREEMENT) && now <= low * (1 + AGREEMENT)) {
@@ -160,12 +160,18 @@ final class Worker {
                 high = now;
                 agreeing = 1;
             }
-            last = time(scene, request, WINDOW_SECONDS);
+            last = window(scene, request);
         }
         return last;
     }
 
-    private Protocol.Answer time(Case scene, Protocol.Request request, double seconds) {
+    private Protocol.Answer window(Case scene, Protocol.Request request) {
+        return time(scene, request, WINDOW_SECONDS, (long) (4e9 * WINDOW_SECONDS));
+    }
+
+    /** Steps through the scene, again and again; the last time to its end, or to a limit. */
+    private Protocol.Answer time(
+            Case scene, Protocol.Request request, double seconds, long mostNanos) {
         long start = System.nanoTime();
         long wanted = (long) (seconds * 1e9);
         Clock clock = new Clock();
@@ -173,7 +179,7 @@ final class Worker {
             SceneDescription description = judge.description();
             while (clock.wall < wanted && System.nanoTime() - start < BUILD_SHARE * wanted) {
                 try (Peer peer = engine.create(description, request.peer())) {
-                    run(scene, judge.built(), peer, clock, wanted);
+                    run(scene, judge.built(), peer, clock, mostNanos);
                 }
             }
             long[] sorted = Arrays.copyOf(nanos, clock.ticks);
@@ -196,15 +202,14 @@ final class Worker {
         private int ticks;
     }
 
-    /** Steps once through the scene, or until four times the wanted time has gone. */
-    private void run(Case scene, SceneBuilder built, Peer peer, Clock clock, long wanted) {
+    /** Steps once through the scene, or until the clock has reached a limit. */
+    private void run(Case scene, SceneBuilder built, Peer peer, Clock clock, long mostNanos) {
         peer.step();
         if (nanos.length < clock.ticks + scene.ticks()) {
             nanos = Arrays.copyOf(nanos, 2 * (clock.ticks + scene.ticks()));
         }
         cpu.start();
-        long stop = clock.wall + 4 * wanted;
-        for (int tick = 2; tick <= scene.ticks() && clock.wall < stop; tick++) {
+        for (int tick = 2; tick <= scene.ticks() && clock.wall < mostNanos; tick++) {
             Judge.turnGravity(built, peer, tick);
             long before = System.nanoTime();
             peer.step();

@@ -1,5 +1,6 @@
 package dev.cairn.benchmarks.cost;
 
+import dev.cairn.benchmarks.Marked;
 import dev.cairn.physics.PhysicsSettings;
 
 import org.jspecify.annotations.Nullable;
@@ -26,8 +27,7 @@ import java.util.concurrent.Callable;
         description =
                 "Marginal costs by regression over generated scenes, and the ablation ladder.")
 public final class Cost implements Callable<Integer> {
-    private static final String BEGIN = "<!-- cost: begin -->";
-    private static final String END = "<!-- cost: end -->";
+    private static final Marked TABLES = new Marked("cost");
     private static final long SEED = 1;
     private static final int REPEATS = 3;
 
@@ -80,38 +80,17 @@ public final class Cost implements Callable<Integer> {
             System.out.println(priceList() + "\n" + ladder());
             return CommandLine.ExitCode.OK;
         }
-        String page = page(out);
+        String page = TABLES.page(out);
         try {
             // now, and not after minutes of measuring
-            replaced(page, "");
+            TABLES.replaced(page, "");
         } catch (IllegalArgumentException unmarked) {
             err.printf("--out %s: %s%n", out, unmarked.getMessage());
             return CommandLine.ExitCode.USAGE;
         }
         String tables = priceList() + "\n" + ladder();
-        Files.writeString(out, replaced(page, tables), StandardCharsets.UTF_8);
+        Files.writeString(out, TABLES.replaced(page, tables), StandardCharsets.UTF_8);
         return CommandLine.ExitCode.OK;
-    }
-
-    /** The text of a file; of one that is not there yet, the marks. */
-    static String page(Path file) throws IOException {
-        return Files.exists(file)
-                ? Files.readString(file, StandardCharsets.UTF_8)
-                : BEGIN + "\n" + END + "\n";
-    }
-
-    static String replaced(String text, String tables) {
-        int begin = text.indexOf(BEGIN);
-        int end = text.indexOf(END);
-        if (begin < 0 || end < begin) {
-            throw new IllegalArgumentException(
-                    "the file has no lines \"%s\" and \"%s\"".formatted(BEGIN, END));
-        }
-        return text.substring(0, begin + BEGIN.length())
-                + "\n\n"
-                + tables
-                + "\n"
-                + text.substring(end);
     }
 
     /** Measures all scenes over and over, and keeps each scene's median time. */

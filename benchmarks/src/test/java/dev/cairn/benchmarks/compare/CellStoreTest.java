@@ -32,8 +32,8 @@ class CellStoreTest {
     void goesOnWhereItStopped() throws Exception {
         Path file = folder.resolve("cells.jsonl");
         try (CellStore store = new CellStore(file, SETUP)) {
-            store.put("a", answer(1));
-            store.put("b", answer(2));
+            store.put("a", answer(1), 2);
+            store.put("b", answer(2), 3);
         }
         // Stopped in the middle of a line.
         Files.writeString(file, Files.readString(file) + "{\"key\":\"c\",\"answ");
@@ -44,10 +44,11 @@ class CellStoreTest {
             assertNotNull(b);
             assertEquals(2, b.cpuMicros());
             assertNull(store.get("c"));
-            store.put("c", answer(3));
+            store.put("c", answer(3), 4);
         }
         try (CellStore store = new CellStore(file, SETUP)) {
             assertEquals(3, store.size());
+            assertEquals(9, store.seconds());
         }
     }
 
@@ -55,7 +56,7 @@ class CellStoreTest {
     void changedSetupStartsOverAndSaysWhatChanged() throws Exception {
         Path file = folder.resolve("cells.jsonl");
         try (CellStore store = new CellStore(file, SETUP)) {
-            store.put("a", answer(1));
+            store.put("a", answer(1), 2);
         }
         try (CellStore store = new CellStore(file, Map.of("seconds", "0.3"))) {
             assertEquals("seconds was \"0.1\" and is \"0.3\"", store.changed());
@@ -66,8 +67,8 @@ class CellStoreTest {
     /** A campaign whose cells are all there measures nothing and still reports everything. */
     @Test
     void finishedCampaignOnlyReports() throws Exception {
-        Campaign.Plan plan =
-                new Campaign.Plan(
+        Plan plan =
+                new Plan(
                         List.of(Case.of("stack-4"), Case.of("pyramid")),
                         List.of(Engine.CAIRN, Engine.JBULLET),
                         List.of(Tuning.values()),
@@ -75,6 +76,7 @@ class CellStoreTest {
                         List.of(1, 4),
                         3,
                         0.1,
+                        100,
                         1,
                         1,
                         1,
@@ -86,8 +88,8 @@ class CellStoreTest {
             Set<String> keys = new HashSet<>();
             int cells = 0;
             for (Case scene : plan.scenes()) {
-                for (Cell cell : campaign.cells(scene)) {
-                    store.put(cell.key(), answer(1));
+                for (Cell cell : new Schedule(plan, store).cells(scene)) {
+                    store.put(cell.key(), answer(1), 1);
                     keys.add(cell.key());
                     cells++;
                 }
@@ -96,8 +98,8 @@ class CellStoreTest {
             assertTrue(keys.size() >= cells - 4, keys.size() + " keys of " + cells + " cells");
             assertEquals(0, campaign.estimate());
             Results results = campaign.run((seconds, underWay) -> {});
-            // stack-4: 2 N x (Cairn + JBullet x 2); pyramid: the same, and Cairn with 2 workers.
-            assertEquals(6 + 8, results.points().size());
+            // stack-4: 2 N x (Cairn + JBullet x 2); pyramid: the same, and Cairn on 2 workers at 4.
+            assertEquals(6 + 7, results.points().size());
             for (Results.Point point : results.points()) {
                 assertEquals(3, point.rounds().size());
             }

@@ -86,7 +86,7 @@ class ReportTest {
     void pageIsWellFormedAndSaysWhatFailed() throws Exception {
         Page page = new Page(RESULTS);
         Document document = parse(page.write());
-        String text = document.getDocumentElement().getTextContent();
+        String text = document.getDocumentElement().getTextContent().replaceAll("\\s+", " ");
         assertTrue(text.contains("better is down-left"));
         assertTrue(text.contains("fell <over>"));
         assertTrue(text.contains("not measured: PhysX is not here"));
@@ -97,6 +97,15 @@ class ReportTest {
         for (String svg : page.svgs().values()) {
             assertTrue(parse(svg).getElementsByTagName("path").getLength() > 10);
         }
+    }
+
+    @Test
+    void readmeShowsEachEngineThatWasMeasured() throws Exception {
+        ReadmePart part = new ReadmePart(RESULTS);
+        String table = part.table();
+        assertTrue(table.contains("| Cairn this build | **0** | **8.00** |"), table);
+        assertFalse(table.contains("Jolt"), "not measured at N = 4: " + table);
+        assertTrue(parse(part.picture()).getElementsByTagName("path").getLength() > 10);
     }
 
     @Test
@@ -130,11 +139,11 @@ class ReportTest {
 
     @Test
     void numbersAreShort() {
-        assertEquals("0.123", Page.number(0.1234));
-        assertEquals("12.3", Page.number(12.34));
-        assertEquals("1.23e-08", Page.number(1.234e-8));
-        assertEquals("0", Page.number(0));
-        assertEquals("–", Page.number(Double.NaN));
+        assertEquals("0.123", Html.number(0.1234));
+        assertEquals("12.3", Html.number(12.34));
+        assertEquals("1.23e-8", Html.number(1.234e-8));
+        assertEquals("0", Html.number(0));
+        assertEquals("–", Html.number(Double.NaN));
     }
 
     @Test

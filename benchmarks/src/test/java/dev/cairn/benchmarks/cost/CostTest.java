@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.benchmarks.Marked;
 import dev.cairn.physics.PhysicsSettings;
 
 import org.junit.jupiter.api.Test;
@@ -106,16 +107,17 @@ class CostTest {
     @Test
     void tablesAreReplacedBetweenTheMarks() {
         String text = "a\n<!-- cost: begin -->\nold\n<!-- cost: end -->\nb\n";
-        String replaced = Cost.replaced(text, "new");
+        String replaced = new Marked("cost").replaced(text, "new");
         assertTrue(replaced.startsWith("a\n") && replaced.endsWith("b\n"));
         assertTrue(replaced.contains("new") && !replaced.contains("old"));
-        assertEquals(replaced, Cost.replaced(replaced, "new"));
-        assertThrows(IllegalArgumentException.class, () -> Cost.replaced("none", "new"));
+        assertEquals(replaced, new Marked("cost").replaced(replaced, "new"));
+        assertThrows(
+                IllegalArgumentException.class, () -> new Marked("cost").replaced("none", "new"));
     }
 
     @Test
     void aFileThatIsNotThereYetGetsTheTables(@TempDir Path folder) throws IOException {
-        String page = Cost.page(folder.resolve("new.md"));
-        assertTrue(Cost.replaced(page, "new").contains("new"), page);
+        String page = new Marked("cost").page(folder.resolve("new.md"));
+        assertTrue(new Marked("cost").replaced(page, "new").contains("new"), page);
     }
 }
