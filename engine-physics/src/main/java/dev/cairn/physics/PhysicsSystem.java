@@ -32,7 +32,7 @@ public final class PhysicsSystem implements WorldSystem {
     final ContactStore contacts = new ContactStore();
     final TouchEvents events = new TouchEvents();
     final ContactView view;
-    final PhysicsSettings settings;
+    PhysicsSettings settings;
     final StepProfile profile = new StepProfile();
 
     private final ContactRows rows;

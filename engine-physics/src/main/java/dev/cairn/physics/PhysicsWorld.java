@@ -293,6 +293,25 @@ public final class PhysicsWorld implements AutoCloseable {
         return physics.settings;
     }
 
+    /**
+     * Changes the number of sub-steps of the solver from the next step on, between steps. Contacts
+     * keep their impulses.
+     *
+     * @param count 1 to 64
+     * @throws IllegalArgumentException if it is out of range
+     * @throws IllegalStateException inside a step
+     */
+    public void setSubsteps(int count) {
+        requireOpen("setSubsteps");
+        if (stepping) {
+            throw new IllegalStateException(
+                    "setSubsteps was called during a step; call it between steps");
+        }
+        PhysicsSettings changed = physics.settings.withSubsteps(count);
+        physics.settings = changed;
+        physics.solver.setSubsteps(count);
+    }
+
     /** Ends the world and its helpers. A second call does nothing. */
     @Override
     public void close() {

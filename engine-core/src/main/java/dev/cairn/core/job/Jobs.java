@@ -57,12 +57,16 @@ public final class Jobs implements AutoCloseable {
     /** The caller's own: how many ticks are open, one inside the other. */
     private int tickDepth;
 
+    /** Workers that take part; the helpers above it stay parked. */
+    private volatile int limit;
+
     /** The thread inside {@code run}, or null. */
     @SuppressWarnings("unused") // through RUNNER
     private @Nullable Thread runner;
 
     private Jobs(int workers, @Nullable Perturbation perturbation) {
         this.workers = workers;
+        limit = workers;
         stage = new Stage(workers, perturbation);
         gate = new TickGate(workers);
         helpers = new Helper[workers - 1];
@@ -143,6 +147,30 @@ public final class Jobs implements AutoCloseable {
     }
 
     /**
+     * Lets fewer workers than there are take part, from the next tick on; the results are the same.
+     * Simulation thread, between ticks.
+     *
+     * @param count the caller included, in {@code [1, workers()]}
+     * @throws IllegalArgumentException if {@code count} is out of its range
+     */
+    public void limit(int count) {
+        if (count < 1 || count > workers) {
+            throw new IllegalArgumentException(
+                    "limit is " + count + ", but must be in [1, " + workers + "], the workers");
+        }
+        limit = count;
+    }
+
+    /**
+     * How many workers take part. Any thread.
+     *
+     * @return at most {@link #workers()}
+     */
+    public int limit() {
+        return limit;
+    }
+
+    /**
      * Opens a tick: wakes the helpers that are parked, each at most once, and keeps all awake until
      * the matching {@link #endTick}. May be nested; only the outermost pair counts. Put {@code
      * endTick} into a {@code finally}, else the helpers stay awake. Simulation thread; does not
@@ -166,8 +194,9 @@ public final class Jobs implements AutoCloseable {
 
     private void openTick() {
         gate.open();
+        int taking = limit;
         for (Helper helper : helpers) {
-            if (gate.takeParked(helper.worker)) {
+            if (helper.worker < taking && gate.takeParked(helper.worker)) {
                 LockSupport.unpark(helper);
             }
         }
@@ -199,7 +228,7 @@ public final class Jobs implements AutoCloseable {
         enter();
         boolean ended = false;
         try {
-            if (blocks <= 1 || workers == 1) {
+            if (blocks <= 1 || limit == 1) {
                 stage.runBlocks(job, 0, blocks, 0);
             } else if (tickDepth > 0) {
                 stage.run(job, blocks);
@@ -317,7 +346,9 @@ public final class Jobs implements AutoCloseable {
             while (!gate.isClosed()) {
                 long stageWord = stage.published();
                 if (stageWord != done) {
-                    stage.claimUnits(stageWord, worker);
+                    if (worker < jobs.limit) { // one that is not parked yet claims nothing
+                        stage.claimUnits(stageWord, worker);
+                    }
                     done = stageWord;
                     idle = 0;
                 } else if (idle < HELPER_SPINS) {

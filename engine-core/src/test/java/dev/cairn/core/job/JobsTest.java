@@ -419,4 +419,29 @@ class JobsTest {
         assertEquals("0123", plain.toString());
         assertEquals("3210", reversed.toString());
     }
+
+    @Test
+    void onlyWorkersBelowTheLimitTakePart() {
+        try (Jobs jobs = Jobs.of(4)) {
+            for (int limit : new int[] {1, 3, 2, 4, 1}) {
+                jobs.limit(limit);
+                int[] ran = new int[400];
+                int[] most = new int[ran.length];
+                for (int stage = 0; stage < 50; stage++) {
+                    jobs.beginTick();
+                    jobs.run(
+                            (block, worker) -> {
+                                ran[block]++;
+                                most[block] = Math.max(most[block], worker);
+                            },
+                            ran.length);
+                    jobs.endTick();
+                }
+                for (int block = 0; block < ran.length; block++) {
+                    assertEquals(50, ran[block]);
+                    assertTrue(most[block] < limit, "worker " + most[block] + " of " + limit);
+                }
+            }
+        }
+    }
 }

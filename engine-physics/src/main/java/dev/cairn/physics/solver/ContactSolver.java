@@ -30,7 +30,7 @@ public final class ContactSolver {
      */
     private static final double STILL = 0.125;
 
-    private final SolverSettings settings;
+    private SolverSettings settings;
     private final Sweeps sweeps;
     private final Sweeps narrow = new ScalarSweeps();
     private final SolverBodies body = new SolverBodies();
@@ -57,6 +57,7 @@ public final class ContactSolver {
     private boolean stacked;
     private boolean loaded;
     private double subStep;
+    private int substepsBefore;
     private double impulseScale = 1;
     private double still;
 
@@ -91,6 +92,15 @@ public final class ContactSolver {
      */
     public SolverSettings settings() {
         return settings;
+    }
+
+    /**
+     * Changes the number of sub-steps from the next step on. Between steps.
+     *
+     * @param count 1 to 64
+     */
+    public void setSubsteps(int count) {
+        settings = settings.withSubsteps(count);
     }
 
     /**
@@ -208,12 +218,14 @@ public final class ContactSolver {
      * Coefficients that depend on the length of the step; the impulses of a sub-step scale with it.
      */
     private void timing(double stepSeconds) {
-        if (stepSeconds == step) {
+        if (stepSeconds == step && settings.substeps() == substepsBefore) {
             impulseScale = 1;
             return;
         }
         double h = stepSeconds / settings.substeps();
-        impulseScale = step == 0 ? 1 : stepSeconds / step;
+        double longer = (double) substepsBefore / settings.substeps();
+        impulseScale = step == 0 ? 1 : stepSeconds / step * longer;
+        substepsBefore = settings.substeps();
         double hertz = settings.hertzPerRate() / h;
         Softness soft = Softness.of(hertz, settings.dampingRatio(), h);
         Softness staticSoft =

@@ -6,7 +6,9 @@ import dev.cairn.render.camera.Light;
 import dev.cairn.render.gl.FrameTarget;
 import dev.cairn.render.gl.GlContext;
 import dev.cairn.render.gl.GlUnavailableException;
+import dev.cairn.render.gl.SceneOverlay;
 import dev.cairn.render.gl.SceneRenderer;
+import dev.cairn.render.ui.nuklear.NuklearUi;
 
 import org.jspecify.annotations.Nullable;
 
@@ -126,6 +128,19 @@ public final class Offscreen implements AutoCloseable {
         renderer.draw(snapshot, alpha, camera, light, target);
         GlContext.checkErrors("Offscreen.draw");
         drawn = true;
+    }
+
+    /** Has something drawn over the scenes to come, or nothing. */
+    void overlay(@Nullable SceneOverlay value) {
+        renderer.overlay(value);
+    }
+
+    /** Draws panels over what was drawn last. */
+    void paint(NuklearUi panels) {
+        context.check();
+        target.bindResolved();
+        panels.paint();
+        GlContext.checkErrors("Offscreen.paint");
     }
 
     /**

@@ -146,7 +146,7 @@ final class WindowInput {
         pressedNow.clear();
         captureCursor();
         if (panels != null) {
-            panels.beginInput();
+            panels.input().begin();
         }
         int done = 0;
         while (done < events && handle(done, panels, pixelsPerPoint)) {
@@ -154,7 +154,7 @@ final class WindowInput {
         }
         keep(done);
         if (panels != null) {
-            panels.endInput();
+            panels.input().end();
         }
         boolean over = panels != null && panels.wantsMouse();
         pointer.place(cursorX / widthPoints, cursorY / heightPoints, captured, over);
@@ -185,20 +185,20 @@ final class WindowInput {
             case CURSOR -> {
                 look(eventX[i], eventY[i]);
                 if (panels != null && !captured) {
-                    panels.moved(cursorX * pixelsPerPoint, cursorY * pixelsPerPoint);
+                    panels.input().moved(cursorX * pixelsPerPoint, cursorY * pixelsPerPoint);
                 }
             }
             case WHEEL -> {
                 double steps = eventY[i];
                 if (panels != null && !captured && panels.wantsMouse()) {
-                    panels.scrolled(steps);
+                    panels.input().scrolled(steps);
                 } else {
                     post(() -> bindings.scroll(steps));
                 }
             }
             case LETTER -> {
                 if (panels != null && panels.wantsKeys()) {
-                    panels.typed(code[i]);
+                    panels.input().typed(code[i]);
                 }
             }
             default -> {
@@ -219,7 +219,7 @@ final class WindowInput {
             return;
         }
         if (panels != null && (panels.wantsKeys() || action == GLFW_RELEASE)) {
-            panels.key(key, action != GLFW_RELEASE, (mods & CONTROL) != 0);
+            panels.input().key(key, action != GLFW_RELEASE, (mods & CONTROL) != 0);
         }
         boolean edits = panels != null && panels.wantsKeys();
         if (action == GLFW_RELEASE) {
@@ -234,7 +234,7 @@ final class WindowInput {
     private void button(
             MouseButton button, boolean down, @Nullable NuklearUi panels, double pixelsPerPoint) {
         if (panels != null && !captured) {
-            panels.button(button, cursorX * pixelsPerPoint, cursorY * pixelsPerPoint, down);
+            panels.input().button(button, cursorX * pixelsPerPoint, cursorY * pixelsPerPoint, down);
         }
         if (down) {
             pressedNow.add(button);

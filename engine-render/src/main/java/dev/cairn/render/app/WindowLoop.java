@@ -24,6 +24,7 @@ import dev.cairn.render.gl.DebugLines;
 import dev.cairn.render.gl.FrameTarget;
 import dev.cairn.render.gl.GlContext;
 import dev.cairn.render.gl.SceneRenderer;
+import dev.cairn.render.ui.TextBuffer;
 import dev.cairn.render.ui.nuklear.NuklearUi;
 
 import org.joml.Vector3d;
@@ -32,7 +33,6 @@ import org.lwjgl.glfw.GLFWVidMode;
 
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
-import java.util.Locale;
 
 /** The main thread of an application with a window: events, camera, frames, panels. */
 final class WindowLoop {
@@ -63,6 +63,7 @@ final class WindowLoop {
     private long frames;
     private long framesAtTitle;
     private double titleAge;
+    private final TextBuffer title = new TextBuffer();
 
     WindowLoop(Application application, Simulation simulation, GlContext context) {
         this.application = application;
@@ -257,21 +258,14 @@ final class WindowLoop {
         }
         double rate = (frames - framesAtTitle) / titleAge;
         view.rate(rate);
-        String state = simulation.isPaused() ? "paused" : "x" + trimmed(simulation.timeScale());
-        glfwSetWindowTitle(
-                window,
-                String.format(
-                        Locale.ROOT,
-                        "%s - tick %d, %s, %.0f fps",
-                        scene.title(),
-                        simulation.ticks(),
-                        state,
-                        rate));
+        title.clear().put(scene.title()).put(" - tick ").put(simulation.ticks());
+        if (simulation.isPaused()) {
+            title.put(", paused, ");
+        } else {
+            title.put(", x").putDigits(simulation.timeScale(), 3).put(", ");
+        }
+        glfwSetWindowTitle(window, title.put(rate, 0).put(" fps"));
         titleAge = 0;
         framesAtTitle = frames;
-    }
-
-    private static String trimmed(double value) {
-        return value == Math.rint(value) ? Long.toString((long) value) : Double.toString(value);
     }
 }

@@ -50,6 +50,7 @@ public final class DebugLines implements SceneOverlay, AutoCloseable {
     private final int vertexArray = GlObjects.vertexArray();
     private final int buffer = GlObjects.buffer();
     private final Vector3d origin = new Vector3d();
+    private final Matrix4d matrix = new Matrix4d();
     private ByteBuffer staging = MemoryUtil.memAlloc(1024 * BYTES);
     private int count;
     private double widthScale = 1;
@@ -153,7 +154,7 @@ public final class DebugLines implements SceneOverlay, AutoCloseable {
         program.use();
         ShaderProgram.set(
                 matrixUniform,
-                new Matrix4d(clipFromAnchored)
+                matrix.set(clipFromAnchored)
                         .translate(origin.x - anchor.x, origin.y - anchor.y, origin.z - anchor.z));
         ShaderProgram.set(viewUniform, width, height, 0);
         staging.position(0).limit(count * BYTES);

@@ -106,29 +106,59 @@ public final class GlObjects {
         }
     }
 
-    static int buffer() {
+    /**
+     * Makes a buffer.
+     *
+     * @return its name
+     */
+    public static int buffer() {
         return made(Kind.BUFFER, glGenBuffers());
     }
 
-    static void deleteBuffer(int id) {
+    /**
+     * Deletes a buffer.
+     *
+     * @param id its name; 0 does nothing
+     */
+    public static void deleteBuffer(int id) {
         glDeleteBuffers(id);
         deleted(Kind.BUFFER, id);
     }
 
-    static int vertexArray() {
+    /**
+     * Makes a vertex array.
+     *
+     * @return its name
+     */
+    public static int vertexArray() {
         return made(Kind.VERTEX_ARRAY, glGenVertexArrays());
     }
 
-    static void deleteVertexArray(int id) {
+    /**
+     * Deletes a vertex array.
+     *
+     * @param id its name; 0 does nothing
+     */
+    public static void deleteVertexArray(int id) {
         glDeleteVertexArrays(id);
         deleted(Kind.VERTEX_ARRAY, id);
     }
 
-    static int texture() {
+    /**
+     * Makes a texture.
+     *
+     * @return its name
+     */
+    public static int texture() {
         return made(Kind.TEXTURE, glGenTextures());
     }
 
-    static void deleteTexture(int id) {
+    /**
+     * Deletes a texture.
+     *
+     * @param id its name; 0 does nothing
+     */
+    public static void deleteTexture(int id) {
         glDeleteTextures(id);
         deleted(Kind.TEXTURE, id);
     }

@@ -16,6 +16,9 @@ import java.util.List;
  * ui.endPanel();
  * }</pre>
  *
+ * <p>A frame that shows the same makes no garbage; for numbers that change there is {@link
+ * TextBuffer}.
+ *
  * <p>Lengths are logical pixels: {@link #scale()} real ones each, so that a layout is as readable
  * on a screen of double density. The origin is the upper left corner. Window thread, inside {@code
  * Application.panels} only.
@@ -71,7 +74,7 @@ public interface Ui {
      *
      * @param text the text, cut off where the panel ends
      */
-    void label(String text);
+    void label(CharSequence text);
 
     /**
      * One line of text in a colour.
@@ -79,7 +82,7 @@ public interface Ui {
      * @param text the text
      * @param rgb 0xRRGGBB in sRGB
      */
-    void label(String text, int rgb);
+    void label(CharSequence text, int rgb);
 
     /**
      * A name on the left and a value on the right, on a row of their own.
@@ -87,21 +90,21 @@ public interface Ui {
      * @param name dimmed
      * @param value bright
      */
-    void value(String name, String value);
+    void value(String name, CharSequence value);
 
     /**
      * A heading on a row of its own, with space above.
      *
      * @param text the heading
      */
-    void heading(String text);
+    void heading(CharSequence text);
 
     /**
      * Text on as many rows of its own as it needs.
      *
      * @param text words, wrapped between them
      */
-    void text(String text);
+    void text(CharSequence text);
 
     /**
      * A button.
@@ -176,7 +179,7 @@ public interface Ui {
      * @param count how many, at most {@code values.length}; values that are NaN are left out
      * @param rgb colour of the curve
      */
-    void plot(String label, String value, float[] values, int first, int count, int rgb);
+    void plot(String label, CharSequence value, float[] values, int first, int count, int rgb);
 
     /**
      * A line of text that the user can edit, on a row of its own. While it is edited, keys go to

@@ -2,33 +2,25 @@ package dev.cairn.render.ui.nuklear;
 
 import static org.lwjgl.nuklear.Nuklear.*;
 
-import dev.cairn.render.input.Key;
-import dev.cairn.render.input.MouseButton;
 import dev.cairn.render.ui.Ui;
 
 import org.jspecify.annotations.Nullable;
 import org.lwjgl.nuklear.NkColor;
-import org.lwjgl.nuklear.NkCommandBuffer;
 import org.lwjgl.nuklear.NkContext;
 import org.lwjgl.nuklear.NkRect;
 import org.lwjgl.nuklear.NkStyleItem;
 import org.lwjgl.nuklear.NkVec2;
-import org.lwjgl.system.MemoryStack;
 import org.lwjgl.system.MemoryUtil;
 
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
-import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 
 /**
- * {@link Ui} by Nuklear. One frame is {@link #beginInput}, events, {@link #endInput}, {@link
- * #begin}, widgets, {@link #paint}. Everything that Nuklear keeps lies in one block of memory that
- * is made once.
+ * {@link Ui} by Nuklear. One frame is events to {@link #input}, {@link #begin}, widgets, {@link
+ * #paint}. Everything that Nuklear keeps lies in one block of memory that is made once.
  */
 public final class NuklearUi implements Ui, AutoCloseable {
     private static final int MEMORY_BYTES = 4 << 20;
@@ -48,6 +40,8 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private final NkVec2 vector = NkVec2.calloc();
     private final NkColor first = NkColor.calloc();
     private final NkColor second = NkColor.calloc();
+    private final NkStyleItem background = context.style().window().fixed_background();
+    private final NkStyleItem savedBackground = NkStyleItem.calloc();
     private final float[] oneFloat = new float[1];
     private final int[] oneInt = new int[1];
     // Nuklear keeps a pointer to the shares until the row ends, so they lie outside the heap.
@@ -56,12 +50,11 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private final FloatBuffer valueColumns = shares(0.58f, 0.40f);
     private final Map<String, double[]> bounds = new HashMap<>();
     private final Map<String, int[]> sections = new HashMap<>();
+    private final Map<String, FieldText> fields = new HashMap<>();
     private final SliderText sliderText = new SliderText();
+    private final NuklearInput input = new NuklearInput(context, vector);
     private int pixelWidth;
     private int pixelHeight;
-    private double cursorX;
-    private boolean leftDown;
-    private boolean leftPressed;
     private String panelNow = "";
     private String movedPanel = "";
     private String movedSlider = "";
@@ -84,103 +77,13 @@ public final class NuklearUi implements Ui, AutoCloseable {
         UiStyle.apply(context, scale);
     }
 
-    // Input ------------------------------------------------------------------------------------
-
-    /** Begins to take events. */
-    public void beginInput() {
-        leftPressed = false;
-        nk_input_begin(context);
-    }
-
-    /** Ends to take events. */
-    public void endInput() {
-        nk_input_end(context);
-    }
-
     /**
-     * The cursor moved.
+     * Where events go.
      *
-     * @param x real pixels from the left
-     * @param y real pixels from above
+     * @return the panels' keyboard and mouse
      */
-    public void moved(double x, double y) {
-        cursorX = x;
-        nk_input_motion(context, (int) x, (int) y);
-    }
-
-    /**
-     * A mouse button went down or up.
-     *
-     * @param which the button
-     * @param x cursor, real pixels
-     * @param y cursor, real pixels
-     * @param down whether it went down
-     */
-    public void button(MouseButton which, double x, double y, boolean down) {
-        if (which == MouseButton.LEFT) {
-            cursorX = x;
-            leftDown = down;
-            leftPressed |= down;
-        }
-        int code =
-                switch (which) {
-                    case LEFT -> NK_BUTTON_LEFT;
-                    case RIGHT -> NK_BUTTON_RIGHT;
-                    case MIDDLE -> NK_BUTTON_MIDDLE;
-                    default -> -1;
-                };
-        if (code >= 0) {
-            nk_input_button(context, code, (int) x, (int) y, down);
-        }
-    }
-
-    /**
-     * The wheel turned.
-     *
-     * @param steps away from the user
-     */
-    public void scrolled(double steps) {
-        nk_input_scroll(context, vector.set(0, (float) steps));
-    }
-
-    /**
-     * A letter was typed.
-     *
-     * @param codePoint Unicode
-     */
-    public void typed(int codePoint) {
-        nk_input_unicode(context, codePoint);
-    }
-
-    /**
-     * A key went down (or repeats), or up.
-     *
-     * @param key the key
-     * @param down whether it went down
-     * @param control whether control is held
-     */
-    public void key(Key key, boolean down, boolean control) {
-        int code =
-                switch (key) {
-                    case BACKSPACE -> NK_KEY_BACKSPACE;
-                    case DELETE -> NK_KEY_DEL;
-                    case ENTER, KEYPAD_ENTER -> NK_KEY_ENTER;
-                    case TAB -> NK_KEY_TAB;
-                    case LEFT -> control ? NK_KEY_TEXT_WORD_LEFT : NK_KEY_LEFT;
-                    case RIGHT -> control ? NK_KEY_TEXT_WORD_RIGHT : NK_KEY_RIGHT;
-                    case UP -> NK_KEY_UP;
-                    case DOWN -> NK_KEY_DOWN;
-                    case HOME -> NK_KEY_TEXT_LINE_START;
-                    case END -> NK_KEY_TEXT_LINE_END;
-                    case LEFT_SHIFT, RIGHT_SHIFT -> NK_KEY_SHIFT;
-                    case A -> control ? NK_KEY_TEXT_SELECT_ALL : NK_KEY_NONE;
-                    case Z -> control ? NK_KEY_TEXT_UNDO : NK_KEY_NONE;
-                    case ESCAPE -> NK_KEY_TEXT_RESET_MODE;
-                    default -> NK_KEY_NONE;
-                };
-        if (code != NK_KEY_NONE) {
-            nk_input_key(context, code, down);
-        }
+    public NuklearInput input() {
+        return input;
     }
 
     /**
@@ -322,26 +225,26 @@ public final class NuklearUi implements Ui, AutoCloseable {
     // Text -------------------------------------------------------------------------------------
 
     @Override
-    public void label(String text) {
+    public void label(CharSequence text) {
         cell(LINE);
         nk_label(context, text, NK_TEXT_LEFT);
     }
 
     @Override
-    public void label(String text, int rgb) {
+    public void label(CharSequence text, int rgb) {
         cell(LINE);
         nk_label_colored(context, text, NK_TEXT_LEFT, UiStyle.set(first, 0xFF000000 | rgb));
     }
 
     @Override
-    public void value(String name, String value) {
+    public void value(String name, CharSequence value) {
         row(LINE, valueColumns);
         nk_label_colored(context, name, NK_TEXT_LEFT, UiStyle.set(first, UiStyle.DIM));
         nk_label(context, value, NK_TEXT_RIGHT);
     }
 
     @Override
-    public void heading(String text) {
+    public void heading(CharSequence text) {
         endColumns();
         nk_layout_row_dynamic(context, px(ROW), 1);
         nk_style_push_font(context, font.title());
@@ -350,7 +253,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     }
 
     @Override
-    public void text(String text) {
+    public void text(CharSequence text) {
         endColumns();
         float width = nk_window_get_width(context) / (float) scale - 34;
         // Seven logical pixels to a letter is Roboto's mean at this size, on the safe side.
@@ -397,7 +300,8 @@ public final class NuklearUi implements Ui, AutoCloseable {
         if (isMoved(label)) {
             // Nuklear moves only by its knob; here the whole bar can be clicked.
             double room = at[2] - 2 * KNOB_INSET;
-            double wanted = Math.clamp((cursorX / scale - at[0] - KNOB_INSET) / room, 0.0, 1.0);
+            double wanted =
+                    Math.clamp((input.cursorX() / scale - at[0] - KNOB_INSET) / room, 0.0, 1.0);
             if (Math.abs(wanted - share) * room >= 0.5) {
                 double point = low + wanted * (high - low);
                 double raw = logarithmic ? Math.exp(point) : point;
@@ -413,10 +317,10 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     /** Whether the user drags this slider: the press was on it, and the button is still down. */
     private boolean isMoved(String label) {
-        if (leftPressed && nk_widget_is_hovered(context)) {
+        if (input.wasPressed() && nk_widget_is_hovered(context)) {
             movedPanel = panelNow;
             movedSlider = label;
-        } else if (!leftDown && !leftPressed) {
+        } else if (!input.isDragging()) {
             movedSlider = "";
         }
         return movedSlider.equals(label) && movedPanel.equals(panelNow);
@@ -453,7 +357,11 @@ public final class NuklearUi implements Ui, AutoCloseable {
     @Override
     public boolean section(String title, boolean open) {
         endColumns();
-        int[] state = sections.computeIfAbsent(title, key -> new int[] {open ? 1 : 0});
+        int[] state = sections.get(title);
+        if (state == null) {
+            state = new int[] {open ? 1 : 0};
+            sections.put(title, state);
+        }
         remember(title);
         return nk_tree_state_push(context, NK_TREE_TAB, title, state);
     }
@@ -465,7 +373,8 @@ public final class NuklearUi implements Ui, AutoCloseable {
     }
 
     @Override
-    public void plot(String label, String value, float[] values, int begin, int count, int rgb) {
+    public void plot(
+            String label, CharSequence value, float[] values, int begin, int count, int rgb) {
         value(label, value);
         nk_layout_row_dynamic(context, px(PLOT), 1);
         float min = Float.POSITIVE_INFINITY;
@@ -501,49 +410,46 @@ public final class NuklearUi implements Ui, AutoCloseable {
         row(ROW, choiceColumns);
         nk_label(context, label, NK_TEXT_LEFT);
         remember(label);
-        byte[] bytes = content.getBytes(StandardCharsets.UTF_8);
-        int length = Math.min(bytes.length, TEXT_BYTES - 8);
-        edited.clear();
-        edited.put(0, bytes, 0, length);
-        oneInt[0] = length;
+        FieldText field = fields.get(label);
+        if (field == null) {
+            field = new FieldText();
+            fields.put(label, field);
+        }
+        oneInt[0] = field.write(content, edited, TEXT_BYTES - 8);
         int state = nk_edit_string(context, NK_EDIT_FIELD, edited, oneInt, TEXT_BYTES - 4, null);
         editing |= (state & NK_EDIT_ACTIVE) != 0;
-        byte[] now = new byte[oneInt[0]];
-        edited.get(0, now);
-        return Arrays.equals(now, 0, now.length, bytes, 0, length)
-                ? content
-                : new String(now, StandardCharsets.UTF_8);
+        return field.read(edited, oneInt[0]);
     }
 
     @Override
     public void cross(double x, double y, int rgb) {
         place(x - 12, y - 12, 24, 24);
         UiStyle.set(first, 0);
-        try (MemoryStack stack = MemoryStack.stackPush()) {
-            NkStyleItem background = context.style().window().fixed_background();
-            NkStyleItem saved = NkStyleItem.malloc(stack).set(background);
-            nk_style_item_color(first, background);
-            if (nk_begin(
-                    context,
-                    "cross",
-                    rect,
-                    NK_WINDOW_NO_INPUT | NK_WINDOW_BACKGROUND | NK_WINDOW_NO_SCROLLBAR)) {
-                NkCommandBuffer canvas =
-                        Objects.requireNonNull(nk_window_get_canvas(context), "canvas");
-                UiStyle.set(second, 0xD0000000 | rgb);
-                float cx = px(x);
-                float cy = px(y);
-                float arm = px(8);
-                float gap = px(2);
-                float thick = px(2);
-                nk_stroke_line(canvas, cx - arm, cy, cx - gap, cy, thick, second);
-                nk_stroke_line(canvas, cx + gap, cy, cx + arm, cy, thick, second);
-                nk_stroke_line(canvas, cx, cy - arm, cx, cy - gap, thick, second);
-                nk_stroke_line(canvas, cx, cy + gap, cx, cy + arm, thick, second);
-            }
-            nk_end(context);
-            background.set(saved);
+        savedBackground.set(background);
+        nk_style_item_color(first, background);
+        if (nk_begin(
+                context,
+                "cross",
+                rect,
+                NK_WINDOW_NO_INPUT | NK_WINDOW_BACKGROUND | NK_WINDOW_NO_SCROLLBAR)) {
+            UiStyle.set(second, 0xD0000000 | rgb);
+            float cx = px(x);
+            float cy = px(y);
+            float arm = px(8);
+            float gap = px(2);
+            stroke(cx - arm, cy, cx - gap, cy);
+            stroke(cx + gap, cy, cx + arm, cy);
+            stroke(cx, cy - arm, cx, cy - gap);
+            stroke(cx, cy + gap, cx, cy + arm);
         }
+        nk_end(context);
+        background.set(savedBackground);
+    }
+
+    /** By address: an object that wraps the canvas would be garbage of every frame. */
+    private void stroke(float ax, float ay, float bx, float by) {
+        nnk_stroke_line(
+                nnk_window_get_canvas(context.address()), ax, ay, bx, by, px(2), second.address());
     }
 
     @Override
@@ -561,5 +467,6 @@ public final class NuklearUi implements Ui, AutoCloseable {
         vector.free();
         first.free();
         second.free();
+        savedBackground.free();
     }
 }

@@ -17,10 +17,10 @@ import static org.lwjgl.opengl.GL11.GL_TEXTURE_MAG_FILTER;
 import static org.lwjgl.opengl.GL11.GL_TEXTURE_MIN_FILTER;
 import static org.lwjgl.opengl.GL11.GL_UNSIGNED_BYTE;
 import static org.lwjgl.opengl.GL11.glBindTexture;
-import static org.lwjgl.opengl.GL11.glDeleteTextures;
-import static org.lwjgl.opengl.GL11.glGenTextures;
 import static org.lwjgl.opengl.GL11.glTexImage2D;
 import static org.lwjgl.opengl.GL11.glTexParameteri;
+
+import dev.cairn.render.gl.GlObjects;
 
 import org.jspecify.annotations.Nullable;
 import org.lwjgl.nuklear.NkAllocator;
@@ -68,7 +68,7 @@ final class UiFont implements AutoCloseable {
         nk_font_atlas_begin(atlas);
         NkFont first = add("Roboto-Regular.ttf", REGULAR_SIZE * scale);
         NkFont second = add("Roboto-Medium.ttf", TITLE_SIZE * scale);
-        texture = glGenTextures();
+        texture = GlObjects.texture();
         try (MemoryStack stack = MemoryStack.stackPush()) {
             IntBuffer width = stack.mallocInt(1);
             IntBuffer height = stack.mallocInt(1);
@@ -140,7 +140,7 @@ final class UiFont implements AutoCloseable {
     @Override
     public void close() {
         nk_font_atlas_clear(atlas);
-        glDeleteTextures(texture);
+        GlObjects.deleteTexture(texture);
         whiteTexel.free();
         atlas.free();
         Objects.requireNonNull(allocator.alloc()).free();

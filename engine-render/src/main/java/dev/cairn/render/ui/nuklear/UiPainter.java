@@ -16,8 +16,6 @@ import static org.lwjgl.opengl.GL15.GL_ELEMENT_ARRAY_BUFFER;
 import static org.lwjgl.opengl.GL15.GL_STREAM_DRAW;
 import static org.lwjgl.opengl.GL15.glBindBuffer;
 import static org.lwjgl.opengl.GL15.glBufferData;
-import static org.lwjgl.opengl.GL15.glDeleteBuffers;
-import static org.lwjgl.opengl.GL15.glGenBuffers;
 import static org.lwjgl.opengl.GL15.nglBufferSubData;
 import static org.lwjgl.opengl.GL20.GL_CURRENT_PROGRAM;
 import static org.lwjgl.opengl.GL20.glEnableVertexAttribArray;
@@ -25,9 +23,8 @@ import static org.lwjgl.opengl.GL20.glUseProgram;
 import static org.lwjgl.opengl.GL20.glVertexAttribPointer;
 import static org.lwjgl.opengl.GL30.GL_VERTEX_ARRAY_BINDING;
 import static org.lwjgl.opengl.GL30.glBindVertexArray;
-import static org.lwjgl.opengl.GL30.glDeleteVertexArrays;
-import static org.lwjgl.opengl.GL30.glGenVertexArrays;
 
+import dev.cairn.render.gl.GlObjects;
 import dev.cairn.render.gl.ShaderProgram;
 
 import org.lwjgl.nuklear.NkBuffer;
@@ -35,6 +32,7 @@ import org.lwjgl.nuklear.NkContext;
 import org.lwjgl.nuklear.NkConvertConfig;
 import org.lwjgl.nuklear.NkDrawCommand;
 import org.lwjgl.nuklear.NkDrawVertexLayoutElement;
+import org.lwjgl.nuklear.NkHandle;
 import org.lwjgl.nuklear.NkRect;
 import org.lwjgl.system.MemoryUtil;
 
@@ -55,9 +53,9 @@ final class UiPainter implements AutoCloseable {
             new ShaderProgram("ui", "", new String[] {"ui.vert"}, new String[] {"ui.frag"});
     private final int scaleUniform = program.uniform("clipPerPixel");
     private final int textureUniform = program.uniform("letters");
-    private final int vertexArray = glGenVertexArrays();
-    private final int vertexBuffer = glGenBuffers();
-    private final int indexBuffer = glGenBuffers();
+    private final int vertexArray = GlObjects.vertexArray();
+    private final int vertexBuffer = GlObjects.buffer();
+    private final int indexBuffer = GlObjects.buffer();
     private final ByteBuffer vertexMemory = MemoryUtil.memAlloc(MOST_VERTICES * VERTEX_BYTES);
     private final ByteBuffer indexMemory = MemoryUtil.memAlloc(MOST_INDEX_BYTES);
     private final ByteBuffer commandMemory = MemoryUtil.memAlignedAlloc(64, COMMAND_BYTES);
@@ -173,15 +171,18 @@ final class UiPainter implements AutoCloseable {
 
     private void drawCommands(NkContext context, int width, int height) {
         long offset = 0;
-        for (NkDrawCommand command = nk__draw_begin(context, commands);
-                command != null;
-                command = nk__draw_next(command, commands, context)) {
-            int count = command.elem_count();
+        // By address: objects that wrap each command would be garbage of every frame.
+        for (long command = nnk__draw_begin(context.address(), commands.address());
+                command != MemoryUtil.NULL;
+                command = nnk__draw_next(command, commands.address(), context.address())) {
+            int count = NkDrawCommand.nelem_count(command);
             if (count == 0) {
                 continue;
             }
-            glBindTexture(GL_TEXTURE_2D, command.texture().id());
-            clip.set(command.clip_rect());
+            glBindTexture(
+                    GL_TEXTURE_2D,
+                    MemoryUtil.memGetInt(command + NkDrawCommand.TEXTURE + NkHandle.ID));
+            MemoryUtil.memCopy(command + NkDrawCommand.CLIP_RECT, clip.address(), NkRect.SIZEOF);
             int left = (int) Math.clamp(clip.x(), 0, width);
             int top = (int) Math.clamp(clip.y(), 0, height);
             int right = (int) Math.clamp(Math.ceil(clip.x() + clip.w()), 0, width);
@@ -203,9 +204,9 @@ final class UiPainter implements AutoCloseable {
     @Override
     public void close() {
         program.close();
-        glDeleteVertexArrays(vertexArray);
-        glDeleteBuffers(vertexBuffer);
-        glDeleteBuffers(indexBuffer);
+        GlObjects.deleteVertexArray(vertexArray);
+        GlObjects.deleteBuffer(vertexBuffer);
+        GlObjects.deleteBuffer(indexBuffer);
         MemoryUtil.memFree(vertexMemory);
         MemoryUtil.memFree(indexMemory);
         MemoryUtil.memAlignedFree(commandMemory);

@@ -1,0 +1,135 @@
+package dev.cairn.render.ui.nuklear;
+
+import static org.lwjgl.nuklear.Nuklear.*;
+
+import dev.cairn.render.input.Key;
+import dev.cairn.render.input.MouseButton;
+
+import org.lwjgl.nuklear.NkContext;
+import org.lwjgl.nuklear.NkVec2;
+
+/** Keyboard and mouse of the panels: {@link #begin}, events, {@link #end}, once a frame. */
+public final class NuklearInput {
+    private final NkContext context;
+    private final NkVec2 vector;
+    private double cursorX;
+    private boolean leftDown;
+    private boolean leftPressed;
+
+    NuklearInput(NkContext context, NkVec2 vector) {
+        this.context = context;
+        this.vector = vector;
+    }
+
+    /** Begins to take events. */
+    public void begin() {
+        leftPressed = false;
+        nk_input_begin(context);
+    }
+
+    /** Ends to take events. */
+    public void end() {
+        nk_input_end(context);
+    }
+
+    /**
+     * The cursor moved.
+     *
+     * @param x real pixels from the left
+     * @param y real pixels from above
+     */
+    public void moved(double x, double y) {
+        cursorX = x;
+        nk_input_motion(context, (int) x, (int) y);
+    }
+
+    /**
+     * A mouse button went down or up.
+     *
+     * @param which the button
+     * @param x cursor, real pixels
+     * @param y cursor, real pixels
+     * @param down whether it went down
+     */
+    public void button(MouseButton which, double x, double y, boolean down) {
+        if (which == MouseButton.LEFT) {
+            cursorX = x;
+            leftDown = down;
+            leftPressed |= down;
+        }
+        int code =
+                switch (which) {
+                    case LEFT -> NK_BUTTON_LEFT;
+                    case RIGHT -> NK_BUTTON_RIGHT;
+                    case MIDDLE -> NK_BUTTON_MIDDLE;
+                    default -> -1;
+                };
+        if (code >= 0) {
+            nk_input_button(context, code, (int) x, (int) y, down);
+        }
+    }
+
+    /**
+     * The wheel turned.
+     *
+     * @param steps away from the user
+     */
+    public void scrolled(double steps) {
+        nk_input_scroll(context, vector.set(0, (float) steps));
+    }
+
+    /**
+     * A letter was typed.
+     *
+     * @param codePoint Unicode
+     */
+    public void typed(int codePoint) {
+        nk_input_unicode(context, codePoint);
+    }
+
+    /**
+     * A key went down (or repeats), or up.
+     *
+     * @param key the key
+     * @param down whether it went down
+     * @param control whether control is held
+     */
+    public void key(Key key, boolean down, boolean control) {
+        int code =
+                switch (key) {
+                    case BACKSPACE -> NK_KEY_BACKSPACE;
+                    case DELETE -> NK_KEY_DEL;
+                    case ENTER, KEYPAD_ENTER -> NK_KEY_ENTER;
+                    case TAB -> NK_KEY_TAB;
+                    case LEFT -> control ? NK_KEY_TEXT_WORD_LEFT : NK_KEY_LEFT;
+                    case RIGHT -> control ? NK_KEY_TEXT_WORD_RIGHT : NK_KEY_RIGHT;
+                    case UP -> NK_KEY_UP;
+                    case DOWN -> NK_KEY_DOWN;
+                    case HOME -> NK_KEY_TEXT_LINE_START;
+                    case END -> NK_KEY_TEXT_LINE_END;
+                    case LEFT_SHIFT, RIGHT_SHIFT -> NK_KEY_SHIFT;
+                    case A -> control ? NK_KEY_TEXT_SELECT_ALL : NK_KEY_NONE;
+                    case Z -> control ? NK_KEY_TEXT_UNDO : NK_KEY_NONE;
+                    case ESCAPE -> NK_KEY_TEXT_RESET_MODE;
+                    default -> NK_KEY_NONE;
+                };
+        if (code != NK_KEY_NONE) {
+            nk_input_key(context, code, down);
+        }
+    }
+
+    /** Where the cursor is, real pixels. */
+    double cursorX() {
+        return cursorX;
+    }
+
+    /** Whether the left button is down, or was in this frame. */
+    boolean isDragging() {
+        return leftDown || leftPressed;
+    }
+
+    /** Whether the left button went down in this frame. */
+    boolean wasPressed() {
+        return leftPressed;
+    }
+}

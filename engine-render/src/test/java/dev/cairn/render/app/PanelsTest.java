@@ -1,0 +1,190 @@
+package dev.cairn.render.app;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.core.snapshot.Pose;
+import dev.cairn.render.camera.Camera;
+import dev.cairn.render.gl.GlObjects;
+import dev.cairn.render.mesh.Meshes;
+import dev.cairn.render.mesh.Model;
+import dev.cairn.render.ui.Ui;
+import dev.cairn.render.ui.nuklear.NuklearUi;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import java.util.function.Consumer;
+
+/** Panels are where they were asked for, at any scale; letters stand upright. */
+class PanelsTest extends Drawing {
+    private static Picture panels(NuklearUi ui, Consumer<Ui> content) {
+        try (Stage stage = new Stage()) {
+            // Twice: Nuklear lays out a new panel in its first frame.
+            for (int frame = 0; frame < 2; frame++) {
+                ui.input().begin();
+                ui.input().end();
+                ui.begin(WIDTH, HEIGHT);
+                content.accept(ui);
+                draw(stage.publish(), 1, new Camera(), FLAT);
+                view.paint(ui);
+            }
+        }
+        return view.picture();
+    }
+
+    private static int[] boundsOfChange(Picture picture) {
+        int[] box = {WIDTH, HEIGHT, -1, -1};
+        for (int y = 0; y < HEIGHT; y++) {
+            for (int x = 0; x < WIDTH; x++) {
+                if (Blocks.difference(SKY, picture.at(x, y)) > 2) {
+                    box[0] = Math.min(box[0], x);
+                    box[1] = Math.min(box[1], y);
+                    box[2] = Math.max(box[2], x);
+                    box[3] = Math.max(box[3], y);
+                }
+            }
+        }
+        return box;
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {1, 1.25, 2})
+    void aPanelCoversTheRectangleThatItWasGiven(double scale) {
+        try (NuklearUi ui = new NuklearUi(scale)) {
+            Picture picture =
+                    panels(
+                            ui,
+                            to -> {
+                                to.panel("A", 12, 8, 128, 72);
+                                to.columns(2);
+                                to.button("left");
+                                to.button("right");
+                                to.endPanel();
+                            });
+            assertEquals(WIDTH / scale, ui.width());
+            int[] box = boundsOfChange(picture);
+            double[] wanted = {12 * scale, 8 * scale, 140 * scale - 1, 80 * scale - 1};
+            for (int i = 0; i < 4; i++) {
+                assertEquals(wanted[i], box[i], 1.01, "side " + i);
+            }
+            // Glass of 0xEC over the sky, in the colours of the screen.
+            int expected = 0;
+            for (int shift = 16; shift >= 0; shift -= 8) {
+                int over = 0x181C23 >> shift & 255;
+                expected |=
+                        (int)
+                                        Math.round(
+                                                (0xEC * over + (255 - 0xEC) * (SKY >> shift & 255))
+                                                        / 255.0)
+                                << shift;
+            }
+            int inside = picture.at((int) (70 * scale), (int) (70 * scale));
+            assertTrue(
+                    Blocks.difference(expected, inside) <= 2,
+                    "inside %06x, expected %06x".formatted(inside & 0xFFFFFF, expected));
+            double[] left = ui.boundsOf("left");
+            double[] right = ui.boundsOf("right");
+            assertNotNull(left);
+            assertNotNull(right);
+            assertTrue(left[0] > 12 && left[0] + left[2] <= right[0], "beside each other");
+            assertTrue(right[0] + right[2] < 140 && right[1] == left[1]);
+            // A button is a rectangle of its own colour: its lower corner, where no letter is.
+            int face =
+                    picture.at(
+                            (int) ((right[0] + right[2] - 6) * scale),
+                            (int) ((right[1] + right[3] - 3) * scale));
+            assertTrue(Blocks.difference(0x34506B, face) <= 8, "face %06x".formatted(face));
+        }
+    }
+
+    @Test
+    void lettersStandUpright() {
+        try (NuklearUi ui = new NuklearUi(2)) {
+            Picture picture =
+                    panels(
+                            ui,
+                            to -> {
+                                to.panel(" ", 5, 5, 140, 80);
+                                to.label("L", 0xFFFFFF);
+                                to.endPanel();
+                            });
+            int[] rows = new int[HEIGHT];
+            int[] columns = new int[WIDTH];
+            for (int y = 80; y < 160; y++) {
+                for (int x = 14; x < 200; x++) {
+                    if ((picture.at(x, y) & 255) > 150) {
+                        rows[y]++;
+                        columns[x]++;
+                    }
+                }
+            }
+            int top = first(rows, 1);
+            int bottom = last(rows, 1);
+            int left = first(columns, 1);
+            int right = last(columns, 1);
+            int high = bottom - top + 1;
+            int wide = right - left + 1;
+            assertTrue(high >= 18 && high <= 26, "height of a letter of 30 pixels: " + high);
+            assertTrue(wide >= 8 && wide < high, "width " + wide);
+            // An L: a stem on the left, a foot below, nothing in the upper right.
+            assertTrue(columns[left + 1] >= high - 2, "stem " + columns[left + 1] + " of " + high);
+            assertTrue(rows[bottom] >= wide - 2, "foot " + rows[bottom] + " of " + wide);
+            assertTrue(rows[top + high / 2] <= 5, "middle " + rows[top + high / 2]);
+        }
+    }
+
+    private static int first(int[] counts, int least) {
+        int i = 0;
+        while (i < counts.length - 1 && counts[i] < least) {
+            i++;
+        }
+        return i;
+    }
+
+    private static int last(int[] counts, int least) {
+        int i = counts.length - 1;
+        while (i > 0 && counts[i] < least) {
+            i--;
+        }
+        return i;
+    }
+
+    @Test
+    void panelsMadeAnewLeakNoObject() {
+        long before = GlObjects.live();
+        long made = GlObjects.made(GlObjects.Kind.BUFFER);
+        for (int i = 0; i < 20; i++) {
+            try (NuklearUi ui = new NuklearUi(1 + 0.05 * i)) {
+                panels(
+                        ui,
+                        to -> {
+                            to.panel("A", 12, 8, 128, 72);
+                            to.endPanel();
+                        });
+            }
+            assertEquals(before, GlObjects.live(), "objects after panels " + i);
+        }
+        assertTrue(GlObjects.made(GlObjects.Kind.BUFFER) >= made + 40, "nothing was made");
+    }
+
+    @Test
+    void whatPanelsDrawLeavesTheSceneAsItWas() {
+        Camera camera = new Camera().lookAt(2, 2, 5, 0, 0, 0);
+        try (Stage stage = new Stage();
+                NuklearUi ui = new NuklearUi(1)) {
+            stage.add(Pose.at(0, 0, 0), Model.of(Meshes.CUBE));
+            int[] before = draw(stage.publish(), 1, camera, SUNNY).argb();
+            panels(
+                    ui,
+                    to -> {
+                        to.panel("A", 12, 8, 128, 72);
+                        to.endPanel();
+                    });
+            assertArrayEquals(before, draw(stage.publish(), 1, camera, SUNNY).argb());
+        }
+    }
+}
