@@ -15,7 +15,9 @@ import org.joml.Vector3d;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.WeakHashMap;
 
 /** The kinds of shapes and all pairs of them; random ones, and their scaled and mirrored twins. */
 enum ShapeKind {
@@ -26,6 +28,9 @@ enum ShapeKind {
     BOX,
     HULL,
     HALF_SPACE;
+
+    /** The points that hulls were made of: {@link ConvexHull#vertices} gives rounded ones. */
+    private static final Map<ConvexHull, double[]> POINTS = new WeakHashMap<>();
 
     /** Two kinds, the first of which does not come after the second. */
     record Two(ShapeKind a, ShapeKind b) {
@@ -59,12 +64,29 @@ enum ShapeKind {
                     case CYLINDER -> Cylinder.of(size, other);
                     case CONE -> Cone.of(size, other);
                     case BOX -> Box.of(size, other, size * Scene.logUniform(r, .1, 3));
-                    case HULL -> Scene.hull(r, 4 + r.nextInt(12), size);
+                    case HULL -> hull(r, 4 + r.nextInt(12), size);
                     case HALF_SPACE -> HalfSpace.of();
                 };
         return this != HALF_SPACE && r.nextInt(4) == 0
                 ? plain.moved(r.nextDouble(), r.nextDouble(), r.nextDouble(), Scene.turn(r))
                 : plain;
+    }
+
+    private static ConvexHull hull(SplittableRandom r, int points, double size) {
+        double[] xyz = new double[3 * points];
+        for (int i = 0; i < points; i++) {
+            Vector3d p = Scene.direction(r).mul(size * (.5 + .5 * r.nextDouble()));
+            xyz[3 * i] = p.x;
+            xyz[3 * i + 1] = p.y;
+            xyz[3 * i + 2] = p.z;
+        }
+        return hull(xyz);
+    }
+
+    private static ConvexHull hull(double[] xyz) {
+        ConvexHull hull = ConvexHull.of(xyz);
+        POINTS.put(hull, xyz);
+        return hull;
     }
 
     /** The radius of a ball around a shape; 0 for a half-space, which has none. */
@@ -85,11 +107,11 @@ enum ShapeKind {
             case Cone c -> Cone.of(f * c.radius(), f * c.halfHeight());
             case Box b -> Box.of(f * b.halfX(), f * b.halfY(), f * b.halfZ());
             case ConvexHull h -> {
-                double[] xyz = h.vertices();
+                double[] xyz = POINTS.get(h).clone();
                 for (int i = 0; i < xyz.length; i++) {
                     xyz[i] *= f;
                 }
-                yield ConvexHull.of(xyz);
+                yield hull(xyz);
             }
             case HalfSpace h -> h;
             case Moved m -> {
@@ -103,11 +125,11 @@ enum ShapeKind {
     static Shape mirrored(Shape shape) {
         return switch (shape) {
             case ConvexHull h -> {
-                double[] xyz = h.vertices();
+                double[] xyz = POINTS.get(h).clone();
                 for (int i = 0; i < xyz.length; i += 3) {
                     xyz[i] = -xyz[i];
                 }
-                yield ConvexHull.of(xyz);
+                yield hull(xyz);
             }
             case Moved m -> {
                 Vector3d at = m.position(new Vector3d());

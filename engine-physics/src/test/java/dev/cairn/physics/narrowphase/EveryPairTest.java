@@ -1,0 +1,280 @@
+package dev.cairn.physics.narrowphase;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
+
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+import java.util.List;
+import java.util.SplittableRandom;
+
+/**
+ * What needs no oracle but the reach of a shape, for every pair of kinds, moved shapes among them,
+ * in every sort of pose: the distance is that along its axis, pushing out by it leaves none, the
+ * order does not matter, nor does a power of two, nor a mirror. {@code mvn -Psoak verify} runs
+ * {@code -Dsoak.poses} (a million by default) of each pair.
+ */
+class EveryPairTest {
+    /** Of the size. */
+    private static final double ALONG = 1e-14;
+
+    /**
+     * Of the size of the pair: round shapes that are nearly parallel lose digits, others do not.
+     */
+    private static final double ROUND = 1e-9;
+
+    private static final double FLAT = 1e-13;
+
+    enum Sort {
+        RANDOM,
+        NEARLY_PARALLEL,
+        TOUCHING,
+        DEEP,
+        CONCENTRIC,
+        A_MILLION_TO_ONE,
+        APART;
+
+        Scene scene(SplittableRandom r, ShapeKind.Two kinds) {
+            Scene s = new Scene(kinds.a().shape(r), kinds.b().shape(r));
+            s.qa = Scene.turn(r);
+            s.qb = Scene.turn(r);
+            double size = ShapeKind.size(s);
+            s.d = Scene.direction(r).mul(r.nextDouble() * .9 * size);
+            switch (this) {
+                case RANDOM -> {}
+                case NEARLY_PARALLEL -> parallel(s, r);
+                case TOUCHING -> touch(s, r, 1e-15, 1e-1);
+                case DEEP -> s.d.mul(.05);
+                case CONCENTRIC -> concentric(s, r, kinds);
+                case A_MILLION_TO_ONE -> {
+                    shrink(s);
+                    if (r.nextBoolean()) {
+                        parallel(s, r);
+                    }
+                    touch(s, r, 1e-9, 1e-6);
+                }
+                case APART -> s.d.mul(Scene.logUniform(r, 2, 1e6));
+            }
+            return s;
+        }
+
+        private static void parallel(Scene s, SplittableRandom r) {
+            double tilt = r.nextInt(4) == 0 ? 0 : Scene.logUniform(r, 1e-16, 1e-1);
+            Quaterniond turn = new Quaterniond().rotationX(.5 * StrictMath.PI * r.nextInt(4));
+            Vector3d axis = Scene.direction(r);
+            s.qb = new Quaterniond(s.qa).mul(turn);
+            s.qb.rotateAxis(tilt, axis.x, axis.y, axis.z).normalize();
+        }
+
+        private static void concentric(Scene s, SplittableRandom r, ShapeKind.Two kinds) {
+            s.d.zero();
+            if (r.nextBoolean()) {
+                s.qb = new Quaterniond(s.qa);
+                s.b = kinds.a() == kinds.b() && r.nextBoolean() ? s.a : s.b;
+            }
+        }
+
+        private static void shrink(Scene s) {
+            if (!(s.b instanceof HalfSpace)) {
+                s.b = ShapeKind.scaled(s.b, 1e-6 * ShapeKind.size(s) / ShapeKind.size(s.b));
+            }
+        }
+
+        /** Apart or overlapping by a part of the size that is between two bounds. */
+        private static void touch(Scene s, SplittableRandom r, double low, double high) {
+            NarrowPhase n = new NarrowPhase();
+            double gap = ShapeKind.size(s) * Scene.logUniform(r, low, high);
+            gap = r.nextBoolean() ? gap : -gap;
+            for (int i = 0; i < 2; i++) {
+                double d = s.distance(n);
+                s.d.fma(gap - d, axis(n));
+            }
+        }
+    }
+
+    static Vector3d axis(NarrowPhase n) {
+        return new Vector3d(n.axisX(), n.axisY(), n.axisZ());
+    }
+
+    static List<ShapeKind.Two> pairs() {
+        return ShapeKind.pairs();
+    }
+
+    /** Worst cases of one pair, of the size; and how often. */
+    private static final class Tally {
+        double along, out, order, ways, mirror;
+        long poses, capped;
+    }
+
+    private final NarrowPhase special = new NarrowPhase();
+    private final NarrowPhase general = new NarrowPhase(NarrowPhase.Method.GENERAL);
+    private final ReachOracle oracle = new ReachOracle();
+    private final Manifold one = new Manifold(), two = new Manifold();
+
+    private void run(ShapeKind.Two kinds, long poses, long seed) {
+        Tally tally = new Tally();
+        boolean round = isRound(kinds.a()) || isRound(kinds.b());
+        double bar = round ? ROUND : FLAT;
+        Sort[] sorts = Sort.values();
+        SplittableRandom r = new SplittableRandom(seed);
+        for (long i = 0; i < poses; i++) {
+            Sort sort = sorts[(int) (i % sorts.length)];
+            Scene s = sort.scene(r, kinds);
+            String where = kinds + " " + sort + " seed " + seed + " pose " + i;
+            check(s, sort, r, bar, tally, where);
+        }
+        // A circle of directions that are nearly equally good is more than the polytope holds.
+        assertTrue(
+                tally.capped <= (round ? 1 + 2e-3 * tally.poses : 0),
+                kinds + " seed " + seed + ": caps met " + tally.capped + " of " + tally.poses);
+        System.out.printf(
+                "| %s | %,d | %.1e | %.1e | %.1e | %.1e | %.1e | %d |%n",
+                kinds,
+                tally.poses,
+                tally.along,
+                tally.out,
+                tally.order,
+                tally.ways,
+                tally.mirror,
+                tally.capped);
+    }
+
+    private static boolean isRound(ShapeKind kind) {
+        return kind == ShapeKind.CYLINDER || kind == ShapeKind.CONE || kind == ShapeKind.CAPSULE;
+    }
+
+    private void check(
+            Scene s, Sort sort, SplittableRandom r, double bar, Tally tally, String where) {
+        double size = ShapeKind.size(s) + s.d.length();
+        double d = s.distance(special);
+        Vector3d axis = axis(special);
+        tally.poses++;
+        tally.capped += special.capped() ? 1 : 0;
+        assertEquals(1, axis.length(), 1e-14, where);
+        double along = Math.abs(oracle.separation(s, axis) - d) / size;
+        tally.along = Math.max(tally.along, along);
+        assertTrue(along <= ALONG, where + ": not the separation along its axis, by " + along);
+        tally.ways = Math.max(tally.ways, Math.abs(s.distance(general) - d) / size);
+        assertTrue(tally.ways <= bar, where + " GENERAL and SPECIALISED " + tally.ways);
+        scaled(s, d, axis, r.nextInt(61) - 30, where);
+        if (sort != Sort.CONCENTRIC) {
+            double m = mirrored(s, d, where);
+            tally.mirror = Math.max(tally.mirror, m / size);
+            assertTrue(tally.mirror <= bar, where + " mirrored " + tally.mirror);
+        }
+        tally.order = Math.max(tally.order, Math.abs(s.swapped().distance(special) - d) / size);
+        assertTrue(tally.order <= bar, where + " f(A,B) = -f(B,A) " + tally.order);
+        s.d.fma(-d, axis);
+        tally.out = Math.max(tally.out, Math.abs(s.distance(special)) / size);
+        assertTrue(tally.out <= bar, where + " pushed out " + tally.out);
+    }
+
+    /** G7: a power of two changes nothing but the exponents. */
+    private void scaled(Scene s, double d, Vector3d axis, int k, String where) {
+        double f = StrictMath.scalb(1.0, k);
+        Scene t = ShapeKind.scaled(s, f);
+        String scale = where + " scale 2^" + k;
+        assertEquals(f * d, t.distance(special), 0.0, scale);
+        assertEquals(axis, axis(special), scale);
+        double margin = .02 * Math.min(s.a.innerRadius(), s.b.innerRadius());
+        long word = s.collide(special, margin, 0, one);
+        assertEquals(word, t.collide(special, f * margin, 0, two), scale);
+        assertEquals(one.pointCount, two.pointCount, scale);
+        for (int i = 0; i < one.pointCount; i++) {
+            assertEquals(one.feature[i], two.feature[i], scale);
+            assertEquals(f * one.separation[i], two.separation[i], 0.0, scale);
+            assertEquals(f * one.pointX[i], two.pointX[i], 0.0, scale);
+            assertEquals(f * one.pointY[i], two.pointY[i], 0.0, scale);
+            assertEquals(f * one.pointZ[i], two.pointZ[i], 0.0, scale);
+        }
+    }
+
+    /** A mirror image is as far apart: to the bit between shapes that are their own images. */
+    private double mirrored(Scene s, double d, String where) {
+        Scene t = ShapeKind.mirrored(s);
+        double m = t.distance(special);
+        if (closed(s)) {
+            assertEquals(d, m, 0.0, where + " mirrored");
+            double margin = .02 * Math.min(s.a.innerRadius(), s.b.innerRadius());
+            s.collide(special, margin, 0, one);
+            t.collide(special, margin, 0, two);
+            assertEquals(one.pointCount, two.pointCount, where + " mirrored");
+            if (one.pointCount > 0) {
+                assertEquals(-one.normalX, two.normalX, 0.0, where + " mirrored");
+                assertEquals(one.normalY, two.normalY, 0.0, where + " mirrored");
+                assertEquals(one.normalZ, two.normalZ, 0.0, where + " mirrored");
+            }
+        }
+        return Math.abs(m - d);
+    }
+
+    /** Neither iteration nor a hull, whose mirror image has its vertices in another order. */
+    private static boolean closed(Scene s) {
+        return plain(s.a) && plain(s.b);
+    }
+
+    private static boolean plain(Shape shape) {
+        return shape instanceof Sphere
+                || shape instanceof dev.cairn.physics.shape.Capsule
+                || shape instanceof HalfSpace;
+    }
+
+    @ParameterizedTest
+    @MethodSource("pairs")
+    void g7EveryPairInEverySortOfPose(ShapeKind.Two kinds) {
+        run(kinds, 140, 201);
+    }
+
+    @Tag("soak")
+    @ParameterizedTest
+    @MethodSource("pairs")
+    void g7EveryPairAMillionTimes(ShapeKind.Two kinds) {
+        run(kinds, Long.getLong("soak.poses", 1_000_000), Long.getLong("soak.seed", 202));
+    }
+
+    /** G14: moving by ds changes the distance by no more than ds. */
+    private void sweep(ShapeKind.Two kinds, long sweeps, int samples, long seed) {
+        SplittableRandom r = new SplittableRandom(seed);
+        double worst = 0;
+        double bar = isRound(kinds.a()) || isRound(kinds.b()) ? ROUND : FLAT;
+        for (long i = 0; i < sweeps; i++) {
+            Scene s = Sort.values()[(int) (i % 4)].scene(r, kinds);
+            Vector3d along = Scene.direction(r);
+            double size = ShapeKind.size(s);
+            double step = 2 * size / samples;
+            s.d.fma(-.5 * samples * step, along);
+            double last = s.distance(special);
+            for (int k = 0; k < samples; k++) {
+                s.d.fma(step, along);
+                double d = s.distance(special);
+                double over = (Math.abs(d - last) - step) / size;
+                worst = Math.max(worst, over);
+                String where = kinds + " seed " + seed + " sweep " + i + " step " + k;
+                assertTrue(over <= bar, where + ": " + last + " to " + d + " by " + step);
+                last = d;
+            }
+        }
+        System.out.printf("| %s | %,d sweeps of %d | %.1e |%n", kinds, sweeps, samples, worst);
+    }
+
+    @ParameterizedTest
+    @MethodSource("pairs")
+    void g14NoDistanceChangesFasterThanTheMotion(ShapeKind.Two kinds) {
+        sweep(kinds, 20, 60, 211);
+    }
+
+    @Tag("soak")
+    @ParameterizedTest
+    @MethodSource("pairs")
+    void g14ManySweeps(ShapeKind.Two kinds) {
+        sweep(kinds, Long.getLong("soak.sweeps", 100_000), 100, Long.getLong("soak.seed", 212));
+    }
+}
