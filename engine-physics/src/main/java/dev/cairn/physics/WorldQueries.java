@@ -28,7 +28,6 @@ import java.util.function.Predicate;
  * logarithmic time.
  */
 public final class WorldQueries {
-    private static final Predicate<BodyRef> ALL = body -> true;
     private static final int NONE = AabbTree.NONE;
 
     /** The dynamic tree, the static tree, bodies without end, bodies that went astray. */
@@ -60,7 +59,7 @@ public final class WorldQueries {
     private int source;
 
     private int place;
-    private Predicate<BodyRef> filter = ALL;
+    private @Nullable Predicate<BodyRef> filter;
 
     WorldQueries(PhysicsWorld world) {
         this.world = world;
@@ -74,7 +73,7 @@ public final class WorldQueries {
      * @return this
      */
     public WorldQueries filter(@Nullable Predicate<BodyRef> wanted) {
-        filter = wanted == null ? ALL : wanted;
+        filter = wanted;
         return this;
     }
 
@@ -308,7 +307,7 @@ public final class WorldQueries {
 
     private boolean isWanted(int slot) {
         BodyRef body = table.refs[slot];
-        return body.isAlive() && (filter == ALL || filter.test(body));
+        return body.isAlive() && (filter == null || filter.test(body));
     }
 
     private void aim(int s) {
