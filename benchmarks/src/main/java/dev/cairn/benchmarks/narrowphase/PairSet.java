@@ -5,6 +5,7 @@ import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
@@ -14,7 +15,10 @@ import org.joml.Vector3d;
 
 import java.util.SplittableRandom;
 
-/** Pairs of one kind with their poses, made from a seed. Immutable. */
+/**
+ * Pairs of one kind with their poses, made from a seed. Of a set that moves, each B slides along A
+ * and turns a little from tick to tick, to and fro.
+ */
 public final class PairSet {
     /** Pairs in a set. */
     public static final int SIZE = 256;
@@ -32,15 +36,38 @@ public final class PairSet {
         BOXES_APART,
         /** Hulls of 32 points near a unit ball that touch or overlap by up to a tenth. */
         HULLS_32,
+        /** The same hulls, as deep as a step leaves them: up to a hundredth. */
+        HULLS_32_SHALLOW,
         /** A ball on a box. */
         BALL_ON_BOX,
         /** Two balls. */
-        BALLS
+        BALLS,
+        /** A ball on a capsule. */
+        BALL_ON_CAPSULE,
+        /** Two capsules. */
+        CAPSULES,
+        /** A capsule on a box. */
+        CAPSULE_ON_BOX
     }
 
+    /** Ticks of the motion in one direction. */
+    private static final int FRAMES = 8;
+
+    /**
+     * Of the smaller inner radius, and half as much of a radian, in a tick: 0.3 m/s and 0.3 rad/s
+     * of a unit cube at 60 Hz. Stacked boxes turn by a fiftieth of that.
+     */
+    private static final double MOVE = 0.01;
+
+    /** Scenes share shapes; a different hull for each body would measure the memory. */
+    private static final int HULLS = 16;
+
+    private final ConvexHull[] hulls = new ConvexHull[HULLS];
     final Shape[] a = new Shape[SIZE], b = new Shape[SIZE];
     final Quaterniond[] turnA = new Quaterniond[SIZE], turnB = new Quaterniond[SIZE];
     final Vector3d[] offset = new Vector3d[SIZE];
+    private final Quaterniond[] framesB = new Quaterniond[FRAMES * SIZE];
+    private final Vector3d[] frames = new Vector3d[FRAMES * SIZE];
     private final double[] margin = new double[SIZE];
 
     /**
@@ -52,6 +79,9 @@ public final class PairSet {
     public PairSet(Kind kind, long seed) {
         SplittableRandom r = new SplittableRandom(seed);
         NarrowPhase narrowPhase = new NarrowPhase();
+        for (int i = 0; i < HULLS; i++) {
+            hulls[i] = hull(r);
+        }
         for (int i = 0; i < SIZE; i++) {
             a[i] = shape(kind, r, true);
             b[i] = shape(kind, r, false);
@@ -64,23 +94,57 @@ public final class PairSet {
                 offset[i] = direction(r).mul(far);
                 bringTogether(i, kind, narrowPhase, r);
             }
-            margin[i] = MARGIN * Math.min(a[i].innerRadius(), b[i].innerRadius());
+            double inner = Math.min(a[i].innerRadius(), b[i].innerRadius());
+            margin[i] = MARGIN * inner;
+            distance(i, narrowPhase);
+            Vector3d axis =
+                    new Vector3d(narrowPhase.axisX(), narrowPhase.axisY(), narrowPhase.axisZ());
+            Vector3d step = direction(r);
+            step.fma(-step.dot(axis), axis).mul(MOVE * inner);
+            Vector3d turn = direction(r).mul(kind == Kind.STACKED_BOXES ? .01 * MOVE : .5 * MOVE);
+            for (int f = 0; f < FRAMES; f++) {
+                frames[FRAMES * i + f] = new Vector3d(offset[i]).fma(f - FRAMES / 2.0, step);
+                double by = f - FRAMES / 2.0;
+                framesB[FRAMES * i + f] =
+                        new Quaterniond(turnB[i]).rotateXYZ(by * turn.x, by * turn.y, by * turn.z);
+            }
         }
     }
 
-    private static Shape shape(Kind kind, SplittableRandom r, boolean first) {
+    /**
+     * Moves every B to its place in a tick.
+     *
+     * @param tick any
+     */
+    public void move(int tick) {
+        int f = tick % (2 * FRAMES);
+        f = f < FRAMES ? f : 2 * FRAMES - 1 - f;
+        for (int i = 0; i < SIZE; i++) {
+            offset[i] = frames[FRAMES * i + f];
+            turnB[i] = framesB[FRAMES * i + f];
+        }
+    }
+
+    private Shape shape(Kind kind, SplittableRandom r, boolean first) {
         return switch (kind) {
             case STACKED_BOXES -> Box.cube(.5);
             case TUMBLED_BOXES, BOXES_APART -> box(r);
-            case HULLS_32 -> hull(r);
+            case HULLS_32, HULLS_32_SHALLOW -> hulls[r.nextInt(HULLS)];
             case BALL_ON_BOX -> first ? box(r) : Sphere.of(.2 + .5 * r.nextDouble());
             case BALLS -> Sphere.of(.2 + .5 * r.nextDouble());
+            case BALL_ON_CAPSULE -> first ? capsule(r) : Sphere.of(.2 + .5 * r.nextDouble());
+            case CAPSULES -> capsule(r);
+            case CAPSULE_ON_BOX -> first ? box(r) : capsule(r);
         };
     }
 
     private static Box box(SplittableRandom r) {
         return Box.of(
                 .25 + .5 * r.nextDouble(), .25 + .5 * r.nextDouble(), .25 + .5 * r.nextDouble());
+    }
+
+    private static Capsule capsule(SplittableRandom r) {
+        return Capsule.of(.2 + .3 * r.nextDouble(), .2 + .5 * r.nextDouble());
     }
 
     private static ConvexHull hull(SplittableRandom r) {
@@ -120,7 +184,9 @@ public final class PairSet {
     /** Moves B along the axis of least distance until the wanted gap is left. */
     private void bringTogether(int i, Kind kind, NarrowPhase n, SplittableRandom r) {
         double inner = Math.min(a[i].innerRadius(), b[i].innerRadius());
-        double gap = kind == Kind.BOXES_APART ? .01 + r.nextDouble() : -.1 * inner * r.nextDouble();
+        double deep = kind == Kind.HULLS_32_SHALLOW ? .01 : .1;
+        double gap =
+                kind == Kind.BOXES_APART ? .01 + r.nextDouble() : -deep * inner * r.nextDouble();
         for (int step = 0; step < 4; step++) {
             double d = distance(i, n);
             offset[i].fma(gap - d, new Vector3d(n.axisX(), n.axisY(), n.axisZ()));

@@ -32,7 +32,7 @@ final class Axes {
 
     private final int[] nearA = new int[NEAREST_EDGES], nearB = new int[NEAREST_EDGES];
     private final double[] cosine = new double[NEAREST_EDGES];
-    private double cx, cy, cz;
+    double cx, cy, cz;
 
     double best() {
         return Math.max(
@@ -241,6 +241,36 @@ final class Axes {
         separationB = p.faceSeparationB(faceB);
     }
 
+    /** The same where the edges that the axis belongs to are known. */
+    void snapTo(Pair p, int ea, int eb, double x, double y, double z, double separation) {
+        rawX = x;
+        rawY = y;
+        rawZ = z;
+        separationRaw = separation;
+        edgeA = ea;
+        edgeB = eb;
+        edgeX = x;
+        edgeY = y;
+        edgeZ = z;
+        separationEdge = separation;
+        double bx = p.r00 * x + p.r10 * y + p.r20 * z;
+        double by = p.r01 * x + p.r11 * y + p.r21 * z;
+        double bz = p.r02 * x + p.r12 * y + p.r22 * z;
+        faceA = faceBeside(p.a, ea, x, y, z);
+        separationA = p.faceSeparationA(faceA, p.b.edgeFrom(eb));
+        faceB = faceBeside(p.b, eb, -bx, -by, -bz);
+        separationB = p.faceSeparationB(faceB, p.a.edgeFrom(ea));
+    }
+
+    /** Of the two faces of an edge, the one whose normal is nearer to a direction. */
+    private static int faceBeside(Polyhedron h, int edge, double x, double y, double z) {
+        int f = h.edgeLeft(edge);
+        int g = h.edgeRight(edge);
+        double df = h.normalX(f) * x + h.normalY(f) * y + h.normalZ(f) * z;
+        double dg = h.normalX(g) * x + h.normalY(g) * y + h.normalZ(g) * z;
+        return df > dg || (df == dg && f < g) ? f : g;
+    }
+
     /** Both ends of an edge are support points up to rounding, so the faces of both compete. */
     private static int faceAtEdge(Polyhedron h, int edge, double x, double y, double z) {
         int f = faceToward(h, h.edgeFrom(edge), x, y, z);
@@ -322,7 +352,7 @@ final class Axes {
      * Unit cross product of two edges, oriented along the raw axis, in cx, cy, cz; returns its
      * cosine with that axis.
      */
-    private double cross(Pair p, int ea, int eb) {
+    double cross(Pair p, int ea, int eb) {
         Polyhedron a = p.a;
         Polyhedron b = p.b;
         double ux = a.vertexX(a.edgeTo(ea)) - a.vertexX(a.edgeFrom(ea));

@@ -40,6 +40,9 @@ final class Clipper {
      */
     private int[] side = new int[32];
 
+    /** How far beyond the side plane at hand each corner is. */
+    private double[] beyond = new double[32];
+
     /** How far from a side plane each corner counts as on it. */
     private double[] slack = new double[32];
 
@@ -135,6 +138,7 @@ final class Clipper {
         feature = Arrays.copyOf(feature, need);
         side = Arrays.copyOf(side, need);
         slack = Arrays.copyOf(slack, need);
+        beyond = new double[need];
         nextSlack = new double[need];
         nextX = new double[need];
         nextY = new double[need];
@@ -152,15 +156,29 @@ final class Clipper {
         double sy = reference.sideY(slot);
         double sz = reference.sideZ(slot);
         double so = reference.sideOffset(slot);
-        made = 0;
+        int corners = count;
         int outside = 0;
-        double before = sx * x[0] + sy * y[0] + sz * z[0] - so;
-        double start = before;
-        for (int i = 0; i < count; i++) {
-            int j = i + 1 == count ? 0 : i + 1;
-            double here = before;
-            double there = j == 0 ? start : sx * x[j] + sy * y[j] + sz * z[j] - so;
-            before = there;
+        for (int i = 0; i < corners; i++) {
+            double s = sx * x[i] + sy * y[i] + sz * z[i] - so;
+            beyond[i] = s;
+            outside += s > slack[i] ? 1 : 0;
+        }
+        if (outside == 0) {
+            return;
+        }
+        made = 0;
+        if (outside < corners) {
+            emitAll(slot, face);
+        }
+        swap();
+    }
+
+    private void emitAll(int slot, int face) {
+        int corners = count;
+        for (int i = 0; i < corners; i++) {
+            int j = i + 1 == corners ? 0 : i + 1;
+            double here = beyond[i];
+            double there = beyond[j];
             if (here <= slack[i]) {
                 boolean out = there > slack[j];
                 boolean inside = here < -slack[i];
@@ -168,15 +186,9 @@ final class Clipper {
                 if (out && inside) {
                     cross(i, j, here, there, slot, face, ~slot);
                 }
-            } else {
-                outside++;
-                if (there < -slack[j]) {
-                    cross(i, j, here, there, slot, face, side[i]);
-                }
+            } else if (there < -slack[j]) {
+                cross(i, j, here, there, slot, face, side[i]);
             }
-        }
-        if (outside > 0) {
-            swap();
         }
     }
 

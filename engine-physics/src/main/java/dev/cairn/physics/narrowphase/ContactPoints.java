@@ -13,11 +13,16 @@ final class ContactPoints {
     private final Pair pair;
     private final Axes axes;
     private final Gjk gjk;
-    private final Clipper clipper = new Clipper();
+    final Clipper clipper = new Clipper();
     private final Reduction reduction = new Reduction();
 
     /** Unit axis from A to B, in A's frame. */
     double axisX, axisY, axisZ;
+
+    /** The vertex of the last face contact whose face was clipped. */
+    int incidentVertex, incidentFace;
+
+    private double tx, ty, tz;
 
     ContactPoints(Pair pair, Axes axes, Gjk gjk) {
         this.pair = pair;
@@ -57,7 +62,8 @@ final class ContactPoints {
         }
     }
 
-    private void faceAxis(boolean flip) {
+    /** Sets the axis to the normal of the chosen face of A, or of B when flipped. */
+    void faceAxis(boolean flip) {
         if (flip) {
             double x = -pair.b.normalX(axes.faceB);
             double y = -pair.b.normalY(axes.faceB);
@@ -75,13 +81,28 @@ final class ContactPoints {
 
     /** The face contact of the chosen face of A, or of B when flipped. */
     void face(boolean flip, double margin, double calm, int last, Manifold out) {
+        Polyhedron reference = flip ? pair.b : pair.a;
+        int face = flip ? axes.faceB : axes.faceA;
+        toOther(flip, reference.normalX(face), reference.normalY(face), reference.normalZ(face));
+        face(flip, (flip ? pair.a : pair.b).support(tx, ty, tz), margin, calm, last, out);
+    }
+
+    /**
+     * The same, where the other shape's deepest vertex is known.
+     *
+     * @param vertex of the other shape
+     */
+    void face(boolean flip, int vertex, double margin, double calm, int last, Manifold out) {
         faceAxis(flip);
         Polyhedron reference = flip ? pair.b : pair.a;
         int face = flip ? axes.faceB : axes.faceA;
         double nx = reference.normalX(face);
         double ny = reference.normalY(face);
         double nz = reference.normalZ(face);
-        clipper.clip(pair, flip, face, incident(flip, nx, ny, nz), margin, last);
+        toOther(flip, nx, ny, nz);
+        incidentVertex = vertex;
+        incidentFace = Axes.faceToward(flip ? pair.a : pair.b, vertex, tx, ty, tz);
+        clipper.clip(pair, flip, face, incidentFace, margin, last);
         boolean many = clipper.count > Manifold.POINTS;
         double mean = many ? Reduction.meanDistance(clipper) : 0;
         reduction.reduce(clipper, nx, ny, nz, 0.01 * calm, calm, last);
@@ -103,20 +124,17 @@ final class ContactPoints {
         writeNormal(out);
     }
 
-    /**
-     * The face of the other shape at its deepest vertex that looks most against the reference face.
-     */
-    private int incident(boolean flip, double nx, double ny, double nz) {
+    /** A normal of the reference, reversed, in the other shape's frame. */
+    private void toOther(boolean flip, double nx, double ny, double nz) {
         if (flip) {
-            double x = -(pair.r00 * nx + pair.r01 * ny + pair.r02 * nz);
-            double y = -(pair.r10 * nx + pair.r11 * ny + pair.r12 * nz);
-            double z = -(pair.r20 * nx + pair.r21 * ny + pair.r22 * nz);
-            return Axes.faceToward(pair.a, pair.a.support(x, y, z), x, y, z);
+            tx = -(pair.r00 * nx + pair.r01 * ny + pair.r02 * nz);
+            ty = -(pair.r10 * nx + pair.r11 * ny + pair.r12 * nz);
+            tz = -(pair.r20 * nx + pair.r21 * ny + pair.r22 * nz);
+        } else {
+            tx = -(pair.r00 * nx + pair.r10 * ny + pair.r20 * nz);
+            ty = -(pair.r01 * nx + pair.r11 * ny + pair.r21 * nz);
+            tz = -(pair.r02 * nx + pair.r12 * ny + pair.r22 * nz);
         }
-        double x = -(pair.r00 * nx + pair.r10 * ny + pair.r20 * nz);
-        double y = -(pair.r01 * nx + pair.r11 * ny + pair.r21 * nz);
-        double z = -(pair.r02 * nx + pair.r12 * ny + pair.r22 * nz);
-        return Axes.faceToward(pair.b, pair.b.support(x, y, z), x, y, z);
     }
 
     /**

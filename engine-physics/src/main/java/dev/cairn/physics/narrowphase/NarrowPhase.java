@@ -12,8 +12,9 @@ import dev.cairn.physics.shape.Sphere;
  * than any before.
  *
  * <p>The warm-start word: bits 63..62 the kind (0 none, 1 face of A, 2 face of B, 3 edges or
- * points), bits 61..47 the face, bits 31..0 the {@link Names} of the points. A stale or random word
- * costs time, never correctness.
+ * points), bits 61..47 the face, bits 31..0 the {@link Names} of the points. Of pairs with a hull,
+ * bits 46..32 are a vertex near the face; of two edges that cross they are the second edge, and
+ * bits 61..47 the first. A stale or random word costs time, never correctness.
  */
 public final class NarrowPhase {
     /** How the axis of a pair is found. */
@@ -28,8 +29,8 @@ public final class NarrowPhase {
     static final long FACE_B = 2;
     static final long EDGES = 3;
 
-    /** Cosine of 0.1 rad: nearer axes are the same direction, seen through rounding. */
-    private static final double NEARLY_PARALLEL = 0.995;
+    /** In place of an edge of A: no two edges cross. */
+    static final long NO_EDGE = 0x7FFF;
 
     /**
      * Of the smaller inner radius: what one kind of contact must be better by to replace another.
@@ -42,9 +43,9 @@ public final class NarrowPhase {
     private final Epa epa = new Epa();
     private final Axes axes = new Axes();
     private final ContactPoints points = new ContactPoints(pair, axes, gjk);
+    private final Polyhedra polyhedra;
     private final RoundQuery round = new RoundQuery();
     private final CurvedPairs curved;
-    private final PolyhedronAxis search;
     private boolean curvedLast;
 
     /** Creates the scratch of one worker that uses the fast paths. */
@@ -59,8 +60,7 @@ public final class NarrowPhase {
      */
     public NarrowPhase(Method method) {
         this.method = method;
-        this.search =
-                new PolyhedronAxis(pair, gjk, epa, axes, points, method == Method.SPECIALISED);
+        this.polyhedra = new Polyhedra(method == Method.SPECIALISED, pair, gjk, epa, axes, points);
         this.curved = new CurvedPairs(this, pair, gjk, epa, points, method == Method.SPECIALISED);
     }
 
@@ -168,7 +168,7 @@ public final class NarrowPhase {
         out.patch = 0;
         out.bound = 0;
         boolean ball = pair.roundA || pair.roundB;
-        long word = ball ? ball(a, b, margin, out) : polyhedra(a, b, margin, cache, out);
+        long word = ball ? ball(a, b, margin, out) : polyhedra.collide(a, b, margin, cache, out);
         out.capped = capped();
         return word;
     }
@@ -216,7 +216,7 @@ public final class NarrowPhase {
             points.setAxis(round.axisX, round.axisY, round.axisZ);
             return round.distance - pair.radiusA - pair.radiusB;
         }
-        return search.distance(a, b);
+        return polyhedra.distance(a, b);
     }
 
     /**
@@ -357,7 +357,6 @@ public final class NarrowPhase {
         curvedLast = false;
         gjk.capped = false;
         epa.capped = false;
-        search.gap = 0;
     }
 
     /**
@@ -382,85 +381,24 @@ public final class NarrowPhase {
                     separation,
                     ContactPoints.CLOSEST,
                     out);
-            out.bound = rounding();
+            out.bound = 0x1p-48 * pair.scale;
         }
         return 0;
-    }
-
-    private double rounding() {
-        return 0x1p-48 * pair.scale;
-    }
-
-    private long polyhedra(Shape a, Shape b, double margin, long cache, Manifold out) {
-        if (stillApart(cache, margin)) {
-            return cache;
-        }
-        search.find(a, b, margin);
-        double best = axes.best();
-        if (best > margin && search.general && gjk.beyond) {
-            return 0;
-        }
-        if (best > margin) {
-            return word(axes.separationB > axes.separationA ? FACE_B : FACE_A, 0);
-        }
-        long before = cache >>> 62;
-        boolean flip = chooseFace(cache, CALM * pair.inner);
-        points.face(flip, margin, CALM * pair.inner, (int) cache, out);
-        long kind = flip ? FACE_B : FACE_A;
-        if (out.pointCount == 0 || strays(out, flip, best, before == EDGES)) {
-            kind = EDGES;
-            out.pointCount = 0;
-            pointContact(margin, best, out);
-        }
-        if (out.pointCount == 0) {
-            return word(flip ? FACE_B : FACE_A, 0);
-        }
-        out.bound = Math.abs(best - deepest(out)) + search.gap + rounding();
-        return word(kind, Names.of(out));
-    }
-
-    private static double deepest(Manifold out) {
-        double least = Double.MAX_VALUE;
-        for (int i = 0; i < out.pointCount; i++) {
-            least = Math.min(least, out.separation[i]);
-        }
-        return least;
-    }
-
-    /**
-     * The reference face: the face of the last tick while it is nearly as good as the best; true
-     * when it is B's.
-     */
-    private boolean chooseFace(long cache, double calm) {
-        long before = cache >>> 62;
-        int last = (int) (cache >>> 47) & 0x7FFF;
-        double enough = Math.max(axes.separationA, axes.separationB) - calm;
-        if (before == FACE_A && last != axes.faceA && last < pair.a.faceCount()) {
-            double s = pair.faceSeparationA(last);
-            if (s >= enough) {
-                axes.faceA = last;
-                axes.separationA = s;
-            }
-        }
-        if (before == FACE_B && last != axes.faceB && last < pair.b.faceCount()) {
-            double s = pair.faceSeparationB(last);
-            if (s >= enough) {
-                axes.faceB = last;
-                axes.separationB = s;
-            }
-        }
-        double bias = before == FACE_A ? calm : before == FACE_B ? -calm : 0x1p-40 * pair.scale;
-        return axes.separationB > axes.separationA + bias;
-    }
-
-    private long word(long kind, int names) {
-        long i = kind == FACE_A ? axes.faceA : kind == FACE_B ? axes.faceB : 0;
-        return word(kind, i, names);
     }
 
     /** The warm-start word of a kind of contact, a face and the names of the points. */
     static long word(long kind, long face, int names) {
         return kind << 62 | face << 47 | (names & 0xFFFFFFFFL);
+    }
+
+    /** Adds where to look in the next tick. */
+    static long withHint(long word, long hint) {
+        return word | hint << 32;
+    }
+
+    /** See {@link #withHint}. */
+    static int hint(long word) {
+        return (int) (word >>> 32) & 0x7FFF;
     }
 
     /**
@@ -481,69 +419,5 @@ public final class NarrowPhase {
      */
     public static boolean onFaceOfB(long word) {
         return word >>> 62 == FACE_B;
-    }
-
-    /** The face that separated or carried the pair last time separates it now. */
-    private boolean stillApart(long cache, double margin) {
-        long kind = cache >>> 62;
-        int face = (int) (cache >>> 47) & 0x7FFF;
-        if (kind == FACE_A && face < pair.a.faceCount()) {
-            return pair.faceSeparationA(face) > margin;
-        }
-        return kind == FACE_B && face < pair.b.faceCount() && pair.faceSeparationB(face) > margin;
-    }
-
-    /**
-     * Whether a point contact along the best axis tells the truth better than the face contact: its
-     * points tell another depth, or its axis, which is another direction, separates by much less.
-     * Near touching all axes are equally deep, so the depth at the points alone would let a wrong
-     * normal pass.
-     */
-    private boolean strays(Manifold out, boolean flip, double best, boolean before) {
-        double calm = CALM * pair.inner;
-        double better =
-                before ? 0.5 * calm + 0.05 * Math.abs(best) : 1.5 * calm + 0.15 * Math.abs(best);
-        double face = flip ? axes.separationB : axes.separationA;
-        boolean edge = axes.separationEdge >= axes.separationRaw - rounding();
-        double cosine =
-                edge
-                        ? points.axisX * axes.edgeX
-                                + points.axisY * axes.edgeY
-                                + points.axisZ * axes.edgeZ
-                        : points.axisX * axes.rawX
-                                + points.axisY * axes.rawY
-                                + points.axisZ * axes.rawZ;
-        return Math.abs(deepest(out) - best) > better
-                || (best - face > better && cosine <= NEARLY_PARALLEL);
-    }
-
-    /**
-     * One point: two edges that cross, else the nearest points, else the deepest vertex along the
-     * best axis.
-     */
-    private void pointContact(double margin, double best, Manifold out) {
-        if (axes.separationEdge >= best - CALM * pair.inner && points.crossing(margin, out)) {
-            return;
-        }
-        if (!search.general) {
-            gjk.run(pair, pair.dx, pair.dy, pair.dz, margin);
-        }
-        if (!gjk.overlap) {
-            if (!gjk.beyond && gjk.distance <= margin) {
-                points.nearest(out);
-            }
-            return;
-        }
-        points.bestAxis();
-        int v = pair.supportB(-points.axisX, -points.axisY, -points.axisZ, 0);
-        pair.vertexB(v);
-        double half = best / 2;
-        points.single(
-                pair.px - half * points.axisX,
-                pair.py - half * points.axisY,
-                pair.pz - half * points.axisZ,
-                best,
-                Clipper.VERTEX_B | v,
-                out);
     }
 }

@@ -213,4 +213,33 @@ final class Pair {
         double uz = vertexAZ(v) - dz;
         return ux * ax + uy * ay + uz * az - b.offset(face);
     }
+
+    /** The same for polyhedra, from a vertex of B that is near. */
+    double faceSeparationA(int face, int near) {
+        double x = a.normalX(face);
+        double y = a.normalY(face);
+        double z = a.normalZ(face);
+        vertexB(
+                b.climb(
+                        -(r00 * x + r10 * y + r20 * z),
+                        -(r01 * x + r11 * y + r21 * z),
+                        -(r02 * x + r12 * y + r22 * z),
+                        near));
+        return px * x + py * y + pz * z - a.offset(face);
+    }
+
+    /** The same for polyhedra, from a vertex of A that is near. */
+    double faceSeparationB(int face, int near) {
+        double x = b.normalX(face);
+        double y = b.normalY(face);
+        double z = b.normalZ(face);
+        double ax = r00 * x + r01 * y + r02 * z;
+        double ay = r10 * x + r11 * y + r12 * z;
+        double az = r20 * x + r21 * y + r22 * z;
+        int v = a.climb(-ax, -ay, -az, near);
+        return (a.vertexX(v) - dx) * ax
+                + (a.vertexY(v) - dy) * ay
+                + (a.vertexZ(v) - dz) * az
+                - b.offset(face);
+    }
 }

@@ -38,14 +38,18 @@ final class PolyhedronAxis {
         this.fifteen = fifteen;
     }
 
-    /** Fills the axes, by iteration or by the fifteen axes. */
-    void find(Shape a, Shape b, double margin) {
+    /**
+     * Fills the axes, by iteration or by the fifteen axes.
+     *
+     * @param sx where the iteration starts: any vector from A towards B, better near the axis
+     */
+    void find(Shape a, Shape b, double sx, double sy, double sz, double margin) {
         general = !fifteen || !(a instanceof Box && b instanceof Box);
         if (!general) {
             axes.boxes(pair, margin);
             return;
         }
-        gjk.run(pair, pair.dx, pair.dy, pair.dz, margin);
+        gjk.run(pair, sx, sy, sz, margin);
         if (gjk.beyond) {
             axes.clear(gjk.lower);
         } else if (gjk.overlap) {
@@ -60,7 +64,7 @@ final class PolyhedronAxis {
 
     /** The signed distance of the pair; leaves its axis in the points. */
     double distance(Shape a, Shape b) {
-        find(a, b, Double.MAX_VALUE);
+        find(a, b, pair.dx, pair.dy, pair.dz, Double.MAX_VALUE);
         double best = axes.best();
         points.bestAxis();
         if (best <= 0) {

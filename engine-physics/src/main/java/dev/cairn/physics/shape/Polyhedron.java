@@ -23,7 +23,7 @@ public final class Polyhedron {
     private final int[] slotVertex, slotEdge;
     private final double[] normalX, normalY, normalZ, offset;
     private final double[] sideX, sideY, sideZ, sideOffset;
-    private final int[] edgeFrom, edgeTo;
+    private final int[] edgeFrom, edgeTo, edgeLeft, edgeRight;
     private final int[] spokeBegin, spokeVertex, spokeEdge, spokeFace;
     private final double innerRadius, outerRadius;
     private final int largestFace;
@@ -48,6 +48,8 @@ public final class Polyhedron {
         slotEdge = topology.slotEdge;
         edgeFrom = topology.edgeFrom;
         edgeTo = topology.edgeTo;
+        edgeLeft = topology.edgeLeft;
+        edgeRight = topology.edgeRight;
         spokeBegin = topology.spokeBegin;
         spokeVertex = topology.spokeVertex;
         spokeEdge = topology.spokeEdge;
@@ -304,6 +306,26 @@ public final class Polyhedron {
     }
 
     /**
+     * The face to the left of an edge, seen from outside along its direction.
+     *
+     * @param edge in [0, edgeCount)
+     * @return the face
+     */
+    public int edgeLeft(int edge) {
+        return edgeLeft[edge];
+    }
+
+    /**
+     * The face to the right of an edge.
+     *
+     * @param edge in [0, edgeCount)
+     * @return the face
+     */
+    public int edgeRight(int edge) {
+        return edgeRight[edge];
+    }
+
+    /**
      * The first spoke of a vertex; its list ends before {@code spokeBegin(vertex + 1)}.
      *
      * @param vertex in [0, vertexCount]
@@ -411,7 +433,17 @@ public final class Polyhedron {
         return ay >= az ? extremes[dy > 0 ? 3 : 2] : extremes[dz > 0 ? 5 : 4];
     }
 
-    private int climb(double dx, double dy, double dz, int from) {
+    /**
+     * As {@link #support(double, double, double)}, by climbing along the edges from a vertex,
+     * whatever the number of vertices: for those who know one that is near.
+     *
+     * @param dx direction in shape axes, any length
+     * @param dy direction
+     * @param dz direction
+     * @param from vertex to start from
+     * @return the vertex
+     */
+    public int climb(double dx, double dy, double dz, int from) {
         int best = from;
         double bestDot = x[from] * dx + y[from] * dy + z[from] * dz;
         int at = -1;

@@ -9,7 +9,7 @@ import java.util.Arrays;
 final class Topology {
     final int[] faceBegin;
     final int[] slotVertex, slotEdge;
-    final int[] edgeFrom, edgeTo;
+    final int[] edgeFrom, edgeTo, edgeLeft, edgeRight;
     final int[] spokeBegin, spokeVertex, spokeEdge, spokeFace;
     final int largestFace;
 
@@ -30,6 +30,8 @@ final class Topology {
         }
         edgeFrom = new int[slots / 2];
         edgeTo = new int[slots / 2];
+        edgeLeft = new int[slots / 2];
+        edgeRight = new int[slots / 2];
         spokeBegin = new int[vertices + 1];
         spokeVertex = new int[slots];
         spokeEdge = new int[slots];
@@ -63,6 +65,8 @@ final class Topology {
             }
             edgeFrom[i / 2] = slotVertex[s];
             edgeTo[i / 2] = slotVertex[twin];
+            edgeLeft[i / 2] = slotFace[s];
+            edgeRight[i / 2] = slotFace[twin];
             slotEdge[s] = i / 2;
             slotEdge[twin] = i / 2;
         }

@@ -1,0 +1,122 @@
+package dev.cairn.benchmarks.narrowphase;
+
+import dev.cairn.physics.narrowphase.Manifold;
+import dev.cairn.physics.narrowphase.NarrowPhase;
+import dev.cairn.physics.narrowphase.NarrowPhase.Method;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.Locale;
+
+/**
+ * Nanoseconds of thread CPU time per pair: one after another, cold (nothing known of the last
+ * tick), warm (poses unchanged), and moving (the word of the last tick, and poses that differ by
+ * what a slow body moves in it); and in the stage of a step, gather and store included.
+ *
+ * <p>{@code java --add-modules=jdk.incubator.vector -jar benchmarks.jar narrow-phase times}
+ */
+public final class PairTimes {
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+
+    /** Repetitions; the fastest is told, and the median. */
+    private static final int REPETITIONS = 400;
+
+    private PairTimes() {}
+
+    /**
+     * Measures.
+     *
+     * @param args names of kinds, or nothing for all
+     */
+    public static void main(String[] args) {
+        System.out.printf(
+                Locale.ROOT,
+                "%-16s %-12s %8s %8s %8s %8s %8s   (best, ns of thread CPU time)%n",
+                "pairs",
+                "method",
+                "cold",
+                "warm",
+                "moving",
+                "distance",
+                "stage");
+        for (PairSet.Kind kind : PairSet.Kind.values()) {
+            if (args.length > 0 && !java.util.Arrays.asList(args).contains(kind.name())) {
+                continue;
+            }
+            for (Method method : Method.values()) {
+                System.out.printf(
+                        Locale.ROOT,
+                        "%-16s %-12s %8.0f %8.0f %8.0f %8.0f",
+                        kind,
+                        method,
+                        collide(kind, method, false, false),
+                        collide(kind, method, true, false),
+                        collide(kind, method, true, true),
+                        distance(kind, method));
+                if (method == Method.SPECIALISED) {
+                    System.out.printf(Locale.ROOT, " %8.0f", stage(kind));
+                }
+                System.out.println();
+            }
+        }
+    }
+
+    private static double collide(PairSet.Kind kind, Method method, boolean warm, boolean moves) {
+        PairSet set = new PairSet(kind, 1);
+        NarrowPhase n = new NarrowPhase(method);
+        Manifold manifold = new Manifold();
+        long[] words = new long[PairSet.SIZE];
+        double fastest = Double.MAX_VALUE;
+        int points = 0;
+        for (int k = 0; k < REPETITIONS; k++) {
+            if (moves) {
+                set.move(k);
+            }
+            long begin = THREADS.getCurrentThreadCpuTime();
+            for (int i = 0; i < PairSet.SIZE; i++) {
+                words[i] = set.collide(i, n, warm ? words[i] : 0, manifold);
+                points += manifold.pointCount;
+            }
+            long nanos = THREADS.getCurrentThreadCpuTime() - begin;
+            fastest = Math.min(fastest, nanos / (double) PairSet.SIZE);
+        }
+        if (points < 0) {
+            throw new IllegalStateException("no points");
+        }
+        return fastest;
+    }
+
+    private static double distance(PairSet.Kind kind, Method method) {
+        PairSet set = new PairSet(kind, 1);
+        NarrowPhase n = new NarrowPhase(method);
+        double fastest = Double.MAX_VALUE;
+        double sum = 0;
+        for (int k = 0; k < REPETITIONS; k++) {
+            set.move(k);
+            long begin = THREADS.getCurrentThreadCpuTime();
+            for (int i = 0; i < PairSet.SIZE; i++) {
+                sum += set.distance(i, n);
+            }
+            long nanos = THREADS.getCurrentThreadCpuTime() - begin;
+            fastest = Math.min(fastest, nanos / (double) PairSet.SIZE);
+        }
+        if (Double.isNaN(sum)) {
+            throw new IllegalStateException("a distance of " + kind + " is NaN");
+        }
+        return fastest;
+    }
+
+    private static double stage(PairSet.Kind kind) {
+        double fastest = Double.MAX_VALUE;
+        try (StageSet set = new StageSet(kind)) {
+            for (int k = 0; k < REPETITIONS; k++) {
+                set.move(k);
+                long begin = THREADS.getCurrentThreadCpuTime();
+                set.run();
+                long nanos = THREADS.getCurrentThreadCpuTime() - begin;
+                fastest = Math.min(fastest, nanos / (double) StageSet.ROWS);
+            }
+        }
+        return fastest;
+    }
+}

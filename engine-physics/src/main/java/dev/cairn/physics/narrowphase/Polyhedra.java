@@ -1,0 +1,256 @@
+package dev.cairn.physics.narrowphase;
+
+import static dev.cairn.physics.narrowphase.NarrowPhase.CALM;
+import static dev.cairn.physics.narrowphase.NarrowPhase.EDGES;
+import static dev.cairn.physics.narrowphase.NarrowPhase.FACE_A;
+import static dev.cairn.physics.narrowphase.NarrowPhase.FACE_B;
+
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Shape;
+
+/**
+ * The contact of two polyhedra: what separates or carries them, by the fifteen axes, by {@link Gjk}
+ * and {@link Epa}, or, where the features of the last tick will do, by {@link WarmContact}; then a
+ * face contact or a point.
+ */
+final class Polyhedra {
+    /** Cosine of 0.1 rad: nearer axes are the same direction, seen through rounding. */
+    private static final double NEARLY_PARALLEL = 0.995;
+
+    private final boolean specialised;
+    private final Pair pair;
+    private final Gjk gjk;
+    private final Axes axes;
+    private final ContactPoints points;
+    private final WarmContact warm;
+    private final PolyhedronAxis search;
+
+    /** GJK has run for this pair. */
+    private boolean iterated;
+
+    /** By how much the signed distance may be larger than the best axis tells, m. */
+    private double gap;
+
+    Polyhedra(boolean specialised, Pair pair, Gjk gjk, Epa epa, Axes axes, ContactPoints points) {
+        this.specialised = specialised;
+        this.pair = pair;
+        this.gjk = gjk;
+        this.axes = axes;
+        this.points = points;
+        this.warm = new WarmContact(pair, axes, points);
+        this.search = new PolyhedronAxis(pair, gjk, epa, axes, points, specialised);
+    }
+
+    /** See {@link NarrowPhase#distance}; leaves the axis in {@link ContactPoints}. */
+    double distance(Shape a, Shape b) {
+        search.gap = 0;
+        return search.distance(a, b);
+    }
+
+    private double rounding() {
+        return 0x1p-48 * pair.scale;
+    }
+
+    /** See {@link NarrowPhase#collide}. */
+    long collide(Shape a, Shape b, double margin, long cache, Manifold out) {
+        gap = 0;
+        iterated = false;
+        boolean hulls = specialised && !(a instanceof Box && b instanceof Box);
+        if (hulls && cache != 0) {
+            long word = warm.collide(margin, cache, out);
+            if (warm.done) {
+                return word;
+            }
+        } else {
+            warm.forget();
+            if (stillApart(cache, margin)) {
+                return cache;
+            }
+        }
+        if (warm.certain) {
+            gap = warm.gap;
+        } else {
+            search.gap = 0;
+            search.find(a, b, warm.axisX, warm.axisY, warm.axisZ, margin);
+            iterated = search.general;
+            gap = search.gap;
+        }
+        long word = manifold(margin, cache, out);
+        if (!hulls || word == 0) {
+            return word;
+        }
+        if (word >>> 62 != EDGES) {
+            return NarrowPhase.withHint(word, points.incidentVertex);
+        }
+        boolean crossing = out.feature[0] >>> 30 == Clipper.CROSSING >>> 30;
+        return crossing
+                ? NarrowPhase.withHint(word | (long) axes.edgeA << 47, axes.edgeB)
+                : word | NarrowPhase.NO_EDGE << 47;
+    }
+
+    private long manifold(double margin, long cache, Manifold out) {
+        double best = axes.best();
+        if (best > margin && iterated && gjk.beyond) {
+            return 0;
+        }
+        if (best > margin) {
+            return word(axes.separationB > axes.separationA ? FACE_B : FACE_A, 0);
+        }
+        long before = cache >>> 62;
+        boolean flip = chooseFace(cache, CALM * pair.inner);
+        if (crosses(flip, best, before == EDGES)) {
+            out.pointCount = 0;
+            out.patch = 0;
+            pointContact(margin, best, out);
+            if (out.pointCount > 0) {
+                out.bound = Math.abs(best - deepest(out)) + gap + rounding();
+                return word(EDGES, Names.of(out));
+            }
+            warm.clipped = false;
+        }
+        boolean clipped =
+                warm.clipped && flip == warm.onB && warm.face == (flip ? axes.faceB : axes.faceA);
+        if (!clipped) {
+            out.pointCount = 0;
+            points.face(flip, margin, CALM * pair.inner, (int) cache, out);
+        }
+        long kind = flip ? FACE_B : FACE_A;
+        if (out.pointCount == 0 || strays(out, flip, best, before == EDGES)) {
+            kind = EDGES;
+            out.pointCount = 0;
+            out.patch = 0;
+            pointContact(margin, best, out);
+        }
+        if (out.pointCount == 0) {
+            return word(flip ? FACE_B : FACE_A, 0);
+        }
+        out.bound = Math.abs(best - deepest(out)) + gap + rounding();
+        return word(kind, Names.of(out));
+    }
+
+    static double deepest(Manifold out) {
+        double least = Double.MAX_VALUE;
+        for (int i = 0; i < out.pointCount; i++) {
+            least = Math.min(least, out.separation[i]);
+        }
+        return least;
+    }
+
+    /**
+     * The reference face: the face of the last tick while it is nearly as good as the best; true
+     * when it is B's.
+     */
+    private boolean chooseFace(long cache, double calm) {
+        long before = cache >>> 62;
+        int last = (int) (cache >>> 47) & 0x7FFF;
+        double enough = Math.max(axes.separationA, axes.separationB) - calm;
+        if (before == FACE_A && last != axes.faceA && last < pair.a.faceCount()) {
+            double s = separationA(last, cache);
+            if (s >= enough) {
+                axes.faceA = last;
+                axes.separationA = s;
+            }
+        }
+        if (before == FACE_B && last != axes.faceB && last < pair.b.faceCount()) {
+            double s = separationB(last, cache);
+            if (s >= enough) {
+                axes.faceB = last;
+                axes.separationB = s;
+            }
+        }
+        double bias = before == FACE_A ? calm : before == FACE_B ? -calm : 0x1p-40 * pair.scale;
+        return axes.separationB > axes.separationA + bias;
+    }
+
+    private double separationA(int face, long cache) {
+        int near = NarrowPhase.hint(cache);
+        boolean known = warm.certain && near < pair.b.vertexCount();
+        return known ? pair.faceSeparationA(face, near) : pair.faceSeparationA(face);
+    }
+
+    private double separationB(int face, long cache) {
+        int near = NarrowPhase.hint(cache);
+        boolean known = warm.certain && near < pair.a.vertexCount();
+        return known ? pair.faceSeparationB(face, near) : pair.faceSeparationB(face);
+    }
+
+    private long word(long kind, int names) {
+        long i = kind == FACE_A ? axes.faceA : kind == FACE_B ? axes.faceB : 0;
+        return NarrowPhase.word(kind, i, names);
+    }
+
+    /** The face that separated or carried the pair last time separates it now. */
+    private boolean stillApart(long cache, double margin) {
+        long kind = cache >>> 62;
+        int face = (int) (cache >>> 47) & 0x7FFF;
+        if (kind == FACE_A && face < pair.a.faceCount()) {
+            return pair.faceSeparationA(face) > margin;
+        }
+        return kind == FACE_B && face < pair.b.faceCount() && pair.faceSeparationB(face) > margin;
+    }
+
+    /**
+     * Whether a point contact along the best axis tells the truth better than the face contact: its
+     * points tell another depth, or its axis, which is another direction, separates by much less.
+     * Near touching all axes are equally deep, so the depth at the points alone would let a wrong
+     * normal pass.
+     */
+    private boolean strays(Manifold out, boolean flip, double best, boolean before) {
+        return Math.abs(deepest(out) - best) > better(best, before) || crosses(flip, best, before);
+    }
+
+    /** How much truer a point contact must be. */
+    private double better(double best, boolean before) {
+        double calm = CALM * pair.inner;
+        return before ? 0.5 * calm + 0.05 * Math.abs(best) : 1.5 * calm + 0.15 * Math.abs(best);
+    }
+
+    /** Whether the best axis is another direction than the face's and separates by much less. */
+    private boolean crosses(boolean flip, double best, boolean before) {
+        double face = flip ? axes.separationB : axes.separationA;
+        if (best - face <= better(best, before)) {
+            return false;
+        }
+        points.faceAxis(flip);
+        boolean edge = axes.separationEdge >= axes.separationRaw - rounding();
+        double cosine =
+                edge
+                        ? points.axisX * axes.edgeX
+                                + points.axisY * axes.edgeY
+                                + points.axisZ * axes.edgeZ
+                        : points.axisX * axes.rawX
+                                + points.axisY * axes.rawY
+                                + points.axisZ * axes.rawZ;
+        return cosine <= NEARLY_PARALLEL;
+    }
+
+    /**
+     * One point: two edges that cross, else the nearest points, else the deepest vertex along the
+     * best axis.
+     */
+    private void pointContact(double margin, double best, Manifold out) {
+        if (axes.separationEdge >= best - CALM * pair.inner && points.crossing(margin, out)) {
+            return;
+        }
+        if (!iterated) {
+            gjk.run(pair, pair.dx, pair.dy, pair.dz, margin);
+        }
+        if (!gjk.overlap) {
+            if (!gjk.beyond && gjk.distance <= margin) {
+                points.nearest(out);
+            }
+            return;
+        }
+        points.bestAxis();
+        int v = pair.supportB(-points.axisX, -points.axisY, -points.axisZ, 0);
+        pair.vertexB(v);
+        double half = best / 2;
+        points.single(
+                pair.px - half * points.axisX,
+                pair.py - half * points.axisY,
+                pair.pz - half * points.axisZ,
+                best,
+                Clipper.VERTEX_B | v,
+                out);
+    }
+}

@@ -1,0 +1,118 @@
+package dev.cairn.physics.narrowphase;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.physics.shape.Shape;
+
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+
+import java.util.SplittableRandom;
+
+/**
+ * Pairs with hulls that start from the features of the last tick tell the true depth within their
+ * bound, whatever word they are given.
+ */
+class WarmHullsTest {
+    private final NarrowPhase warm = new NarrowPhase();
+    private final Manifold m = new Manifold();
+
+    private double deepest() {
+        double least = Double.MAX_VALUE;
+        for (int i = 0; i < m.pointCount; i++) {
+            least = Math.min(least, m.separation[i]);
+        }
+        return least;
+    }
+
+    private static double truth(Scene s) {
+        double along = ConvexOracle.separatingAxes(s.placedA(), s.placedB());
+        return along > 0 ? ConvexOracle.distance(s.placedA(), s.placedB()) : along;
+    }
+
+    private long check(Scene s, double margin, long word, String where) {
+        long next = s.collide(warm, margin, word, m);
+        double truth = truth(s);
+        double inner = Math.min(s.a.innerRadius(), s.b.innerRadius());
+        double rounding = 1e-13 * s.size();
+        if (truth <= 0) {
+            assertTrue(m.pointCount > 0, where + ": no point at depth " + -truth);
+        }
+        if (m.pointCount > 0) {
+            assertEquals(truth, deepest(), m.bound + rounding, where);
+            double allowed = 1.5e-3 * inner + .15 * Math.abs(truth) + rounding;
+            assertEquals(truth, deepest(), allowed, where);
+            Vector3d n = new Vector3d(m.normalX, m.normalY, m.normalZ);
+            assertEquals(1, n.length(), 1e-14, where);
+        }
+        return next;
+    }
+
+    private static Scene touching(SplittableRandom r, Shape a, Shape b, double depth) {
+        NarrowPhase n = new NarrowPhase();
+        Scene s = Scene.random(r, a, b);
+        s.d = Scene.direction(r).mul(1.2 * s.size());
+        for (int k = 0; k < 4; k++) {
+            double d = s.distance(n);
+            s.d.fma(-depth - d, new Vector3d(n.axisX(), n.axisY(), n.axisZ()));
+        }
+        return s;
+    }
+
+    @Test
+    void theDepthOfSlidingAndRollingHullsIsTrue() {
+        SplittableRandom r = new SplittableRandom(77);
+        for (int i = 0; i < 90; i++) {
+            Shape a = Scene.hull(r, 4 + r.nextInt(40), Scene.logUniform(r, .3, 3));
+            Shape b =
+                    i % 3 == 0
+                            ? Scene.box(r)
+                            : Scene.hull(r, 4 + r.nextInt(40), Scene.logUniform(r, .3, 3));
+            double inner = Math.min(a.innerRadius(), b.innerRadius());
+            Scene s = touching(r, a, b, (i % 2 == 0 ? .01 : .2) * inner * r.nextDouble());
+            Vector3d slide = Scene.direction(r).mul(.01 * inner);
+            Vector3d turn = Scene.direction(r).mul(.01);
+            long word = 0;
+            for (int tick = 0; tick < 16; tick++) {
+                word = check(s, .02 * inner, word, "seed 77, pair " + i + ", tick " + tick);
+                s.d.add(slide);
+                s.qb.rotateXYZ(turn.x, turn.y, turn.z).normalize();
+            }
+        }
+    }
+
+    @Test
+    void aWordOfAnotherPairDoesNoHarm() {
+        SplittableRandom r = new SplittableRandom(78);
+        for (int i = 0; i < 300; i++) {
+            Scene s = Scene.random(r, Scene.hull(r, 20, 1), Scene.hull(r, 20, 1));
+            for (int k = 0; k < 3; k++) {
+                long word = r.nextLong();
+                if (k > 0) {
+                    // Few faces and vertices, so that the word may be taken for a true one.
+                    word &= ~(0x7FE0L << 47 | 0x7FF0L << 32);
+                }
+                check(s, .02, word, "seed 78, pair " + i + ", word " + word);
+            }
+        }
+    }
+
+    @Test
+    void whatRestsIsCollidedToTheSameBits() {
+        SplittableRandom r = new SplittableRandom(79);
+        Manifold first = new Manifold();
+        for (int i = 0; i < 100; i++) {
+            Scene s = touching(r, Scene.hull(r, 24, 1), Scene.hull(r, 24, 1), .003);
+            long word = s.collide(warm, .02, s.collide(warm, .02, 0, m), first);
+            for (int k = 0; k < 3; k++) {
+                word = s.collide(warm, .02, word, m);
+                assertEquals(first.pointCount, m.pointCount, "seed 79, pair " + i);
+                for (int p = 0; p < m.pointCount; p++) {
+                    assertEquals(first.feature[p], m.feature[p], "seed 79, pair " + i);
+                    assertEquals(first.separation[p], m.separation[p], "seed 79, pair " + i);
+                }
+            }
+        }
+    }
+}
