@@ -66,6 +66,10 @@ final class LaneSweeps implements Sweeps {
     private static final int BOUND = SLIDE + 3 * L;
     private static final int SLIDE_SHARE = SLIDE + 4 * L;
     private static final int SPIN_SHARE = SLIDE + 5 * L;
+
+    /** Of one group: by point, 1 where it presses. */
+    private static final int ACTIVE = SLIDE + 6 * L;
+
     private static final int ONES = Sweeps.ONES;
 
     private final RowFiller filler;
@@ -114,6 +118,11 @@ final class LaneSweeps implements Sweeps {
             int n = rows.points[j / L];
             int o = j * ConstraintRows.FIELDS;
             int more = sub.landing - sub.sweeps;
+            cold(rows.row, o, n);
+            if (!even(rows.row, o, scratch, j - from, n, sub, true)) {
+                DoubleVector.zero(S).intoArray(scratch, PRESSED + j - from);
+                continue;
+            }
             if (soft(rows.row, o, scratch, j - from, n, sub, sub.sweeps, ONES) && more > 0) {
                 soft(rows.row, o, scratch, j - from, n, sub, more, LANDS);
             }
@@ -143,6 +152,7 @@ final class LaneSweeps implements Sweeps {
             if (separations(d, o, scratch, g, n)) {
                 continue;
             }
+            even(d, o, scratch, g, n, sub, false);
             if (hard(d, o, scratch, g, n, inverse, sub.sweeps, ONES)) {
                 hard(d, o, scratch, g, n, inverse, sub.landing - sub.sweeps, LANDS);
             }
@@ -219,6 +229,147 @@ final class LaneSweeps implements Sweeps {
         }
     }
 
+    /** Marks the lanes that start without an impulse. */
+    private static void cold(double[] d, int o, int points) {
+        var sum = DoubleVector.zero(S);
+        for (int p = 0; p < points; p++) {
+            sum =
+                    sum.add(
+                            DoubleVector.fromArray(
+                                    S, d, o + (POINT + p * POINT_FIELDS + IMPULSE) * L));
+        }
+        DoubleVector.zero(S)
+                .blend(1.0, sum.compare(VectorOperators.EQ, 0.0))
+                .intoArray(d, o + COLD * L);
+    }
+
+    /**
+     * The same change of impulse at all points that press, or begin to, see {@link ScalarSweeps}.
+     *
+     * @return whether a point of the group presses or closes
+     */
+    private static boolean even(
+            double[] d, int o, double[] st, int g, int points, SubStep sub, boolean isSoft) {
+        var nx = DoubleVector.fromArray(S, d, o);
+        var ny = DoubleVector.fromArray(S, d, o + L);
+        var nz = DoubleVector.fromArray(S, d, o + 2 * L);
+        var ma = DoubleVector.fromArray(S, d, o + MASS_A * L);
+        var mb = DoubleVector.fromArray(S, d, o + MASS_B * L);
+        var avx = DoubleVector.fromArray(S, st, g);
+        var avy = DoubleVector.fromArray(S, st, CHUNK + g);
+        var avz = DoubleVector.fromArray(S, st, 2 * CHUNK + g);
+        var bvx = DoubleVector.fromArray(S, st, VB + g);
+        var bvy = DoubleVector.fromArray(S, st, VB + CHUNK + g);
+        var bvz = DoubleVector.fromArray(S, st, VB + 2 * CHUNK + g);
+        var avu = DoubleVector.fromArray(S, st, 3 * CHUNK + g);
+        var avv = DoubleVector.fromArray(S, st, 4 * CHUNK + g);
+        var avw = DoubleVector.fromArray(S, st, 5 * CHUNK + g);
+        var bvu = DoubleVector.fromArray(S, st, VB + 3 * CHUNK + g);
+        var bvv = DoubleVector.fromArray(S, st, VB + 4 * CHUNK + g);
+        var bvw = DoubleVector.fromArray(S, st, VB + 5 * CHUNK + g);
+        var vn = nx.mul(bvx.sub(avx)).add(ny.mul(bvy.sub(avy))).add(nz.mul(bvz.sub(avz)));
+        var fixed = ma.min(mb).compare(VectorOperators.EQ, 0.0);
+        var rate = DoubleVector.zero(S);
+        var massScale = DoubleVector.broadcast(S, 1.0);
+        if (isSoft) {
+            rate = DoubleVector.broadcast(S, sub.rate).blend(sub.fixedRate, fixed);
+            massScale = DoubleVector.broadcast(S, sub.massScale).blend(sub.fixedMassScale, fixed);
+        }
+        var impulseScale =
+                DoubleVector.broadcast(S, sub.impulseScale).blend(sub.fixedImpulseScale, fixed);
+        var cold = isSoft ? DoubleVector.fromArray(S, d, o + COLD * L) : DoubleVector.zero(S);
+        double inverse = sub.inverse;
+        double push = -sub.pushSpeed;
+        var n = DoubleVector.zero(S);
+        var miss = DoubleVector.zero(S);
+        var scale = DoubleVector.zero(S);
+        var give = DoubleVector.zero(S);
+        var least = DoubleVector.broadcast(S, Double.MAX_VALUE);
+        var ax = DoubleVector.zero(S);
+        var ay = DoubleVector.zero(S);
+        var az = DoubleVector.zero(S);
+        var bx = DoubleVector.zero(S);
+        var by = DoubleVector.zero(S);
+        var bz = DoubleVector.zero(S);
+        for (int p = 0; p < points; p++) {
+            int q = o + (POINT + p * POINT_FIELDS) * L;
+            var ux = DoubleVector.fromArray(S, d, q);
+            var uy = DoubleVector.fromArray(S, d, q + L);
+            var uz = DoubleVector.fromArray(S, d, q + 2 * L);
+            var wx = DoubleVector.fromArray(S, d, q + ARM_B * L);
+            var wy = DoubleVector.fromArray(S, d, q + (ARM_B + 1) * L);
+            var wz = DoubleVector.fromArray(S, d, q + (ARM_B + 2) * L);
+            var s = DoubleVector.fromArray(S, d, q + SEPARATION * L);
+            var old = DoubleVector.fromArray(S, d, q + IMPULSE * L);
+            var mass = DoubleVector.fromArray(S, d, q + MASS * L);
+            var speed =
+                    vn.add(wx.mul(bvu).add(wy.mul(bvv)).add(wz.mul(bvw)))
+                            .sub(ux.mul(avu).add(uy.mul(avv)).add(uz.mul(avw)));
+            var open = s.compare(VectorOperators.GT, 0.0);
+            var k = massScale.blend(1.0, open);
+            var r = k.mul(speed).add(s.mul(rate).max(push).blend(s.mul(inverse), open));
+            // a point that is not there has no mass
+            var there = mass.compare(VectorOperators.GT, 0.0);
+            var begins = cold.compare(VectorOperators.GT, 0.0);
+            var active =
+                    old.compare(VectorOperators.GT, 0.0)
+                            .or(begins.and(r.compare(VectorOperators.LT, 0.0)).and(there));
+            var one = DoubleVector.zero(S).blend(1.0, active);
+            one.intoArray(st, ACTIVE + p * L);
+            n = n.add(one);
+            miss = miss.add(DoubleVector.zero(S).blend(r, active));
+            scale = scale.add(DoubleVector.zero(S).blend(k, active));
+            least = least.blend(least.min(old), active);
+            ax = ax.add(DoubleVector.zero(S).blend(ux, active));
+            ay = ay.add(DoubleVector.zero(S).blend(uy, active));
+            az = az.add(DoubleVector.zero(S).blend(uz, active));
+            bx = bx.add(DoubleVector.zero(S).blend(wx, active));
+            by = by.add(DoubleVector.zero(S).blend(wy, active));
+            bz = bz.add(DoubleVector.zero(S).blend(wz, active));
+            if (isSoft) {
+                var leak =
+                        DoubleVector.zero(S).blend(impulseScale.blend(0.0, open).div(mass), active);
+                miss = miss.add(leak.mul(old));
+                give = give.add(leak);
+            }
+        }
+        var response =
+                n.mul(n)
+                        .mul(ma.add(mb))
+                        .add(ax.mul(ax).add(ay.mul(ay)).add(az.mul(az)))
+                        .add(bx.mul(bx).add(by.mul(by)).add(bz.mul(bz)));
+        var floor = least.neg().blend(0.0, cold.compare(VectorOperators.GT, 0.0));
+        var delta =
+                DoubleVector.zero(S)
+                        .blend(
+                                miss.neg().div(response.mul(scale.div(n)).add(give)).max(floor),
+                                n.compare(VectorOperators.GT, 1.0));
+        for (int p = 0; p < points; p++) {
+            int q = o + (POINT + p * POINT_FIELDS + IMPULSE) * L;
+            DoubleVector.fromArray(S, d, q)
+                    .add(delta.mul(DoubleVector.fromArray(S, st, ACTIVE + p * L)))
+                    .intoArray(d, q);
+        }
+        var change = n.mul(delta);
+        var px = change.mul(nx);
+        var py = change.mul(ny);
+        var pz = change.mul(nz);
+        var back = delta.neg();
+        avx.add(ma.neg().mul(px)).add(0.0).intoArray(st, g);
+        avy.add(ma.neg().mul(py)).add(0.0).intoArray(st, CHUNK + g);
+        avz.add(ma.neg().mul(pz)).add(0.0).intoArray(st, 2 * CHUNK + g);
+        bvx.add(mb.mul(px)).add(0.0).intoArray(st, VB + g);
+        bvy.add(mb.mul(py)).add(0.0).intoArray(st, VB + CHUNK + g);
+        bvz.add(mb.mul(pz)).add(0.0).intoArray(st, VB + 2 * CHUNK + g);
+        avu.add(back.mul(ax)).add(0.0).intoArray(st, 3 * CHUNK + g);
+        avv.add(back.mul(ay)).add(0.0).intoArray(st, 4 * CHUNK + g);
+        avw.add(back.mul(az)).add(0.0).intoArray(st, 5 * CHUNK + g);
+        bvu.add(delta.mul(bx)).add(0.0).intoArray(st, VB + 3 * CHUNK + g);
+        bvv.add(delta.mul(by)).add(0.0).intoArray(st, VB + 4 * CHUNK + g);
+        bvw.add(delta.mul(bz)).add(0.0).intoArray(st, VB + 5 * CHUNK + g);
+        return n.compare(VectorOperators.GT, 0.0).anyTrue();
+    }
+
     /**
      * Soft normals of a group: of the lanes that are marked at {@code marks}.
      *
@@ -254,17 +405,6 @@ final class LaneSweeps implements Sweeps {
         double push = -sub.pushSpeed;
         var pressed = DoubleVector.zero(S);
         var active = DoubleVector.fromArray(S, st, marks + g).compare(VectorOperators.GT, 0.0);
-        if (marks == ONES) {
-            for (int p = 0; p < points; p++) {
-                pressed =
-                        pressed.add(
-                                DoubleVector.fromArray(
-                                        S, d, o + (POINT + p * POINT_FIELDS + IMPULSE) * L));
-            }
-            DoubleVector.zero(S)
-                    .blend(1.0, pressed.compare(VectorOperators.EQ, 0.0))
-                    .intoArray(d, o + COLD * L);
-        }
         var moved = DoubleVector.zero(S);
         for (int sweep = 0; sweep < sweeps; sweep++) {
             moved = DoubleVector.zero(S);

@@ -77,6 +77,9 @@ final class ScalarSweeps implements Sweeps {
             double sum = sum(d, o, lanes, n);
             boolean cold = sum == 0;
             d[o + COLD * lanes] = cold ? 1 : 0;
+            if (!even(d, o, lanes, body, link[l], link[l + 1], n, sub, true)) {
+                continue;
+            }
             boolean moved = bias(d, o, lanes, body, link[l], link[l + 1], n, sub, sub.sweeps);
             if (cold && moved && sub.landing > sub.sweeps) {
                 bias(d, o, lanes, body, link[l], link[l + 1], n, sub, sub.landing - sub.sweeps);
@@ -94,6 +97,121 @@ final class ScalarSweeps implements Sweeps {
             sum += d[o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes];
         }
         return sum;
+    }
+
+    /**
+     * Before the points are swept one after the other: the same change of impulse at all that press
+     * (or, in a contact that begins, at all that close), such that their mean speed is right. So
+     * what is symmetric is answered symmetrically, and the sweeps have only the tilt to solve.
+     *
+     * <p>With the sum {@code r} of what the points miss, n points, and the sums of their arms:
+     * {@code dl = -r/(k (n² (1/mA + 1/mB) + |sum armA|² + |sum armB|²) + sum leak/m)}.
+     *
+     * @return false if no point presses or closes: then a sweep has nothing to do
+     */
+    private static boolean even(
+            double[] d,
+            int o,
+            int lanes,
+            double[] body,
+            int a,
+            int b,
+            int points,
+            SubStep sub,
+            boolean isSoft) {
+        double ma = d[o + MASS_A * lanes];
+        double mb = d[o + MASS_B * lanes];
+        boolean fixed = ma == 0 || mb == 0;
+        double rate = isSoft ? fixed ? sub.fixedRate : sub.rate : 0;
+        double massScale = isSoft ? fixed ? sub.fixedMassScale : sub.massScale : 1;
+        double impulseScale = fixed ? sub.fixedImpulseScale : sub.impulseScale;
+        double nx = d[o];
+        double ny = d[o + lanes];
+        double nz = d[o + 2 * lanes];
+        double vn =
+                nx * (body[b] - body[a])
+                        + ny * (body[b + 1] - body[a + 1])
+                        + nz * (body[b + 2] - body[a + 2]);
+        boolean begins = isSoft && d[o + COLD * lanes] > 0;
+        int active = 0;
+        double n = 0;
+        double miss = 0;
+        double scale = 0;
+        double give = 0;
+        double least = Double.MAX_VALUE;
+        double ax = 0;
+        double ay = 0;
+        double az = 0;
+        double bx = 0;
+        double by = 0;
+        double bz = 0;
+        for (int p = 0; p < points; p++) {
+            int q = o + (POINT + p * POINT_FIELDS) * lanes;
+            double s = d[q + SEPARATION * lanes];
+            double old = d[q + IMPULSE * lanes];
+            double speed =
+                    vn
+                            + dot(d, q + ARM_B * lanes, lanes, body, b + 3)
+                            - dot(d, q, lanes, body, a + 3);
+            double k = s > 0 ? 1 : massScale;
+            double r = k * speed + (s > 0 ? s * sub.inverse : Math.max(s * rate, -sub.pushSpeed));
+            if (begins ? r < 0 : old > 0) {
+                active |= 1 << p;
+                n += 1;
+                miss += r;
+                scale += k;
+                least = Math.min(least, old);
+                ax += d[q];
+                ay += d[q + lanes];
+                az += d[q + 2 * lanes];
+                bx += d[q + ARM_B * lanes];
+                by += d[q + (ARM_B + 1) * lanes];
+                bz += d[q + (ARM_B + 2) * lanes];
+                if (isSoft) {
+                    double leak = (s > 0 ? 0 : impulseScale) / d[q + MASS * lanes];
+                    miss += leak * old;
+                    give += leak;
+                }
+            }
+        }
+        double delta = 0;
+        if (n > 1) {
+            double response =
+                    n * n * (ma + mb)
+                            + (ax * ax + ay * ay + az * az)
+                            + (bx * bx + by * by + bz * bz);
+            delta = Math.max(-miss / (response * (scale / n) + give), begins ? 0 : -least);
+        }
+        for (int p = 0; p < points; p++) {
+            if ((active & 1 << p) != 0) {
+                d[o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes] += delta;
+            }
+        }
+        double change = n * delta;
+        double ta = -delta;
+        write(
+                body,
+                a,
+                -ma,
+                change,
+                nx,
+                ny,
+                nz,
+                body[a + 3] + ta * ax,
+                body[a + 4] + ta * ay,
+                body[a + 5] + ta * az);
+        write(
+                body,
+                b,
+                mb,
+                change,
+                nx,
+                ny,
+                nz,
+                body[b + 3] + delta * bx,
+                body[b + 4] + delta * by,
+                body[b + 5] + delta * bz);
+        return active != 0;
     }
 
     /** Soft normals; whether the last sweep changed an impulse. */
@@ -210,6 +328,7 @@ final class ScalarSweeps implements Sweeps {
             // a contact without a warm start has its normals and its friction still to agree on who
             // stops what
             boolean cold = d[o + COLD * lanes] > 0;
+            even(d, o, lanes, body, a, b, n, sub, false);
             boolean moved = hard(d, o, lanes, body, a, b, n, sub.inverse, sub.sweeps);
             if (cold && moved) {
                 hard(d, o, lanes, body, a, b, n, sub.inverse, sub.landing - sub.sweeps);

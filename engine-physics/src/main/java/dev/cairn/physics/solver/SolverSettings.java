@@ -18,8 +18,8 @@ package dev.cairn.physics.solver;
  *     bad starts.
  * @param restitutionThreshold slowest impact that bounces, m/s, at least 0; slower ones are
  *     inelastic, so that a bouncing body comes to rest instead of bouncing for ever smaller times.
- * @param innerSweeps sweeps over the points of one contact before the next contact, 1 to 16. More
- *     sweeps solve the tilt of a face inside the contact.
+ * @param innerSweeps sweeps over the points of one contact before the next contact, 1 to 16, after
+ *     one common step of all its points. More sweeps solve the tilt of a face inside the contact.
  * @param coldSweeps sweeps over normals and friction of a contact in a sub-step that it begins
  *     without impulses, 1 to 32. Costs nothing where nothing lands; a landing or a slide starts
  *     with the right friction.
@@ -55,7 +55,7 @@ public record SolverSettings(
         int lanes) {
     /** The measured defaults. */
     public static final SolverSettings DEFAULT =
-            new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 2, 8, 0.01, 2, 0.05, 0.05, 10, 0);
+            new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 1, 8, 0.01, 2, 0.05, 0.05, 10, 0);
 
     /**
      * Checks every bound.

@@ -12,10 +12,10 @@ import java.util.Arrays;
  */
 interface Sweeps extends RowFiller {
     /** Doubles of scratch that a worker brings. */
-    int SCRATCH = 29 * ConstraintRows.CHUNK;
+    int SCRATCH = 30 * ConstraintRows.CHUNK;
 
     /** Start of a chunk of ones in it: the marks of lanes that all take part. */
-    int ONES = 28 * ConstraintRows.CHUNK;
+    int ONES = 29 * ConstraintRows.CHUNK;
 
     /** Scratch of a worker. */
     static double[] scratch() {
