@@ -19,7 +19,7 @@ public final class PairTimes {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
     /** Repetitions; the fastest is told, and the median. */
-    private static final int REPETITIONS = 400;
+    private static final int REPETITIONS = Integer.getInteger("reps", 400);
 
     private PairTimes() {}
 

@@ -9,6 +9,7 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.BoxContacts;
 import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
+import dev.cairn.physics.narrowphase.RoundContacts;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
 import dev.cairn.physics.shape.Box;
@@ -31,6 +32,9 @@ public final class ManifoldStage {
     /** At rest few pairs of a batch have moved; lanes would be empty. */
     private static final int MOVED_FOR_LANES = 8;
 
+    /** Some 40 nanoseconds each. */
+    private static final int ROUND_PER_BLOCK = 128;
+
     /** Other pairs cost from some hundred nanoseconds to some microseconds. */
     private static final int OTHERS_PER_BLOCK = 32;
 
@@ -45,7 +49,7 @@ public final class ManifoldStage {
     private ContactStore contacts = new ContactStore();
     private BoundsStage bounds;
     private double reach;
-    private int boxBlocks;
+    private int boxBlocks, roundBlocks;
 
     /**
      * A stage.
@@ -86,24 +90,68 @@ public final class ManifoldStage {
         points.use(bodyStore, rows);
         recycler.use(bodyStore, rows, stepSeconds);
         kinds.sort(bodyStore, rows, jobs);
-        int boxes = kinds.begin(PairKinds.OTHERS);
-        boxBlocks = Blocks.count(boxes, BOXES_PER_BLOCK);
-        jobs.run(job, boxBlocks + Blocks.count(rows.activeCount - boxes, OTHERS_PER_BLOCK));
+        int round = kinds.begin(PairKinds.ROUND);
+        int others = kinds.begin(PairKinds.OTHERS);
+        boxBlocks = Blocks.count(round, BOXES_PER_BLOCK);
+        roundBlocks = Blocks.count(others - round, ROUND_PER_BLOCK);
+        int rest = Blocks.count(rows.activeCount - others, OTHERS_PER_BLOCK);
+        jobs.run(job, boxBlocks + roundBlocks + rest);
     }
 
     private void block(int block, int worker) {
         Scratch own = scratch[worker];
+        int round = kinds.begin(PairKinds.ROUND);
         int others = kinds.begin(PairKinds.OTHERS);
         if (block < boxBlocks) {
             int begin = Blocks.begin(block, BOXES_PER_BLOCK);
-            boxes(begin, Blocks.end(block, BOXES_PER_BLOCK, others) - begin, own);
+            boxes(begin, Blocks.end(block, BOXES_PER_BLOCK, round) - begin, own);
             return;
         }
-        int[] order = kinds.order();
         int b = block - boxBlocks;
+        if (b < roundBlocks) {
+            int end = round + Blocks.end(b, ROUND_PER_BLOCK, others - round);
+            round(round + Blocks.begin(b, ROUND_PER_BLOCK), end, own);
+            return;
+        }
+        b -= roundBlocks;
+        int[] order = kinds.order();
         int end = others + Blocks.end(b, OTHERS_PER_BLOCK, contacts.activeCount - others);
         for (int i = others + Blocks.begin(b, OTHERS_PER_BLOCK); i < end; i++) {
             collide(order[i], own);
+        }
+    }
+
+    private void round(int begin, int end, Scratch own) {
+        BodyStore s = bodies;
+        ContactStore c = contacts;
+        int[] order = kinds.order();
+        for (int i = begin; i < end; i++) {
+            int row = order[i];
+            int a = c.bodyA[row];
+            int b = c.bodyB[row];
+            boolean done =
+                    own.round.collide(
+                            s.shape[a],
+                            s.shape[b],
+                            s.orientationX[a],
+                            s.orientationY[a],
+                            s.orientationZ[a],
+                            s.orientationW[a],
+                            s.orientationX[b],
+                            s.orientationY[b],
+                            s.orientationZ[b],
+                            s.orientationW[b],
+                            s.positionX[b] - s.positionX[a],
+                            s.positionY[b] - s.positionY[a],
+                            s.positionZ[b] - s.positionZ[a],
+                            margin(a, b),
+                            own.manifold);
+            if (done) {
+                c.cache[row] = own.round.word();
+                points.store(row, own.manifold, own.points);
+            } else {
+                collide(row, own);
+            }
         }
     }
 
@@ -143,7 +191,7 @@ public final class ManifoldStage {
                     c.cache[row]);
         }
         batch.useLanes(
-                kinds.begin(PairKinds.OTHERS) >= BOXES_FOR_LANES
+                kinds.begin(PairKinds.ROUND) >= BOXES_FOR_LANES
                         && moved >= MOVED_FOR_LANES
                         && BoxWarmUp.ready());
         batch.run(moved);
@@ -197,6 +245,7 @@ public final class ManifoldStage {
     private static final class Scratch {
         final NarrowPhase narrowPhase = new NarrowPhase();
         final BoxContacts boxes = new BoxContacts(narrowPhase);
+        final RoundContacts round = new RoundContacts();
         final int[] row = new int[BOXES_PER_BLOCK];
         final double[] margin = new double[BOXES_PER_BLOCK];
         final Manifold manifold = new Manifold();

@@ -6,6 +6,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.BoxContacts;
+import dev.cairn.physics.narrowphase.RoundContacts;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
 
@@ -20,10 +21,13 @@ final class PairKinds {
     /** Two boxes: collided in batches. */
     static final int BOXES = 0;
 
-    /** All the rest: one after another. */
-    static final int OTHERS = 1;
+    /** Balls and capsules: a closed form. */
+    static final int ROUND = 1;
 
-    private static final int KINDS = 2;
+    /** All the rest: one after another. */
+    static final int OTHERS = 2;
+
+    private static final int KINDS = 3;
     private static final int ROWS_PER_BLOCK = 512;
 
     private final BlockJob countJob = this::countBlock;
@@ -80,17 +84,25 @@ final class PairKinds {
     private void countBlock(int block, int worker) {
         int end = Blocks.end(block, ROWS_PER_BLOCK, contacts.activeCount);
         int boxes = 0;
+        int round = 0;
         int first = Blocks.begin(block, ROWS_PER_BLOCK);
         for (int i = first; i < end; i++) {
             int row = contacts.active[i];
-            boolean both =
-                    batched(bodies.shape[contacts.bodyA[row]])
-                            && batched(bodies.shape[contacts.bodyB[row]]);
-            kind[i] = (byte) (both ? BOXES : OTHERS);
-            boxes += both ? 1 : 0;
+            Shape a = bodies.shape[contacts.bodyA[row]];
+            Shape b = bodies.shape[contacts.bodyB[row]];
+            int of = OTHERS;
+            if (batched(a) && batched(b)) {
+                of = BOXES;
+                boxes++;
+            } else if (RoundContacts.fits(a) && RoundContacts.fits(b)) {
+                of = ROUND;
+                round++;
+            }
+            kind[i] = (byte) of;
         }
         cursor[KINDS * block + BOXES] = boxes;
-        cursor[KINDS * block + OTHERS] = end - first - boxes;
+        cursor[KINDS * block + ROUND] = round;
+        cursor[KINDS * block + OTHERS] = end - first - boxes - round;
     }
 
     private static boolean batched(Shape shape) {

@@ -24,7 +24,7 @@ final class Names {
     }
 
     /** 1 to 255. */
-    private static int hash(int feature) {
+    static int hash(int feature) {
         int h = feature * 0x9E3779B9;
         return (((h >>> 16) * 255) >>> 16) + 1;
     }

@@ -45,6 +45,7 @@ public final class NarrowPhase {
     private final ContactPoints points = new ContactPoints(pair, axes, gjk);
     private final Polyhedra polyhedra;
     private final RoundQuery round = new RoundQuery();
+    private final RoundContacts rounds = new RoundContacts();
     private final CurvedPairs curved;
     private boolean curvedLast;
 
@@ -158,6 +159,14 @@ public final class NarrowPhase {
             double margin,
             long cache,
             Manifold out) {
+        if (method == Method.SPECIALISED && RoundContacts.fits(a) && RoundContacts.fits(b)) {
+            boolean done =
+                    rounds.collide(
+                            a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz, margin, out);
+            if (done) {
+                return rounds.word();
+            }
+        }
         if (!(plain(a) && plain(b))) {
             curvedLast = true;
             return curved.collide(
