@@ -16,6 +16,12 @@ final class CurvedAxis {
     /** Of the smaller shape: two overlaps this close may be taken one for the other. */
     private static final double DEEP = 0x1p-24;
 
+    /** Of the depth: as above, for shallow overlaps. */
+    private static final double SHARE = 0x1p-16;
+
+    /** Of the smaller shape: overlaps that are not much more than that. */
+    private static final double SHALLOW = 0x1p-18;
+
     /** Axes that are tried when the polytope met its cap. */
     private static final int STARTS = 12;
 
@@ -98,10 +104,17 @@ final class CurvedAxis {
         double finest = epa.relativeTolerance;
         double tolerance = DEEP * p.small;
         epa.relativeTolerance = Math.max(tolerance / p.scale, finest);
+        epa.share = finest <= DEEP ? SHARE : Double.MAX_VALUE;
         epa.run(p, gjk);
+        epa.share = Double.MAX_VALUE;
         epa.relativeTolerance = finest;
         refine.run(p, epa.axisX, epa.axisY, epa.axisZ);
         take();
+        if (gjk.distance > 0 && separation > -SHALLOW * p.small) {
+            // Nearly touching, any axis is hardly deep; the way to the nearest points tells more.
+            double s = 1 / gjk.distance;
+            better(p, gjk.vx * s, gjk.vy * s, gjk.vz * s);
+        }
         if (epa.capped) {
             tried[0] = epa.axisX;
             tried[1] = epa.axisY;

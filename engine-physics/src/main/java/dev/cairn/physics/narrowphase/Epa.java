@@ -32,6 +32,10 @@ final class Epa {
     int cap = 4 * MAX_POINTS;
 
     double relativeTolerance = TOLERANCE;
+
+    /** Of the depth: a gap that matters for shallow overlaps, where the tolerance is more. */
+    double share = Double.MAX_VALUE;
+
     boolean capped;
     int iterations;
 
@@ -85,7 +89,8 @@ final class Epa {
                 axisY = -ay;
                 axisZ = -az;
             }
-            if (reach - lower <= tolerance || depth - lower <= tolerance) {
+            double enough = Math.max(TOLERANCE * pair.scale, Math.min(tolerance, share * depth));
+            if (reach - lower <= enough || depth - lower <= enough) {
                 points--;
                 return;
             }

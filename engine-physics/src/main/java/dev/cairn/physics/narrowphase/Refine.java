@@ -94,7 +94,7 @@ final class Refine {
 
     private void tryAxis(double x, double y, double z, int ofA, int ofB) {
         double s = along(x, y, z);
-        double tie = 0x1p-46 * pair.scale;
+        double tie = 0x1p-50 * pair.scale;
         // Among equals the flatter features tell more; else the order of trying shall not matter.
         int flatness = Integer.compare(ofA + ofB, kindA + kindB);
         if (s > separation + tie
@@ -296,17 +296,33 @@ final class Refine {
         double b = startX * sideB.ax + startY * sideB.ay + startZ * sideB.az;
         boolean rims = sideA.radius[i] > 0 && sideB.radius[j] > 0;
         if (rims && Math.abs(a) > NEARLY && Math.abs(b) > NEARLY) {
-            double p = a < 0 ? -1 : 1;
-            double q = b < 0 ? -1 : 1;
-            nx = p * sideA.ax + q * sideB.ax;
-            ny = p * sideA.ay + q * sideB.ay;
-            nz = p * sideA.az + q * sideB.az;
-            double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-            nx /= length;
-            ny /= length;
-            nz /= length;
+            between(a < 0 ? -1 : 1, b < 0 ? -1 : 1, cx, cy, cz);
             climb(i, j, cx, cy, cz);
         }
+    }
+
+    /**
+     * Sets n between the axes of two rims, moved towards the other rim by as much as the axes
+     * differ: on the line through both the bend says nothing about the way across.
+     */
+    private void between(double p, double q, double cx, double cy, double cz) {
+        double x = p * sideA.ax - q * sideB.ax;
+        double y = p * sideA.ay - q * sideB.ay;
+        double z = p * sideA.az - q * sideB.az;
+        double apart = Math.sqrt(x * x + y * y + z * z);
+        double along = cx * sideA.ax + cy * sideA.ay + cz * sideA.az;
+        double ox = cx - along * sideA.ax;
+        double oy = cy - along * sideA.ay;
+        double oz = cz - along * sideA.az;
+        double off = Math.sqrt(ox * ox + oy * oy + oz * oz);
+        double f = off > 0 ? apart / off : 0;
+        nx = p * sideA.ax + q * sideB.ax + f * ox;
+        ny = p * sideA.ay + q * sideB.ay + f * oy;
+        nz = p * sideA.az + q * sideB.az + f * oz;
+        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        nx /= length;
+        ny /= length;
+        nz /= length;
     }
 
     private double gu, gv, huu, huv, hvv, value;
