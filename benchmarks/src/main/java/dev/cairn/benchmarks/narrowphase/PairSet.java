@@ -208,6 +208,21 @@ public final class PairSet {
     }
 
     /**
+     * The signed distance of a pair, from the features that were nearest before.
+     *
+     * @param i the pair
+     * @param n computes it
+     * @param word of the last tick, or 0
+     * @return m
+     */
+    public double distance(int i, NarrowPhase n, long word) {
+        Quaterniond p = turnA[i];
+        Quaterniond q = turnB[i];
+        Vector3d d = offset[i];
+        return n.distance(a[i], b[i], p.x, p.y, p.z, p.w, q.x, q.y, q.z, q.w, d.x, d.y, d.z, word);
+    }
+
+    /**
      * The contact of a pair.
      *
      * @param i the pair

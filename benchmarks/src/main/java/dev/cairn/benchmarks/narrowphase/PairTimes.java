@@ -31,13 +31,14 @@ public final class PairTimes {
     public static void main(String[] args) {
         System.out.printf(
                 Locale.ROOT,
-                "%-16s %-12s %8s %8s %8s %8s %8s   (best, ns of thread CPU time)%n",
+                "%-16s %-12s %8s %8s %8s %8s %8s %8s   (best, ns of thread CPU time)%n",
                 "pairs",
                 "method",
                 "cold",
                 "warm",
                 "moving",
                 "distance",
+                "warm",
                 "stage");
         for (PairSet.Kind kind : PairSet.Kind.values()) {
             if (args.length > 0 && !java.util.Arrays.asList(args).contains(kind.name())) {
@@ -46,13 +47,14 @@ public final class PairTimes {
             for (Method method : Method.values()) {
                 System.out.printf(
                         Locale.ROOT,
-                        "%-16s %-12s %8.0f %8.0f %8.0f %8.0f",
+                        "%-16s %-12s %8.0f %8.0f %8.0f %8.0f %8.0f",
                         kind,
                         method,
                         collide(kind, method, false, false),
                         collide(kind, method, true, false),
                         collide(kind, method, true, true),
-                        distance(kind, method));
+                        distance(kind, method, false),
+                        distance(kind, method, true));
                 if (method == Method.SPECIALISED) {
                     System.out.printf(Locale.ROOT, " %8.0f", stage(kind));
                 }
@@ -86,7 +88,8 @@ public final class PairTimes {
         return fastest;
     }
 
-    private static double distance(PairSet.Kind kind, Method method) {
+    private static double distance(PairSet.Kind kind, Method method, boolean warm) {
+        long[] words = new long[PairSet.SIZE];
         PairSet set = new PairSet(kind, 1);
         NarrowPhase n = new NarrowPhase(method);
         double fastest = Double.MAX_VALUE;
@@ -95,7 +98,8 @@ public final class PairTimes {
             set.move(k);
             long begin = THREADS.getCurrentThreadCpuTime();
             for (int i = 0; i < PairSet.SIZE; i++) {
-                sum += set.distance(i, n);
+                sum += set.distance(i, n, warm ? words[i] : 0);
+                words[i] = n.distanceWord();
             }
             long nanos = THREADS.getCurrentThreadCpuTime() - begin;
             fastest = Math.min(fastest, nanos / (double) PairSet.SIZE);

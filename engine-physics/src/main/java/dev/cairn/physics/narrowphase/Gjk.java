@@ -70,6 +70,59 @@ final class Gjk {
         vx = wx[0];
         vy = wy[0];
         vz = wz[0];
+        loop(pair, limit);
+    }
+
+    /**
+     * Runs from the simplex of another run, as {@link #word} told it; false when the word does not
+     * name vertices of this pair. A simplex of another pose costs time, never correctness.
+     */
+    boolean runFrom(long word, Pair pair, double limit) {
+        int points = (int) (word >>> 62);
+        for (int i = 0; i < points; i++) {
+            int va = (int) (word >>> (20 * i)) & 0x3FF;
+            int vb = (int) (word >>> (20 * i + 10)) & 0x3FF;
+            if (va >= pair.a.vertexCount() || vb >= pair.b.vertexCount()) {
+                return false;
+            }
+            put(pair, i, va, vb);
+        }
+        if (points == 0) {
+            return false;
+        }
+        overlap = false;
+        beyond = false;
+        capped = false;
+        lower = -Double.MAX_VALUE;
+        bestSquare = Double.MAX_VALUE;
+        bestCount = 0;
+        if (points == 3) {
+            triangle(0, 1, 2);
+        } else if (points == 2) {
+            segment(0, 1);
+        } else {
+            point(0);
+        }
+        take();
+        loop(pair, limit);
+        return true;
+    }
+
+    /**
+     * The vertices of the simplex of shapes that are apart, for {@link #runFrom}; 0 if too many.
+     */
+    long word() {
+        long word = (long) count << 62;
+        for (int i = 0; i < count; i++) {
+            if (count > 3 || ia[i] > 0x3FF || ib[i] > 0x3FF) {
+                return 0;
+            }
+            word |= ((long) ib[i] << 10 | ia[i]) << (20 * i);
+        }
+        return word;
+    }
+
+    private void loop(Pair pair, double limit) {
         double touching = TOUCHING * pair.scale;
         for (iterations = 1; iterations <= cap; iterations++) {
             double square = vx * vx + vy * vy + vz * vz;
@@ -126,8 +179,10 @@ final class Gjk {
     }
 
     private void add(Pair pair, int at, double x, double y, double z, int hintA, int hintB) {
-        int va = pair.supportA(x, y, z, hintA);
-        int vb = pair.supportB(-x, -y, -z, hintB);
+        put(pair, at, pair.supportA(x, y, z, hintA), pair.supportB(-x, -y, -z, hintB));
+    }
+
+    private void put(Pair pair, int at, int va, int vb) {
         pair.vertexB(vb);
         ia[at] = va;
         ib[at] = vb;

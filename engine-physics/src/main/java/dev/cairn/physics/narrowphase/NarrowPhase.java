@@ -215,6 +215,45 @@ public final class NarrowPhase {
             double dx,
             double dy,
             double dz) {
+        return distance(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz, 0);
+    }
+
+    /**
+     * As {@link #distance}, from what the last call for this pair in this order left: of shapes
+     * that are apart and have moved little, a fraction of the time.
+     *
+     * @param a first shape
+     * @param b second shape
+     * @param qAx orientation of A, world from body, unit quaternion
+     * @param qAy orientation of A
+     * @param qAz orientation of A
+     * @param qAw orientation of A
+     * @param qBx orientation of B, world from body, unit quaternion
+     * @param qBy orientation of B
+     * @param qBz orientation of B
+     * @param qBw orientation of B
+     * @param dx centre of mass of B minus that of A, world axes, m
+     * @param dy see {@code dx}
+     * @param dz see {@code dx}
+     * @param cache {@link #distanceWord} after the last call; 0 if there is none. A stale or random
+     *     word costs time, never correctness
+     * @return m
+     */
+    public double distance(
+            Shape a,
+            Shape b,
+            double qAx,
+            double qAy,
+            double qAz,
+            double qAw,
+            double qBx,
+            double qBy,
+            double qBz,
+            double qBw,
+            double dx,
+            double dy,
+            double dz,
+            long cache) {
         if (!(plain(a) && plain(b))) {
             curvedLast = true;
             return curved.distance(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
@@ -225,7 +264,16 @@ public final class NarrowPhase {
             points.setAxis(round.axisX, round.axisY, round.axisZ);
             return round.distance - pair.radiusA - pair.radiusB;
         }
-        return polyhedra.distance(a, b);
+        return polyhedra.distance(a, b, cache);
+    }
+
+    /**
+     * The nearest features of the last {@link #distance} of two boxes or hulls.
+     *
+     * @return what to pass to the next call for the pair; 0 when there is nothing to pass
+     */
+    public long distanceWord() {
+        return polyhedra.distanceWord();
     }
 
     /**

@@ -42,9 +42,14 @@ final class Polyhedra {
     }
 
     /** See {@link NarrowPhase#distance}; leaves the axis in {@link ContactPoints}. */
-    double distance(Shape a, Shape b) {
+    double distance(Shape a, Shape b, long cache) {
         search.gap = 0;
-        return search.distance(a, b);
+        return search.distance(a, b, cache);
+    }
+
+    /** What to pass to the next {@link #distance}. */
+    long distanceWord() {
+        return search.word;
     }
 
     private double rounding() {

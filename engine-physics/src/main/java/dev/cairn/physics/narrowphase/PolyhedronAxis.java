@@ -20,6 +20,9 @@ final class PolyhedronAxis {
     /** By how much the signed distance may be larger, m. */
     double gap;
 
+    /** The vertices that are nearest, for the next distance of the pair; 0 when it is not apart. */
+    long word;
+
     private final Pair pair;
     private final Gjk gjk;
     private final Epa epa;
@@ -62,8 +65,22 @@ final class PolyhedronAxis {
         }
     }
 
-    /** The signed distance of the pair; leaves its axis in the points. */
-    double distance(Shape a, Shape b) {
+    /**
+     * The signed distance of the pair; leaves its axis in the points.
+     *
+     * @param cache the {@link #word} of another pose, or 0
+     */
+    double distance(Shape a, Shape b, long cache) {
+        word = 0;
+        general = !fifteen || !(a instanceof Box && b instanceof Box);
+        if (general || cache != 0) {
+            if (!gjk.runFrom(cache, pair, Double.MAX_VALUE)) {
+                gjk.run(pair, pair.dx, pair.dy, pair.dz, Double.MAX_VALUE);
+            }
+            if (!gjk.overlap && !gjk.capped && gjk.distance > NEAR * pair.scale) {
+                return apart();
+            }
+        }
         find(a, b, pair.dx, pair.dy, pair.dz, Double.MAX_VALUE);
         double best = axes.best();
         points.bestAxis();
@@ -76,6 +93,11 @@ final class PolyhedronAxis {
         if (gjk.overlap || gjk.distance <= NEAR * pair.scale) {
             return nearlyTouching(best);
         }
+        return apart();
+    }
+
+    private double apart() {
+        word = gjk.word();
         points.setAxis(gjk.vx / gjk.distance, gjk.vy / gjk.distance, gjk.vz / gjk.distance);
         return gjk.distance;
     }

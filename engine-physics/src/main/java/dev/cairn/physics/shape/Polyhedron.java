@@ -29,6 +29,9 @@ public final class Polyhedron {
     private final int largestFace;
     private final int[] extremes;
 
+    /** Made by {@link #box}: the signs of a direction name the vertex. */
+    private final boolean block;
+
     /**
      * Assembles the topology from vertices and loops.
      *
@@ -39,6 +42,11 @@ public final class Polyhedron {
      *     direction
      */
     Polyhedron(double[] x, double[] y, double[] z, int[][] loops) {
+        this(x, y, z, loops, false);
+    }
+
+    private Polyhedron(double[] x, double[] y, double[] z, int[][] loops, boolean block) {
+        this.block = block;
         this.x = x;
         this.y = y;
         this.z = z;
@@ -104,7 +112,7 @@ public final class Polyhedron {
         int[][] loops = {
             {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6},
         };
-        return new Polyhedron(x, y, z, loops);
+        return new Polyhedron(x, y, z, loops, true);
     }
 
     /**
@@ -395,6 +403,9 @@ public final class Polyhedron {
      * @return the vertex
      */
     public int support(double dx, double dy, double dz) {
+        if (block) {
+            return (dx > 0 ? 1 : 0) | (dy > 0 ? 2 : 0) | (dz > 0 ? 4 : 0);
+        }
         if (x.length > 40) {
             return climb(dx, dy, dz, start(dx, dy, dz));
         }

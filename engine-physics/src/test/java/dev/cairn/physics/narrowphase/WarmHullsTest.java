@@ -115,4 +115,28 @@ class WarmHullsTest {
             }
         }
     }
+
+    @Test
+    void theDistanceFromAWordIsThatWithoutOne() {
+        SplittableRandom r = new SplittableRandom(80);
+        NarrowPhase cold = new NarrowPhase(NarrowPhase.Method.GENERAL);
+        NarrowPhase hot = new NarrowPhase(NarrowPhase.Method.GENERAL);
+        for (int i = 0; i < 300; i++) {
+            Shape a = i % 2 == 0 ? Scene.box(r) : Scene.hull(r, 20, 1);
+            Scene s = new Scene(a, Scene.box(r));
+            s.d = Scene.direction(r).mul(1.3 * s.size());
+            long word = r.nextLong();
+            for (int tick = 0; tick < 8; tick++) {
+                double truth = s.distance(cold);
+                double found =
+                        hot.distance(
+                                s.a, s.b, s.qa.x, s.qa.y, s.qa.z, s.qa.w, s.qb.x, s.qb.y, s.qb.z,
+                                s.qb.w, s.d.x, s.d.y, s.d.z, word);
+                assertEquals(truth, found, 1e-13 * s.size(), "seed 80, pair " + i + " " + tick);
+                assertEquals(0, cold.axisX() - hot.axisX(), 1e-6, "seed 80, pair " + i);
+                word = tick == 4 ? r.nextLong() : hot.distanceWord();
+                s.qb.rotateXYZ(.02, .01, -.01).normalize();
+            }
+        }
+    }
 }
