@@ -85,7 +85,12 @@ final class PlaneContact {
         out.normalX = -normalX;
         out.normalY = -normalY;
         out.normalZ = -normalZ;
-        out.bound = 0x1p-48 * (pair.scale + Math.abs(height));
+        // The points of the last tick stay while a deeper one is hardly deeper.
+        double deepest = Double.MAX_VALUE;
+        for (int i = 0; i < out.pointCount; i++) {
+            deepest = Math.min(deepest, out.separation[i]);
+        }
+        out.bound = Math.abs(deepest - separation) + 0x1p-48 * (pair.scale + Math.abs(height));
         return 1L << 62 | (Names.of(out) & 0xFFFFFFFFL);
     }
 

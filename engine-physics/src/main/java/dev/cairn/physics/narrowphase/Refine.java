@@ -94,7 +94,7 @@ final class Refine {
 
     private void tryAxis(double x, double y, double z, int ofA, int ofB) {
         double s = along(x, y, z);
-        double tie = 0x1p-50 * pair.scale;
+        double tie = 0x1p-52 * pair.scale;
         // Among equals the flatter features tell more; else the order of trying shall not matter.
         int flatness = Integer.compare(ofA + ofB, kindA + kindB);
         if (s > separation + tie
