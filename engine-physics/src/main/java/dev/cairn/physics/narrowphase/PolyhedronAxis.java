@@ -114,7 +114,7 @@ final class PolyhedronAxis {
                 most = refine.separation;
                 points.setAxis(refine.axisX, refine.axisY, refine.axisZ);
             }
-            if (i == 1 || gjk.overlap) {
+            if (i == 1 || !(gjk.distance > 0)) {
                 break;
             }
             double s = 1 / gjk.distance;
