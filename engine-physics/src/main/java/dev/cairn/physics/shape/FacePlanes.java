@@ -5,6 +5,11 @@ final class FacePlanes {
     final double[] normalX, normalY, normalZ, offset;
     final double[] sideX, sideY, sideZ, sideOffset;
 
+    /** The corners of a face are not in one plane up to rounding; and whether any face is so. */
+    final boolean[] rough;
+
+    boolean anyRough;
+
     FacePlanes(double[] x, double[] y, double[] z, Topology topology) {
         int faces = topology.faceBegin.length - 1;
         int slots = topology.slotVertex.length;
@@ -16,6 +21,7 @@ final class FacePlanes {
         sideY = new double[slots];
         sideZ = new double[slots];
         sideOffset = new double[slots];
+        rough = new boolean[faces];
         planes(x, y, z, topology);
     }
 
@@ -54,11 +60,19 @@ final class FacePlanes {
             normalY[f] = ny;
             normalZ[f] = nz;
             double d = -Double.MAX_VALUE;
+            double low = Double.MAX_VALUE;
+            double extent = 0;
             for (int s = begin; s < end; s++) {
                 int v = slotVertex[s];
-                d = Math.max(d, nx * x[v] + ny * y[v] + nz * z[v]);
+                double height = nx * x[v] + ny * y[v] + nz * z[v];
+                d = Math.max(d, height);
+                low = Math.min(low, height);
+                extent = Math.max(extent, Math.max(Math.abs(x[v]), Math.abs(y[v])));
+                extent = Math.max(extent, Math.abs(z[v]));
             }
             offset[f] = d;
+            rough[f] = end - begin > 3 && d - low > 0x1p-46 * extent;
+            anyRough |= rough[f];
             for (int s = begin; s < end; s++) {
                 int a = slotVertex[s];
                 int b = slotVertex[s + 1 == end ? begin : s + 1];

@@ -32,6 +32,11 @@ public final class Polyhedron {
     /** Made by {@link #box}: the signs of a direction name the vertex. */
     private final boolean block;
 
+    /** Faces whose corners are not in one plane, but for what coplanar faces are merged within. */
+    private final boolean[] rough;
+
+    private final boolean anyRough;
+
     /**
      * Assembles the topology from vertices and loops.
      *
@@ -72,6 +77,8 @@ public final class Polyhedron {
         sideY = planes.sideY;
         sideZ = planes.sideZ;
         sideOffset = planes.sideOffset;
+        rough = planes.rough;
+        anyRough = planes.anyRough;
         double inner = Double.MAX_VALUE;
         for (int f = 0; f < offset.length; f++) {
             int top = support(normalX[f], normalY[f], normalZ[f], slotVertex[faceBegin[f]]);
@@ -465,6 +472,34 @@ public final class Polyhedron {
                 double dot = x[v] * dx + y[v] * dy + z[v] * dz;
                 if (dot > bestDot) {
                     bestDot = dot;
+                    best = v;
+                }
+            }
+            if (at == best && anyRough) {
+                best = across(dx, dy, dz, at, bestDot);
+                bestDot = x[best] * dx + y[best] * dy + z[best] * dz;
+            }
+        }
+        return best;
+    }
+
+    /**
+     * Faces that were merged from nearly coplanar ones have lost the edges between those, and a
+     * climb may stall on them: the highest vertex of all such faces at a vertex.
+     */
+    private int across(double dx, double dy, double dz, int at, double height) {
+        int best = at;
+        double most = height;
+        for (int s = spokeBegin[at]; s < spokeBegin[at + 1]; s++) {
+            int f = spokeFace[s];
+            if (!rough[f]) {
+                continue;
+            }
+            for (int k = faceBegin[f]; k < faceBegin[f + 1]; k++) {
+                int v = slotVertex[k];
+                double dot = x[v] * dx + y[v] * dy + z[v] * dz;
+                if (dot > most) {
+                    most = dot;
                     best = v;
                 }
             }
