@@ -32,6 +32,7 @@ final class History {
     final float[] kinetic = new float[LENGTH];
     final float[] momentum = new float[LENGTH];
     final float[] overlap = new float[LENGTH];
+    final float[][] stages = new float[STAGES.length][LENGTH];
     final float[][] errors = new float[ERRORS][LENGTH];
     final String[] errorNames = new String[ERRORS];
     final double[] errorNow = new double[ERRORS];
@@ -78,7 +79,7 @@ final class History {
                                 + kinetics.momentumZ() * kinetics.momentumZ());
         millisNow = tickMillis;
         contacts(world.contacts());
-        readStages(world.profile());
+        readStages(world.profile(), at);
         millis[at] = (float) tickMillis;
         energy[at] = (float) energyNow;
         kinetic[at] = (float) kineticNow;
@@ -93,10 +94,11 @@ final class History {
         ticks++;
     }
 
-    private void readStages(StepProfile profile) {
+    private void readStages(StepProfile profile, int at) {
         double share = ticks == 0 ? 1 : NEW_SHARE;
         for (int i = 0; i < STAGES.length; i++) {
             double micros = profile.lastNanos(STAGES[i]) / 1e3;
+            stages[i][at] = (float) micros;
             stageMicros[i] += share * (micros - stageMicros[i]);
         }
     }
@@ -143,6 +145,9 @@ final class History {
         System.arraycopy(from.overlap, 0, overlap, 0, LENGTH);
         for (int e = 0; e < ERRORS; e++) {
             System.arraycopy(from.errors[e], 0, errors[e], 0, LENGTH);
+        }
+        for (int i = 0; i < STAGES.length; i++) {
+            System.arraycopy(from.stages[i], 0, stages[i], 0, LENGTH);
         }
         System.arraycopy(from.errorNames, 0, errorNames, 0, ERRORS);
         System.arraycopy(from.errorNow, 0, errorNow, 0, ERRORS);

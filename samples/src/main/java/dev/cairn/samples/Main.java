@@ -41,6 +41,7 @@ import java.util.Map;
             "  samples --scene slope-box --set friction=0.2",
             "  samples --headless --scene pyramid --set base=100 --workers 2 --json -",
             "  samples --headless --obj rock.obj --picture rock.png --at 120",
+            "  samples --headless --scene pile --ticks 300 --animation pile.png",
             "  samples --scene pyramid --set base=5 --export-scene five.json",
             "  samples --headless --scene-file five.json --picture five.png",
             "  samples --scene room,pyramid,obj-drop --contact-sheet scenes.png",
@@ -150,6 +151,12 @@ public final class Main {
             paramLabel = "TICK",
             description = "Tick of that picture; the last by default.")
     @Nullable String at;
+
+    @Option(
+            names = "--animation",
+            paramLabel = "FILE.png",
+            description = "Draw the only scene of the run into an animated .png, 480 x 270.")
+    @Nullable String animation;
 
     @Option(
             names = "--contact-sheet",

@@ -38,6 +38,7 @@ import java.util.Map;
  * @param at tick of that picture, or null for the last
  * @param gallery true if every scene gets a picture in a folder
  * @param contactSheet where these pictures also go side by side, or null
+ * @param animation where the animation of the only scene goes, or null
  * @param stepSeconds length of a tick in a window, s
  * @param export where the only scene is written as a scene file, or null
  * @param sceneFile the scene file that the only scene came from, or null
@@ -57,6 +58,7 @@ record Request(
         @Nullable Integer at,
         boolean gallery,
         @Nullable Path contactSheet,
+        @Nullable Path animation,
         double stepSeconds,
         @Nullable Path export,
         @Nullable Path sceneFile,
@@ -77,6 +79,10 @@ record Request(
     }
 
     static final int MOST_TICKS = 10_000_000;
+
+    /** A minute; its frames are kept in memory until they are written. */
+    private static final int LONGEST_FILM = 3600;
+
     private static final String OBJ_SCENE = "obj-drop";
 
     /** Copies the collections. */
@@ -125,6 +131,10 @@ record Request(
         if (sheet != null) {
             checkPng("--contact-sheet", sheet);
         }
+        Path animation = path("--animation", typed.animation);
+        if (animation != null) {
+            checkAnimation(animation, scenes, ticks);
+        }
         if (typed.json != null && !typed.json.equals("-")) {
             Path json = path("--json", typed.json);
             if (json != null) {
@@ -150,6 +160,7 @@ record Request(
                                 && obj == null
                                 && typed.json == null),
                 sheet,
+                animation,
                 described == null ? SampleScene.STEP_SECONDS : described.tick().seconds(),
                 export,
                 file,
@@ -223,6 +234,7 @@ record Request(
                 typed.json != null
                         || typed.picture != null
                         || typed.contactSheet != null
+                        || typed.animation != null
                         || typed.ticks != null;
         return typed.headless || measured ? Mode.HEADLESS : Mode.EITHER;
     }
@@ -264,6 +276,12 @@ record Request(
                     "--contact-sheet %s: goes with --headless, and without --picture"
                             .formatted(typed.contactSheet));
         }
+        if (typed.animation != null
+                && (typed.window || typed.picture != null || typed.contactSheet != null)) {
+            throw new UsageException(
+                    "--animation %s: goes with --headless, and without --picture and --contact-sheet"
+                            .formatted(typed.animation));
+        }
         if (typed.at != null && typed.picture == null) {
             throw new UsageException(
                     "--at %s: says when to draw, so it needs --picture FILE.png"
@@ -284,6 +302,22 @@ record Request(
                     "--at %d: the run ends after %d ticks; add --ticks %d".formatted(at, last, at));
         }
         checkPng("--picture", picture);
+    }
+
+    private static void checkAnimation(
+            Path animation, List<SampleScene> scenes, @Nullable Integer ticks) {
+        if (scenes.size() != 1) {
+            throw new UsageException(
+                    "--animation %s: shows one scene, not %d; add --scene ID"
+                            .formatted(animation, scenes.size()));
+        }
+        int length = ticks == null ? scenes.get(0).ticks() : ticks;
+        if (length < 1 || length > LONGEST_FILM) {
+            throw new UsageException(
+                    "--animation %s: of %d ticks, want 1 to %d; add --ticks N"
+                            .formatted(animation, length, LONGEST_FILM));
+        }
+        checkPng("--animation", animation);
     }
 
     private static void checkPng(String option, Path file) {

@@ -136,12 +136,21 @@ final class Runner {
 
     private int headless() {
         String noPictures =
-                request.gallery() || request.picture() != null
+                request.gallery() || request.picture() != null || request.animation() != null
                         ? Offscreen.unavailableReason()
                         : null;
-        if (noPictures != null && (request.picture() != null || request.contactSheet() != null)) {
+        boolean asked =
+                request.picture() != null
+                        || request.contactSheet() != null
+                        || request.animation() != null;
+        if (noPictures != null && asked) {
             err.println(
-                    (request.picture() == null ? "--contact-sheet: " : "--picture: ") + noPictures);
+                    (request.picture() != null
+                                    ? "--picture: "
+                                    : request.animation() != null
+                                            ? "--animation: "
+                                            : "--contact-sheet: ")
+                            + noPictures);
             return Main.FAILED;
         }
         boolean draw = request.gallery() && noPictures == null;
@@ -189,6 +198,9 @@ final class Runner {
                 new SceneRun(scene, options, ticks, request.workers(), request.substeps())
                         .sleeping(request.sleepingOr(false))
                         .lanes(request.lanes());
+        if (request.animation() != null) {
+            run.animation(request.animation());
+        }
         if (request.picture() != null) {
             run.picture(request.picture(), request.at() == null ? ticks : request.at());
         } else if (draw) {

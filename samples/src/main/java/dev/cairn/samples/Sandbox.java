@@ -10,6 +10,7 @@ import dev.cairn.render.app.Application;
 import dev.cairn.render.app.Scene;
 import dev.cairn.render.app.View;
 import dev.cairn.render.camera.Camera;
+import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Key;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.ui.Ui;
@@ -69,6 +70,7 @@ class Sandbox extends Application {
     private int workers;
     private int substeps;
     private final boolean sleeping;
+    private boolean bound;
     private boolean keepCamera;
     private @Nullable SceneBuilder built;
     private int remarksShown;
@@ -145,13 +147,17 @@ class Sandbox extends Application {
     @Override
     protected PhysicsWorld createPhysics() {
         EditorStage.Shown edited = stage.shown();
-        return PhysicsWorld.builder()
-                .gravity(0, -SampleScene.GRAVITY, 0)
-                .workers(workers)
-                .substeps(edited == null ? substeps : edited.scene().tick().substeps())
-                .sleeping(sleeping)
-                .seed(chosenOptions().seed())
-                .build();
+        PhysicsWorld world =
+                PhysicsWorld.builder()
+                        .gravity(0, -SampleScene.GRAVITY, 0)
+                        .workers(Math.max(workers, SimulationPanel.mostWorkers()))
+                        .substeps(edited == null ? substeps : edited.scene().tick().substeps())
+                        .sleeping(sleeping)
+                        .seed(chosenOptions().seed())
+                        .build();
+        // The others are parked until the slider asks for them.
+        world.ecs().jobs().limit(workers);
+        return world;
     }
 
     private SceneOptions chosenOptions() {
@@ -161,7 +167,10 @@ class Sandbox extends Application {
 
     @Override
     protected void initScene(Scene scene) {
-        bind(scene);
+        if (!bound) {
+            bind(scene); // once, so that keys that were rebound stay so
+            bound = true;
+        }
         scene.physics().profile().enable();
         hand.release();
         history.clear();
@@ -300,11 +309,19 @@ class Sandbox extends Application {
         startAgain();
     }
 
-    /** Changes the solver or the workers and starts again. */
+    /** Changes the solver or the workers while the scene runs. */
     void solve(int newWorkers, int newSubsteps) {
         workers = newWorkers;
         substeps = newSubsteps;
-        startAgain();
+        PhysicsWorld world = scene().physics();
+        world.ecs().jobs().limit(workers);
+        world.setSubsteps(substeps);
+        publishState();
+    }
+
+    /** What keys do; any thread may read, the simulation thread binds. */
+    Bindings keyBindings() {
+        return scene().bindings();
     }
 
     void ball(Ball value) {

@@ -41,6 +41,7 @@ public final class SceneRun {
     private int lanes;
     private @Nullable Path picture;
     private int pictureTick;
+    private @Nullable Path animation;
 
     /** Hears of each tick. */
     @FunctionalInterface
@@ -113,6 +114,18 @@ public final class SceneRun {
     }
 
     /**
+     * Asks for an animation: a frame for every third tick, so that it plays in real time at 20
+     * frames a second; needs GL.
+     *
+     * @param file where the animated .png goes
+     * @return this
+     */
+    public SceneRun animation(Path file) {
+        this.animation = file;
+        return this;
+    }
+
+    /**
      * Runs the scene.
      *
      * @param progress called after each tick
@@ -131,35 +144,52 @@ public final class SceneRun {
                         .build()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
             meter.attach();
-            Measures measures =
-                    new Measures(
-                            ticks, Math.max(1, built.bodies().size() / BODIES_PER_SKIPPED_TICK));
-            SnapshotExchange exchange = picture == null ? null : new SnapshotExchange();
-            measures.depth(built);
-            world.profile().enable();
-            if (exchange != null && pictureTick == 0) {
-                exchange.publish(world.ecs());
-                draw(exchange, built);
+            Film film = animation == null ? null : new Film(built);
+            try (film) {
+                return run(world, built, meter, film, progress);
             }
-            for (int tick = 1; tick <= ticks; tick++) {
-                built.beforeTick();
-                measures.step(world, meter, tick, built.stepSeconds());
-                built.afterTick();
-                if (tick == 1) {
-                    // the first tick loads classes and grows every store
-                    world.profile().reset();
-                }
-                measures.overlap(built, tick);
-                if (exchange != null && tick >= pictureTick - 1 && tick <= pictureTick) {
-                    exchange.publish(world.ecs());
-                    if (tick == pictureTick) {
-                        draw(exchange, built);
-                    }
-                }
-                progress.tick();
-            }
-            return report(world, built, measures);
         }
+    }
+
+    private SceneReport run(
+            PhysicsWorld world,
+            SceneBuilder built,
+            AllocationMeter meter,
+            @Nullable Film film,
+            Progress progress) {
+        Measures measures =
+                new Measures(ticks, Math.max(1, built.bodies().size() / BODIES_PER_SKIPPED_TICK));
+        SnapshotExchange exchange = picture == null ? null : new SnapshotExchange();
+        measures.depth(built);
+        world.profile().enable();
+        if (exchange != null && pictureTick == 0) {
+            exchange.publish(world.ecs());
+            draw(exchange, built);
+        }
+        for (int tick = 1; tick <= ticks; tick++) {
+            built.beforeTick();
+            measures.step(world, meter, tick, built.stepSeconds());
+            built.afterTick();
+            if (tick == 1) {
+                // the first tick loads classes and grows every store
+                world.profile().reset();
+            }
+            measures.overlap(built, tick);
+            if (exchange != null && tick >= pictureTick - 1 && tick <= pictureTick) {
+                exchange.publish(world.ecs());
+                if (tick == pictureTick) {
+                    draw(exchange, built);
+                }
+            }
+            if (film != null) {
+                film.shoot(world, tick);
+            }
+            progress.tick();
+        }
+        if (film != null && animation != null) {
+            film.save(animation);
+        }
+        return report(world, built, measures);
     }
 
     private void draw(SnapshotExchange exchange, SceneBuilder built) {

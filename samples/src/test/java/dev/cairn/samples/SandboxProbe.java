@@ -7,6 +7,7 @@ import dev.cairn.samples.scenes.StackOfBoxes;
 import org.joml.Vector3d;
 
 import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -18,6 +19,9 @@ import java.util.Map;
 final class SandboxProbe extends Sandbox {
     private final PrintStream out;
     private final Vector3d eye = new Vector3d();
+    private final com.sun.management.ThreadMXBean threads =
+            (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+    private long bytesBefore;
 
     private SandboxProbe(List<SampleScene> scenes, PrintStream out) {
         super(scenes, Map.of(), 1, 4, false, System.err);
@@ -31,13 +35,16 @@ final class SandboxProbe extends Sandbox {
 
     @Override
     void shown(Ui ui, View view, SandboxState state) {
+        // What the frame allocated but for this method.
+        long bytes = threads.getCurrentThreadAllocatedBytes() - bytesBefore;
         view.camera().position(eye);
         double[] slider = ui.boundsOf("gap");
         out.printf(
                 Locale.ROOT,
                 "frame=%d tick=%d worldTick=%d paused=%b eyeX=%.6f eyeY=%.6f eyeZ=%.6f pulling=%b"
                         + " held=%s heldX=%.6f gap=%.6f sliderX=%.1f sliderY=%.1f sliderWidth=%.1f"
-                        + " sliderHeight=%.1f%n",
+                        + " sliderHeight=%.1f bodies=%d uiWidth=%.0f uiHeight=%.0f uiScale=%.2f"
+                        + " full=%b substeps=%d workers=%d bytes=%d%n",
                 view.frames(),
                 state.tick,
                 view.snapshot().tick(),
@@ -52,7 +59,16 @@ final class SandboxProbe extends Sandbox {
                 slider == null ? -1 : slider[0],
                 slider == null ? -1 : slider[1],
                 slider == null ? -1 : slider[2],
-                slider == null ? -1 : slider[3]);
+                slider == null ? -1 : slider[3],
+                state.bodies,
+                ui.width(),
+                ui.height(),
+                ui.scale(),
+                isFullscreen(),
+                state.substeps,
+                state.workers,
+                bytes);
         out.flush();
+        bytesBefore = threads.getCurrentThreadAllocatedBytes();
     }
 }

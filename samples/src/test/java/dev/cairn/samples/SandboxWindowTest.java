@@ -81,4 +81,40 @@ class SandboxWindowTest extends WindowFixture {
         assertTrue(changed.number("gap") < 9.5, last);
         assertTrue(changed.number("tick") < slider.number("tick"), "started anew: " + last);
     }
+
+    @Test
+    void ballsFlyTheScreenFillsAndASteadyFrameMakesNoGarbage()
+            throws IOException, InterruptedException {
+        Seen before = now();
+        type("key", "b");
+        await("a ball", seen -> seen.number("bodies") == before.number("bodies") + 1);
+        type("key", "r");
+        await("the ball to be gone", seen -> seen.number("bodies") == before.number("bodies"));
+
+        assertEquals(1024, before.number("uiWidth"));
+        type("key", "F11");
+        await(
+                "the window to fill the screen of 1100 x 700",
+                seen -> seen.number("uiWidth") == 1100 && seen.number("uiHeight") == 700);
+        type("key", "F11");
+        await("the window as it was", seen -> seen.number("uiWidth") == 1024);
+
+        // Plots, the list of scenes, sliders: all is drawn anew in each frame, from what is there.
+        int[] quiet = new int[1];
+        await(
+                "ten frames of a running scene in a row without a byte",
+                seen -> {
+                    quiet[0] = seen.number("bytes") == 0 && !seen.flag("paused") ? quiet[0] + 1 : 0;
+                    return quiet[0] >= 10;
+                });
+        // The list of keys, too.
+        type("key", "F1");
+        quiet[0] = 0;
+        await(
+                "ten frames with the keys shown without a byte",
+                seen -> {
+                    quiet[0] = seen.number("bytes") == 0 ? quiet[0] + 1 : 0;
+                    return quiet[0] >= 10;
+                });
+    }
 }

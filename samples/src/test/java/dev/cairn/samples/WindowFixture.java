@@ -100,6 +100,11 @@ abstract class WindowFixture {
                         "--enable-native-access=ALL-UNNAMED",
                         "--sun-misc-unsafe-memory-access=deny",
                         "--add-modules=jdk.incubator.vector",
+                        // As after minutes: frames here are slow, and few.
+                        "-XX:Tier4InvocationThreshold=200",
+                        "-XX:Tier4MinInvocationThreshold=50",
+                        "-XX:Tier4CompileThreshold=500",
+                        "-XX:Tier4BackEdgeThreshold=2000",
                         "-cp",
                         wholeClassPath(),
                         program().getName());

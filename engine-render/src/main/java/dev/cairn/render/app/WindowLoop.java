@@ -1,20 +1,24 @@
 package dev.cairn.render.app;
 
 import static org.lwjgl.glfw.GLFW.GLFW_DONT_CARE;
-import static org.lwjgl.glfw.GLFW.glfwGetFramebufferSize;
 import static org.lwjgl.glfw.GLFW.glfwGetPrimaryMonitor;
 import static org.lwjgl.glfw.GLFW.glfwGetVideoMode;
-import static org.lwjgl.glfw.GLFW.glfwGetWindowContentScale;
 import static org.lwjgl.glfw.GLFW.glfwGetWindowPos;
 import static org.lwjgl.glfw.GLFW.glfwGetWindowSize;
 import static org.lwjgl.glfw.GLFW.glfwPollEvents;
+import static org.lwjgl.glfw.GLFW.glfwSetFramebufferSizeCallback;
+import static org.lwjgl.glfw.GLFW.glfwSetWindowContentScaleCallback;
 import static org.lwjgl.glfw.GLFW.glfwSetWindowMonitor;
+import static org.lwjgl.glfw.GLFW.glfwSetWindowSizeCallback;
 import static org.lwjgl.glfw.GLFW.glfwSetWindowTitle;
 import static org.lwjgl.glfw.GLFW.glfwShowWindow;
 import static org.lwjgl.glfw.GLFW.glfwSwapBuffers;
 import static org.lwjgl.glfw.GLFW.glfwSwapInterval;
 import static org.lwjgl.glfw.GLFW.glfwWaitEventsTimeout;
 import static org.lwjgl.glfw.GLFW.glfwWindowShouldClose;
+import static org.lwjgl.glfw.GLFW.nglfwGetFramebufferSize;
+import static org.lwjgl.glfw.GLFW.nglfwGetWindowContentScale;
+import static org.lwjgl.glfw.GLFW.nglfwGetWindowSize;
 
 import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.physics.DebugData;
@@ -30,6 +34,7 @@ import dev.cairn.render.ui.nuklear.NuklearUi;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 import org.lwjgl.glfw.GLFWVidMode;
+import org.lwjgl.system.MemoryUtil;
 
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
@@ -46,13 +51,15 @@ final class WindowLoop {
     private final WindowInput input;
     private final View view;
     private final HelpPanel help = new HelpPanel();
-    private final int[] framebufferWidth = new int[1];
-    private final int[] framebufferHeight = new int[1];
+
+    /** Where GLFW writes sizes; arrays on the heap would be wrapped, and so be garbage. */
+    private final long sizes = MemoryUtil.nmemCallocChecked(5, 4);
+
+    private boolean sizesKnown;
     private final int[] windowX = new int[1];
     private final int[] windowY = new int[1];
-    private final int[] windowWidth = new int[1];
-    private final int[] windowHeight = new int[1];
-    private final float[] contentScale = new float[1];
+    private final int[] oneWidth = new int[1];
+    private final int[] oneHeight = new int[1];
     private final Vector3d eye = new Vector3d();
     private @Nullable FrameTarget target;
     private @Nullable NuklearUi panels;
@@ -78,6 +85,7 @@ final class WindowLoop {
     void run() {
         long window = context.handle();
         input.listen();
+        listen(window);
         glfwSwapInterval(1);
         glfwShowWindow(window);
         try (SceneRenderer renderer = new SceneRenderer(context.isSoftware());
@@ -93,15 +101,14 @@ final class WindowLoop {
                 double elapsed = Math.min((now - before) * 1e-9, 0.1);
                 before = now;
                 applyWishes(window);
-                glfwGetFramebufferSize(window, framebufferWidth, framebufferHeight);
-                glfwGetWindowSize(window, windowWidth, windowHeight);
-                if (framebufferWidth[0] == 0 || framebufferHeight[0] == 0) {
+                readSizes(window);
+                if (size(0) == 0 || size(1) == 0) {
                     glfwWaitEventsTimeout(0.05);
                     continue;
                 }
-                double pixelsPerPoint = (double) framebufferWidth[0] / Math.max(1, windowWidth[0]);
+                double pixelsPerPoint = (double) size(0) / Math.max(1, size(2));
                 preparePanels(window, pixelsPerPoint);
-                input.handOut(panels, windowWidth[0], windowHeight[0], pixelsPerPoint);
+                input.handOut(panels, size(2), size(3), pixelsPerPoint);
                 input.moveCamera(elapsed);
                 frame(renderer, lines, window);
                 frames++;
@@ -114,11 +121,12 @@ final class WindowLoop {
             if (panels != null) {
                 panels.close();
             }
+            MemoryUtil.nmemFree(sizes);
         }
     }
 
     private void frame(SceneRenderer renderer, DebugLines lines, long window) {
-        FrameTarget into = target(framebufferWidth[0], framebufferHeight[0]);
+        FrameTarget into = target(size(0), size(1));
         PoseSnapshot snapshot = simulation.exchange().latest();
         Scene scene = application.sceneOrNull();
         Light light = scene == null ? Light.DAYLIGHT : scene.light();
@@ -141,6 +149,29 @@ final class WindowLoop {
             saveScreenshot(into, snapshot.tick());
         }
         glfwSwapBuffers(window);
+    }
+
+    // GLFW owns the callbacks; GlContext.close frees them.
+    @SuppressWarnings("resource")
+    private void listen(long window) {
+        glfwSetFramebufferSizeCallback(window, (w, x, y) -> sizesKnown = false);
+        glfwSetWindowSizeCallback(window, (w, x, y) -> sizesKnown = false);
+        glfwSetWindowContentScaleCallback(window, (w, x, y) -> sizesKnown = false);
+    }
+
+    /** Only after they have changed: each question to GLFW makes garbage of its own. */
+    private void readSizes(long window) {
+        if (!sizesKnown) {
+            sizesKnown = true;
+            nglfwGetFramebufferSize(window, sizes, sizes + 4);
+            nglfwGetWindowSize(window, sizes + 8, sizes + 12);
+            nglfwGetWindowContentScale(window, sizes + 16, MemoryUtil.NULL);
+        }
+    }
+
+    /** Framebuffer's width and height, pixels; window's width and height, screen coordinates. */
+    private int size(int index) {
+        return MemoryUtil.memGetInt(sizes + 4L * index);
     }
 
     /** Before the scene is drawn, since panels may add lines to it. */
@@ -171,10 +202,10 @@ final class WindowLoop {
         if (panelsFailed) {
             return;
         }
-        glfwGetWindowContentScale(window, contentScale, null);
         double scale =
                 Math.clamp(
-                        Math.max(contentScale[0], pixelsPerPoint) * application.panelScale(),
+                        Math.max(MemoryUtil.memGetFloat(sizes + 16), pixelsPerPoint)
+                                * application.panelScale(),
                         0.5,
                         4.0);
         NuklearUi known = panels;
@@ -207,11 +238,11 @@ final class WindowLoop {
             GLFWVidMode mode = monitor == 0 ? null : glfwGetVideoMode(monitor);
             if (mode != null) {
                 glfwGetWindowPos(window, windowX, windowY);
-                glfwGetWindowSize(window, windowWidth, windowHeight);
+                glfwGetWindowSize(window, oneWidth, oneHeight);
                 placeBefore[0] = windowX[0];
                 placeBefore[1] = windowY[0];
-                placeBefore[2] = windowWidth[0];
-                placeBefore[3] = windowHeight[0];
+                placeBefore[2] = oneWidth[0];
+                placeBefore[3] = oneHeight[0];
                 glfwSetWindowMonitor(
                         window, monitor, 0, 0, mode.width(), mode.height(), mode.refreshRate());
             } else if (!fullscreen && placeBefore[2] > 0) {

@@ -10,6 +10,7 @@ import dev.cairn.render.camera.Camera;
 import dev.cairn.render.gl.GlObjects;
 import dev.cairn.render.mesh.Meshes;
 import dev.cairn.render.mesh.Model;
+import dev.cairn.render.ui.TextBuffer;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.render.ui.nuklear.NuklearUi;
 
@@ -17,6 +18,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import java.lang.management.ManagementFactory;
+import java.util.List;
 import java.util.function.Consumer;
 
 /** Panels are where they were asked for, at any scale; letters stand upright. */
@@ -186,5 +189,51 @@ class PanelsTest extends Drawing {
                     });
             assertArrayEquals(before, draw(stage.publish(), 1, camera, SUNNY).argb());
         }
+    }
+
+    /** Every kind of widget, with numbers that change; after the JIT has seen it. */
+    @Test
+    void aSteadyFrameOfPanelsMakesNoGarbage() {
+        var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+        TextBuffer text = new TextBuffer();
+        float[] curve = new float[100];
+        List<String> options = List.of("one", "two");
+        Camera camera = new Camera();
+        int quiet = 0;
+        long last = 0;
+        try (Stage stage = new Stage();
+                NuklearUi ui = new NuklearUi(1)) {
+            var snapshot = stage.publish();
+            for (int frame = 0; frame < 4000 && quiet < 20; frame++) {
+                curve[frame % 100] = frame;
+                long before = threads.getCurrentThreadAllocatedBytes();
+                ui.input().begin();
+                ui.input().end();
+                ui.begin(WIDTH, HEIGHT);
+                ui.panel("All widgets", 5, 5, 300, 170);
+                ui.label("label");
+                ui.value("value, µs", text.clear().put(frame * 0.37, 2));
+                ui.heading("heading");
+                ui.text("some text that is as long as to be wrapped once or twice");
+                ui.columns(2);
+                ui.button("button");
+                ui.checkbox("box", frame % 2 == 0);
+                ui.slider("slider", 1, 0, 2, 0, "hint");
+                ui.choice("choice", options, frame / 50 % 2);
+                ui.item("item", true, "");
+                if (ui.section("section", true)) {
+                    ui.plot("plot", text.clear().putDigits(frame, 4), curve, 0, 100, 0xFF8000);
+                    ui.endSection();
+                }
+                ui.textField("field", "text");
+                ui.endPanel();
+                ui.cross(200, 100, 0xFFFFFF);
+                view.draw(snapshot, 1, camera, FLAT);
+                view.paint(ui);
+                last = threads.getCurrentThreadAllocatedBytes() - before;
+                quiet = last == 0 ? quiet + 1 : 0;
+            }
+        }
+        assertEquals(20, quiet, "frames in a row without a byte; the last made " + last);
     }
 }

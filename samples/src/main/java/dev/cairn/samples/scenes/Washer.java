@@ -45,6 +45,8 @@ public final class Washer {
                 Washer::build);
     }
 
+    private static final int DRUM = 0xB8BEC6;
+
     private static void build(SceneBuilder scene) {
         int side = scene.count("side");
         double friction = scene.get("friction");
@@ -57,8 +59,9 @@ public final class Washer {
         for (int p = 0; p < PANELS; p++) {
             double angle = 2 * Math.PI * p / PANELS;
             double out = radius + THICK;
-            scene.addUnseen(
+            scene.add(
                     panel,
+                    DRUM,
                     Body.fixed()
                             .at(out * StrictMath.sin(angle), -out * StrictMath.cos(angle), 0)
                             .rotationAbout(0, 0, 1, angle)

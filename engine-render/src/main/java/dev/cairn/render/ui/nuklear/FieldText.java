@@ -1,6 +1,7 @@
 package dev.cairn.render.ui.nuklear;
 
-import java.nio.ByteBuffer;
+import org.lwjgl.system.MemoryUtil;
+
 import java.nio.charset.StandardCharsets;
 
 /** The text of a field, in UTF-8 as Nuklear edits it; made anew only when it changes. */
@@ -12,39 +13,43 @@ final class FieldText {
      * Writes a text.
      *
      * @param text what the application has
-     * @param to where to, from its beginning
+     * @param to address
      * @param most bytes that have room
      * @return how many were written
      */
-    int write(String text, ByteBuffer to, int most) {
+    int write(String text, long to, int most) {
         if (!text.equals(content)) {
             bytes = text.getBytes(StandardCharsets.UTF_8);
         }
         content = text;
         int length = Math.min(bytes.length, most);
-        to.clear();
-        to.put(0, bytes, 0, length);
+        for (int i = 0; i < length; i++) {
+            MemoryUtil.memPutByte(to + i, bytes[i]);
+        }
         return length;
     }
 
     /**
      * What the user made of it.
      *
-     * @param from the edited text, from its beginning
+     * @param from address of the edited text
      * @param length its bytes
+     * @param most what {@link #write} had room for
      * @return the same object where nothing changed
      */
-    String read(ByteBuffer from, int length) {
+    String read(long from, int length, int most) {
         boolean same = length <= bytes.length;
         for (int i = 0; i < length && same; i++) {
-            same = from.get(i) == bytes[i];
+            same = MemoryUtil.memGetByte(from + i) == bytes[i];
         }
         // A text that was too long is not edited as long as its beginning stays.
-        if (same && (length == bytes.length || length == from.capacity() - 8)) {
+        if (same && (length == bytes.length || length == most)) {
             return content;
         }
         byte[] now = new byte[length];
-        from.get(0, now);
+        for (int i = 0; i < length; i++) {
+            now[i] = MemoryUtil.memGetByte(from + i);
+        }
         return new String(now, StandardCharsets.UTF_8);
     }
 }

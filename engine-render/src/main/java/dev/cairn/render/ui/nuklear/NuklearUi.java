@@ -13,7 +13,6 @@ import org.lwjgl.nuklear.NkVec2;
 import org.lwjgl.system.MemoryUtil;
 
 import java.nio.ByteBuffer;
-import java.nio.FloatBuffer;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -34,7 +33,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private final UiFont font;
     private final UiPainter painter;
     private final ByteBuffer memory = MemoryUtil.memAlignedAlloc(64, MEMORY_BYTES);
-    private final ByteBuffer edited = MemoryUtil.memAlloc(TEXT_BYTES);
+    private final long edited = MemoryUtil.nmemAllocChecked(TEXT_BYTES);
     private final NkContext context = NkContext.calloc();
     private final NkRect rect = NkRect.calloc();
     private final NkVec2 vector = NkVec2.calloc();
@@ -42,14 +41,17 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private final NkColor second = NkColor.calloc();
     private final NkStyleItem background = context.style().window().fixed_background();
     private final NkStyleItem savedBackground = NkStyleItem.calloc();
-    private final float[] oneFloat = new float[1];
-    private final int[] oneInt = new int[1];
+    private final NativeText letters = new NativeText();
+
+    /** Room for a number that Nuklear changes; an array on the heap would be wrapped each time. */
+    private final long numbers = MemoryUtil.nmemAllocChecked(8);
+
     // Nuklear keeps a pointer to the shares until the row ends, so they lie outside the heap.
-    private final FloatBuffer sliderColumns = shares(0.36f, 0.43f, 0.18f);
-    private final FloatBuffer choiceColumns = shares(0.36f, 0.61f);
-    private final FloatBuffer valueColumns = shares(0.58f, 0.40f);
+    private final long sliderColumns = shares(0.36f, 0.43f, 0.18f);
+    private final long choiceColumns = shares(0.36f, 0.61f);
+    private final long valueColumns = shares(0.58f, 0.40f);
     private final Map<String, double[]> bounds = new HashMap<>();
-    private final Map<String, int[]> sections = new HashMap<>();
+    private final Map<String, long[]> sections = new HashMap<>();
     private final Map<String, FieldText> fields = new HashMap<>();
     private final SliderText sliderText = new SliderText();
     private final NuklearInput input = new NuklearInput(context, vector);
@@ -149,10 +151,10 @@ public final class NuklearUi implements Ui, AutoCloseable {
         place(left, top, panelWidth, panelHeight);
         nk_style_push_font(context, font.title());
         panelOpen =
-                nk_begin(
-                        context,
-                        title,
-                        rect,
+                nnk_begin(
+                        context.address(),
+                        letters.of(title),
+                        rect.address(),
                         NK_WINDOW_TITLE | NK_WINDOW_BORDER | NK_WINDOW_MINIMIZABLE);
         nk_style_pop_font(context);
         endColumns();
@@ -191,13 +193,17 @@ public final class NuklearUi implements Ui, AutoCloseable {
         cell++;
     }
 
-    private void row(double height, FloatBuffer shares) {
+    private void row(double height, int count, long shares) {
         endColumns();
-        nk_layout_row(context, NK_DYNAMIC, px(height), shares);
+        nnk_layout_row(context.address(), NK_DYNAMIC, px(height), count, shares);
     }
 
-    private static FloatBuffer shares(float... values) {
-        return MemoryUtil.memAllocFloat(values.length).put(values).flip();
+    private static long shares(float... values) {
+        long address = MemoryUtil.nmemAllocChecked(4L * values.length);
+        for (int i = 0; i < values.length; i++) {
+            MemoryUtil.memPutFloat(address + 4L * i, values[i]);
+        }
+        return address;
     }
 
     private double[] remember(String label) {
@@ -218,29 +224,38 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     private void hint(String text) {
         if (!text.isEmpty() && nk_widget_is_hovered(context)) {
-            nk_tooltip(context, text);
+            nnk_tooltip(context.address(), letters.of(text));
         }
     }
 
     // Text -------------------------------------------------------------------------------------
 
+    private void write(CharSequence text, int align) {
+        nnk_label(context.address(), letters.of(text), align);
+    }
+
+    private void write(CharSequence text, int argb, int align) {
+        UiStyle.set(first, argb);
+        nnk_label_colored(context.address(), letters.of(text), align, first.address());
+    }
+
     @Override
     public void label(CharSequence text) {
         cell(LINE);
-        nk_label(context, text, NK_TEXT_LEFT);
+        write(text, NK_TEXT_LEFT);
     }
 
     @Override
     public void label(CharSequence text, int rgb) {
         cell(LINE);
-        nk_label_colored(context, text, NK_TEXT_LEFT, UiStyle.set(first, 0xFF000000 | rgb));
+        write(text, 0xFF000000 | rgb, NK_TEXT_LEFT);
     }
 
     @Override
     public void value(String name, CharSequence value) {
-        row(LINE, valueColumns);
-        nk_label_colored(context, name, NK_TEXT_LEFT, UiStyle.set(first, UiStyle.DIM));
-        nk_label(context, value, NK_TEXT_RIGHT);
+        row(LINE, 2, valueColumns);
+        write(name, UiStyle.DIM, NK_TEXT_LEFT);
+        write(value, NK_TEXT_RIGHT);
     }
 
     @Override
@@ -248,7 +263,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
         endColumns();
         nk_layout_row_dynamic(context, px(ROW), 1);
         nk_style_push_font(context, font.title());
-        nk_label_colored(context, text, NK_TEXT_LEFT, UiStyle.set(first, UiStyle.ACCENT));
+        write(text, UiStyle.ACCENT, NK_TEXT_LEFT);
         nk_style_pop_font(context);
     }
 
@@ -259,7 +274,8 @@ public final class NuklearUi implements Ui, AutoCloseable {
         // Seven logical pixels to a letter is Roboto's mean at this size, on the safe side.
         int rows = Math.max(1, (int) Math.ceil(text.length() * 7.0 / Math.max(width, 40)));
         nk_layout_row_dynamic(context, px(LINE * rows), 1);
-        nk_label_colored_wrap(context, text, UiStyle.set(first, UiStyle.DIM));
+        UiStyle.set(first, UiStyle.DIM);
+        nnk_label_colored_wrap(context.address(), letters.of(text), first.address());
     }
 
     // Widgets ----------------------------------------------------------------------------------
@@ -268,14 +284,14 @@ public final class NuklearUi implements Ui, AutoCloseable {
     public boolean button(String label) {
         cell(ROW);
         remember(label);
-        return nk_button_label(context, label);
+        return nnk_button_label(context.address(), letters.of(label));
     }
 
     @Override
     public boolean checkbox(String label, boolean checked) {
         cell(ROW - 2);
         remember(label);
-        return nk_check_label(context, label, checked);
+        return nnk_check_label(context.address(), letters.of(label), checked);
     }
 
     @Override
@@ -285,9 +301,9 @@ public final class NuklearUi implements Ui, AutoCloseable {
             value(label, sliderText.of(label, value));
             return value;
         }
-        row(ROW, sliderColumns);
+        row(ROW, 3, sliderColumns);
         hint(hint);
-        nk_label(context, label, NK_TEXT_LEFT);
+        write(label, NK_TEXT_LEFT);
         boolean logarithmic = min > 0 && max > 1000 * min;
         double low = logarithmic ? Math.log(min) : min;
         double high = logarithmic ? Math.log(max) : max;
@@ -309,9 +325,9 @@ public final class NuklearUi implements Ui, AutoCloseable {
                 share = wanted;
             }
         }
-        oneFloat[0] = (float) share;
-        nk_slider_float(context, 0, oneFloat, 1, 0.001f);
-        nk_label(context, sliderText.of(label, moved), NK_TEXT_RIGHT);
+        MemoryUtil.memPutFloat(numbers, (float) share);
+        nnk_slider_float(context.address(), 0, numbers, 1, 0.001f);
+        write(sliderText.of(label, moved), NK_TEXT_RIGHT);
         return moved;
     }
 
@@ -328,16 +344,18 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     @Override
     public int choice(String label, List<String> options, int selected) {
-        row(ROW, choiceColumns);
-        nk_label(context, label, NK_TEXT_LEFT);
+        row(ROW, 2, choiceColumns);
+        write(label, NK_TEXT_LEFT);
         double width = remember(label)[2];
         int chosen = selected;
         double height = Math.min(12 + (ROW + 4) * options.size(), 320);
         vector.set(px(width), px(height));
-        if (nk_combo_begin_label(context, options.get(selected), vector)) {
+        if (nnk_combo_begin_label(
+                context.address(), letters.of(options.get(selected)), vector.address())) {
             nk_layout_row_dynamic(context, px(ROW), 1);
             for (int i = 0; i < options.size(); i++) {
-                if (nk_combo_item_label(context, options.get(i), NK_TEXT_LEFT)) {
+                if (nnk_combo_item_label(
+                        context.address(), letters.of(options.get(i)), NK_TEXT_LEFT)) {
                     chosen = i;
                 }
             }
@@ -351,19 +369,21 @@ public final class NuklearUi implements Ui, AutoCloseable {
         cell(ROW - 2);
         remember(label);
         hint(hint);
-        return nk_select_label(context, label, NK_TEXT_LEFT, selected) != selected;
+        return nnk_select_label(context.address(), letters.of(label), NK_TEXT_LEFT, selected)
+                != selected;
     }
 
     @Override
     public boolean section(String title, boolean open) {
         endColumns();
-        int[] state = sections.get(title);
+        long[] state = sections.get(title);
         if (state == null) {
-            state = new int[] {open ? 1 : 0};
+            state = new long[] {MemoryUtil.nmemAllocChecked(4)};
+            MemoryUtil.memPutInt(state[0], open ? 1 : 0);
             sections.put(title, state);
         }
         remember(title);
-        return nk_tree_state_push(context, NK_TREE_TAB, title, state);
+        return nnk_tree_state_push(context.address(), NK_TREE_TAB, letters.of(title), state[0]);
     }
 
     @Override
@@ -395,8 +415,14 @@ public final class NuklearUi implements Ui, AutoCloseable {
         float high = Math.max(max, low + Float.MIN_NORMAL);
         UiStyle.set(first, 0xFF000000 | rgb);
         UiStyle.set(second, 0xFFFFFFFF);
-        if (nk_chart_begin_colored(
-                context, NK_CHART_LINES, first, second, Math.max(count, 2), low, high)) {
+        if (nnk_chart_begin_colored(
+                context.address(),
+                NK_CHART_LINES,
+                first.address(),
+                second.address(),
+                Math.max(count, 2),
+                low,
+                high)) {
             for (int i = 0; i < count; i++) {
                 float v = values[(begin + i) % values.length];
                 nk_chart_push(context, Float.isNaN(v) ? low : v);
@@ -407,18 +433,25 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     @Override
     public String textField(String label, String content) {
-        row(ROW, choiceColumns);
-        nk_label(context, label, NK_TEXT_LEFT);
+        row(ROW, 2, choiceColumns);
+        write(label, NK_TEXT_LEFT);
         remember(label);
         FieldText field = fields.get(label);
         if (field == null) {
             field = new FieldText();
             fields.put(label, field);
         }
-        oneInt[0] = field.write(content, edited, TEXT_BYTES - 8);
-        int state = nk_edit_string(context, NK_EDIT_FIELD, edited, oneInt, TEXT_BYTES - 4, null);
+        MemoryUtil.memPutInt(numbers, field.write(content, edited, TEXT_BYTES - 8));
+        int state =
+                nnk_edit_string(
+                        context.address(),
+                        NK_EDIT_FIELD,
+                        edited,
+                        numbers,
+                        TEXT_BYTES - 4,
+                        MemoryUtil.NULL);
         editing |= (state & NK_EDIT_ACTIVE) != 0;
-        return field.read(edited, oneInt[0]);
+        return field.read(edited, MemoryUtil.memGetInt(numbers), TEXT_BYTES - 8);
     }
 
     @Override
@@ -427,10 +460,10 @@ public final class NuklearUi implements Ui, AutoCloseable {
         UiStyle.set(first, 0);
         savedBackground.set(background);
         nk_style_item_color(first, background);
-        if (nk_begin(
-                context,
-                "cross",
-                rect,
+        if (nnk_begin(
+                context.address(),
+                letters.of("cross"),
+                rect.address(),
                 NK_WINDOW_NO_INPUT | NK_WINDOW_BACKGROUND | NK_WINDOW_NO_SCROLLBAR)) {
             UiStyle.set(second, 0xD0000000 | rgb);
             float cx = px(x);
@@ -458,15 +491,20 @@ public final class NuklearUi implements Ui, AutoCloseable {
         painter.close();
         font.close();
         MemoryUtil.memAlignedFree(memory);
-        MemoryUtil.memFree(edited);
-        MemoryUtil.memFree(sliderColumns);
-        MemoryUtil.memFree(choiceColumns);
-        MemoryUtil.memFree(valueColumns);
+        MemoryUtil.nmemFree(edited);
+        MemoryUtil.nmemFree(sliderColumns);
+        MemoryUtil.nmemFree(choiceColumns);
+        MemoryUtil.nmemFree(valueColumns);
         context.free();
         rect.free();
         vector.free();
         first.free();
         second.free();
         savedBackground.free();
+        letters.close();
+        MemoryUtil.nmemFree(numbers);
+        for (long[] state : sections.values()) {
+            MemoryUtil.nmemFree(state[0]);
+        }
     }
 }

@@ -36,8 +36,6 @@ import org.lwjgl.nuklear.NkHandle;
 import org.lwjgl.nuklear.NkRect;
 import org.lwjgl.system.MemoryUtil;
 
-import java.nio.ByteBuffer;
-
 /**
  * Draws what Nuklear has collected, by one shader and as many scissored calls as it has batches.
  * Buffers have fixed sizes (indices are 16 bits wide); what does not fit is an error that says so.
@@ -56,16 +54,16 @@ final class UiPainter implements AutoCloseable {
     private final int vertexArray = GlObjects.vertexArray();
     private final int vertexBuffer = GlObjects.buffer();
     private final int indexBuffer = GlObjects.buffer();
-    private final ByteBuffer vertexMemory = MemoryUtil.memAlloc(MOST_VERTICES * VERTEX_BYTES);
-    private final ByteBuffer indexMemory = MemoryUtil.memAlloc(MOST_INDEX_BYTES);
-    private final ByteBuffer commandMemory = MemoryUtil.memAlignedAlloc(64, COMMAND_BYTES);
+    private final long vertexAddress =
+            MemoryUtil.nmemAllocChecked((long) MOST_VERTICES * VERTEX_BYTES);
+    private final long indexAddress = MemoryUtil.nmemAllocChecked(MOST_INDEX_BYTES);
+    private final long commandAddress = MemoryUtil.nmemAlignedAllocChecked(64, COMMAND_BYTES);
     private final NkBuffer vertices = NkBuffer.calloc();
     private final NkBuffer indices = NkBuffer.calloc();
     private final NkBuffer commands = NkBuffer.calloc();
     private final NkDrawVertexLayoutElement.Buffer layout = NkDrawVertexLayoutElement.calloc(4);
     private final NkConvertConfig config = NkConvertConfig.calloc();
-    private final NkRect clip = NkRect.calloc();
-    private final int[] fourInts = new int[4];
+    private final long fourInts = MemoryUtil.nmemAllocChecked(16);
 
     UiPainter(UiFont font) {
         layout.get(0).set(NK_VERTEX_POSITION, NK_FORMAT_FLOAT, 0);
@@ -97,9 +95,11 @@ final class UiPainter implements AutoCloseable {
 
     /** Draws into the bound framebuffer of the given size, pixels. */
     void draw(NkContext context, int width, int height) {
-        nk_buffer_init_fixed(vertices, vertexMemory);
-        nk_buffer_init_fixed(indices, indexMemory);
-        nk_buffer_init_fixed(commands, commandMemory);
+        // All by address: LWJGL's buffers and arrays are wrapped for each call.
+        nnk_buffer_init_fixed(
+                vertices.address(), vertexAddress, (long) MOST_VERTICES * VERTEX_BYTES);
+        nnk_buffer_init_fixed(indices.address(), indexAddress, MOST_INDEX_BYTES);
+        nnk_buffer_init_fixed(commands.address(), commandAddress, COMMAND_BYTES);
         int result = nk_convert(context, commands, vertices, indices, config);
         if (result != NK_CONVERT_SUCCESS) {
             throw new IllegalStateException(
@@ -113,22 +113,22 @@ final class UiPainter implements AutoCloseable {
         boolean cull = glIsEnabled(GL_CULL_FACE);
         boolean blend = glIsEnabled(GL_BLEND);
         boolean scissor = glIsEnabled(GL_SCISSOR_TEST);
-        int sourceRgb = glGetInteger(GL_BLEND_SRC_RGB);
-        int targetRgb = glGetInteger(GL_BLEND_DST_RGB);
-        int sourceAlpha = glGetInteger(GL_BLEND_SRC_ALPHA);
-        int targetAlpha = glGetInteger(GL_BLEND_DST_ALPHA);
-        int activeTexture = glGetInteger(GL_ACTIVE_TEXTURE);
-        int usedProgram = glGetInteger(GL_CURRENT_PROGRAM);
-        int usedArray = glGetInteger(GL_VERTEX_ARRAY_BINDING);
-        int usedBuffer = glGetInteger(GL_ARRAY_BUFFER_BINDING);
+        int sourceRgb = integer(GL_BLEND_SRC_RGB);
+        int targetRgb = integer(GL_BLEND_DST_RGB);
+        int sourceAlpha = integer(GL_BLEND_SRC_ALPHA);
+        int targetAlpha = integer(GL_BLEND_DST_ALPHA);
+        int activeTexture = integer(GL_ACTIVE_TEXTURE);
+        int usedProgram = integer(GL_CURRENT_PROGRAM);
+        int usedArray = integer(GL_VERTEX_ARRAY_BINDING);
+        int usedBuffer = integer(GL_ARRAY_BUFFER_BINDING);
         glActiveTexture(GL_TEXTURE0);
-        int usedTexture = glGetInteger(GL_TEXTURE_BINDING_2D);
-        glGetIntegerv(GL_SCISSOR_BOX, fourInts);
-        int clipX = fourInts[0];
-        int clipY = fourInts[1];
-        int clipWidth = fourInts[2];
-        int clipHeight = fourInts[3];
-        glGetIntegerv(GL_VIEWPORT, fourInts);
+        int usedTexture = integer(GL_TEXTURE_BINDING_2D);
+        nglGetIntegerv(GL_SCISSOR_BOX, fourInts);
+        int clipX = MemoryUtil.memGetInt(fourInts);
+        int clipY = MemoryUtil.memGetInt(fourInts + 4);
+        int clipWidth = MemoryUtil.memGetInt(fourInts + 8);
+        int clipHeight = MemoryUtil.memGetInt(fourInts + 12);
+        nglGetIntegerv(GL_VIEWPORT, fourInts);
 
         glEnable(GL_BLEND);
         glEnable(GL_SCISSOR_TEST);
@@ -154,7 +154,11 @@ final class UiPainter implements AutoCloseable {
         glBindVertexArray(usedArray);
         glBindBuffer(GL_ARRAY_BUFFER, usedBuffer);
         glScissor(clipX, clipY, clipWidth, clipHeight);
-        glViewport(fourInts[0], fourInts[1], fourInts[2], fourInts[3]);
+        glViewport(
+                MemoryUtil.memGetInt(fourInts),
+                MemoryUtil.memGetInt(fourInts + 4),
+                MemoryUtil.memGetInt(fourInts + 8),
+                MemoryUtil.memGetInt(fourInts + 12));
     }
 
     /** A whole new store each time, so that the driver need not wait for the last frame. */
@@ -163,15 +167,13 @@ final class UiPainter implements AutoCloseable {
         long indexBytes = indices.allocated();
         glBindBuffer(GL_ARRAY_BUFFER, vertexBuffer);
         glBufferData(GL_ARRAY_BUFFER, Math.max(vertexBytes, 1), GL_STREAM_DRAW);
-        nglBufferSubData(GL_ARRAY_BUFFER, 0, vertexBytes, MemoryUtil.memAddress(vertexMemory));
+        nglBufferSubData(GL_ARRAY_BUFFER, 0, vertexBytes, vertexAddress);
         glBufferData(GL_ELEMENT_ARRAY_BUFFER, Math.max(indexBytes, 1), GL_STREAM_DRAW);
-        nglBufferSubData(
-                GL_ELEMENT_ARRAY_BUFFER, 0, indexBytes, MemoryUtil.memAddress(indexMemory));
+        nglBufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0, indexBytes, indexAddress);
     }
 
     private void drawCommands(NkContext context, int width, int height) {
         long offset = 0;
-        // By address: objects that wrap each command would be garbage of every frame.
         for (long command = nnk__draw_begin(context.address(), commands.address());
                 command != MemoryUtil.NULL;
                 command = nnk__draw_next(command, commands.address(), context.address())) {
@@ -182,15 +184,24 @@ final class UiPainter implements AutoCloseable {
             glBindTexture(
                     GL_TEXTURE_2D,
                     MemoryUtil.memGetInt(command + NkDrawCommand.TEXTURE + NkHandle.ID));
-            MemoryUtil.memCopy(command + NkDrawCommand.CLIP_RECT, clip.address(), NkRect.SIZEOF);
-            int left = (int) Math.clamp(clip.x(), 0, width);
-            int top = (int) Math.clamp(clip.y(), 0, height);
-            int right = (int) Math.clamp(Math.ceil(clip.x() + clip.w()), 0, width);
-            int bottom = (int) Math.clamp(Math.ceil(clip.y() + clip.h()), 0, height);
+            long clip = command + NkDrawCommand.CLIP_RECT;
+            float clipX = MemoryUtil.memGetFloat(clip + NkRect.X);
+            float clipY = MemoryUtil.memGetFloat(clip + NkRect.Y);
+            float clipWidth = MemoryUtil.memGetFloat(clip + NkRect.W);
+            float clipHeight = MemoryUtil.memGetFloat(clip + NkRect.H);
+            int left = (int) Math.clamp(clipX, 0, width);
+            int top = (int) Math.clamp(clipY, 0, height);
+            int right = (int) Math.clamp(Math.ceil(clipX + clipWidth), 0, width);
+            int bottom = (int) Math.clamp(Math.ceil(clipY + clipHeight), 0, height);
             glScissor(left, height - bottom, Math.max(0, right - left), Math.max(0, bottom - top));
             glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_SHORT, offset);
             offset += 2L * count;
         }
+    }
+
+    private int integer(int name) {
+        nglGetIntegerv(name, fourInts);
+        return MemoryUtil.memGetInt(fourInts);
     }
 
     private static void enable(int what, boolean value) {
@@ -207,14 +218,14 @@ final class UiPainter implements AutoCloseable {
         GlObjects.deleteVertexArray(vertexArray);
         GlObjects.deleteBuffer(vertexBuffer);
         GlObjects.deleteBuffer(indexBuffer);
-        MemoryUtil.memFree(vertexMemory);
-        MemoryUtil.memFree(indexMemory);
-        MemoryUtil.memAlignedFree(commandMemory);
+        MemoryUtil.nmemFree(vertexAddress);
+        MemoryUtil.nmemFree(indexAddress);
+        MemoryUtil.nmemAlignedFree(commandAddress);
         vertices.free();
         indices.free();
         commands.free();
         layout.free();
         config.free();
-        clip.free();
+        MemoryUtil.nmemFree(fourInts);
     }
 }
