@@ -9,6 +9,8 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.NEAR;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OFFSET;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
@@ -16,6 +18,7 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_EDGE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.STILL_NEAR;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_B;
 
@@ -157,6 +160,9 @@ public final class BoxContacts {
         t[HALF_B + i] = b.halfX();
         t[HALF_B + CAPACITY + i] = b.halfY();
         t[HALF_B + 2 * CAPACITY + i] = b.halfZ();
+        t[MARGIN + i] = distance;
+        t[NEAR + i] = Clipper.ON_PLANE * innerRadius;
+        t[STILL_NEAR + i] = Clipper.STILL_ON_PLANE * innerRadius;
         inner[i] = innerRadius;
         margin[i] = distance;
         word[i] = cache;
@@ -178,6 +184,7 @@ public final class BoxContacts {
             choose(i);
         }
         BoxAxes.corners(batch, count);
+        BoxAxes.cutOnce(batch, count);
         for (int i = 0; i < count; i++) {
             if (kind[i] == FACE) {
                 int points = cuts.clip(t, i, inner[i], margin[i], (int) word[i]);
@@ -247,8 +254,8 @@ public final class BoxContacts {
         out.normalX = t[NORMAL + i];
         out.normalY = t[NORMAL + CAPACITY + i];
         out.normalZ = t[NORMAL + 2 * CAPACITY + i];
-        int at = CORNER + i;
-        for (int p = 0; p < points; p++, at += 3 * CAPACITY) {
+        for (int p = 0; p < points; p++) {
+            int at = CORNER + 3 * CAPACITY * cuts.place[4 * i + p] + i;
             out.pointX[p] = t[at];
             out.pointY[p] = t[at + CAPACITY];
             out.pointZ[p] = t[at + 2 * CAPACITY];

@@ -3,9 +3,12 @@ package dev.cairn.physics.narrowphase;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.CUT_SEPARATION;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.DEEPEST;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ONCE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
 
@@ -31,8 +34,8 @@ final class BoxCuts {
     /** The side of a slot is on the first axis beside the face's (or the second), and its sign. */
     private static final boolean[] SIDE_FIRST = new boolean[24], SIDE_POSITIVE = new boolean[24];
 
-    /** The column of a side. */
-    private static final int[] SIDE_OUTSIDE = new int[24];
+    /** The column of a side, and the slot of a column. */
+    private static final int[] SIDE_OUTSIDE = new int[24], SIDE_SLOT = new int[24];
 
     /** The batch's corner at a slot; and the vertices of the batch's corners, four to a face. */
     private static final int[] SLOT_CORNER = new int[24], CORNER_VERTEX = new int[24];
@@ -52,6 +55,7 @@ final class BoxCuts {
             SIDE_POSITIVE[s] = h.sideX(s) + h.sideY(s) + h.sideZ(s) > 0;
             int side = (SIDE_FIRST[s] ? 0 : 2) + (SIDE_POSITIVE[s] ? 0 : 1);
             SIDE_OUTSIDE[s] = OUTSIDE + side * CAPACITY;
+            SIDE_SLOT[(s & ~3) + side] = s;
         }
     }
 
@@ -83,6 +87,9 @@ final class BoxCuts {
     /** The points of each pair, up to four: names, and separations. */
     final int[] name = new int[4 * BoxBatch.CAPACITY];
 
+    /** In which of the four places of the columns each of them is. */
+    final int[] place = new int[4 * BoxBatch.CAPACITY];
+
     final double[] separation = new double[4 * BoxBatch.CAPACITY];
 
     /** The least separation of the last pair. */
@@ -104,24 +111,25 @@ final class BoxCuts {
         this.last = last;
         flip = t[FLIP + i] != 0;
         leftOut = Double.POSITIVE_INFINITY;
-        first = Clipper.ON_PLANE * inner;
         boolean positive = t[SIGN + i] > 0;
         int incident = 4 * (int) t[INCIDENT + i];
         int begin = 8 * (int) t[AXIS + i] + (positive ? 4 : 0);
-        int sides = 0;
-        int only = begin;
-        for (int slot = begin; slot < begin + 4; slot++) {
-            boolean cuts = t[SIDE_OUTSIDE[slot] + i] > first;
-            sides += cuts ? 1 : 0;
-            only = cuts ? slot : only;
+        int code = (int) t[ONCE + i];
+        if (code >= 0) {
+            return once(t, i, code, incident, begin);
         }
-        if (sides == 0) {
+        for (int p = 0; p < 4; p++) {
+            place[4 * i + p] = p;
+        }
+        first = Clipper.ON_PLANE * inner;
+        boolean cuts = false;
+        for (int slot = begin; slot < begin + 4; slot++) {
+            cuts |= t[SIDE_OUTSIDE[slot] + i] > first;
+        }
+        if (!cuts) {
             return whole(t, i, positive, incident, margin);
         }
         later = Clipper.STILL_ON_PLANE * inner;
-        if (sides == 1 && once(t, i, positive, incident, only, margin)) {
-            return 4;
-        }
         return any(t, i, positive, incident, begin, margin, inner);
     }
 
@@ -181,114 +189,39 @@ final class BoxCuts {
         return kept;
     }
 
-    /**
-     * The usual case of bricks: one side cuts two neighbouring corners off, and all four are clear
-     * of it. Each of the two moves along its edge to the side.
-     *
-     * @return false when it is another case; nothing is written then
-     */
-    private boolean once(
-            double[] t, int i, boolean positive, int incident, int slot, double margin) {
-        int along = SIDE_FIRST[slot] ? CAPACITY : 2 * CAPACITY;
-        double sign = SIDE_POSITIVE[slot] ? 1 : -1;
-        double limit = t[HALF + along + i];
-        int c0 = CORNER + 3 * CAPACITY * SLOT_CORNER[incident] + i;
-        int c1 = CORNER + 3 * CAPACITY * SLOT_CORNER[incident + 1] + i;
-        int c2 = CORNER + 3 * CAPACITY * SLOT_CORNER[incident + 2] + i;
-        int c3 = CORNER + 3 * CAPACITY * SLOT_CORNER[incident + 3] + i;
-        double s0 = sign * t[c0 + along] - limit;
-        double s1 = sign * t[c1 + along] - limit;
-        double s2 = sign * t[c2 + along] - limit;
-        double s3 = sign * t[c3 + along] - limit;
-        // Comparisons that are counted, without branches, cost less than minima, which must mind
-        // NaN and -0.
-        int near =
-                (Math.abs(s0) <= later ? 1 : 0)
-                        + (Math.abs(s1) <= later ? 1 : 0)
-                        + (Math.abs(s2) <= later ? 1 : 0)
-                        + (Math.abs(s3) <= later ? 1 : 0);
-        boolean first2 = s0 > 0;
-        boolean second = s1 > 0;
-        // Two neighbours are outside when the opposite corners are not.
-        if (near > 0 || first2 == (s2 > 0) || second == (s3 > 0)) {
-            return false;
-        }
-        // The last corner that stays: 3 for 0 and 1 outside, 0 for 1 and 2, 1 for 2 and 3, else 2.
-        int p = first2 ? (second ? 3 : 2) : second ? 0 : 1;
-        int atP = p == 3 ? c3 : p == 2 ? c2 : p == 1 ? c1 : c0;
-        int atOut = p == 3 ? c0 : p == 2 ? c3 : p == 1 ? c2 : c1;
-        int atIn = p == 3 ? c1 : p == 2 ? c0 : p == 1 ? c3 : c2;
-        int atQ = p == 3 ? c2 : p == 2 ? c1 : p == 1 ? c0 : c3;
-        double sP = sign * t[atP + along] - limit;
-        double sOut = sign * t[atOut + along] - limit;
-        double sIn = sign * t[atIn + along] - limit;
-        double sQ = sign * t[atQ + along] - limit;
-        double leave = sP / (sP - sOut);
-        double enter = sIn / (sIn - sQ);
-        double pn = t[atP];
-        double pu = t[atP + CAPACITY];
-        double pv = t[atP + 2 * CAPACITY];
-        double qn = t[atQ];
-        double qu = t[atQ + CAPACITY];
-        double qv = t[atQ + 2 * CAPACITY];
-        double ln = pn + leave * (t[atOut] - pn);
-        double lu = pu + leave * (t[atOut + CAPACITY] - pu);
-        double lv = pv + leave * (t[atOut + 2 * CAPACITY] - pv);
-        double en = t[atIn] + enter * (qn - t[atIn]);
-        double eu = t[atIn + CAPACITY] + enter * (qu - t[atIn + CAPACITY]);
-        double ev = t[atIn + 2 * CAPACITY] + enter * (qv - t[atIn + 2 * CAPACITY]);
-        double face = positive ? 1 : -1;
-        double height = t[HALF + i];
-        double sLeave = face * ln - height;
-        double sEnter = face * en - height;
-        double sStay = face * pn - height;
-        double sBack = face * qn - height;
-        int far =
-                (sLeave > margin ? 1 : 0)
-                        + (sEnter > margin ? 1 : 0)
-                        + (sStay > margin ? 1 : 0)
-                        + (sBack > margin ? 1 : 0);
-        if (far > 0) {
-            return false;
-        }
-        deepest = Math.min(Math.min(sLeave, sEnter), Math.min(sStay, sBack));
+    /** Names the points of the usual case of bricks, which are in the columns already. */
+    private int once(double[] t, int i, int code, int incident, int begin) {
+        int slot = SIDE_SLOT[begin + (code >> 2)];
+        int p = code & 3;
         int kind = flip ? Clipper.VERTEX_A : Clipper.VERTEX_B;
         int vertexP = kind | SLOT_VERTEX[incident + p];
         int vertexQ = kind | SLOT_VERTEX[incident + ((p + 3) & 3)];
         int crossL = crossing(SLOT_EDGE[incident + p], SLOT_EDGE[slot]);
         int crossE = crossing(SLOT_EDGE[incident + ((p + 2) & 3)], SLOT_EDGE[slot]);
         int vertexFirst = vertexP < vertexQ ? 0 : 1;
-        int crossFirst = crossL < crossE ? 2 : 3;
-        point(t, i, vertexFirst, vertexP, sStay, face, pn, pu, pv);
-        point(t, i, 1 - vertexFirst, vertexQ, sBack, face, qn, qu, qv);
-        point(t, i, crossFirst, crossL, sLeave, face, ln, lu, lv);
-        point(t, i, 5 - crossFirst, crossE, sEnter, face, en, eu, ev);
-        return true;
+        int crossFirst = crossL < crossE ? 0 : 1;
+        int to = 4 * i;
+        place[to + vertexFirst] = 0;
+        place[to + 1 - vertexFirst] = 1;
+        place[to + 2 + crossFirst] = 2;
+        place[to + 3 - crossFirst] = 3;
+        name[to + vertexFirst] = vertexP;
+        name[to + 1 - vertexFirst] = vertexQ;
+        name[to + 2 + crossFirst] = crossL;
+        name[to + 3 - crossFirst] = crossE;
+        int from = CUT_SEPARATION + i;
+        separation[to + vertexFirst] = t[from];
+        separation[to + 1 - vertexFirst] = t[from + CAPACITY];
+        separation[to + 2 + crossFirst] = t[from + 2 * CAPACITY];
+        separation[to + 3 - crossFirst] = t[from + 3 * CAPACITY];
+        deepest = t[DEEPEST + i];
+        return 4;
     }
 
     private int crossing(int incidentEdge, int edge) {
         return flip
                 ? Clipper.CROSSING | incidentEdge << 15 | edge
                 : Clipper.CROSSING | edge << 15 | incidentEdge;
-    }
-
-    /** Writes a point, midway between the surfaces. */
-    private void point(
-            double[] t,
-            int i,
-            int place,
-            int id,
-            double s,
-            double face,
-            double pn,
-            double pu,
-            double pv) {
-        int to = CORNER + 3 * CAPACITY * place + i;
-        t[to] = pn - face * (s / 2);
-        t[to + CAPACITY] = pu;
-        t[to + 2 * CAPACITY] = pv;
-        name[4 * i + place] = id;
-        separation[4 * i + place] = s;
     }
 
     private void load(double[] t, int i, int incident) {

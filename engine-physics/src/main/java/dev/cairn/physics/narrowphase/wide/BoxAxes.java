@@ -61,6 +61,17 @@ public final class BoxAxes {
     }
 
     /**
+     * Clips what one side cuts straight: fills {@link BoxBatch#ONCE} and, where that is not
+     * negative, puts the points in the {@link BoxBatch#CORNER} columns.
+     *
+     * @param batch after {@link #corners}
+     * @param count pairs
+     */
+    public static void cutOnce(BoxBatch batch, int count) {
+        BoxOnceWide.run(batch.data, count);
+    }
+
+    /**
      * Turns what stands in the {@link BoxBatch#CORNER} columns into world axes, and fills {@link
      * BoxBatch#NORMAL}.
      *

@@ -85,8 +85,36 @@ public final class BoxBatch {
     /** Unit normal from A to B, world: columns x, y, z. */
     public static final int NORMAL = 78 * CAPACITY;
 
+    /** Points up to this far apart are contacts, m. Input of {@link BoxOnceWide}. */
+    public static final int MARGIN = 81 * CAPACITY;
+
+    /**
+     * How near a corner must be to a side plane to count as on it, m; and the same for a corner
+     * that was a point of the last tick.
+     */
+    public static final int NEAR = 82 * CAPACITY, STILL_NEAR = 83 * CAPACITY;
+
+    /**
+     * -1, or how one side cuts two neighbouring corners off: the last corner of the loop that
+     * stays, plus 4 for a low side, plus 8 for the second axis. The four points are then in place
+     * of the corners.
+     */
+    public static final int ONCE = 84 * CAPACITY;
+
+    /** The least separation of those points, m. */
+    public static final int DEEPEST = 85 * CAPACITY;
+
+    /** The last corner that stays, 0 to 3. */
+    static final int STAYS = 86 * CAPACITY;
+
+    /** Where on its edge either corner comes to lie, two columns; then {@link #CUT_SEPARATION}. */
+    static final int CUT = 87 * CAPACITY;
+
+    /** The separations of those points, m: four columns. */
+    public static final int CUT_SEPARATION = CUT + 2 * CAPACITY;
+
     /** All columns. */
-    public final double[] data = new double[81 * CAPACITY];
+    public final double[] data = new double[93 * CAPACITY];
 
     /** A batch of unit quaternions and zeros. */
     public BoxBatch() {

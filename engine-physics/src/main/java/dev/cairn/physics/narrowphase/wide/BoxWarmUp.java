@@ -59,12 +59,13 @@ public final class BoxWarmUp {
             choose(batch.data, round);
             long fourth = System.nanoTime();
             BoxAxes.corners(batch, BoxBatch.CAPACITY);
+            BoxAxes.cutOnce(batch, BoxBatch.CAPACITY);
             BoxAxes.world(batch, BoxBatch.CAPACITY);
             long end = System.nanoTime();
             scalar = Math.min(scalar, second - start);
             axes = Math.min(axes, third - second);
             faces = Math.min(faces, end - fourth);
-            // compiled, corners and world together cost no more than the axes
+            // compiled, all after the axes costs no more than the scalar axes
             if (round > LEAST && axes < scalar && faces < scalar) {
                 ready = true;
                 return;
