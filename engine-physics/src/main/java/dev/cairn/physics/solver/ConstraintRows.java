@@ -14,16 +14,11 @@ import java.util.Arrays;
 final class ConstraintRows {
     static final int NORMAL = 0;
 
-    /** Inverse masses, 1/kg. */
-    static final int MASS_A = 3;
-
-    static final int MASS_B = 4;
-
     /** 1 while the contact had no impulse to start the sub-step with. */
-    static final int COLD = 5;
+    static final int COLD = 3;
 
     /** Start of the points, {@link #POINT_FIELDS} each. */
-    static final int POINT = 6;
+    static final int POINT = 4;
 
     /** Of a point: weighted arms of A and B. */
     static final int ARM_A = 0;
@@ -42,40 +37,51 @@ final class ConstraintRows {
     static final int POINT_FIELDS = 9;
 
     /** Per point: separation at the start of the tick plus offset, m. */
-    static final int GAP = 42;
+    static final int GAP = 40;
 
     /** Per point: distance from the patch's centre, m. */
-    static final int REACH = 46;
+    static final int REACH = 44;
 
     /** Per point: normal impulse of the tick, N s. */
-    static final int SUM = 50;
+    static final int SUM = 48;
 
-    static final int TANGENT1 = 54;
-    static final int TANGENT2 = 57;
+    static final int TANGENT1 = 52;
+    static final int TANGENT2 = 55;
 
     /** Coulomb coefficient. */
-    static final int FRICTION = 60;
+    static final int FRICTION = 58;
 
     /** Inverse of the 2 x 2 tangent block: 11, 12, 22. */
-    static final int BLOCK = 61;
+    static final int BLOCK = 59;
 
     /** Friction impulses of the sub-step along the tangents, then the twist impulse. */
-    static final int LAMBDA = 64;
+    static final int LAMBDA = 62;
 
     /** Inverse of the twist's inverse inertia. */
-    static final int TWIST_MASS = 67;
+    static final int TWIST_MASS = 65;
 
     /** Weighted arms of the tangents at the patch's centre: A t1, A t2, B t1, B t2. */
-    static final int LEVER = 68;
+    static final int LEVER = 66;
 
     /** Weighted normals of A and B: {@code L^T n}. */
-    static final int TWIST = 80;
+    static final int TWIST = 78;
 
     /** Totals of the tick: friction along the tangents, twist. */
-    static final int TOTAL = 86;
+    static final int TOTAL = 84;
+
+    /** Inverse masses, 1/kg; the sweeps take them from the bodies. */
+    static final int MASS_A = 87;
+
+    static final int MASS_B = 88;
 
     /** Doubles to a row. */
     static final int FIELDS = 89;
+
+    /**
+     * Where the rows start: behind the 16 bytes of an array's header this is a whole cache line, if
+     * the array starts with one; large arrays of the G1 collector do.
+     */
+    static final int START = 6;
 
     /** Ints to a row. */
     static final int LINK = 4;
@@ -92,7 +98,7 @@ final class ConstraintRows {
     static final int SOURCE = 3;
 
     /** Places to a chunk, the unit of work: a multiple of every number of lanes. */
-    static final int CHUNK = 64;
+    static final int CHUNK = 32;
 
     /** Rows to a group. */
     final int lanes;
@@ -130,7 +136,7 @@ final class ConstraintRows {
     /** Index of field 0 of the row at place {@code j}. */
     int base(int j) {
         int lane = j % lanes;
-        return (j - lane) * FIELDS + lane;
+        return START + (j - lane) * FIELDS + lane;
     }
 
     void ensureRows(int rows) {
@@ -146,7 +152,7 @@ final class ConstraintRows {
         if (wanted * LINK > link.length) {
             int n = Math.max(wanted, Math.max(64, unloaded.length + (unloaded.length >> 1)));
             n = (n + CHUNK - 1) / CHUNK * CHUNK;
-            row = new double[n * FIELDS];
+            row = new double[START + n * FIELDS];
             link = new int[n * LINK];
             unloaded = new byte[n];
             points = new int[n / lanes];

@@ -175,7 +175,7 @@ public final class ContactSolver {
         }
         jobs.run(kick, bodyBlocks);
         if (unloaded) {
-            ScalarSweeps.settle(rows, body.state, sub, settings.unloadSweeps());
+            ScalarSweeps.settle(rows, body.state, sub, settings.unloadSweeps(), scratch[0]);
         }
         colours(bias, jobs);
         jobs.run(drift, bodyBlocks);
@@ -209,7 +209,7 @@ public final class ContactSolver {
         if (scratch.length < workers) {
             scratch = new double[workers][];
             for (int i = 0; i < workers; i++) {
-                scratch[i] = Sweeps.scratch();
+                scratch[i] = Scratch.create();
             }
         }
     }

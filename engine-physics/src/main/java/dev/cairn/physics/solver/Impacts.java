@@ -221,7 +221,7 @@ final class Impacts {
             d[o + (SUM + p) * lanes] += d[point(p) + IMPULSE * lanes];
         }
         if (d[o + FRICTION * lanes] > 0) {
-            ScalarSweeps.friction(d, o, lanes, body, a, b, points);
+            ScalarFriction.rub(d, o, lanes, body, a, b, points);
             for (int k = 0; k < 3; k++) {
                 d[o + (TOTAL + k) * lanes] += d[o + (LAMBDA + k) * lanes];
                 d[o + (LAMBDA + k) * lanes] = 0;
@@ -350,7 +350,7 @@ final class Impacts {
         return d[o] * (body[j] - body[i])
                 + d[o + lanes] * (body[j + 1] - body[i + 1])
                 + d[o + 2 * lanes] * (body[j + 2] - body[i + 2])
-                + ScalarSweeps.dot(d, q + ARM_B * lanes, lanes, body, j + 3)
-                - ScalarSweeps.dot(d, q + ARM_A * lanes, lanes, body, i + 3);
+                + ScalarNormals.dot(d, q + ARM_B * lanes, lanes, body, j + 3)
+                - ScalarNormals.dot(d, q + ARM_A * lanes, lanes, body, i + 3);
     }
 }

@@ -19,6 +19,7 @@ import static dev.cairn.physics.solver.ConstraintRows.POINT_FIELDS;
 import static dev.cairn.physics.solver.ConstraintRows.REACH;
 import static dev.cairn.physics.solver.ConstraintRows.SEPARATION;
 import static dev.cairn.physics.solver.ConstraintRows.SOURCE;
+import static dev.cairn.physics.solver.ConstraintRows.START;
 import static dev.cairn.physics.solver.ConstraintRows.SUM;
 import static dev.cairn.physics.solver.ConstraintRows.TANGENT1;
 import static dev.cairn.physics.solver.ConstraintRows.TANGENT2;
@@ -45,6 +46,9 @@ final class LanePrepare implements RowFiller {
     private static final int L = S.length();
 
     /** Staging, in fields of a group: normal, inverse masses, then these. */
+    private static final int INVERSE_A = 3;
+
+    private static final int INVERSE_B = 4;
     private static final int FIXED = 5;
 
     private static final int STIFFNESS = 6;
@@ -96,7 +100,7 @@ final class LanePrepare implements RowFiller {
             double[] scratch) {
         double[] d = rows.row;
         for (int j = from; j < to; j += L) {
-            int o = j * FIELDS;
+            int o = START + j * FIELDS;
             int n = 0;
             boolean rough = false;
             for (int l = 0; l < L; l++) {
@@ -110,6 +114,7 @@ final class LanePrepare implements RowFiller {
                 rough |= contacts.friction[source] > 0;
                 stage(rows, bodies, contacts, sub, j + l, source, scratch, l);
             }
+            n = n == 3 ? 4 : n; // the kernels sweep one, two or four points
             rows.points[j / L] = n;
             rows.rough[j / L] = rough;
             basis(d, o, scratch);
@@ -120,7 +125,7 @@ final class LanePrepare implements RowFiller {
                 warm(d, o, scratch, scale);
             } else {
                 clear(d, o, REACH, REACH + 4);
-                clear(d, o, BLOCK, FIELDS);
+                clear(d, o, BLOCK, TOTAL + 3);
             }
             scatter(rows, bodies, j, scratch);
         }
@@ -151,8 +156,8 @@ final class LanePrepare implements RowFiller {
         st[l] = c.normalX[source];
         st[L + l] = c.normalY[source];
         st[2 * L + l] = c.normalZ[source];
-        st[MASS_A * L + l] = ma;
-        st[MASS_B * L + l] = mb;
+        st[INVERSE_A * L + l] = ma;
+        st[INVERSE_B * L + l] = mb;
         st[FIXED * L + l] = fixed ? 1 : 0;
         st[STIFFNESS * L + l] = sub.stiffness(fixed);
         st[MU * L + l] = c.friction[source];
@@ -220,8 +225,8 @@ final class LanePrepare implements RowFiller {
         nx.intoArray(d, o);
         ny.intoArray(d, o + L);
         nz.intoArray(d, o + 2 * L);
-        DoubleVector.fromArray(S, st, MASS_A * L).intoArray(d, o + MASS_A * L);
-        DoubleVector.fromArray(S, st, MASS_B * L).intoArray(d, o + MASS_B * L);
+        DoubleVector.fromArray(S, st, INVERSE_A * L).intoArray(d, o + MASS_A * L);
+        DoubleVector.fromArray(S, st, INVERSE_B * L).intoArray(d, o + MASS_B * L);
         DoubleVector.fromArray(S, st, MU * L).intoArray(d, o + FRICTION * L);
         var ax = nx.abs();
         var ay = ny.abs();
@@ -299,8 +304,8 @@ final class LanePrepare implements RowFiller {
                             .add(uz.mul(uz))
                             .add(wx.mul(wx).add(wy.mul(wy)).add(wz.mul(wz)));
             var w =
-                    DoubleVector.fromArray(S, st, MASS_A * L)
-                            .add(DoubleVector.fromArray(S, st, MASS_B * L))
+                    DoubleVector.fromArray(S, st, INVERSE_A * L)
+                            .add(DoubleVector.fromArray(S, st, INVERSE_B * L))
                             .add(square);
             var there =
                     DoubleVector.fromArray(S, st, POINTS * L)
@@ -328,8 +333,8 @@ final class LanePrepare implements RowFiller {
     /** Linear part of the impulse at {@code f[i]} along the direction at {@code d[u]}. */
     private static void push(double[] st, double[] f, int i, double[] d, int u) {
         var impulse = DoubleVector.fromArray(S, f, i);
-        var ka = DoubleVector.fromArray(S, st, MASS_A * L).mul(impulse);
-        var kb = DoubleVector.fromArray(S, st, MASS_B * L).mul(impulse);
+        var ka = DoubleVector.fromArray(S, st, INVERSE_A * L).mul(impulse);
+        var kb = DoubleVector.fromArray(S, st, INVERSE_B * L).mul(impulse);
         for (int k = 0; k < 3; k++) {
             var n = DoubleVector.fromArray(S, d, u + k * L);
             int a = (WARM_A + k) * L;
@@ -449,8 +454,8 @@ final class LanePrepare implements RowFiller {
                 DoubleVector.fromArray(S, st, (DOTS + 2) * L)
                         .add(DoubleVector.fromArray(S, st, (DOTS + 6) * L));
         var sum =
-                DoubleVector.fromArray(S, st, MASS_A * L)
-                        .add(DoubleVector.fromArray(S, st, MASS_B * L));
+                DoubleVector.fromArray(S, st, INVERSE_A * L)
+                        .add(DoubleVector.fromArray(S, st, INVERSE_B * L));
         var k11 =
                 sum.add(DoubleVector.fromArray(S, st, DOTS * L))
                         .add(DoubleVector.fromArray(S, st, (DOTS + 4) * L));

@@ -8,7 +8,6 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodHandles.Lookup;
-import java.lang.reflect.Constructor;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /** Chooses the sweeps for a number of lanes; the Vector API is touched only where it is there. */
@@ -62,9 +61,14 @@ final class Lanes {
             return known;
         }
         try {
-            RowFiller filler = (RowFiller) make("LanePrepare", lanes).newInstance();
-            Sweeps sweeps = (Sweeps) make("LaneSweeps", lanes, RowFiller.class).newInstance(filler);
-            WideSweeps made = new WideSweeps(sweeps);
+            WideSweeps made =
+                    new WideSweeps(
+                            new LaneSweeps(
+                                    lanes,
+                                    (RowFiller) make("LanePrepare", lanes),
+                                    (LaneKernels.Bodies) make("LaneBodies", lanes),
+                                    (LaneKernels.Normals) make("LaneNormals", lanes),
+                                    (LaneKernels.Friction) make("LaneFriction", lanes)));
             MADE[lanes] = made;
             return made;
         } catch (IOException | ReflectiveOperationException failed) {
@@ -73,7 +77,7 @@ final class Lanes {
         }
     }
 
-    private static Constructor<?> make(String name, int lanes, Class<?>... arguments)
+    private static Object make(String name, int lanes)
             throws IOException, ReflectiveOperationException {
         try (InputStream in = Lanes.class.getResourceAsStream(name + ".class")) {
             if (in == null) {
@@ -81,7 +85,7 @@ final class Lanes {
             }
             Lookup lookup = MethodHandles.lookup();
             Lookup hidden = lookup.defineHiddenClassWithClassData(in.readAllBytes(), lanes, true);
-            return hidden.lookupClass().getDeclaredConstructor(arguments);
+            return hidden.lookupClass().getDeclaredConstructor().newInstance();
         }
     }
 

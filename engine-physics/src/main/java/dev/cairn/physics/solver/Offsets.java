@@ -54,9 +54,9 @@ final class Offsets {
             double known = k * (gap - d[o + (ConstraintRows.GAP + i) * lanes]);
             double speed =
                     vn
-                            + ScalarSweeps.dot(
+                            + ScalarNormals.dot(
                                     d, q + ConstraintRows.ARM_B * lanes, lanes, body, b + 3)
-                            - ScalarSweeps.dot(
+                            - ScalarNormals.dot(
                                     d, q + ConstraintRows.ARM_A * lanes, lanes, body, a + 3);
             if (impulse > 0 && rests && Math.abs(speed) < still) {
                 known -= k * gain * Math.min(0, gap);
@@ -87,14 +87,14 @@ final class Offsets {
                 x * d[t1]
                         + y * d[t1 + lanes]
                         + z * d[t1 + 2 * lanes]
-                        + ScalarSweeps.dot(d, v + 6 * lanes, lanes, body, b + 3)
-                        - ScalarSweeps.dot(d, v, lanes, body, a + 3);
+                        + ScalarNormals.dot(d, v + 6 * lanes, lanes, body, b + 3)
+                        - ScalarNormals.dot(d, v, lanes, body, a + 3);
         double s2 =
                 x * d[t2]
                         + y * d[t2 + lanes]
                         + z * d[t2 + 2 * lanes]
-                        + ScalarSweeps.dot(d, v + 9 * lanes, lanes, body, b + 3)
-                        - ScalarSweeps.dot(d, v + 3 * lanes, lanes, body, a + 3);
+                        + ScalarNormals.dot(d, v + 9 * lanes, lanes, body, b + 3)
+                        - ScalarNormals.dot(d, v + 3 * lanes, lanes, body, a + 3);
         return Math.sqrt(s1 * s1 + s2 * s2);
     }
 }

@@ -79,7 +79,7 @@ final class PrepareRow implements RowFiller {
                 rough |= c.friction[source] > 0;
                 row(rows, bodies, c, j, o, source, sub, scale);
             }
-            rows.points[group / lanes] = most;
+            rows.points[group / lanes] = most == 3 ? 4 : most;
             rows.rough[group / lanes] = rough;
         }
     }
@@ -121,7 +121,7 @@ final class PrepareRow implements RowFiller {
             friction(rows, bodies, c, j, o, source, fixed, scale);
         } else {
             clear(d, o, lanes, REACH, REACH + 4);
-            clear(d, o, lanes, BLOCK, ConstraintRows.FIELDS);
+            clear(d, o, lanes, BLOCK, TOTAL + 3);
         }
         positive(bodies.warm, a);
         positive(bodies.warm, b);

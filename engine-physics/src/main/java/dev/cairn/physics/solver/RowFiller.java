@@ -9,7 +9,7 @@ interface RowFiller {
      * and adds the last impulses to the bodies' warm start.
      *
      * @param scale factor on the stored impulses: this sub-step over the last tick's
-     * @param scratch of the worker, see {@link Sweeps#scratch()}
+     * @param scratch of the worker, see {@link Scratch}
      */
     void fill(
             ConstraintRows rows,

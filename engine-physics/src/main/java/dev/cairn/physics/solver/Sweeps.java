@@ -1,7 +1,5 @@
 package dev.cairn.physics.solver;
 
-import java.util.Arrays;
-
 /**
  * What fills the constraint rows of one colour, and the sweeps over them. There is one set for each
  * number of lanes; all give the same bits, because each row's arithmetic is the same, in the same
@@ -11,19 +9,6 @@ import java.util.Arrays;
  * nothing but the sign of a zero could differ.
  */
 interface Sweeps extends RowFiller {
-    /** Doubles of scratch that a worker brings. */
-    int SCRATCH = 30 * ConstraintRows.CHUNK;
-
-    /** Start of a chunk of ones in it: the marks of lanes that all take part. */
-    int ONES = 29 * ConstraintRows.CHUNK;
-
-    /** Scratch of a worker. */
-    static double[] scratch() {
-        double[] s = new double[SCRATCH];
-        Arrays.fill(s, ONES, SCRATCH, 1.0);
-        return s;
-    }
-
     /** Rows to a group. */
     int lanes();
 

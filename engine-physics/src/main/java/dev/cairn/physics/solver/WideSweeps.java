@@ -90,7 +90,7 @@ final class WideSweeps implements Sweeps {
         SolverBodies bodies = new SolverBodies();
         bodies.ensureCapacity(2 * ConstraintRows.CHUNK);
         double[] body = bodies.state;
-        double[] scratch = Sweeps.scratch();
+        double[] scratch = Scratch.create();
         SubStep sub = new SubStep();
         Softness soft = Softness.of(30, 10, 1 / 240.0);
         sub.set(1 / 240.0, soft, soft, SolverSettings.DEFAULT);

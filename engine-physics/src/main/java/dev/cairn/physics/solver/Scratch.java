@@ -1,0 +1,63 @@
+package dev.cairn.physics.solver;
+
+import static dev.cairn.physics.solver.ConstraintRows.CHUNK;
+
+import java.util.Arrays;
+
+/**
+ * Where things lie in the scratch of a worker. The bodies of a chunk of rows are held with one row
+ * to a lane, a line to a field; what the kernels hand on to each other for the group in work is
+ * packed, a vector to a field.
+ */
+final class Scratch {
+    /**
+     * Doubles from one field to the next: more than a chunk, since the address of a field must not
+     * be that of another one modulo 4096, or the processor takes a load for one of what was just
+     * stored.
+     */
+    static final int LINE = CHUNK + 8;
+
+    /** The first 8 numbers of A and of B in {@link SolverBodies#state}. */
+    static final int VA = ConstraintRows.START;
+
+    static final int VB = VA + 8 * LINE;
+
+    /** Movement and weighted turn of A and of B. */
+    static final int PA = VA + 16 * LINE;
+
+    static final int PB = VA + 22 * LINE;
+
+    /** Marks of lanes: those that land, those that rub, and all. */
+    static final int LANDS = VA + 28 * LINE;
+
+    static final int RUBS = VA + 29 * LINE;
+    static final int ONES = VA + 30 * LINE;
+
+    /** By group, at its first lane: 1 if it has nothing to do. */
+    static final int IDLE = VA + 31 * LINE;
+
+    /** What the kernels hand on about the normals of a group, {@link #PACK} vectors a group. */
+    static final int PACKED = VA + 32 * LINE;
+
+    static final int PACK = 30;
+
+    /** Scalar, by point: gain, goal, speed, impulse before and change, and 4 x 4 factors. */
+    static final int GAIN = PACKED;
+
+    static final int GOAL = GAIN + 4;
+    static final int SPEED = GAIN + 8;
+    static final int CHANGE = GAIN + 12;
+    static final int FACTOR = GAIN + 16;
+    static final int OWN = GAIN + 32;
+
+    static final int SIZE = PACKED + PACK * CHUNK;
+
+    private Scratch() {}
+
+    /** Scratch of a worker. */
+    static double[] create() {
+        double[] s = new double[SIZE];
+        Arrays.fill(s, ONES, ONES + CHUNK, 1.0);
+        return s;
+    }
+}
