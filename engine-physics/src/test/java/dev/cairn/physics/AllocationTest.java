@@ -59,6 +59,14 @@ class AllocationTest {
         }
     }
 
+    @Test
+    void everyKindOnEveryKindAtRest() {
+        try (PhysicsWorld world = Scenes.awake().workers(2).build()) {
+            Scenes.everyKindOnEveryKind(world);
+            measure(world, 600);
+        }
+    }
+
     /** It falls asleep, is woken by a push, and falls asleep again. */
     @Test
     void aStackThatSleepsAndIsWoken() {

@@ -9,6 +9,8 @@ import org.junit.jupiter.api.Test;
 
 import java.util.Arrays;
 import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Consumer;
 
 /** The same bits for any number of lanes and workers. */
@@ -46,6 +48,33 @@ class LanesTest {
                 }
             }
         }
+    }
+
+    /** All pairs of kinds, and that they do touch. */
+    @Test
+    void everyKindOnEveryKind() {
+        Set<String> met = new TreeSet<>();
+        try (PhysicsWorld world = PhysicsWorld.builder().sleeping(false).build()) {
+            Scenes.everyKindOnEveryKind(world);
+            for (int tick = 0; tick < 90; tick++) {
+                world.step(Scenes.STEP);
+                Contacts contacts = world.contacts();
+                for (int i = 0; i < contacts.count(); i++) {
+                    if (contacts.touching(i)) {
+                        met.add(pair(contacts.bodyA(i), contacts.bodyB(i)));
+                    }
+                }
+            }
+        }
+        // Seven kinds with a half-space; six kinds and the moved one with each other.
+        assertEquals(7 + 28, met.size(), met::toString);
+        sameForAll(90, 49, Scenes::everyKindOnEveryKind);
+    }
+
+    private static String pair(BodyRef a, BodyRef b) {
+        String one = a.shape().getClass().getSimpleName();
+        String two = b.shape().getClass().getSimpleName();
+        return one.compareTo(two) < 0 ? one + " " + two : two + " " + one;
     }
 
     @Test

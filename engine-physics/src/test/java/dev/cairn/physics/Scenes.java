@@ -1,9 +1,15 @@
 package dev.cairn.physics;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+
+import org.joml.Quaterniond;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -31,6 +37,39 @@ final class Scenes {
             boxes.add(world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5 + i, 0)));
         }
         return boxes;
+    }
+
+    /** One shape of each kind, half a metre or so; and one that is moved within its body. */
+    static Shape[] kinds() {
+        return new Shape[] {
+            Sphere.of(.3),
+            Capsule.of(.25, .3),
+            Cylinder.of(.35, .3),
+            Cone.of(.4, .35),
+            Box.of(.35, .25, .3),
+            ConvexHull.of(
+                    new double[] {
+                        .4, 0, 0, -.4, 0, 0, 0, .4, 0, 0, -.4, 0, 0, 0, .4, 0, 0, -.4, .3, .3, .3
+                    }),
+            Cylinder.of(.2, .3).moved(0, .1, 0, new Quaterniond().rotationZ(1.2)),
+        };
+    }
+
+    /** On a half-space, each kind below each kind: all pairs of kinds there are. */
+    static void everyKindOnEveryKind(PhysicsWorld world) {
+        world.add(Body.fixed().shape(HalfSpace.of()).name("HalfSpace"));
+        Shape[] kinds = kinds();
+        Random random = new Random(5);
+        for (int i = 0; i < kinds.length; i++) {
+            for (int j = 0; j < kinds.length; j++) {
+                world.add(Body.dynamic().shape(kinds[i]).at(1.6 * i, .7, 1.6 * j));
+                world.add(
+                        Body.dynamic()
+                                .shape(kinds[j])
+                                .at(1.6 * i + .05, 1.7, 1.6 * j)
+                                .rotationAbout(1, random.nextDouble(), 0, random.nextDouble()));
+            }
+        }
     }
 
     /** A heap of boxes, balls and hulls that falls on the ground. */
