@@ -40,6 +40,7 @@ public final class ContactSolver {
     private final Impacts impacts = new Impacts();
     private final LoadSweep loads = new LoadSweep();
     private final Unloading unloading = new Unloading();
+    private final Renewal renewal = new Renewal();
     private final double[] gravity = new double[3];
 
     private final BlockJob begin = this::begin;
@@ -49,6 +50,11 @@ public final class ContactSolver {
     private final BlockJob drift = this::drift;
     private final BlockJob relax = this::relax;
     private final BlockJob finish = this::finish;
+    private final BlockJob keepBodies = this::keepBodies;
+    private final BlockJob takeOut = this::takeOut;
+    private final BlockJob renewBodies = this::renewBodies;
+    private final BlockJob renewRows = this::renewRows;
+    private final BlockJob restoreRows = this::restoreRows;
     private final BlockJob storeBodies = this::storeBodies;
     private final BlockJob clearRows = this::clearRows;
     private final BlockJob storeRows = this::storeRows;
@@ -56,6 +62,8 @@ public final class ContactSolver {
     private double step;
     private boolean stacked;
     private boolean loaded;
+    private boolean renews;
+    private double preloadScale = 1;
     private double subStep;
     private int substepsBefore;
     private double impulseScale = 1;
@@ -146,11 +154,14 @@ public final class ContactSolver {
                 (settings.loadInertia() > 0 || settings.unloadSweeps() > 0)
                         && loads.run(
                                 bodies, contacts, rows, body, gravity, step, settings, stacked);
+        renewal.ensureCapacity(bodies.slotCount);
         jobs.run(begin, bodyBlocks);
         if (rows.count > 0) {
             ensureScratch(jobs.workers());
             choose();
             colours(prepare, jobs);
+            renews = renewal.list(rows, contacts, bodies, weight());
+            preloadScale = impulseScale;
             for (int k = 0; k < settings.substeps(); k++) {
                 subStep(bodies, contacts, unloaded && k == 0, bodyBlocks, jobs);
             }
@@ -158,6 +169,53 @@ public final class ContactSolver {
         store(bodies, contacts, bodyBlocks, jobs);
         bodyStore = null;
         contactStore = null;
+    }
+
+    /** Levers of what turns or passes by, as they are now. */
+    private void renew(int bodyBlocks, Jobs jobs) {
+        jobs.run(keepBodies, bodyBlocks);
+        colours(takeOut, jobs);
+        jobs.run(renewBodies, bodyBlocks);
+        colours(renewRows, jobs);
+        preloadScale = 1;
+    }
+
+    private void keepBodies(int block, int worker) {
+        int end = Blocks.end(block, BODIES_PER_BLOCK, stored(bodyStore).slotCount);
+        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
+            if (body.guide[i] != SolverBodies.FREE) {
+                Motion.keep(body, i);
+            }
+        }
+    }
+
+    private void takeOut(int block, int worker) {
+        int first = from + Blocks.begin(block, ROWS_PER_BLOCK);
+        int end = from + Blocks.end(block, ROWS_PER_BLOCK, to - from);
+        renewal.unload(rows, body.warm, first, end);
+    }
+
+    private void renewBodies(int block, int worker) {
+        BodyStore b = stored(bodyStore);
+        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
+        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
+            if (body.guide[i] != SolverBodies.FREE) {
+                renewal.body(body, b, i);
+            }
+        }
+    }
+
+    private void renewRows(int block, int worker) {
+        int first = from + Blocks.begin(block, ROWS_PER_BLOCK);
+        int end = from + Blocks.end(block, ROWS_PER_BLOCK, to - from);
+        renewal.rows(
+                rows, body, stored(bodyStore), stored(contactStore), sub, preloadScale, first, end);
+    }
+
+    private void restoreRows(int block, int worker) {
+        int first = Blocks.begin(block, ROWS_PER_BLOCK);
+        int end = Blocks.end(block, ROWS_PER_BLOCK, rows.places);
+        renewal.restore(rows, stored(contactStore), first, end);
     }
 
     private void subStep(
@@ -179,6 +237,9 @@ public final class ContactSolver {
         }
         colours(bias, jobs);
         jobs.run(drift, bodyBlocks);
+        if (renews) {
+            renew(bodyBlocks, jobs);
+        }
         colours(relax, jobs);
         jobs.run(finish, bodyBlocks);
     }
@@ -324,6 +385,7 @@ public final class ContactSolver {
     private void begin(int block, int worker) {
         BodyStore b = stored(bodyStore);
         int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
+        double weight = weight();
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             if (b.kind[i] != BodyStore.DYNAMIC) {
                 continue;
@@ -333,6 +395,7 @@ public final class ContactSolver {
                 Motion.fly(
                         b, body, i, gravity[0], gravity[1], gravity[2], step, settings.substeps());
             } else {
+                renewal.look(b, i, weight);
                 body.loadBound(b, i, loaded ? b.inertiaScale[i] : 1);
             }
         }
@@ -401,6 +464,10 @@ public final class ContactSolver {
         jobs.run(storeBodies, bodyBlocks);
         jobs.run(clearRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK));
         jobs.run(storeRows, Blocks.count(rows.places, ROWS_PER_BLOCK));
+        if (renews) {
+            jobs.run(restoreRows, Blocks.count(rows.places, ROWS_PER_BLOCK));
+            renews = false;
+        }
         if (settings.unloadSweeps() > 0) {
             for (int m = 0; m < rows.count; m++) {
                 Unloading.press(bodies, contacts, rows.source[m], 1 / subStep);

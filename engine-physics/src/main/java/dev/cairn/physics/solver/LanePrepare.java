@@ -389,7 +389,7 @@ final class LanePrepare implements RowFiller {
             w = DoubleVector.zero(S).blend(w, count.compare(VectorOperators.GT, (double) i));
             w.intoArray(st, (WEIGHT + i) * L);
             sum = sum.add(w);
-            shift = shift.add(w.mul(gap.max(0.0).blend(gap, fixed).mul(0.5)));
+            shift = shift.add(w.mul(DoubleVector.zero(S).blend(gap, fixed).mul(0.5)));
         }
         var k =
                 DoubleVector.broadcast(S, 1.0)

@@ -127,6 +127,50 @@ final class PrepareRow implements RowFiller {
         positive(bodies.warm, b);
     }
 
+    /**
+     * Fills a row anew within a tick: its levers have moved; impulses and totals stay.
+     *
+     * @param preloadScale of the tick's start
+     */
+    static void renew(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            ContactStore c,
+            int j,
+            int source,
+            SubStep sub,
+            double preloadScale) {
+        double[] d = rows.row;
+        int lanes = rows.lanes;
+        int o = rows.base(j);
+        int l = o + LAMBDA * lanes;
+        double f1 = d[l];
+        double f2 = d[l + lanes];
+        double f3 = d[l + 2 * lanes];
+        double t1 = d[o + TOTAL * lanes];
+        double t2 = d[o + (TOTAL + 1) * lanes];
+        double t3 = d[o + (TOTAL + 2) * lanes];
+        int first = ContactStore.POINTS * source;
+        for (int i = 0; i < c.pointCount[source]; i++) {
+            c.normalImpulse[first + i] = d[o + (POINT + i * POINT_FIELDS + IMPULSE) * lanes];
+            c.totalNormalImpulse[first + i] = d[o + (SUM + i) * lanes];
+            c.preload[first + i] *= preloadScale;
+        }
+        c.frictionImpulseX[source] = 0;
+        c.frictionImpulseY[source] = 0;
+        c.frictionImpulseZ[source] = 0;
+        c.twistImpulse[source] = 0;
+        row(rows, bodies, c, j, o, source, sub, 1);
+        for (int i = 0; i < c.pointCount[source]; i++) {
+            d[o + (SUM + i) * lanes] = c.totalNormalImpulse[first + i];
+        }
+        if (c.friction[source] > 0) {
+            put(d, l, lanes, f1, f2, d[o + TWIST_MASS * lanes] > 0 ? f3 : 0);
+            put(d, o + TOTAL * lanes, lanes, t1, t2, t3);
+            addFriction(rows, bodies.warm, j, o, 1);
+        }
+    }
+
     /** Zeros leave positive: what a lane has to add nothing of could still turn a -0. */
     private static void positive(double[] warm, int body) {
         int i = body >> 1;
@@ -255,10 +299,10 @@ final class PrepareRow implements RowFiller {
         int first = ContactStore.POINTS * source;
         int n = c.pointCount[source];
         // Centre of the patch: the mean of the anchors, with points that have left fading out so
-        // that it moves without jumps. The anchors lie midway between the surfaces; here each goes
-        // back to its own body's surface, because that is where the bodies will touch when the gap
-        // has closed. Overlap between two moving bodies keeps the common point, so that their
-        // friction makes no angular momentum.
+        // that it moves without jumps. The anchors lie midway between the surfaces; against what
+        // does not move, the anchor goes back to the body's own surface, because that is where the
+        // body will touch when the gap has closed. Two moving bodies keep the common point, so that
+        // their friction makes no angular momentum.
         double spread = 0;
         for (int p = first + 1; p < first + n; p++) {
             double x = c.anchorAX[p] - c.anchorAX[first];
@@ -267,6 +311,7 @@ final class PrepareRow implements RowFiller {
             spread = Math.max(spread, x * x + y * y + z * z);
         }
         double fade = FADE * Math.sqrt(spread);
+        double moved = fixed ? 0 : moved(rows, bodies, j, nx, ny, nz);
         double sum = 0;
         double ax = 0;
         double ay = 0;
@@ -276,10 +321,10 @@ final class PrepareRow implements RowFiller {
         double bz = 0;
         double shift = 0;
         for (int p = first; p < first + n; p++) {
-            double gap = c.separation[p];
+            double gap = c.separation[p] + moved;
             double w = gap <= fade || fade == 0 ? 1 : Math.max(2 - gap / fade, 1e-10);
             sum += w;
-            shift += w * (0.5 * (fixed ? gap : Math.max(gap, 0)));
+            shift += w * (0.5 * (fixed ? gap : 0));
             ax += w * c.anchorAX[p];
             ay += w * c.anchorAY[p];
             az += w * c.anchorAZ[p];
@@ -305,6 +350,15 @@ final class PrepareRow implements RowFiller {
         }
         block(rows, bodies, j, o, ax, ay, az, bx, by, bz, n > 1);
         warm(rows, bodies, c, j, o, source, scale);
+    }
+
+    /** How far the bodies have parted along the normal since the tick's start, m. */
+    private static double moved(
+            ConstraintRows rows, SolverBodies bodies, int j, double nx, double ny, double nz) {
+        int a = rows.link[j * LINK] + SolverBodies.P;
+        int b = rows.link[j * LINK + 1] + SolverBodies.P;
+        double[] s = bodies.state;
+        return nx * (s[b] - s[a]) + ny * (s[b + 1] - s[a + 1]) + nz * (s[b + 2] - s[a + 2]);
     }
 
     /** Levers, tangent block and twist at the patch's centre. */

@@ -142,7 +142,7 @@ final class SolverBodies {
     }
 
     /** {@code L} with {@code L L^T = scale I^-1}: the principal axes, each times a square root. */
-    private void rootOfInertia(BodyStore b, int i, double scale) {
+    void rootOfInertia(BodyStore b, int i, double scale) {
         double[] r = root;
         int k = (i + 1) * ROOT;
         if (axes.isotropic[i]) {

@@ -17,6 +17,7 @@
  *     kick     v += h (g + f/m), then the warm start of all contacts of a body at once
  *     bias     normals, soft: overlap is pushed out, gaps close at most to zero
  *     drift    x += h v under load, the parabola without; free rotation by Strang splitting
+ *     renew    levers of now, for rows of bodies that turn or pass each other
  *     relax    normals, hard, without push; then twist and friction at the patch's centre
  *     finish   what the contacts did is the next warm start; bodies on one static contact: trapezoid
  *   store   ─ impulses, totals, and what resting points have learnt of their load

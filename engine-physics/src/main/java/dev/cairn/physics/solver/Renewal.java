@@ -1,0 +1,290 @@
+package dev.cairn.physics.solver;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.ConvexHull;
+
+import java.util.Arrays;
+
+/**
+ * Levers of bodies that turn, or pass each other, within a tick: renewed in each sub-step, after
+ * the bodies have moved and before the relax pass.
+ *
+ * <p>Problem: rows are filled from the contact points of the tick's start. A top at 300 rad/s turns
+ * by 5 rad in a tick, a rocking block shortens its lever by some percent, and two bodies that pass
+ * each other take their impulses at two points that drift apart, which makes angular momentum. So a
+ * body that turns gets the root of its present inertia, and a row of such a body, or of two that
+ * pass each other, gets levers of now: corners turn with their body, points of round bodies stay
+ * where they are in the world, and two bodies that move share one point. Then no angular momentum
+ * is made. Normals and tangents stay those of the tick's start.
+ *
+ * <p>Who is slower than 0.045 of {@code sqrt(g r)} (0.1 m/s for a cube of 1 m) is left alone, so
+ * that what rests or creeps pays one comparison a row; without gravity all that moves is renewed. A
+ * row keeps its impulses and totals; its share in the warm start is taken out before and put in
+ * after, by colour, so that the result does not depend on the workers.
+ */
+final class Renewal {
+    /** Speed over {@code sqrt(g r)} up to which levers may age by a tick. */
+    private static final double SLOW = 0.045;
+
+    /** Per point: anchors of A and B, separation. */
+    private static final int KEPT = 7 * ContactStore.POINTS;
+
+    /** By slot: whether the body's root is renewed; its orientation at the start, 4 to a slot. */
+    boolean[] turns = {};
+
+    private double[] start = {};
+
+    /** Turn since the start as a matrix, 9 to a slot. */
+    private double[] turn = {};
+
+    /** By place: 1 + where the row's first levers are kept, or 0. */
+    private int[] renewed = {};
+
+    private double[] kept = {};
+    private int count;
+
+    void ensureCapacity(int slots) {
+        if (turns.length < slots) {
+            int n = Math.max(slots, turns.length + (turns.length >> 1));
+            turns = Arrays.copyOf(turns, n);
+            start = Arrays.copyOf(start, 4 * n);
+            turn = Arrays.copyOf(turn, 9 * n);
+        }
+    }
+
+    /** Decides whether a body with contacts turns in this tick; blocks of bodies. */
+    void look(BodyStore b, int i, double gravity) {
+        double x = b.angularVelocityX[i];
+        double y = b.angularVelocityY[i];
+        double z = b.angularVelocityZ[i];
+        double far = b.outerRadius[i];
+        double slow = SLOW * SLOW * gravity * b.innerRadius[i];
+        turns[i] = (x * x + y * y + z * z) * (far * far) > slow;
+        if (turns[i]) {
+            start[4 * i] = b.orientationX[i];
+            start[4 * i + 1] = b.orientationY[i];
+            start[4 * i + 2] = b.orientationZ[i];
+            start[4 * i + 3] = b.orientationW[i];
+        }
+    }
+
+    /**
+     * Lists the rows to renew, in the order of their places.
+     *
+     * @return whether there is one
+     */
+    boolean list(ConstraintRows rows, ContactStore c, BodyStore b, double gravity) {
+        count = 0;
+        if (renewed.length < rows.places) {
+            renewed = new int[rows.unloaded.length];
+        }
+        Arrays.fill(renewed, 0, rows.places, 0);
+        for (int m = 0; m < rows.count; m++) {
+            int source = rows.source[m];
+            int i = c.bodyA[source];
+            int j = c.bodyB[source];
+            boolean moves = b.kind[i] == BodyStore.DYNAMIC && b.kind[j] == BodyStore.DYNAMIC;
+            if ((b.kind[i] == BodyStore.DYNAMIC && turns[i])
+                    || (b.kind[j] == BodyStore.DYNAMIC && turns[j])
+                    || (moves && passes(b, i, j, gravity))) {
+                renewed[rows.place[m]] = ++count;
+            }
+        }
+        if (kept.length < count * KEPT) {
+            kept = new double[Math.max(count * KEPT, 2 * kept.length)];
+        }
+        for (int place = 0; count > 0 && place < rows.places; place++) {
+            if (renewed[place] > 0) {
+                keep(c, rows.link[place * ConstraintRows.LINK + ConstraintRows.SOURCE], place);
+            }
+        }
+        return count > 0;
+    }
+
+    private static boolean passes(BodyStore b, int i, int j, double gravity) {
+        double x = b.velocityX[j] - b.velocityX[i];
+        double y = b.velocityY[j] - b.velocityY[i];
+        double z = b.velocityZ[j] - b.velocityZ[i];
+        double slow = SLOW * SLOW * gravity * Math.min(b.innerRadius[i], b.innerRadius[j]);
+        return x * x + y * y + z * z > slow;
+    }
+
+    private void keep(ContactStore c, int source, int place) {
+        int k = (renewed[place] - 1) * KEPT;
+        int first = ContactStore.POINTS * source;
+        for (int p = first; p < first + c.pointCount[source]; p++, k += 7) {
+            kept[k] = c.anchorAX[p];
+            kept[k + 1] = c.anchorAY[p];
+            kept[k + 2] = c.anchorAZ[p];
+            kept[k + 3] = c.anchorBX[p];
+            kept[k + 4] = c.anchorBY[p];
+            kept[k + 5] = c.anchorBZ[p];
+            kept[k + 6] = c.separation[p];
+        }
+    }
+
+    /** Takes the impulses of the rows out of the bodies' warm start; blocks of a colour. */
+    void unload(ConstraintRows rows, double[] warm, int from, int to) {
+        for (int j = from; j < to; j++) {
+            if (renewed[j] > 0) {
+                int o = rows.base(j);
+                PrepareRow.addNormals(rows, warm, j, o, -1);
+                if (rows.row[o + ConstraintRows.FRICTION * rows.lanes] > 0) {
+                    PrepareRow.addFriction(rows, warm, j, o, -1);
+                }
+            }
+        }
+    }
+
+    /** Gives a body that turns the root of its present inertia; blocks of bodies. */
+    void body(SolverBodies s, BodyStore b, int i) {
+        int o = SolverBodies.offset(i);
+        int w = (i + 1) * SolverBodies.HALF;
+        if (!turns[i]) {
+            System.arraycopy(s.state, o, s.mark, w, 6);
+            return;
+        }
+        double x = s.world(i, o + 3, 0);
+        double y = s.world(i, o + 3, 1);
+        double z = s.world(i, o + 3, 2);
+        s.rootOfInertia(b, i, s.state[o + SolverBodies.GRAVITY]);
+        s.weigh(i, x, y, z);
+        Arrays.fill(s.state, o + SolverBodies.P + 3, o + SolverBodies.P + 6, 0.0);
+        System.arraycopy(s.state, o, s.mark, w, 6);
+        Arrays.fill(s.warm, w, w + 6, 0.0);
+        turned(b, i);
+    }
+
+    /** {@code q q0^-1} as a matrix. */
+    private void turned(BodyStore b, int i) {
+        double px = -start[4 * i];
+        double py = -start[4 * i + 1];
+        double pz = -start[4 * i + 2];
+        double pw = start[4 * i + 3];
+        double bx = b.orientationX[i];
+        double by = b.orientationY[i];
+        double bz = b.orientationZ[i];
+        double bw = b.orientationW[i];
+        double x = bw * px + bx * pw + (by * pz - bz * py);
+        double y = bw * py + by * pw + (bz * px - bx * pz);
+        double z = bw * pz + bz * pw + (bx * py - by * px);
+        double w = bw * pw - (bx * px + by * py + bz * pz);
+        int r = 9 * i;
+        turn[r] = 1 - 2 * (y * y + z * z);
+        turn[r + 1] = 2 * (x * y - w * z);
+        turn[r + 2] = 2 * (x * z + w * y);
+        turn[r + 3] = 2 * (x * y + w * z);
+        turn[r + 4] = 1 - 2 * (x * x + z * z);
+        turn[r + 5] = 2 * (y * z - w * x);
+        turn[r + 6] = 2 * (x * z - w * y);
+        turn[r + 7] = 2 * (y * z + w * x);
+        turn[r + 8] = 1 - 2 * (x * x + y * y);
+    }
+
+    private static boolean isCornered(BodyStore b, int i) {
+        return b.shape[i] instanceof Box || b.shape[i] instanceof ConvexHull;
+    }
+
+    /** Gives the contacts their first levers back. */
+    void restore(ConstraintRows rows, ContactStore c, int from, int to) {
+        for (int j = from; j < to; j++) {
+            if (renewed[j] == 0) {
+                continue;
+            }
+            int q = (renewed[j] - 1) * KEPT;
+            int source = rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE];
+            int first = ContactStore.POINTS * source;
+            for (int p = first; p < first + c.pointCount[source]; p++, q += 7) {
+                c.anchorAX[p] = kept[q];
+                c.anchorAY[p] = kept[q + 1];
+                c.anchorAZ[p] = kept[q + 2];
+                c.anchorBX[p] = kept[q + 3];
+                c.anchorBY[p] = kept[q + 4];
+                c.anchorBZ[p] = kept[q + 5];
+                c.separation[p] = kept[q + 6];
+            }
+        }
+    }
+
+    /** Fills the rows anew, and adds their impulses to the warm start; blocks of a colour. */
+    void rows(
+            ConstraintRows rows,
+            SolverBodies s,
+            BodyStore b,
+            ContactStore c,
+            SubStep sub,
+            double preloadScale,
+            int from,
+            int to) {
+        for (int j = from; j < to; j++) {
+            if (renewed[j] > 0) {
+                int source = rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE];
+                place(rows, s, b, c, j, source);
+                PrepareRow.renew(rows, s, c, j, source, sub, preloadScale);
+            }
+        }
+    }
+
+    private void place(
+            ConstraintRows rows, SolverBodies s, BodyStore b, ContactStore c, int j, int source) {
+        int a = rows.link[j * ConstraintRows.LINK];
+        int e = rows.link[j * ConstraintRows.LINK + 1];
+        int i = c.bodyA[source];
+        int k = c.bodyB[source];
+        boolean turnsA = a != 0 && turns[i] && isCornered(b, i);
+        boolean turnsB = e != 0 && turns[k] && isCornered(b, k);
+        double half = a != 0 && e != 0 ? 0.5 : 0;
+        int pa = a + SolverBodies.P;
+        int pb = e + SolverBodies.P;
+        double mx = s.state[pb] - s.state[pa];
+        double my = s.state[pb + 1] - s.state[pa + 1];
+        double mz = s.state[pb + 2] - s.state[pa + 2];
+        int q = (renewed[j] - 1) * KEPT;
+        int first = ContactStore.POINTS * source;
+        for (int p = first; p < first + c.pointCount[source]; p++, q += 7) {
+            double ax = kept[q];
+            double ay = kept[q + 1];
+            double az = kept[q + 2];
+            double bx = kept[q + 3];
+            double by = kept[q + 4];
+            double bz = kept[q + 5];
+            if (turnsA) {
+                int r = 9 * i;
+                double x = ax;
+                double y = ay;
+                ax = turn[r] * x + turn[r + 1] * y + turn[r + 2] * az;
+                double v = turn[r + 3] * x + turn[r + 4] * y + turn[r + 5] * az;
+                az = turn[r + 6] * x + turn[r + 7] * y + turn[r + 8] * az;
+                ay = v;
+            }
+            if (turnsB) {
+                int r = 9 * k;
+                double x = bx;
+                double y = by;
+                bx = turn[r] * x + turn[r + 1] * y + turn[r + 2] * bz;
+                double v = turn[r + 3] * x + turn[r + 4] * y + turn[r + 5] * bz;
+                bz = turn[r + 6] * x + turn[r + 7] * y + turn[r + 8] * bz;
+                by = v;
+            }
+            double dx = (bx - kept[q + 3]) - (ax - kept[q]);
+            double dy = (by - kept[q + 4]) - (ay - kept[q + 1]);
+            double dz = (bz - kept[q + 5]) - (az - kept[q + 2]);
+            c.separation[p] =
+                    kept[q + 6]
+                            + (dx * c.normalX[source]
+                                    + dy * c.normalY[source]
+                                    + dz * c.normalZ[source]);
+            dx = half * (dx + mx);
+            dy = half * (dy + my);
+            dz = half * (dz + mz);
+            c.anchorAX[p] = ax + dx;
+            c.anchorAY[p] = ay + dy;
+            c.anchorAZ[p] = az + dz;
+            c.anchorBX[p] = bx - dx;
+            c.anchorBY[p] = by - dy;
+            c.anchorBZ[p] = bz - dz;
+        }
+    }
+}
