@@ -54,7 +54,7 @@ final class AccuracyTest {
                 "E18",
                 "H1",
                 "H2",
-                "I2:p+L"
+                "I2"
             })
     void holds(String name) {
         check(name);
