@@ -5,13 +5,11 @@ import dev.cairn.render.camera.Camera;
 import dev.cairn.render.gl.GlContext;
 import dev.cairn.render.gl.GlUnavailableException;
 import dev.cairn.render.input.Bindings;
-import dev.cairn.render.input.Key;
 import dev.cairn.render.ui.Ui;
 
 import org.jspecify.annotations.Nullable;
 
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.Objects;
 
 /**
@@ -33,13 +31,12 @@ import java.util.Objects;
  * turning it; P or Space pauses the physics, N does one step, [ and ] slow down and speed up, \
  * returns to real time; F12 saves a picture, F11 fills the screen, F1 lists the keys, Escape quits.
  *
- * <p>Where there is no display, {@link #start} says so and draws one picture instead. The system
- * properties {@code cairn.picture} (a file), {@code cairn.tick} and {@code cairn.size} ({@code
- * 1280x720}) do what {@link #headless} and {@link #size} do.
+ * <p>Where there is no display, {@link #start} says so and draws a picture. The properties {@code
+ * cairn.picture}, {@code cairn.tick} and {@code cairn.size} do what {@link #headless} and {@link
+ * #size} do.
  *
- * <p>Threads: {@code createPhysics}, {@code initScene}, {@code update}, {@code updated} and bound
- * functions run on the simulation thread; {@code start} and {@code panels} on the main thread; the
- * other methods say so.
+ * <p>{@code start} and {@code panels} run on the main thread, what else is called on the
+ * simulation's.
  */
 public abstract class Application {
     private static final long DEFAULT_TICK = 120;
@@ -245,18 +242,12 @@ public abstract class Application {
      * @return this
      */
     public final Application size(int newWidth, int newHeight) {
-        if (newWidth < 16
-                || newHeight < 16
-                || newWidth > Offscreen.MAX_SIZE
-                || newHeight > Offscreen.MAX_SIZE) {
+        int least = Math.min(newWidth, newHeight);
+        int most = Math.max(newWidth, newHeight);
+        if (least < 16 || most > Offscreen.MAX_SIZE) {
             throw new IllegalArgumentException(
-                    "size is "
-                            + newWidth
-                            + " x "
-                            + newHeight
-                            + ", expected 16.."
-                            + Offscreen.MAX_SIZE
-                            + " each");
+                    "size is %d x %d, expected 16..%d each"
+                            .formatted(newWidth, newHeight, Offscreen.MAX_SIZE));
         }
         width = newWidth;
         height = newHeight;
@@ -271,8 +262,7 @@ public abstract class Application {
      */
     public final Application step(double seconds) {
         if (!(seconds > 0) || Double.isInfinite(seconds)) {
-            throw new IllegalArgumentException(
-                    "step is " + seconds + " s, expected > 0 and finite");
+            throw new IllegalArgumentException("step is " + seconds + " s, expected > 0");
         }
         stepSeconds = seconds;
         return this;
@@ -286,11 +276,10 @@ public abstract class Application {
      * @return this
      */
     public final Application headless(Path file, long atTick) {
-        Objects.requireNonNull(file, "file");
         if (atTick < 0) {
             throw new IllegalArgumentException("atTick is " + atTick + ", expected >= 0");
         }
-        picture = file;
+        picture = Objects.requireNonNull(file, "file");
         pictureTick = atTick;
         return this;
     }
@@ -308,8 +297,8 @@ public abstract class Application {
             throw new IllegalStateException("this application was started before; make a new one");
         }
         started = true;
-        readProperties();
-        bindDefaults();
+        StartProperties.read(this);
+        DefaultKeys.bind(this);
         Path asked = picture;
         if (asked != null) {
             drawPicture(asked, true);
@@ -317,7 +306,7 @@ public abstract class Application {
         }
         GlContext context = null;
         String reason = "neither DISPLAY nor WAYLAND_DISPLAY is set";
-        if (hasDisplay()) {
+        if (StartProperties.hasDisplay()) {
             try {
                 context = GlContext.window(width, height, getClass().getSimpleName());
             } catch (GlUnavailableException e) {
@@ -360,12 +349,7 @@ public abstract class Application {
             throw new IllegalStateException("the picture " + file + " cannot be drawn: " + reason);
         }
         Simulation running = newSimulation(pictureTick);
-        running.start();
-        try {
-            running.await();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            running.stop();
+        if (!ApplicationHost.runToEnd(running)) {
             return;
         }
         finish(running);
@@ -389,121 +373,25 @@ public abstract class Application {
     }
 
     private Simulation newSimulation(long ticks) {
-        Simulation made =
-                new Simulation(
-                        new Simulation.Host() {
-                            @Override
-                            public PhysicsWorld createPhysics() {
-                                return Application.this.createPhysics();
-                            }
-
-                            @Override
-                            public void begin(PhysicsWorld physics) {
-                                Scene filled =
-                                        new Scene(
-                                                physics,
-                                                camera,
-                                                bindings,
-                                                Application.this.getClass().getSimpleName());
-                                scene = filled;
-                                initScene(filled);
-                                filled.mountCamera();
-                            }
-
-                            @Override
-                            public void update(double seconds) {
-                                scene().drive(seconds);
-                                Application.this.update(seconds);
-                            }
-
-                            @Override
-                            public void updated(double seconds) {
-                                Application.this.updated(seconds);
-                            }
-                        },
-                        stepSeconds,
-                        ticks);
+        Simulation made = new Simulation(new ApplicationHost(this), stepSeconds, ticks);
         simulation = made;
         return made;
     }
 
-    private void bindDefaults() {
-        bindings.onHold(Key.W, WindowInput.FORWARD)
-                .onHold(Key.S, WindowInput.BACK)
-                .onHold(Key.A, WindowInput.LEFT)
-                .onHold(Key.D, WindowInput.RIGHT)
-                .onHold(Key.E, WindowInput.UP)
-                .onHold(Key.Q, WindowInput.DOWN)
-                .onHold(Key.LEFT_SHIFT, WindowInput.FAST)
-                .onHold(Key.LEFT, WindowInput.TURN_LEFT)
-                .onHold(Key.RIGHT, WindowInput.TURN_RIGHT)
-                .onHold(Key.UP, WindowInput.TURN_UP)
-                .onHold(Key.DOWN, WindowInput.TURN_DOWN)
-                .onKey(Key.TAB, "mouse look", () -> mouseLook = !mouseLook)
-                .onKey(Key.P, "pause", this::togglePause)
-                .onKey(Key.SPACE, "pause", this::togglePause)
-                .onKey(Key.N, "single step", this::singleStep)
-                .onKey(
-                        Key.LEFT_BRACKET,
-                        "slower",
-                        () -> timeScale(Math.max(timeScale() / 2, 1.0 / 64)))
-                .onKey(Key.RIGHT_BRACKET, "faster", () -> timeScale(Math.min(timeScale() * 2, 16)))
-                .onKey(Key.BACKSLASH, "real time", () -> timeScale(1))
-                .onKey(Key.F12, "save picture", () -> screenshot = true)
-                .onKey(Key.F11, "full screen", () -> fullscreen = !fullscreen)
-                .onKey(Key.F1, "list keys", () -> helpShown = !helpShown)
-                .onKey(Key.ESCAPE, "quit", this::quit);
+    void scene(Scene value) {
+        scene = value;
     }
 
-    private void readProperties() {
-        String size = System.getProperty("cairn.size");
-        if (size != null) {
-            String[] parts = size.split("x", -1);
-            if (parts.length != 2) {
-                throw new IllegalArgumentException(
-                        "cairn.size is '" + size + "', expected WIDTHxHEIGHT such as 1280x720");
-            }
-            size((int) number("cairn.size", parts[0]), (int) number("cairn.size", parts[1]));
-        }
-        String scale = System.getProperty("cairn.ui.scale");
-        if (scale != null) {
-            try {
-                panelScale(Double.parseDouble(scale));
-            } catch (NumberFormatException e) {
-                throw new IllegalArgumentException(
-                        "cairn.ui.scale holds '" + scale + "', expected a number", e);
-            }
-        }
-        String tick = System.getProperty("cairn.tick");
-        if (tick != null) {
-            pictureTick = number("cairn.tick", tick);
-        }
-        String file = System.getProperty("cairn.picture");
-        if (file != null) {
-            headless(Path.of(file), pictureTick);
-        }
+    void toggleMouseLook() {
+        mouseLook = !mouseLook;
     }
 
-    private static long number(String property, String text) {
-        try {
-            return Math.max(0, Long.parseLong(text.strip()));
-        } catch (NumberFormatException e) {
-            throw new IllegalArgumentException(
-                    property + " holds '" + text + "', expected a whole number", e);
-        }
+    long pictureTick() {
+        return pictureTick;
     }
 
-    private static boolean hasDisplay() {
-        String system = System.getProperty("os.name", "").toLowerCase(Locale.ROOT);
-        if (system.contains("win") || system.contains("mac")) {
-            return true;
-        }
-        return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY");
-    }
-
-    private static boolean isSet(String variable) {
-        String value = System.getenv(variable);
-        return value != null && !value.isBlank();
+    void pictureTick(long value) {
+        pictureTick = value;
     }
 
     /** Ends the application after the present frame; any thread. */
@@ -582,6 +470,10 @@ public abstract class Application {
 
     boolean isQuitting() {
         return quitting;
+    }
+
+    void askForScreenshot() {
+        screenshot = true;
     }
 
     boolean isMouseLook() {
