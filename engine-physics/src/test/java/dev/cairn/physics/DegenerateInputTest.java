@@ -161,7 +161,8 @@ class DegenerateInputTest {
                         String what = name + " " + length;
                         assertTrue(m.mass() > 0 && m.mass() < 1e60, what);
                         assertTrue(shape.innerRadius() > 0, what);
-                        stepsOrTeaches(what, Body.dynamic().shape(shape));
+                        Body body = Body.dynamic().shape(shape);
+                        stepsOrTeaches(what, body, 1 + 2 * shape.outerRadius());
                     });
         }
     }

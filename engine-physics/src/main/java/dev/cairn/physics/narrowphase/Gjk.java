@@ -171,7 +171,11 @@ final class Gjk {
         } else {
             segment(0, 1);
         }
-        if (!(bestSquare < square)) {
+        // Nothing of the simplex can be nearer than a plane that separates: a sliver lost its
+        // normal.
+        boolean certain = lower > TOUCHING * pair.scale;
+        boolean lost = certain && bestSquare < lower * lower * (1 - 0x1p-20);
+        if (lost || !(bestSquare < square)) {
             return true;
         }
         take();

@@ -29,12 +29,12 @@ class EveryPairTest {
     /**
      * Of the size of the pair: round shapes that are nearly parallel lose digits, others do not.
      */
-    private static final double ROUND = 1e-8;
+    private static final double ROUND = 1e-7;
 
-    private static final double FLAT = 1e-13;
+    private static final double FLAT = 1e-12;
 
     /** Of the size, when one shape is a millionth of the other. */
-    private static final double UNEQUAL = 5e-12;
+    private static final double UNEQUAL = 1e-10;
 
     /**
      * Of the size: faces of a hull that are coplanar up to this are one, in an order of its own.
