@@ -37,7 +37,16 @@ public class NarrowPhasePairs {
     @State(Scope.Thread)
     public static class Single {
         /** What collides. */
-        @Param({"STACKED_BOXES", "TUMBLED_BOXES", "HULLS_32", "BALL_ON_BOX", "BALLS"})
+        @Param({
+            "STACKED_BOXES",
+            "TUMBLED_BOXES",
+            "HULLS_32",
+            "HULLS_32_SHALLOW",
+            "BALL_ON_BOX",
+            "BALLS",
+            "BALL_ON_CAPSULE",
+            "CAPSULES"
+        })
         public PairSet.Kind pairs = PairSet.Kind.STACKED_BOXES;
 
         /** How axes are found. */
@@ -85,6 +94,8 @@ public class NarrowPhasePairs {
     public static class Apart {
         final PairSet set = new PairSet(PairSet.Kind.BOXES_APART, 1);
         final NarrowPhase narrowPhase = new NarrowPhase(NarrowPhase.Method.GENERAL);
+        final long[] words = new long[PairSet.SIZE];
+        int tick;
     }
 
     /**
@@ -133,6 +144,25 @@ public class NarrowPhasePairs {
         double sum = 0;
         for (int i = 0; i < PairSet.SIZE; i++) {
             sum += s.set.distance(i, s.narrowPhase);
+        }
+        return sum;
+    }
+
+    /**
+     * The distance of two boxes that move by GJK, from the features that were nearest in the last
+     * tick.
+     *
+     * @param s the pairs
+     * @return a sum, m
+     */
+    @Benchmark
+    @OperationsPerInvocation(PairSet.SIZE)
+    public double distanceWarm(Apart s) {
+        s.set.move(s.tick++ & 0xFFFF);
+        double sum = 0;
+        for (int i = 0; i < PairSet.SIZE; i++) {
+            sum += s.set.distance(i, s.narrowPhase, s.words[i]);
+            s.words[i] = s.narrowPhase.distanceWord();
         }
         return sum;
     }

@@ -17,7 +17,7 @@ import org.joml.Vector3d;
  */
 public final class StageSet implements AutoCloseable {
     /** Sets of {@link PairSet#SIZE} pairs. */
-    private static final int SETS = Integer.getInteger("sets", 8);
+    private static final int SETS = 8;
 
     /** Rows. */
     public static final int ROWS = SETS * PairSet.SIZE;

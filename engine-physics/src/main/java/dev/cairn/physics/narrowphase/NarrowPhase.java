@@ -93,6 +93,22 @@ public final class NarrowPhase {
     }
 
     /**
+     * Steps of GJK, and then of the expanding polytope, in the last call for a pair that needed
+     * them.
+     *
+     * @return a number; what ran before counts when the last call did without
+     */
+    public int iterations() {
+        return gjk.iterations + epa.iterations;
+    }
+
+    /** Forgets the steps of earlier calls, see {@link #iterations}. */
+    public void forgetIterations() {
+        gjk.iterations = 0;
+        epa.iterations = 0;
+    }
+
+    /**
      * The axis of the last {@link #distance} call: a unit vector from A to B along which the signed
      * distance was measured.
      *

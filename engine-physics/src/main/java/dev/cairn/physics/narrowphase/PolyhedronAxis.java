@@ -53,6 +53,11 @@ final class PolyhedronAxis {
             return;
         }
         gjk.run(pair, sx, sy, sz, margin);
+        settle();
+    }
+
+    /** Fills the axes after a run of GJK. */
+    private void settle() {
         if (gjk.beyond) {
             axes.clear(gjk.lower);
         } else if (gjk.overlap) {
@@ -81,7 +86,11 @@ final class PolyhedronAxis {
                 return apart();
             }
         }
-        find(a, b, pair.dx, pair.dy, pair.dz, Double.MAX_VALUE);
+        if (general) {
+            settle();
+        } else {
+            axes.boxes(pair, Double.MAX_VALUE);
+        }
         double best = axes.best();
         points.bestAxis();
         if (best <= 0) {
