@@ -246,6 +246,8 @@ final class LaneFriction implements LaneKernels.Friction {
                                 .mul(9.0)
                                 .add(square.mul(l2).mul(16.0))
                                 .compare(VectorOperators.GT, l2.mul(b2).mul(9.0)))
+                // a lane that nothing presses gives nothing, however it slides
+                .and(limit.compare(VectorOperators.GT, 0.0))
                 .anyTrue();
     }
 

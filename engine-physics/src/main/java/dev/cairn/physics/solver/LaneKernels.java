@@ -23,12 +23,6 @@ final class LaneKernels {
 
     /** Normal impulses. */
     interface Normals {
-        /** The common step: none, that of the bias pass, that of the relax pass. */
-        int NONE = 0;
-
-        int SOFT = 1;
-        int HARD = 2;
-
         /** Marks the rows that have no impulse to start with, and all groups as busy. */
         void begin(ConstraintRows rows, int from, int to, double[] st, int g);
 
@@ -55,17 +49,29 @@ final class LaneKernels {
          */
         boolean separate(ConstraintRows rows, int from, int to, double[] st, int g);
 
+        /** Marks the bodies that are pressed on. */
+        void load(ConstraintRows rows, int from, int to, double[] st, int g);
+    }
+
+    /** Sweeps over the points of one group. */
+    interface Points {
+        /** The common step: none, that of the bias pass, that of the relax pass. */
+        int NONE = 0;
+
+        int SOFT = 1;
+        int HARD = 2;
+
         /**
-         * Sweeps over the points of the busy groups, after one common step of all their points.
+         * Sweeps over the points, after one common step of all.
          *
+         * @param o index of the group's first field in {@code d}
+         * @param k its pack in scratch
+         * @param g its first lane there
          * @param step {@link #SOFT}, {@link #HARD}, or {@link #NONE}
          * @return whether a lane that lands needs more sweeps
          */
         boolean sweep(
-                ConstraintRows rows, int from, int to, double[] st, int g, int sweeps, int step);
-
-        /** Marks the bodies that are pressed on. */
-        void load(ConstraintRows rows, int from, int to, double[] st, int g);
+                double[] d, int o, double[] st, int k, int g, int points, int sweeps, int step);
     }
 
     /** Friction, and the totals of the tick. */

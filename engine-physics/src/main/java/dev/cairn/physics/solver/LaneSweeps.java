@@ -1,8 +1,8 @@
 package dev.cairn.physics.solver;
 
-import static dev.cairn.physics.solver.LaneKernels.Normals.HARD;
-import static dev.cairn.physics.solver.LaneKernels.Normals.NONE;
-import static dev.cairn.physics.solver.LaneKernels.Normals.SOFT;
+import static dev.cairn.physics.solver.LaneKernels.Points.HARD;
+import static dev.cairn.physics.solver.LaneKernels.Points.NONE;
+import static dev.cairn.physics.solver.LaneKernels.Points.SOFT;
 import static dev.cairn.physics.solver.Scratch.LANDS;
 import static dev.cairn.physics.solver.Scratch.ONES;
 import static dev.cairn.physics.solver.Scratch.RUBS;
@@ -23,6 +23,8 @@ final class LaneSweeps implements Sweeps {
     private final RowFiller filler;
     private final LaneKernels.Bodies bodies;
     private final LaneKernels.Normals normals;
+    private final LaneKernels.Points four;
+    private final LaneKernels.Points few;
     private final LaneKernels.Friction friction;
 
     LaneSweeps(
@@ -30,11 +32,15 @@ final class LaneSweeps implements Sweeps {
             RowFiller filler,
             LaneKernels.Bodies bodies,
             LaneKernels.Normals normals,
+            LaneKernels.Points four,
+            LaneKernels.Points few,
             LaneKernels.Friction friction) {
         this.lanes = lanes;
         this.filler = filler;
         this.bodies = bodies;
         this.normals = normals;
+        this.four = four;
+        this.few = few;
         this.friction = friction;
     }
 
@@ -63,12 +69,12 @@ final class LaneSweeps implements Sweeps {
         normals.begin(rows, from, to, st, 0);
         normals.soften(rows, from, to, st, 0, sub, ONES);
         int more = sub.landing - sub.sweeps;
-        if (normals.sweep(rows, from, to, st, 0, sub.sweeps, SOFT) && more > 0) {
+        if (sweep(rows, from, to, st, 0, sub.sweeps, SOFT) && more > 0) {
             for (int j = from; j < to; j += lanes) {
                 int g = j - from;
                 if (any(st, LANDS + g)) {
                     normals.soften(rows, j, j + lanes, st, g, sub, LANDS);
-                    normals.sweep(rows, j, j + lanes, st, g, more, NONE);
+                    sweep(rows, j, j + lanes, st, g, more, NONE);
                 }
             }
         }
@@ -86,12 +92,12 @@ final class LaneSweeps implements Sweeps {
         }
         double inverse = sub.inverse;
         normals.harden(rows, from, to, st, 0, inverse, ONES);
-        if (normals.sweep(rows, from, to, st, 0, sub.sweeps, HARD)) {
+        if (sweep(rows, from, to, st, 0, sub.sweeps, HARD)) {
             for (int j = from; j < to; j += lanes) {
                 int g = j - from;
                 if (any(st, LANDS + g)) {
                     normals.harden(rows, j, j + lanes, st, g, inverse, LANDS);
-                    normals.sweep(rows, j, j + lanes, st, g, sub.landing - sub.sweeps, NONE);
+                    sweep(rows, j, j + lanes, st, g, sub.landing - sub.sweeps, NONE);
                 }
             }
         }
@@ -104,13 +110,29 @@ final class LaneSweeps implements Sweeps {
         bodies.scatter(body, rows.link, from, to, st);
     }
 
+    /** Sweeps over the points of the busy groups; whether a lane that lands needs more. */
+    private boolean sweep(
+            ConstraintRows rows, int from, int to, double[] st, int g, int sweeps, int step) {
+        boolean lands = false;
+        for (int j = from, l = g; j < to; j += lanes, l += lanes) {
+            if (st[Scratch.IDLE + l] == 0) {
+                int n = rows.points[j / lanes];
+                int o = ConstraintRows.START + j * ConstraintRows.FIELDS;
+                int k = Scratch.PACKED + l * Scratch.PACK;
+                LaneKernels.Points points = n > 2 ? four : few;
+                lands |= points.sweep(rows.row, o, st, k, l, n, sweeps, step);
+            }
+        }
+        return lands;
+    }
+
     /** Friction without a warm start has its normals still to agree with. */
     private void rubMore(ConstraintRows rows, SubStep sub, int j, double[] st, int g) {
         int end = j + lanes;
         boolean again = any(st, RUBS + g);
         for (int round = 1; again && round < sub.coldRounds; round++) {
             normals.harden(rows, j, end, st, g, sub.inverse, RUBS);
-            normals.sweep(rows, j, end, st, g, sub.landing, NONE);
+            sweep(rows, j, end, st, g, sub.landing, NONE);
             again = friction.rub(rows, j, end, st, g, RUBS);
         }
     }

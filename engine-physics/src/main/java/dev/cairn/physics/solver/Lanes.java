@@ -68,6 +68,8 @@ final class Lanes {
                                     (RowFiller) make("LanePrepare", lanes),
                                     (LaneKernels.Bodies) make("LaneBodies", lanes),
                                     (LaneKernels.Normals) make("LaneNormals", lanes),
+                                    (LaneKernels.Points) make("LaneFour", lanes),
+                                    (LaneKernels.Points) make("LaneFew", lanes),
                                     (LaneKernels.Friction) make("LaneFriction", lanes)));
             MADE[lanes] = made;
             return made;

@@ -62,7 +62,7 @@ final class ScalarNormals {
     /**
      * Sweeps over the points, after one common step of all.
      *
-     * @param step {@link LaneKernels.Normals#SOFT}, {@code HARD}, or {@code NONE}
+     * @param step {@link LaneKernels.Points#SOFT}, {@code HARD}, or {@code NONE}
      * @return whether the last of the sweeps changed an impulse
      */
     static boolean sweep(
@@ -79,8 +79,8 @@ final class ScalarNormals {
         enter(d, o, lanes, body, a, b, points, st);
         int q = o + (POINT + IMPULSE) * lanes;
         int next = POINT_FIELDS * lanes;
-        if (step != LaneKernels.Normals.NONE) {
-            boolean soft = step == LaneKernels.Normals.SOFT;
+        if (step != LaneKernels.Points.NONE) {
+            boolean soft = step == LaneKernels.Points.SOFT;
             boolean begins = soft && d[o + COLD * lanes] > 0;
             if (!even(d, q, next, points, begins, st) && soft) {
                 return false;

@@ -3,9 +3,9 @@ package dev.cairn.physics.solver;
 import static dev.cairn.physics.solver.ConstraintRows.COLD;
 import static dev.cairn.physics.solver.ConstraintRows.FRICTION;
 import static dev.cairn.physics.solver.ConstraintRows.LINK;
-import static dev.cairn.physics.solver.LaneKernels.Normals.HARD;
-import static dev.cairn.physics.solver.LaneKernels.Normals.NONE;
-import static dev.cairn.physics.solver.LaneKernels.Normals.SOFT;
+import static dev.cairn.physics.solver.LaneKernels.Points.HARD;
+import static dev.cairn.physics.solver.LaneKernels.Points.NONE;
+import static dev.cairn.physics.solver.LaneKernels.Points.SOFT;
 import static dev.cairn.physics.solver.SolverBodies.LOADED;
 import static dev.cairn.physics.solver.SolverBodies.MASS;
 

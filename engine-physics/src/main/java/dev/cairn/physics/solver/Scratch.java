@@ -41,6 +41,21 @@ final class Scratch {
 
     static final int PACK = 30;
 
+    /** In the pack of a group, by point: gain, goal, speed without the own impulse, change. */
+    static final int GAIN_PACKED = 0;
+
+    static final int GOAL_PACKED = 4;
+    static final int SPEED_PACKED = 8;
+    static final int CHANGE_PACKED = 12;
+
+    /** Couplings of the points 01, 02, 12, 03, 13, 23. */
+    static final int COUPLING_PACKED = 16;
+
+    /** By point: inverse of the effective mass, and the impulse that the sweeps start with. */
+    static final int OWN_PACKED = 22;
+
+    static final int FIRST_PACKED = 26;
+
     /** Scalar, by point: gain, goal, speed, impulse before and change, and 4 x 4 factors. */
     static final int GAIN = PACKED;
 
