@@ -55,6 +55,7 @@ public final class SceneRegistry {
                     Pile.spheres(),
                     Pile.boxes(),
                     Pile.mixed(),
+                    Pile.rounds(),
                     Pile.hulls(),
                     Pile.junkyard(),
                     Washer.scene(),

@@ -182,7 +182,14 @@ final class Cases {
                             .large(32, 1, Map.of("base", "10")),
                     pile("pile-spheres", "Pile of 500 spheres", "10", "5", 0.25, 1),
                     pile("pile-boxes", "Pile of 500 boxes", "10", "5", 0.25, 1),
-                    pile("pile-mixed", "Pile of 500 spheres, boxes, hulls", "10", "5", 0.25, 4),
+                    pile(
+                            "pile-mixed",
+                            "Pile of 500 spheres, boxes, capsules, hulls",
+                            "10",
+                            "5",
+                            0.25,
+                            4),
+                    pile("pile-rounds", "Pile of 192 capsules, cylinders", "8", "3", 0.25, 30),
                     pile("convex-pile", "Pile of 256 hulls (convex_pile)", "8", "4", 1, 10),
                     pile("junkyard", "Junkyard, 512 rocks", "16", "2", 0.75, 4),
                     Case.small(

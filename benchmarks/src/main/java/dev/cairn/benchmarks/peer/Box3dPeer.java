@@ -9,6 +9,7 @@ import static java.lang.foreign.ValueLayout.JAVA_INT;
 import static java.lang.foreign.ValueLayout.JAVA_LONG;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
@@ -179,6 +180,10 @@ final class Box3dPeer implements Peer {
                 find(
                         "b3CreateSphereShape",
                         FunctionDescriptor.of(JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS));
+        private final MethodHandle capsule =
+                find(
+                        "b3CreateCapsuleShape",
+                        FunctionDescriptor.of(JAVA_LONG, JAVA_LONG, ADDRESS, ADDRESS));
         private final MethodHandle hull =
                 find(
                         "b3CreateHullShape",
@@ -235,6 +240,13 @@ final class Box3dPeer implements Peer {
                     MemorySegment data = arena.allocate(16, 4);
                     data.set(JAVA_FLOAT, 12, (float) ball.radius());
                     call(sphere, body, definition, data);
+                }
+                case Capsule round -> {
+                    MemorySegment data = arena.allocate(28, 4);
+                    vector(data, 0, new Vector3d(0, -round.halfLength(), 0));
+                    vector(data, 12, new Vector3d(0, round.halfLength(), 0));
+                    data.set(JAVA_FLOAT, 24, (float) round.radius());
+                    call(capsule, body, definition, data);
                 }
                 case ConvexHull points -> addHull(body, definition, points);
                 default ->
@@ -363,7 +375,8 @@ final class Box3dPeer implements Peer {
                 "defaults: 30 Hz contacts, damping ratio 10, push out at most at 3 m/s, restitution"
                         + " above 1 m/s, continuous collision on, recycling of contacts on",
                 "best effort is the same",
-                "sleeping off; boxes are its box hulls; mass and inertia as given, read back",
+                "sleeping off; boxes are its box hulls; cylinders: it has none; mass and inertia as"
+                        + " given, read back",
                 "position is that of the body's origin, which is the centre of mass here");
     }
 

@@ -5,7 +5,9 @@ import com.jme3.bullet.SolverInfo;
 import com.jme3.bullet.SolverMode;
 import com.jme3.bullet.collision.PersistentManifolds;
 import com.jme3.bullet.collision.shapes.BoxCollisionShape;
+import com.jme3.bullet.collision.shapes.CapsuleCollisionShape;
 import com.jme3.bullet.collision.shapes.CollisionShape;
+import com.jme3.bullet.collision.shapes.CylinderCollisionShape;
 import com.jme3.bullet.collision.shapes.HullCollisionShape;
 import com.jme3.bullet.collision.shapes.SphereCollisionShape;
 import com.jme3.bullet.objects.PhysicsRigidBody;
@@ -16,7 +18,9 @@ import com.simsilica.mathd.Quatd;
 import com.simsilica.mathd.Vec3d;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
@@ -37,6 +41,7 @@ final class BulletPeer implements Peer {
 
     private static final int BEST_ITERATIONS = 50;
     private static final float BEST_MARGIN = 1e-3f;
+    private static final int Y_AXIS = 1;
 
     private final SceneDescription scene;
     private final PeerSettings settings;
@@ -97,6 +102,16 @@ final class BulletPeer implements Peer {
                             new BoxCollisionShape(
                                     (float) box.halfX(), (float) box.halfY(), (float) box.halfZ());
                     case Sphere sphere -> new SphereCollisionShape((float) sphere.radius());
+                    case Capsule capsule ->
+                            new CapsuleCollisionShape(
+                                    (float) capsule.radius(),
+                                    (float) (2 * capsule.halfLength()),
+                                    Y_AXIS);
+                    case Cylinder cylinder ->
+                            new CylinderCollisionShape(
+                                    (float) cylinder.radius(),
+                                    (float) (2 * cylinder.halfHeight()),
+                                    Y_AXIS);
                     case ConvexHull hull ->
                             hulls.computeIfAbsent(
                                     hull,
@@ -229,7 +244,8 @@ final class BulletPeer implements Peer {
     @Override
     public List<String> notes() {
         return List.of(
-                "10 iterations, ERP and margins (4 cm: inside boxes, around hulls) as they come",
+                "10 iterations, ERP and margins (4 cm: inside boxes and cylinders, around hulls) as"
+                        + " they come",
                 "best effort: 50 iterations, split impulse from 1 mm on, two friction directions,"
                         + " margin of hulls 1 mm",
                 "sleeping and damping off",

@@ -5,8 +5,10 @@ import com.bulletphysics.collision.dispatch.CollisionDispatcher;
 import com.bulletphysics.collision.dispatch.CollisionObject;
 import com.bulletphysics.collision.dispatch.DefaultCollisionConfiguration;
 import com.bulletphysics.collision.shapes.BoxShape;
+import com.bulletphysics.collision.shapes.CapsuleShape;
 import com.bulletphysics.collision.shapes.CollisionShape;
 import com.bulletphysics.collision.shapes.ConvexHullShape;
+import com.bulletphysics.collision.shapes.CylinderShape;
 import com.bulletphysics.collision.shapes.SphereShape;
 import com.bulletphysics.dynamics.DiscreteDynamicsWorld;
 import com.bulletphysics.dynamics.RigidBody;
@@ -18,7 +20,9 @@ import com.bulletphysics.linearmath.Transform;
 import com.bulletphysics.util.ObjectArrayList;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
@@ -85,6 +89,15 @@ final class JBulletPeer implements Peer {
                                             (float) box.halfZ()));
                     case Sphere sphere -> new SphereShape((float) sphere.radius());
                     case ConvexHull hull -> hulls.computeIfAbsent(hull, this::hull);
+                    case Capsule capsule ->
+                            new CapsuleShape(
+                                    (float) capsule.radius(), (float) (2 * capsule.halfLength()));
+                    case Cylinder cylinder ->
+                            new CylinderShape(
+                                    new Vector3f(
+                                            (float) cylinder.radius(),
+                                            (float) cylinder.halfHeight(),
+                                            (float) cylinder.radius()));
                     default ->
                             throw new IllegalArgumentException(
                                     "JBullet: its adapter has no "

@@ -3,8 +3,10 @@ package dev.cairn.benchmarks.peer;
 import com.github.stephengold.joltjni.BodyCreationSettings;
 import com.github.stephengold.joltjni.BodyInterface;
 import com.github.stephengold.joltjni.BoxShape;
+import com.github.stephengold.joltjni.CapsuleShape;
 import com.github.stephengold.joltjni.ConvexHullShapeSettings;
 import com.github.stephengold.joltjni.CustomContactListener;
+import com.github.stephengold.joltjni.CylinderShape;
 import com.github.stephengold.joltjni.JobSystem;
 import com.github.stephengold.joltjni.JobSystemSingleThreaded;
 import com.github.stephengold.joltjni.JobSystemThreadPool;
@@ -31,7 +33,9 @@ import com.github.stephengold.joltjni.readonly.ConstShape;
 import com.github.stephengold.joltjni.readonly.Vec3Arg;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
@@ -138,6 +142,10 @@ final class JoltPeer implements Peer {
                     case Box box -> box(box);
                     case Sphere sphere -> new SphereShape((float) sphere.radius());
                     case ConvexHull hull -> hulls.computeIfAbsent(hull, this::hull);
+                    case Capsule capsule ->
+                            new CapsuleShape(
+                                    (float) capsule.halfLength(), (float) capsule.radius());
+                    case Cylinder cylinder -> cylinder(cylinder);
                     default ->
                             throw new IllegalArgumentException(
                                     "Jolt: its adapter has no "
@@ -196,9 +204,18 @@ final class JoltPeer implements Peer {
         return made.get();
     }
 
+    private CylinderShape cylinder(Cylinder cylinder) {
+        double thinnest = Math.min(cylinder.halfHeight(), cylinder.radius());
+        return new CylinderShape(
+                (float) cylinder.halfHeight(), (float) cylinder.radius(), rounding(thinnest));
+    }
+
+    private float rounding(double thinnest) {
+        return best ? 0 : (float) Math.min(Jolt.cDefaultConvexRadius, thinnest);
+    }
+
     private BoxShape box(Box box) {
-        double thinnest = Math.min(box.halfX(), Math.min(box.halfY(), box.halfZ()));
-        float rounding = best ? 0 : (float) Math.min(Jolt.cDefaultConvexRadius, thinnest);
+        float rounding = rounding(Math.min(box.halfX(), Math.min(box.halfY(), box.halfZ())));
         return new BoxShape(
                 new Vec3((float) box.halfX(), (float) box.halfY(), (float) box.halfZ()), rounding);
     }
@@ -307,7 +324,8 @@ final class JoltPeer implements Peer {
         return List.of(
                 "10 velocity and 2 position iterations, slop 2 cm, Baumgarte 0.2 as they come",
                 "best effort: 30 velocity and 6 position iterations, slop 1 mm, no rounding",
-                "boxes and hulls rounded by the default convex radius 0.05 m, within their size",
+                "boxes, cylinders and hulls rounded by the default convex radius 0.05 m, within"
+                        + " their size",
                 "sleeping and damping off, speed caps raised, gyroscopic torque on",
                 "bounce threshold 1 m/s cannot be set from Java in this version",
                 "contact points are not counted, only pairs");

@@ -1,7 +1,9 @@
 package dev.cairn.benchmarks.peer;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
@@ -27,6 +29,10 @@ import java.util.List;
 /** ode4j: contacts are made in a callback, as its manual shows, and solved by quickStep. */
 final class OdePeer implements Peer {
     private static final int MAX_POINTS = 8;
+
+    /** Capsules and cylinders lie along z there, along y here: -90 degrees about x. */
+    private static final DQuaternion UPRIGHT =
+            new DQuaternion(Math.sqrt(0.5), -Math.sqrt(0.5), 0, 0);
 
     private static final int BEST_ITERATIONS = 100;
     private static final double BEST_BOUNCE_SPEED = 0.01;
@@ -70,6 +76,12 @@ final class OdePeer implements Peer {
                             OdeHelper.createBox(
                                     space, 2 * box.halfX(), 2 * box.halfY(), 2 * box.halfZ());
                     case Sphere sphere -> OdeHelper.createSphere(space, sphere.radius());
+                    case Capsule capsule ->
+                            OdeHelper.createCapsule(
+                                    space, capsule.radius(), 2 * capsule.halfLength());
+                    case Cylinder cylinder ->
+                            OdeHelper.createCylinder(
+                                    space, cylinder.radius(), 2 * cylinder.halfHeight());
                     case ConvexHull hull -> convex(hull);
                     default ->
                             throw new IllegalArgumentException(
@@ -87,6 +99,11 @@ final class OdePeer implements Peer {
         if (solid.fixed()) {
             geom.setPosition(solid.centre().x(), solid.centre().y(), solid.centre().z());
             geom.setQuaternion(q);
+            if (solid.shape() instanceof Capsule || solid.shape() instanceof Cylinder) {
+                throw new IllegalArgumentException(
+                        "Ode: its adapter has no fixed "
+                                + solid.shape().getClass().getSimpleName());
+            }
             return;
         }
         DBody body = OdeHelper.createBody(world);
@@ -103,6 +120,9 @@ final class OdePeer implements Peer {
                 solid.angularVelocity().y(),
                 solid.angularVelocity().z());
         geom.setBody(body);
+        if (solid.shape() instanceof Capsule || solid.shape() instanceof Cylinder) {
+            geom.setOffsetQuaternion(UPRIGHT);
+        }
     }
 
     /** Planes (normal, offset), points, and polygons as lists led by their length. */
@@ -188,7 +208,9 @@ final class OdePeer implements Peer {
         for (int i = 0; i < geoms.size(); i++) {
             DGeom geom = geoms.get(i);
             DVector3C at = geom.getPosition();
-            DQuaternionC q = geom.getQuaternion();
+            // the body's, for round shapes are turned against it
+            DBody body = geom.getBody();
+            DQuaternionC q = body == null ? geom.getQuaternion() : body.getQuaternion();
             poses[o] = at.get0();
             poses[o + 1] = at.get1();
             poses[o + 2] = at.get2();

@@ -1,6 +1,7 @@
 package dev.cairn.benchmarks.peer;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
@@ -22,6 +23,7 @@ import physx.cooking.PxConvexFlagEnum;
 import physx.cooking.PxConvexMeshDesc;
 import physx.cooking.PxCookingParams;
 import physx.geometry.PxBoxGeometry;
+import physx.geometry.PxCapsuleGeometry;
 import physx.geometry.PxConvexMesh;
 import physx.geometry.PxConvexMeshGeometry;
 import physx.geometry.PxGeometry;
@@ -131,6 +133,9 @@ final class PhysxPeer implements Peer {
                             new PxBoxGeometry(
                                     (float) box.halfX(), (float) box.halfY(), (float) box.halfZ());
                     case Sphere sphere -> new PxSphereGeometry((float) sphere.radius());
+                    case Capsule capsule ->
+                            new PxCapsuleGeometry(
+                                    (float) capsule.radius(), (float) capsule.halfLength());
                     case ConvexHull hull ->
                             new PxConvexMeshGeometry(hulls.computeIfAbsent(hull, this::mesh));
                     default ->
@@ -144,6 +149,9 @@ final class PhysxPeer implements Peer {
         material.setFrictionCombineMode(PxCombineModeEnum.eMULTIPLY);
         material.setRestitutionCombineMode(PxCombineModeEnum.eMAX);
         PxShape shape = physics.createShape(geometry, material, true);
+        if (solid.shape() instanceof Capsule) {
+            upright(shape);
+        }
         // The default filter shader lets pairs through whose words agree.
         PxFilterData group = new PxFilterData(1, 1, 0, 0);
         shape.setSimulationFilterData(group);
@@ -188,6 +196,18 @@ final class PhysxPeer implements Peer {
         at.destroy();
         scene.addActor(actor);
         actors.add(actor);
+    }
+
+    /** Capsules lie along x there, along y here. */
+    private static void upright(PxShape shape) {
+        PxVec3 origin = new PxVec3(0, 0, 0);
+        float half = (float) Math.sqrt(0.5);
+        PxQuat quarter = new PxQuat(0, 0, half, half);
+        PxTransform local = new PxTransform(origin, quarter);
+        shape.setLocalPose(local);
+        local.destroy();
+        quarter.destroy();
+        origin.destroy();
     }
 
     private PxConvexMesh mesh(ConvexHull hull) {
@@ -302,6 +322,7 @@ final class PhysxPeer implements Peer {
                         + " bounce threshold 0.1 m/s",
                 "sleeping and damping off; no gyroscopic torque in this version",
                 "friction: bodies carry the square root, combined by product; restitution by max",
+                "cylinders: it has none",
                 "contact points are not counted, only pairs");
     }
 

@@ -116,6 +116,7 @@ class PeersTest {
         assertNull(hulls.failure());
         assertTrue(hulls.error() != null && hulls.error() < 0.3, "overlap " + hulls.error());
         assertTrue(hulls.pairs() >= 8, "each hull rests on something: " + hulls.pairs());
+        roundsArrive(engine, process);
         if (engine != Engine.ODE4J) {
             // 3.15 is a plate that never moves: a force that does not arrive.
             assertTrue(error(process, "rolling", 4) < 0.1);
@@ -126,6 +127,26 @@ class PeersTest {
                                 Protocol.Kind.JUDGE, "washer", Map.of("side", "2"), peer(4), 30),
                         LIMIT);
         assertNull(drum.failure());
+    }
+
+    /** A capsule along another axis, or of another length, would stand in its neighbours. */
+    private static void roundsArrive(Engine engine, EngineProcess process) {
+        Map<String, String> few = Map.of("side", "3", "layers", "2");
+        for (String scene : List.of("pile-mixed", "pile-rounds")) {
+            Protocol.Answer rounds =
+                    process.ask(
+                            new Protocol.Request(Protocol.Kind.JUDGE, scene, few, peer(8), 30),
+                            LIMIT);
+            if (scene.equals("pile-rounds") && (engine == Engine.PHYSX || engine == Engine.BOX3D)) {
+                String why = String.valueOf(rounds.failure());
+                assertTrue(why.contains("its adapter has no Cylinder"), why);
+            } else {
+                assertNull(rounds.failure());
+                assertTrue(
+                        rounds.error() != null && rounds.error() < 0.06,
+                        scene + ": overlap " + rounds.error());
+            }
+        }
     }
 
     @Test

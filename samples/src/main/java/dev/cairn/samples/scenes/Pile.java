@@ -2,7 +2,9 @@ package dev.cairn.samples.scenes;
 
 import dev.cairn.physics.Body;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.samples.Palette;
@@ -47,12 +49,21 @@ public final class Pile {
     }
 
     /**
-     * Spheres, boxes and hulls in turn.
+     * Spheres, boxes, capsules and hulls in turn.
      *
      * @return its entry for the registry
      */
     public static SampleScene mixed() {
-        return scene("pile-mixed", "Pile of spheres, boxes and hulls", 5, 4, Kind.MIXED);
+        return scene("pile-mixed", "Pile of spheres, boxes, capsules, hulls", 5, 4, Kind.MIXED);
+    }
+
+    /**
+     * Capsules and cylinders in turn.
+     *
+     * @return its entry for the registry
+     */
+    public static SampleScene rounds() {
+        return scene("pile-rounds", "Pile of capsules and cylinders", 5, 4, Kind.ROUNDS);
     }
 
     /**
@@ -77,6 +88,7 @@ public final class Pile {
         SPHERES,
         BOXES,
         MIXED,
+        ROUNDS,
         HULLS,
         ROCKS
     }
@@ -161,6 +173,12 @@ public final class Pile {
         }
         if (kind == Kind.BOXES || kind == Kind.MIXED) {
             shapes.add(Box.cube(0.8 * radius));
+        }
+        if (kind == Kind.MIXED || kind == Kind.ROUNDS) {
+            shapes.add(Capsule.of(0.5 * radius, 0.5 * radius));
+        }
+        if (kind == Kind.ROUNDS) {
+            shapes.add(Cylinder.of(0.7 * radius, 0.7 * radius));
         }
         if (kind == Kind.HULLS || kind == Kind.MIXED || kind == Kind.ROCKS) {
             // Rocks are the same for each of them in Box3D's junkyard; here are a few kinds.
