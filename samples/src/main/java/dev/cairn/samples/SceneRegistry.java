@@ -10,6 +10,7 @@ import dev.cairn.samples.scenes.CubesOnPlane;
 import dev.cairn.samples.scenes.Dzhanibekov;
 import dev.cairn.samples.scenes.FreeFall;
 import dev.cairn.samples.scenes.FrictionStop;
+import dev.cairn.samples.scenes.LargeWorld;
 import dev.cairn.samples.scenes.LoadRemoval;
 import dev.cairn.samples.scenes.ManyPyramids;
 import dev.cairn.samples.scenes.ObjDrop;
@@ -52,6 +53,7 @@ public final class SceneRegistry {
                     SphereGrid.inelastic(),
                     SphereGrid.elastic(),
                     ManyPyramids.scene(),
+                    LargeWorld.scene(),
                     Pile.spheres(),
                     Pile.boxes(),
                     Pile.mixed(),

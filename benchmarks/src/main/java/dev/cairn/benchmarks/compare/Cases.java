@@ -205,6 +205,19 @@ final class Cases {
                                             + " turns by 25 degrees a second. Nothing may overlap.")
                             .large(8, 1, Map.of("side", "4")),
                     Case.small(
+                                    "large-world",
+                                    "Large world (100 balls, 10000 fixed boxes)",
+                                    "large-world",
+                                    Map.of("side", "100", "balls", "100"),
+                                    150,
+                                    "sagMetres",
+                                    "largest height error at rest, m",
+                                    0.1,
+                                    "100 balls fall onto 100 of 10 000 fixed boxes 10 m apart"
+                                            + " (after Box3D's large_world) and rest at their"
+                                            + " radius. What nothing touches should cost nothing.")
+                            .large(4, 1, Map.of("side", "20", "balls", "20")),
+                    Case.small(
                                     "many-pyramids",
                                     "Many pyramids (10780 boxes)",
                                     "many-pyramids",
