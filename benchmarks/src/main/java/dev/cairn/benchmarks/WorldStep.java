@@ -42,9 +42,17 @@ public class WorldStep {
     /** A settled scene. */
     @State(Scope.Thread)
     public static class Settled {
-        /** Which, by the scene's id; {@code room} mixes shapes. */
-        @Param({"pyramid", "many-pyramids", "pile-spheres", "pile-boxes", "pile-mixed", "room"})
+        /** Which, by the scene's id. */
+        @Param({"pyramid", "many-pyramids", "pile-spheres", "pile-boxes", "pile-mixed"})
         public String scene = "pyramid";
+
+        /** About so many of them; 0 for as many as the scene has by itself. */
+        @Param("0")
+        public int bodies;
+
+        /** Sub-steps: what a tick costs at 1, 2, 4 tells a sub-step from what is done once. */
+        @Param("4")
+        public int substeps;
 
         /** Number of workers. */
         @Param({"1", "2"})
@@ -65,16 +73,34 @@ public class WorldStep {
                             .gravity(0, -SampleScene.GRAVITY, 0)
                             .workers(workers)
                             .settings(PhysicsSettings.DEFAULT.withLanes(lanes))
+                            .substeps(substeps)
                             .sleeping(false)
                             .build();
             SampleScene chosen = SceneRegistry.get(scene);
             chosen.build(
                     new SceneBuilder(
                             world,
-                            SceneOptions.of(chosen, Map.of(), SceneOptions.DEFAULT_SEED, null)));
+                            SceneOptions.of(chosen, sized(), SceneOptions.DEFAULT_SEED, null)));
             for (int step = 0; step < SETTLING_STEPS; step++) {
                 world.step(SampleScene.STEP_SECONDS);
             }
+        }
+
+        private Map<String, String> sized() {
+            if (bodies == 0) {
+                return Map.of();
+            }
+            // base (base + 1) / 2 boxes in a pyramid, side^2 layers bodies in a pile
+            long base = Math.max(1, Math.round((Math.sqrt(8.0 * bodies + 1) - 1) / 2));
+            long side = Math.max(1, Math.round(Math.cbrt(bodies)));
+            long layers = Math.max(1, Math.round((double) bodies / (side * side)));
+            long pyramids = Math.max(1, Math.round(Math.sqrt(bodies / 55.0)));
+            return switch (scene) {
+                case "pyramid" -> Map.of("base", Long.toString(base));
+                case "many-pyramids" -> Map.of("side", Long.toString(pyramids), "base", "10");
+                case "stack-4" -> Map.of("boxes", "4");
+                default -> Map.of("side", Long.toString(side), "layers", Long.toString(layers));
+            };
         }
 
         /** Ends the world. */
@@ -84,18 +110,30 @@ public class WorldStep {
         }
     }
 
-    /** Mean microseconds per step of the stages that take longest. */
+    /** Mean microseconds per step of the stages. */
     @AuxCounters(AuxCounters.Type.EVENTS)
     @State(Scope.Thread)
     public static class Stages {
-        /** Broad phase: bounds and pairs. */
-        public double broadPhaseMicros;
+        /** What was added, removed, changed from outside. */
+        public double rosterMicros;
+
+        /** Bounds of what moves. */
+        public double boundsMicros;
+
+        /** Broad phase: pairs. */
+        public double pairsMicros;
+
+        /** Contacts that begin, end, go on. */
+        public double rowsMicros;
 
         /** Narrow phase. */
         public double narrowPhaseMicros;
 
-        /** Solver with integrator. */
+        /** Solver with integrator: all sub-steps. */
         public double solverMicros;
+
+        /** Poses and velocities into the columns. */
+        public double publishMicros;
 
         private PhysicsWorld world = PhysicsWorld.builder().workers(1).build();
 
@@ -117,8 +155,12 @@ public class WorldStep {
         /** Reads the profile. */
         @TearDown(Level.Iteration)
         public void read() {
-            broadPhaseMicros = micros(StepStage.BOUNDS) + micros(StepStage.PAIRS);
+            rosterMicros = micros(StepStage.ROSTER);
+            boundsMicros = micros(StepStage.BOUNDS);
+            pairsMicros = micros(StepStage.PAIRS);
+            rowsMicros = micros(StepStage.ROWS);
             narrowPhaseMicros = micros(StepStage.POINTS);
+            publishMicros = micros(StepStage.PUBLISH);
             solverMicros = micros(StepStage.SOLVE);
             world.profile().disable();
         }

@@ -28,6 +28,7 @@ import java.util.concurrent.Callable;
                 "Marginal costs by regression over generated scenes, and the ablation ladder.")
 public final class Cost implements Callable<Integer> {
     private static final Marked TABLES = new Marked("cost");
+    private static final PhysicsSettings AWAKE = PhysicsSettings.DEFAULT.withSleeping(false);
     private static final long SEED = 1;
     private static final int REPEATS = 3;
 
@@ -44,9 +45,19 @@ public final class Cost implements Callable<Integer> {
     @Option(
             names = "--pairs",
             paramLabel = "N",
+            defaultValue = "40",
+            description = "pairs of turns per build, default: ${DEFAULT-VALUE}")
+    private int pairs = 40;
+
+    @Option(
+            names = "--builds",
+            paramLabel = "N",
             defaultValue = "30",
-            description = "pairs of runs per rung of the ladder, default: ${DEFAULT-VALUE}")
-    private int pairs = 30;
+            description = "pairs of worlds per rung of the ladder, default: ${DEFAULT-VALUE}")
+    private int builds = 30;
+
+    @Option(names = "--ladder-only", description = "leaves the price list out; prints")
+    private boolean ladderOnly;
 
     @Option(
             names = "--out",
@@ -70,11 +81,16 @@ public final class Cost implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        if (scenes < 3 * Mix.NAMES.size() || pairs < 3) {
+        if (scenes < 3 * Mix.NAMES.size() || pairs < 3 || builds < 3) {
             err.printf(
-                    "--scenes %d, --pairs %d: want at least %d scenes and 3 pairs%n",
-                    scenes, pairs, 3 * Mix.NAMES.size());
+                    "--scenes %d, --pairs %d, --builds %d: want at least %d scenes, 3 pairs, 3"
+                            + " builds%n",
+                    scenes, pairs, builds, 3 * Mix.NAMES.size());
             return CommandLine.ExitCode.USAGE;
+        }
+        if (ladderOnly) {
+            System.out.println(ladder());
+            return CommandLine.ExitCode.OK;
         }
         if (out == null) {
             System.out.println(priceList() + "\n" + ladder());
@@ -106,7 +122,7 @@ public final class Cost implements Callable<Integer> {
         for (int pass = -1; pass < REPEATS; pass++) {
             err.printf("price list, pass %d of %d%n", pass + 2, REPEATS + 1);
             for (int i = 0; i < scenes; i++) {
-                Mix.Sample sample = mixes.get(i).measure(PhysicsSettings.DEFAULT, time);
+                Mix.Sample sample = mixes.get(i).measure(AWAKE, time);
                 counts[i] = sample.counts();
                 if (pass >= 0) {
                     micros[i][pass] = sample.micros();
@@ -149,20 +165,24 @@ public final class Cost implements Callable<Integer> {
         text.append(
                 String.format(
                         Locale.ROOT,
-                        "Ablation ladder: CPU time with the feature over without it, median of %d"
-                                + " interleaved pairs, 95 %% by bootstrap.%n%n",
+                        "Ablation ladder: CPU time with the feature over without it; median of %d"
+                                + " pairs of worlds, each the median of %d pairs of turns; 95 %% by"
+                                + " bootstrap over the worlds.%n%n",
+                        builds,
                         pairs));
         text.append("| feature | the scene | with / without | 95 % | same bits |\n");
         text.append("|---|---|---|---|---|\n");
         for (Ladder.Rung rung : Ladder.RUNGS) {
             err.printf("ladder, %s%n", rung.feature());
-            Ladder.Found found = Ladder.climb(rung, pairs, time);
+            Ladder.Found found = Ladder.climb(rung, builds, pairs, time);
             text.append(
                     String.format(
                             Locale.ROOT,
-                            "| %s | %s it: %s | %.3f | %.3f to %.3f | %s |%n",
+                            "| %s | %s%s | %.3f | %.3f to %.3f | %s |%n",
                             rung.feature(),
-                            rung.needed() ? "needs" : "does not need",
+                            rung.isNull()
+                                    ? ""
+                                    : rung.needed() ? "needs it: " : "does not need it: ",
                             rung.with().flyingBoxes() > 0 ? "400 bodies in flight" : "300 at rest",
                             found.ratio(),
                             found.low(),

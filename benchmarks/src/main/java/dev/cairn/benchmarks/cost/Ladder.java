@@ -9,17 +9,28 @@ import java.util.List;
 import java.util.SplittableRandom;
 
 /**
- * The ablation ladder: the same scene with a feature on and off, interleaved, as a ratio of CPU
- * times with its interval. In a scene that does not need the feature the ratio should be 1, and the
- * bits the same. Off is a setting, not a build without the code.
+ * The ablation ladder: the same scene with a feature on and off, as a ratio of CPU times with its
+ * interval. In a scene that does not need the feature the ratio should be 1, and the bits the same.
+ * Off is a setting, not a build without the code.
+ *
+ * <p>To tell one per cent from none, two worlds live side by side and are stepped in turns of a few
+ * ticks, so that whatever the machine does meets both; a pair of turns gives a ratio, a pair of
+ * worlds the median of its ratios. Where the arrays of a world lie in memory is a difference of its
+ * own, so worlds are built anew many times, and the interval is that of the medians over the
+ * builds. The first rung has the same on both sides: what it shows is what cannot be told apart.
  */
 final class Ladder {
     private static final double STEP = 1.0 / 60;
     private static final int SETTLING = 20;
-    private static final int TICKS = 60;
+    private static final int TURN_TICKS = 3;
     private static final int RESAMPLES = 2000;
 
-    private static final PhysicsSettings ON = PhysicsSettings.DEFAULT;
+    private static final PhysicsSettings ON = PhysicsSettings.DEFAULT.withSleeping(false);
+
+    /** Rest is looked for in every tick and never lasts long enough. */
+    private static final PhysicsSettings ALMOST_ASLEEP =
+            PhysicsSettings.DEFAULT.withSleepSeconds(1000);
+
     private static final Mix FLIGHT = new Mix(200, 200, 0, 0, 0, 0, 0, 0, 0, 0.6);
     private static final Mix SMOOTH_FLIGHT = new Mix(200, 200, 0, 0, 0, 0, 0, 0, 0, 0);
     private static final Mix REST = new Mix(0, 0, 0, 50, 100, 0, 50, 0, 0, 0.6);
@@ -41,13 +52,23 @@ final class Ladder {
             Mix with,
             PhysicsSettings on,
             Mix without,
-            PhysicsSettings off) {}
+            PhysicsSettings off) {
+
+        /** Says whether both sides are alike. */
+        boolean isNull() {
+            return on.equals(off) && with.equals(without);
+        }
+    }
 
     /** What was found: CPU time on over off, median and interval, and whether bits agree. */
     record Found(Rung rung, double ratio, double low, double high, boolean sameBits) {}
 
     static final List<Rung> RUNGS =
             List.of(
+                    rung("nothing (both sides alike)", false, FLIGHT, ON),
+                    rung("nothing (both sides alike)", false, REST, ON),
+                    new Rung("sleep", false, FLIGHT, ON.withSleeping(true), FLIGHT, ON),
+                    new Rung("sleep", false, REST, ALMOST_ASLEEP, REST, ON),
                     rung("offset against sag", false, FLIGHT, ON.withOffsetGain(0)),
                     rung("load-proportional inertia", false, FLIGHT, ON.withLoadInertia(0)),
                     rung("unloading sweeps", false, FLIGHT, ON.withUnloadSweeps(0)),
@@ -65,37 +86,51 @@ final class Ladder {
         return new Rung(feature, needed, scene, ON, scene, off);
     }
 
-    static Found climb(Rung rung, int pairs, ThreadTime time) {
-        List<Double> ratios = new ArrayList<>();
-        long[] digest = new long[2];
-        for (int pair = -1; pair < pairs; pair++) {
-            // Who goes first changes, so that a drift of the machine cancels.
-            double[] nanos = new double[2];
-            for (int turn = 0; turn < 2; turn++) {
-                int side = (pair + turn) & 1;
-                Mix mix = side == 0 ? rung.with() : rung.without();
-                try (PhysicsWorld world = mix.build(side == 0 ? rung.on() : rung.off())) {
-                    nanos[side] = run(world, time);
-                    digest[side] = world.digest();
+    /** Builds worlds so many times, and takes so many pairs of turns of each. */
+    static Found climb(Rung rung, int builds, int pairs, ThreadTime time) {
+        List<Double> medians = new ArrayList<>();
+        boolean sameBits = true;
+        // The first build warms up.
+        for (int build = -1; build < builds; build++) {
+            // Who comes first changes, in memory and in time.
+            boolean swap = (build & 1) != 0;
+            Mix first = swap ? rung.without() : rung.with();
+            Mix second = swap ? rung.with() : rung.without();
+            try (PhysicsWorld a = first.build(swap ? rung.off() : rung.on());
+                    PhysicsWorld b = second.build(swap ? rung.on() : rung.off())) {
+                step(a, SETTLING);
+                step(b, SETTLING);
+                double ratio = ratio(a, b, pairs, time);
+                if (build >= 0) {
+                    medians.add(swap ? 1 / ratio : ratio);
                 }
-            }
-            if (pair >= 0) {
-                ratios.add(nanos[0] / nanos[1]);
+                sameBits &= a.digest() == b.digest();
             }
         }
-        double[] interval = interval(ratios, new SplittableRandom(1));
-        return new Found(rung, interval[1], interval[0], interval[2], digest[0] == digest[1]);
+        double[] interval = interval(medians, new SplittableRandom(1));
+        return new Found(rung, interval[1], interval[0], interval[2], sameBits);
     }
 
-    private static double run(PhysicsWorld world, ThreadTime time) {
-        for (int tick = 0; tick < SETTLING; tick++) {
+    /** Median of the ratios of turns of two worlds. */
+    private static double ratio(PhysicsWorld a, PhysicsWorld b, int pairs, ThreadTime time) {
+        double[] ratios = new double[pairs];
+        for (int pair = 0; pair < pairs; pair++) {
+            boolean backwards = (pair & 1) != 0;
+            long start = time.nanos();
+            step(backwards ? b : a, TURN_TICKS);
+            long middle = time.nanos();
+            step(backwards ? a : b, TURN_TICKS);
+            long end = time.nanos();
+            double ratio = (middle - start) / (double) (end - middle);
+            ratios[pair] = backwards ? 1 / ratio : ratio;
+        }
+        return median(ratios);
+    }
+
+    private static void step(PhysicsWorld world, int ticks) {
+        for (int tick = 0; tick < ticks; tick++) {
             world.step(STEP);
         }
-        long before = time.nanos();
-        for (int tick = 0; tick < TICKS; tick++) {
-            world.step(STEP);
-        }
-        return time.nanos() - before;
     }
 
     /** Low end, median and high end of 95 %, by bootstrap of the median (Efron 1979). */

@@ -77,12 +77,7 @@ record Mix(
 
     PhysicsWorld build(PhysicsSettings settings) {
         PhysicsWorld world =
-                PhysicsWorld.builder()
-                        .gravity(0, -9.81, 0)
-                        .workers(1)
-                        .settings(settings)
-                        .sleeping(false)
-                        .build();
+                PhysicsWorld.builder().gravity(0, -9.81, 0).workers(1).settings(settings).build();
         Material material = new Material(friction, 0, 1000);
         Grid grid = new Grid(world, material);
         Sphere ball = Sphere.of(0.5);
