@@ -7,7 +7,12 @@ import dev.cairn.benchmarks.regress.Regress;
 import dev.cairn.benchmarks.render.RenderFrame;
 
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
 
 /**
  * Entry of {@code benchmarks.jar}: {@code compare} starts the work-precision report, {@code cost}
@@ -15,6 +20,11 @@ import java.util.Arrays;
  * drawn frame; all else is JMH's own command line.
  */
 public final class Main {
+    private static final String VECTORS = "jdk.incubator.vector";
+
+    /** Commands that step worlds in this JVM, which then needs the vectors. */
+    private static final Set<String> MEASURE_HERE = Set.of("cost", "regress", "narrow-phase");
+
     private Main() {}
 
     /**
@@ -25,6 +35,11 @@ public final class Main {
      */
     public static void main(String[] args) throws IOException {
         String command = args.length == 0 ? "" : args[0];
+        if (MEASURE_HERE.contains(command)
+                && ModuleLayer.boot().findModule(VECTORS).isEmpty()
+                && !Arrays.asList(args).contains("--help")) {
+            System.exit(again(args));
+        }
         switch (command) {
             case "compare" -> Compare.main(Arrays.copyOfRange(args, 1, args.length));
             case "cost" -> Cost.main(Arrays.copyOfRange(args, 1, args.length));
@@ -32,6 +47,22 @@ public final class Main {
             case "regress" -> Regress.main(Arrays.copyOfRange(args, 1, args.length));
             case "render-frame" -> RenderFrame.main(Arrays.copyOfRange(args, 1, args.length));
             default -> org.openjdk.jmh.Main.main(args);
+        }
+    }
+
+    /** Does the same in a JVM that has the vector module; returns its status. */
+    private static int again(String[] args) throws IOException {
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
+        command.add("--add-modules=" + VECTORS);
+        command.addAll(List.of("-cp", System.getProperty("java.class.path"), Main.class.getName()));
+        command.addAll(Arrays.asList(args));
+        try {
+            return new ProcessBuilder(command).inheritIO().start().waitFor();
+        } catch (InterruptedException stop) {
+            Thread.currentThread().interrupt();
+            return 1;
         }
     }
 }

@@ -44,6 +44,9 @@ record Case(
     /** Name of the metric that the judge measures itself: deepest overlap in the last quarter. */
     static final String REST_OVERLAP = "restOverlapMetres";
 
+    /** Number of sub-steps of scenes that are not limited. */
+    static final int MOST_SUBSTEPS = 32;
+
     Case {
         settings = Map.copyOf(settings);
         quick = Map.copyOf(quick);
@@ -71,7 +74,7 @@ record Case(
                 error,
                 failure,
                 truth,
-                32,
+                MOST_SUBSTEPS,
                 false,
                 1);
     }

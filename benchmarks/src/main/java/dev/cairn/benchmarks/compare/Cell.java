@@ -53,6 +53,9 @@ record Cell(Case scene, Engine engine, PeerSettings peer, Protocol.Kind kind, in
             boolean enough = round * stepped >= plan.pointSeconds();
             return whole > plan.judgeSeconds() || (round > 0 && enough) ? 0 : stepped + 2 * tick;
         }
+        if (peer.substeps() > 1 && whole / 2 > plan.judgeSeconds()) {
+            return 0; // fewer sub-steps were too slow already
+        }
         double looks = JUDGE_SECONDS * scene.lookCost() * bodies * scene.ticks();
         return Math.min(plan.judgeSeconds(), whole) + looks + 0.02;
     }

@@ -49,7 +49,7 @@ public final class Compare implements Callable<Integer> {
             names = "--substeps",
             split = ",",
             paramLabel = "N",
-            description = "sub-steps per tick; 1,2,4,8,16,32 by default, with --quick 1,4,16")
+            description = "sub-steps per tick; 1,2,4,8,16 by default, with --quick 1,4,16")
     private List<Integer> substeps = List.of();
 
     @Option(
@@ -175,7 +175,7 @@ public final class Compare implements Callable<Integer> {
         }
         List<Integer> steps = substeps;
         if (steps.isEmpty()) {
-            steps = quick ? List.of(1, 4, 16) : List.of(1, 2, 4, 8, 16, 32);
+            steps = quick ? List.of(1, 4, 16) : List.of(1, 2, 4, 8, 16);
         }
         positive("--substeps", steps);
         positive("--workers", workers);
@@ -197,7 +197,7 @@ public final class Compare implements Callable<Integer> {
                 0.03,
                 quick ? 0.3 : 1,
                 quick ? 0.8 : 4,
-                quick ? 4 : 10,
+                quick ? 4 : 8,
                 quick ? 2 : 5,
                 !quick);
     }

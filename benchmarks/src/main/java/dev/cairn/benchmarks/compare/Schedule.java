@@ -94,7 +94,8 @@ final class Schedule {
                     continue;
                 }
                 for (int substeps : plan.substeps()) {
-                    if (isWanted(scene, substeps, first)) {
+                    if (isWanted(scene, substeps, first)
+                            && (tuning == Tuning.DEFAULT || isWantedOfBest(scene, substeps))) {
                         settings.add(new PeerSettings(workers, substeps, false, tuning));
                     }
                 }
@@ -110,6 +111,13 @@ final class Schedule {
         }
         boolean scaled = first || substeps == scalingSubsteps(plan.substeps());
         return scaled && substeps <= scene.maxSubsteps();
+    }
+
+    /** Where sub-steps are limited for time's sake, best effort shows the ends of its curve. */
+    private boolean isWantedOfBest(Case scene, int substeps) {
+        return scene.maxSubsteps() >= Case.MOST_SUBSTEPS
+                || substeps == plan.substeps().getFirst()
+                || substeps == scalingSubsteps(plan.substeps());
     }
 
     /** The largest number of sub-steps up to 4, or the smallest there is. */

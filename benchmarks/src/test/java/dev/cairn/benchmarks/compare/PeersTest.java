@@ -169,4 +169,19 @@ class PeersTest {
             assertNull(process.ask(judge("free-flight", 1), LIMIT).failure());
         }
     }
+
+    @Test
+    void silentEngineIsEndedAndNotAskedForEver() {
+        try (EngineProcess process = new EngineProcess(Engine.CAIRN, logs, List.of())) {
+            for (int time = 0; time < 2; time++) {
+                Protocol.Answer silent = process.ask(judge("bouncing", 32), 0.05);
+                assertTrue(
+                        String.valueOf(silent.failure()).startsWith("no answer"), silent.failure());
+            }
+            assertEquals(2, process.deaths());
+            Protocol.Answer third = process.ask(judge("free-flight", 1), LIMIT);
+            assertTrue(
+                    String.valueOf(third.failure()).startsWith("not tried again"), third.failure());
+        }
+    }
 }

@@ -32,7 +32,7 @@ class HeadlineTest {
         assertEquals("same", verdict(cost(1, 0.03), cost(1.14, 0.04)));
         assertTrue(verdict(cost(1, 0.03), cost(1.16, 0.04)).startsWith("worse by 16.0 %"));
         assertTrue(verdict(cost(1, 0.001), cost(0.9, 0.001)).startsWith("better by 10.0 %"));
-        assertEquals("same", verdict(cost(1, 0.0001), cost(1.019, 0.0001)));
+        assertEquals("same", verdict(cost(1, 0.0001), cost(1.049, 0.0001)));
     }
 
     @Test
