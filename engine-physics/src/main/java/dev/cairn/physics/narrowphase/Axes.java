@@ -264,8 +264,8 @@ final class Axes {
 
     /** Of the two faces of an edge, the one whose normal is nearer to a direction. */
     private static int faceBeside(Polyhedron h, int edge, double x, double y, double z) {
-        int f = h.edgeLeft(edge);
-        int g = h.edgeRight(edge);
+        int f = h.edgeFace(edge, true);
+        int g = h.edgeFace(edge, false);
         double df = h.normalX(f) * x + h.normalY(f) * y + h.normalZ(f) * z;
         double dg = h.normalX(g) * x + h.normalY(g) * y + h.normalZ(g) * z;
         return df > dg || (df == dg && f < g) ? f : g;

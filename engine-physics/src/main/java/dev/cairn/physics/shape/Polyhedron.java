@@ -92,15 +92,7 @@ public final class Polyhedron {
             outer = Math.max(outer, x[v] * x[v] + y[v] * y[v] + z[v] * z[v]);
         }
         outerRadius = Math.sqrt(outer);
-        extremes = new int[6];
-        for (int v = 1; v < x.length; v++) {
-            extremes[0] = x[v] < x[extremes[0]] ? v : extremes[0];
-            extremes[1] = x[v] > x[extremes[1]] ? v : extremes[1];
-            extremes[2] = y[v] < y[extremes[2]] ? v : extremes[2];
-            extremes[3] = y[v] > y[extremes[3]] ? v : extremes[3];
-            extremes[4] = z[v] < z[extremes[4]] ? v : extremes[4];
-            extremes[5] = z[v] > z[extremes[5]] ? v : extremes[5];
-        }
+        extremes = Topology.extremes(x, y, z);
     }
 
     /**
@@ -321,23 +313,14 @@ public final class Polyhedron {
     }
 
     /**
-     * The face to the left of an edge, seen from outside along its direction.
+     * One of the two faces of an edge.
      *
      * @param edge in [0, edgeCount)
+     * @param left to the left of the edge's direction, seen from outside; else the other
      * @return the face
      */
-    public int edgeLeft(int edge) {
-        return edgeLeft[edge];
-    }
-
-    /**
-     * The face to the right of an edge.
-     *
-     * @param edge in [0, edgeCount)
-     * @return the face
-     */
-    public int edgeRight(int edge) {
-        return edgeRight[edge];
+    public int edgeFace(int edge, boolean left) {
+        return left ? edgeLeft[edge] : edgeRight[edge];
     }
 
     /**

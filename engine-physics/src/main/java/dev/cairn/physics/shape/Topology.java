@@ -85,4 +85,18 @@ final class Topology {
     private int next(int slot, int face) {
         return slot + 1 == faceBegin[face + 1] ? faceBegin[face] : slot + 1;
     }
+
+    /** The vertices that are lowest and highest along x, y and z. */
+    static int[] extremes(double[] x, double[] y, double[] z) {
+        int[] extremes = new int[6];
+        for (int v = 1; v < x.length; v++) {
+            extremes[0] = x[v] < x[extremes[0]] ? v : extremes[0];
+            extremes[1] = x[v] > x[extremes[1]] ? v : extremes[1];
+            extremes[2] = y[v] < y[extremes[2]] ? v : extremes[2];
+            extremes[3] = y[v] > y[extremes[3]] ? v : extremes[3];
+            extremes[4] = z[v] < z[extremes[4]] ? v : extremes[4];
+            extremes[5] = z[v] > z[extremes[5]] ? v : extremes[5];
+        }
+        return extremes;
+    }
 }
