@@ -80,7 +80,7 @@ final class LaneFriction implements LaneKernels.Friction {
 
     /** In steps that are small enough for the compiler; they hand numbers on in scratch. */
     private static boolean rub(double[] d, int o, double[] st, int g, int points, int marks) {
-        if (!press(d, o, st, g, points)) {
+        if (!press(d, o, st, points)) {
             DoubleVector.zero(S).intoArray(st, RUBS + g);
             return false;
         }
@@ -95,7 +95,7 @@ final class LaneFriction implements LaneKernels.Friction {
     }
 
     /** What the normal impulses allow; false without any impulse, old or new. */
-    private static boolean press(double[] d, int o, double[] st, int g, int points) {
+    private static boolean press(double[] d, int o, double[] st, int points) {
         var bound = DoubleVector.zero(S);
         var normal = DoubleVector.zero(S);
         for (int p = 0; p < points; p++) {
