@@ -172,8 +172,8 @@ final class Gjk {
             segment(0, 1);
         }
         // Nothing of the simplex can be nearer than a plane that separates: a sliver lost its
-        // normal.
-        boolean certain = lower > TOUCHING * pair.scale;
+        // normal. Round shapes refine what is left; polyhedra go on.
+        boolean certain = (pair.roundA || pair.roundB) && lower > TOUCHING * pair.scale;
         boolean lost = certain && bestSquare < lower * lower * (1 - 0x1p-20);
         if (lost || !(bestSquare < square)) {
             return true;
