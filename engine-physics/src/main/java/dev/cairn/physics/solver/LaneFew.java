@@ -49,7 +49,7 @@ final class LaneFew implements LaneKernels.Points {
         boolean lands;
         if (points == 2) {
             couplings(d, o, st, k, g, points);
-            if (!evenTwo(d, o, st, k, g, step) && step == SOFT) {
+            if (!evenTwo(d, o, st, k, step) && step == SOFT) {
                 DoubleVector.zero(S).intoArray(st, LANDS + g);
                 return false;
             }
@@ -135,7 +135,7 @@ final class LaneFew implements LaneKernels.Points {
     }
 
     /** The same for two. */
-    private static boolean evenTwo(double[] d, int o, double[] st, int k, int g, int step) {
+    private static boolean evenTwo(double[] d, int o, double[] st, int k, int step) {
         int q = o + (POINT + IMPULSE) * L;
         int next = POINT_FIELDS * L;
         var zero = DoubleVector.zero(S);

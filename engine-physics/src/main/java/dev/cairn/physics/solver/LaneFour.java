@@ -46,7 +46,7 @@ final class LaneFour implements LaneKernels.Points {
     public boolean sweep(
             double[] d, int o, double[] st, int k, int g, int points, int sweeps, int step) {
         enterFour(d, o, st, k, g);
-        if (!evenFour(d, o, st, k, g, step) && step == SOFT) {
+        if (!evenFour(d, o, st, k, step) && step == SOFT) {
             DoubleVector.zero(S).intoArray(st, LANDS + g);
             return false;
         }
@@ -195,7 +195,7 @@ final class LaneFour implements LaneKernels.Points {
      *
      * @return whether a point of the group presses or closes
      */
-    private static boolean evenFour(double[] d, int o, double[] st, int k, int g, int step) {
+    private static boolean evenFour(double[] d, int o, double[] st, int k, int step) {
         int q = o + (POINT + IMPULSE) * L;
         int next = POINT_FIELDS * L;
         var zero = DoubleVector.zero(S);
