@@ -1,5 +1,7 @@
 package dev.cairn.samples;
 
+import org.jspecify.annotations.Nullable;
+
 import java.io.BufferedOutputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
@@ -114,7 +116,7 @@ final class AnimatedPng {
         int sequence = 0;
         for (int i = 0; i < frames.size(); i++) {
             int[] now = frames.get(i);
-            int[] before = i == 0 ? null : frames.get(i - 1);
+            int @Nullable [] before = i == 0 ? null : frames.get(i - 1);
             int[] box = before == null ? new int[] {0, 0, width, height} : changed(before, now);
             int number = sequence++;
             chunk(out, "fcTL", to -> control(to, number, box, number > 0));
@@ -162,7 +164,7 @@ final class AnimatedPng {
         return box[2] == 0 ? new int[] {0, 0, 1, 1} : box;
     }
 
-    private byte[] compressed(int[] now, int[] before, int[] box) throws IOException {
+    private byte[] compressed(int[] now, int @Nullable [] before, int[] box) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         Deflater deflater = new Deflater(Deflater.BEST_COMPRESSION);
         try (DeflaterOutputStream out = new DeflaterOutputStream(bytes, deflater)) {

@@ -12,6 +12,7 @@ import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -141,7 +142,7 @@ final class Campaign {
         try (ExecutorService threads = Executors.newFixedThreadPool(judges())) {
             List<Future<?>> running = new ArrayList<>();
             for (Engine engine : plan.engines()) {
-                EngineProcess process = processes.get(engine);
+                EngineProcess process = Objects.requireNonNull(processes.get(engine));
                 running.add(threads.submit(() -> judge(schedule.errors(scene, engine), process)));
             }
             for (Future<?> one : running) {
@@ -179,7 +180,7 @@ final class Campaign {
             return;
         }
         double estimate = estimate(cell);
-        EngineProcess process = processes.get(cell.engine());
+        EngineProcess process = Objects.requireNonNull(processes.get(cell.engine()));
         under(cell, "round " + (cell.round() + 1));
         long start = System.nanoTime();
         if (warm.putIfAbsent(cell.engine(), true) == null) {

@@ -107,7 +107,7 @@ final class WindowLoop {
                     continue;
                 }
                 double pixelsPerPoint = (double) size(0) / Math.max(1, size(2));
-                preparePanels(window, pixelsPerPoint);
+                preparePanels(pixelsPerPoint);
                 input.handOut(panels, size(2), size(3), pixelsPerPoint);
                 input.moveCamera(elapsed);
                 frame(renderer, lines, window);
@@ -198,7 +198,7 @@ final class WindowLoop {
     }
 
     /** Panels are made anew when the density of the screen, or the wish, changes. */
-    private void preparePanels(long window, double pixelsPerPoint) {
+    private void preparePanels(double pixelsPerPoint) {
         if (panelsFailed) {
             return;
         }

@@ -24,13 +24,13 @@ final class NativeText implements AutoCloseable {
             if (letter < 0x80) {
                 at = put(at, letter);
             } else if (letter < 0x800) {
-                at = put(put(at, 0xC0 | letter >> 6), 0x80 | letter & 0x3F);
+                at = put(put(at, 0xC0 | (letter >> 6)), 0x80 | (letter & 0x3F));
             } else if (Character.isHighSurrogate(letter)
                     && i + 1 < text.length()
                     && Character.isLowSurrogate(text.charAt(i + 1))) {
                 int point = Character.toCodePoint(letter, text.charAt(++i));
-                at = put(put(at, 0xF0 | point >> 18), 0x80 | point >> 12 & 0x3F);
-                at = put(put(at, 0x80 | point >> 6 & 0x3F), 0x80 | point & 0x3F);
+                at = put(put(at, 0xF0 | (point >> 18)), 0x80 | ((point >> 12) & 0x3F));
+                at = put(put(at, 0x80 | ((point >> 6) & 0x3F)), 0x80 | (point & 0x3F));
             } else {
                 // Half a pair is no letter.
                 int shown = Character.isSurrogate(letter) ? '?' : letter;
@@ -38,8 +38,10 @@ final class NativeText implements AutoCloseable {
                         shown == '?'
                                 ? put(at, shown)
                                 : put(
-                                        put(put(at, 0xE0 | shown >> 12), 0x80 | shown >> 6 & 0x3F),
-                                        0x80 | shown & 0x3F);
+                                        put(
+                                                put(at, 0xE0 | (shown >> 12)),
+                                                0x80 | ((shown >> 6) & 0x3F)),
+                                        0x80 | (shown & 0x3F));
             }
         }
         put(at, 0);
