@@ -60,7 +60,8 @@ final class Polyhedra {
     long collide(Shape a, Shape b, double margin, long cache, Manifold out) {
         gap = 0;
         iterated = false;
-        // Else a pair that stays apart would remember the vertex of whatever was collided before it.
+        // Else a pair that stays apart would remember the vertex of whatever was collided before
+        // it.
         points.incidentVertex = 0;
         boolean hulls = specialised && !(a instanceof Box && b instanceof Box);
         if (hulls && cache != 0) {

@@ -16,7 +16,7 @@ import java.util.SplittableRandom;
  */
 class WarmHullsTest {
     private final NarrowPhase warm = new NarrowPhase();
-    private final Manifold m = new Manifold();
+    private final Manifold m = new Manifold(), alone = new Manifold();
 
     private double deepest() {
         double least = Double.MAX_VALUE;
@@ -33,6 +33,14 @@ class WarmHullsTest {
 
     private long check(Scene s, double margin, long word, String where) {
         long next = s.collide(warm, margin, word, m);
+        // Who was collided before by the same worker must not matter.
+        assertEquals(s.collide(new NarrowPhase(), margin, word, alone), next, where + ": word");
+        assertEquals(alone.pointCount, m.pointCount, where);
+        for (int i = 0; i < m.pointCount; i++) {
+            assertEquals(alone.feature[i], m.feature[i], where);
+            assertEquals(alone.separation[i], m.separation[i], where);
+            assertEquals(alone.pointX[i], m.pointX[i], where);
+        }
         double truth = truth(s);
         double inner = Math.min(s.a.innerRadius(), s.b.innerRadius());
         double rounding = 1e-13 * s.size();
