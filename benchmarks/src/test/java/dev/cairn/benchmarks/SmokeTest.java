@@ -50,6 +50,6 @@ class SmokeTest {
                 "[BroadPhasePairs, EcsCreateDelete, EcsIterate, JobsDispatch, JobsWake,"
                         + " NarrowPhasePairs, SnapshotHandOver, WorldStep]",
                 suites.toString());
-        assertEquals(3 + 7 + 3 + 2 + 2 + 2 + 2 + 23, results.size());
+        assertEquals(3 + 7 + 3 + 2 + 2 + 2 + 2 + 36, results.size());
     }
 }

@@ -13,6 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -44,8 +45,8 @@ final class Campaign {
     private final Schedule schedule;
     private final Map<String, Integer> bodies = new LinkedHashMap<>();
     private final Map<Engine, EngineProcess> processes = new EnumMap<>(Engine.class);
-    private final Map<Engine, Integer> deaths = new EnumMap<>(Engine.class);
-    private final Map<Engine, Boolean> warm = new EnumMap<>(Engine.class);
+    private final Map<Engine, Integer> deaths = new ConcurrentHashMap<>();
+    private final Map<Engine, Boolean> warm = new ConcurrentHashMap<>();
     private Progress progress = (seconds, underWay) -> {};
 
     Campaign(Plan plan, Path logs, CellStore store) {
@@ -167,6 +168,10 @@ final class Campaign {
             double estimate = estimate(cell);
             under(cell, "errors");
             Protocol.Answer known = schedule.foregone(cell);
+            if (known == null) {
+                // An error run has a time limit, which would punish who compiles while it runs.
+                warmUp(process, cell);
+            }
             long start = System.nanoTime();
             Protocol.Answer answer =
                     known != null ? known : ask(process, cell, plan.judgeSeconds());
@@ -183,14 +188,18 @@ final class Campaign {
         EngineProcess process = Objects.requireNonNull(processes.get(cell.engine()));
         under(cell, "round " + (cell.round() + 1));
         long start = System.nanoTime();
-        if (warm.putIfAbsent(cell.engine(), true) == null) {
-            ask(process, warmUp(cell), plan.warmSeconds());
-        }
+        warmUp(process, cell);
         put(cell, ask(process, cell, plan.seconds()), start, 1);
         done(estimate);
     }
 
-    private Cell warmUp(Cell cell) {
+    private void warmUp(EngineProcess process, Cell cell) {
+        if (warm.putIfAbsent(cell.engine(), true) == null) {
+            ask(process, warmCell(cell), plan.warmSeconds());
+        }
+    }
+
+    private Cell warmCell(Cell cell) {
         int middle = plan.substeps().get(plan.substeps().size() / 2);
         PeerSettings peer =
                 new PeerSettings(
