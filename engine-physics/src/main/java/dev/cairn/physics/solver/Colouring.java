@@ -50,7 +50,7 @@ final class Colouring {
             still = new int[n];
         }
         if (colour.length < rows) {
-            colour = new int[Math.max(rows, colour.length + (colour.length >> 1))];
+            colour = new int[Math.max(rows, Math.max(64, colour.length + (colour.length >> 1)))];
         }
         Arrays.fill(used, 0, slots, 0L);
         Arrays.fill(usedCold, 0, slots, 0L);

@@ -77,8 +77,10 @@ final class Renewal {
      */
     boolean list(ConstraintRows rows, ContactStore c, BodyStore b, double gravity) {
         count = 0;
-        if (renewed.length < rows.places) {
+        if (renewed.length < rows.unloaded.length) {
+            // With the rows, so that a scene that gets wilder later allocates nothing.
             renewed = new int[rows.unloaded.length];
+            kept = new double[rows.unloaded.length * KEPT];
         }
         Arrays.fill(renewed, 0, rows.places, 0);
         for (int m = 0; m < rows.count; m++) {
@@ -91,9 +93,6 @@ final class Renewal {
                     || (moves && passes(b, i, j, gravity))) {
                 renewed[rows.place[m]] = ++count;
             }
-        }
-        if (kept.length < count * KEPT) {
-            kept = new double[Math.max(count * KEPT, 2 * kept.length)];
         }
         for (int place = 0; count > 0 && place < rows.places; place++) {
             if (renewed[place] > 0) {
