@@ -17,7 +17,9 @@ import java.util.Arrays;
  * body that turns gets the root of its present inertia, and a row of such a body, or of two that
  * pass each other, gets levers of now: corners turn with their body, points of round bodies stay
  * where they are in the world, and two bodies that move share one point. Then no angular momentum
- * is made. Normals and tangents stay those of the tick's start.
+ * is made. Normals and tangents stay those of the tick's start; so two bodies that bounce keep
+ * their own points, else balls would leave an impact with a spin, and a gas of them lose its
+ * energy.
  *
  * <p>Who is slower than 0.045 of {@code sqrt(g r)} (0.1 m/s for a cube of 1 m) is left alone, so
  * that what rests or creeps pays one comparison a row; without gravity all that moves is renewed. A
@@ -87,7 +89,10 @@ final class Renewal {
             int source = rows.source[m];
             int i = c.bodyA[source];
             int j = c.bodyB[source];
-            boolean moves = b.kind[i] == BodyStore.DYNAMIC && b.kind[j] == BodyStore.DYNAMIC;
+            boolean moves =
+                    b.kind[i] == BodyStore.DYNAMIC
+                            && b.kind[j] == BodyStore.DYNAMIC
+                            && c.restitution[source] == 0;
             if ((b.kind[i] == BodyStore.DYNAMIC && turns[i])
                     || (b.kind[j] == BodyStore.DYNAMIC && turns[j])
                     || (moves && passes(b, i, j, gravity))) {
@@ -234,7 +239,7 @@ final class Renewal {
         int k = c.bodyB[source];
         boolean turnsA = a != 0 && turns[i] && isCornered(b, i);
         boolean turnsB = e != 0 && turns[k] && isCornered(b, k);
-        double half = a != 0 && e != 0 ? 0.5 : 0;
+        double half = a != 0 && e != 0 && c.restitution[source] == 0 ? 0.5 : 0;
         int pa = a + SolverBodies.P;
         int pb = e + SolverBodies.P;
         double mx = s.state[pb] - s.state[pa];
