@@ -104,9 +104,12 @@ final class Worker {
                 if (!judge.tick(peer)) {
                     failure = "a pose is not a number, tick " + tick;
                 } else if (stepped > request.seconds() * 1e9 && tick < scene.ticks()) {
-                    failure =
-                            "too slow: stopped after %.0f s at tick %d of %d"
+                    String stop =
+                            "stopped after %.0f s at tick %d of %d"
                                     .formatted(stepped / 1e9, tick, scene.ticks());
+                    // What has fallen is slow because it fell: more sub-steps may hold it.
+                    String fell = failure(scene, judge.error());
+                    failure = fell == null ? "too slow: " + stop : fell + "; " + stop;
                 }
             }
             int bodies = judge.description().movable();
