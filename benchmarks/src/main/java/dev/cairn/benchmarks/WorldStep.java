@@ -1,12 +1,8 @@
 package dev.cairn.benchmarks;
 
-import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.StepStage;
 import dev.cairn.samples.SampleScene;
-import dev.cairn.samples.SceneBuilder;
-import dev.cairn.samples.SceneOptions;
-import dev.cairn.samples.SceneRegistry;
 
 import org.openjdk.jmh.annotations.AuxCounters;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -23,7 +19,6 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
-import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
 /**
@@ -36,7 +31,6 @@ import java.util.concurrent.TimeUnit;
 @Measurement(iterations = 5, time = 2)
 @Fork(value = 1, jvmArgsAppend = "--add-modules=jdk.incubator.vector")
 public class WorldStep {
-    private static final int SETTLING_STEPS = 120;
     private static final double MICROS = 1e6;
 
     /** A settled scene. */
@@ -68,39 +62,7 @@ public class WorldStep {
         @Setup
         public void build() {
             world.close();
-            world =
-                    PhysicsWorld.builder()
-                            .gravity(0, -SampleScene.GRAVITY, 0)
-                            .workers(workers)
-                            .settings(PhysicsSettings.DEFAULT.withLanes(lanes))
-                            .substeps(substeps)
-                            .sleeping(false)
-                            .build();
-            SampleScene chosen = SceneRegistry.get(scene);
-            chosen.build(
-                    new SceneBuilder(
-                            world,
-                            SceneOptions.of(chosen, sized(), SceneOptions.DEFAULT_SEED, null)));
-            for (int step = 0; step < SETTLING_STEPS; step++) {
-                world.step(SampleScene.STEP_SECONDS);
-            }
-        }
-
-        private Map<String, String> sized() {
-            if (bodies == 0) {
-                return Map.of();
-            }
-            // base (base + 1) / 2 boxes in a pyramid, side^2 layers bodies in a pile
-            long base = Math.max(1, Math.round((Math.sqrt(8.0 * bodies + 1) - 1) / 2));
-            long side = Math.max(1, Math.round(Math.cbrt(bodies)));
-            long layers = Math.max(1, Math.round((double) bodies / (side * side)));
-            long pyramids = Math.max(1, Math.round(Math.sqrt(bodies / 55.0)));
-            return switch (scene) {
-                case "pyramid" -> Map.of("base", Long.toString(base));
-                case "many-pyramids" -> Map.of("side", Long.toString(pyramids), "base", "10");
-                case "stack-4" -> Map.of("boxes", "4");
-                default -> Map.of("side", Long.toString(side), "layers", Long.toString(layers));
-            };
+            world = SettledScenes.build(scene, bodies, substeps, workers, lanes);
         }
 
         /** Ends the world. */

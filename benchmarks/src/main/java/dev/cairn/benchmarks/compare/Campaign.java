@@ -29,6 +29,8 @@ final class Campaign {
 
     private static final int JUDGES = 2;
 
+    private static final double START_SECONDS = 1.4;
+
     /** After so many crashes or silences an engine is left out of the scenes that are left. */
     private static final int MOST_DEATHS = 5;
 
@@ -71,8 +73,10 @@ final class Campaign {
             }
             seconds += pending;
             if (pending > 0) {
-                // Each engine's JVM starts and warms up; a third of the limit is usual.
-                seconds += plan.engines().size() * (0.7 + plan.warmSeconds() / 3);
+                for (Engine engine : plan.engines()) {
+                    // Its JVM starts and warms up, two at a time.
+                    seconds += (START_SECONDS + plan.warmSeconds(engine)) / judges();
+                }
             }
         }
         return seconds;
@@ -195,7 +199,7 @@ final class Campaign {
 
     private void warmUp(EngineProcess process, Cell cell) {
         if (warm.putIfAbsent(cell.engine(), true) == null) {
-            ask(process, warmCell(cell), plan.warmSeconds());
+            ask(process, warmCell(cell), plan.warmSeconds(cell.engine()));
         }
     }
 
@@ -277,9 +281,15 @@ final class Campaign {
                     }
                 }
                 if (judged != null) {
+                    boolean alone = peer.workers() == plan.workers().getFirst();
                     points.add(
                             new Results.Point(
-                                    scene.id(), parameters, engine, peer, judged, rounds));
+                                    scene.id(),
+                                    parameters,
+                                    engine,
+                                    peer,
+                                    alone ? judged : judged.withoutErrors(),
+                                    rounds));
                 }
             }
             Map<String, Double> errors = new LinkedHashMap<>();
@@ -294,7 +304,7 @@ final class Campaign {
                 budgets.add(new Budget(scene.id(), engine, errors));
             }
             Protocol.Answer cold = schedule.cold(scene, engine);
-            if (cold != null && cold.failure() == null) {
+            if (cold != null && cold.failure() == null && !cold.cold().isEmpty()) {
                 colds.add(new Results.Cold(scene.id(), engine, cold.cold()));
             }
         }

@@ -96,7 +96,7 @@ final class Charts {
                     case PHYSX -> SeriesMarkers.TRIANGLE_UP;
                     case ODE4J -> SeriesMarkers.TRIANGLE_DOWN;
                     case JBULLET -> SeriesMarkers.PLUS;
-                    case BOX3D -> SeriesMarkers.CROSS;
+                    case BOX3D -> SeriesMarkers.TRAPEZOID;
                 });
     }
 
@@ -112,7 +112,10 @@ final class Charts {
         return StrictMath.pow(10, rounding.applyAsDouble(StrictMath.log10(value)));
     }
 
-    /** Draws wall time of a tick against workers, of the points with one number of sub-steps. */
+    /**
+     * Draws wall time of a tick against workers, of the points with one number of sub-steps and of
+     * the engines that have several workers.
+     */
     static String scaling(String title, List<Results.Point> points) throws IOException {
         XYChart chart =
                 chart(title, "workers (threads)", "wall time of a tick, ms   (down is better)");
@@ -123,18 +126,17 @@ final class Charts {
                         .put(point.workers(), point.medianMillis());
             }
         }
+        curves.values().removeIf(curve -> curve.size() < 2);
         curves.forEach((engine, curve) -> {
             double[] x = curve.keySet().stream().mapToDouble(Integer::doubleValue).toArray();
             double[] y = curve.values().stream().mapToDouble(Double::doubleValue).toArray();
             paint(chart.addSeries(engine.title(), x, y), engine, false);
         });
-        chart.getStyler().setYAxisLogarithmic(true);
-        chart.getStyler().setXAxisMin(0.5);
         int most = curves.values().stream().mapToInt(TreeMap::lastKey).max().orElse(1);
-        chart.getStyler().setXAxisMax(most + 0.5);
-        // Whole numbers only: the other ticks of the axis have no label.
+        chart.getStyler().setXAxisMin(0.0).setXAxisMax(most + 1.0).setYAxisMin(0.0);
+        // XChart widens the spacing of ticks until no label comes twice: here, to whole numbers.
         chart.setCustomXAxisTickLabelsFormatter(
-                x -> Math.abs(x - Math.rint(x)) < 1e-6 ? String.valueOf(Math.round(x)) : " ");
+                x -> x < 0.5 ? " " : x > most + 0.5 ? "  " : String.valueOf(Math.round(x)));
         chart.setCustomYAxisTickLabelsFormatter(Html::number);
         return svg(chart);
     }

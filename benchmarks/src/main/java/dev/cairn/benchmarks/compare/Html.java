@@ -25,13 +25,23 @@ final class Html {
 
     /** Begins a table; names that begin with a blank head columns of text. */
     Html table(List<String> columns) {
-        out.append("<table><tr>");
+        return table("", columns);
+    }
+
+    /** The same of a class of the style sheet. */
+    Html table(String style, List<String> columns) {
+        out.append("<div class=\"wide\"><table class=\"").append(style).append("\"><tr>");
         for (String column : columns) {
             boolean words = column.startsWith(" ");
             out.append(words ? "<th class=\"text\">" : "<th>").append(text(column.strip()));
             out.append("</th>");
         }
         out.append("</tr>\n");
+        return this;
+    }
+
+    Html endTable() {
+        out.append("</table></div>\n");
         return this;
     }
 

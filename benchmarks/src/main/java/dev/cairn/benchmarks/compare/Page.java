@@ -25,6 +25,8 @@ final class Page {
                    vertical-align: top; white-space: nowrap }
             th, .text { white-space: normal } th { border-bottom: 2px solid #888; font-weight: bold }
             table.facts th { border-bottom: 1px solid #ddd }
+            table.points td:first-child { white-space: nowrap } table.points th { min-width: 4.5em }
+            table.points th:nth-child(2) { min-width: 1em } .wide { overflow-x: auto }
             .text { text-align: left } .failed { color: #b00020 } summary { cursor: pointer }
             p.note { color: #555; font-size: 14px }
             """;
@@ -147,7 +149,7 @@ final class Page {
         SceneTables.points(html, scene, points);
         for (int count : workers) {
             if (count != first) {
-                html.add("<p>" + count + " workers:</p>\n");
+                html.add("<p>" + count + " workers, times only; the errors are those above:</p>\n");
                 SceneTables.points(
                         html,
                         scene,
@@ -158,7 +160,8 @@ final class Page {
         html.add(" engine counts them; – where it does not say. * more than 5 % off the median of");
         html.add(" the column: not the same work, so compare the times with care. <b>Bold</b>: no");
         html.add(" other point is both cheaper and more accurate. CPU time of what was stopped as");
-        html.add(" too slow is the wall time of its error run.</p>\n</details>\n");
+        html.add(" too slow is that of its error run, or of what was expected of it.</p>\n");
+        html.add("</details>\n");
         scaling(scene, all, workers);
     }
 
@@ -193,10 +196,10 @@ final class Page {
                 Charts.scaling(
                         scene.title() + ", N = " + n,
                         all.stream().filter(point -> point.substeps() == n).toList()));
-        html.add("<p class=\"note\">Median wall time of a tick, median of the rounds. An engine");
-        html.add(" with a single point has no threads in the build that is used here. Default");
-        html.add(" settings. On a machine with as many cores as workers, whatever else runs");
-        html.add(" shows here first.</p>\n");
+        html.add("<p class=\"note\">Median wall time of a tick, median of the rounds; default");
+        html.add(" settings; linear axes from 0. Engines that have no threads in the build used");
+        html.add(" here are left out. On a machine with as many cores as workers, whatever else");
+        html.add(" runs shows here first.</p>\n");
     }
 
     private static boolean overlaps(List<Results.Point> points) {
@@ -244,7 +247,7 @@ final class Page {
                             : String.format(Locale.ROOT, "%.2f", row.order() + 0.0));
             html.words(row.source()).add("</tr>\n");
         }
-        html.add("</table>\n");
+        html.endTable();
     }
 
     private void budgets() {
@@ -272,7 +275,7 @@ final class Page {
             columns.forEach(column -> html.cell(budget.errors().get(column)));
             html.add("</tr>\n");
         }
-        html.add("</table>\n");
+        html.endTable();
     }
 
     private void cold() throws IOException {
@@ -311,15 +314,17 @@ final class Page {
             html.add(String.join(";<br/>", notes.stream().map(Html::text).toList()));
             html.add("</td></tr>\n");
         }
-        html.add("</table>\n");
+        html.endTable();
     }
 
     private void facts(String id, String title, Map<String, String> facts) {
-        html.add("<h2 id=\"" + id + "\">").say(title).add("</h2>\n<table class=\"facts\">\n");
+        html.add("<h2 id=\"" + id + "\">")
+                .say(title)
+                .add("</h2>\n<div class=\"wide\"><table class=\"facts\">\n");
         facts.forEach((name, value) -> {
             html.add("<tr><th class=\"text\">").say(name).add("</th>");
             html.words(value).add("</tr>\n");
         });
-        html.add("</table>\n");
+        html.add("</table></div>\n");
     }
 }

@@ -5,6 +5,7 @@ import dev.cairn.benchmarks.peer.PeerSettings.Tuning;
 
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -18,7 +19,7 @@ import java.util.Map;
  * @param rounds timed runs per point, at most
  * @param seconds stepped per timed run, at least; more only where one run of the scene takes more
  * @param pointSeconds CPU time after which a point gets no further round
- * @param warmSeconds warm-up per engine and scene, at most
+ * @param warmSeconds warm-up per engine and scene, at most; native engines need less
  * @param judgeSeconds stepped per error run, at most
  * @param coldSeconds length of a cold start, 0 for none
  * @param budget whether errors are taken apart
@@ -37,12 +38,19 @@ record Plan(
         double coldSeconds,
         boolean budget) {
 
+    private static final double NATIVE_WARM_SECONDS = 1;
+
     Plan {
         scenes = List.copyOf(scenes);
         engines = List.copyOf(engines);
         tunings = List.copyOf(tunings);
         workers = List.copyOf(workers);
         substeps = List.copyOf(substeps);
+    }
+
+    /** Native code is compiled already: only the calls into it have to be. */
+    double warmSeconds(Engine engine) {
+        return engine.isJava() ? warmSeconds : Math.min(warmSeconds, NATIVE_WARM_SECONDS);
     }
 
     /** Returns what the measurements depend on, besides the cell itself. */
@@ -65,17 +73,28 @@ record Plan(
         words.put("workers", workers + "; more than one in scenes of many bodies, at N = 4");
         words.put(
                 "timed rounds, interleaved over the engines",
-                "%d; no further one once a point has %s s of CPU time"
-                        .formatted(rounds, pointSeconds));
+                String.format(
+                        Locale.ROOT,
+                        "%d at most; no further one once a point has %s s of CPU time, or %d rounds"
+                                + " whose median is known to %.0f %% (two standard errors)",
+                        rounds,
+                        pointSeconds,
+                        Schedule.FEWEST_ROUNDS,
+                        100 * Schedule.AGREEMENT));
         words.put("a timed round", "whole runs of the scene, until " + seconds + " s are stepped");
         words.put(
                 "an error run",
                 "is stopped after "
                         + judgeSeconds
-                        + " s of steps; larger N of the same engine are then left out");
+                        + " s of steps; larger N of the same engine are then left out, and what"
+                        + " would take longer by the times of the two N before it");
         words.put(
                 "warm-up per engine and scene",
-                "until three windows agree within 2 %, at most " + warmSeconds + " s");
+                "until three windows agree within 2 %, at most "
+                        + warmSeconds
+                        + " s; native engines "
+                        + Math.min(warmSeconds, NATIVE_WARM_SECONDS)
+                        + " s");
         return words;
     }
 }

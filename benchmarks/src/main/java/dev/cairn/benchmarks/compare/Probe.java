@@ -11,10 +11,22 @@ import java.util.Map;
 
 /** Measures this engine alone, within the calling JVM, by the report's own code. One thread. */
 public final class Probe {
+    /** Flags of the JVM that a measurement runs in, those of the report's engines. */
+    public static final List<String> JVM_FLAGS = EngineProcess.FLAGS;
+
     private final Worker worker = new Worker(Engine.CAIRN);
 
     /** Starts cold. */
     public Probe() {}
+
+    /**
+     * The processor's name.
+     *
+     * @return as the system tells it
+     */
+    public static String processor() {
+        return Machine.processor();
+    }
 
     /**
      * One setting's figures.

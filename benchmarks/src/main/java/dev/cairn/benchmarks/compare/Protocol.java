@@ -84,6 +84,33 @@ final class Protocol {
                     List.of(), List.of());
         }
 
+        /** What is too slow by expectation, with its expected cost. */
+        static Answer slow(String why, int bodies, double micros) {
+            return new Answer(
+                    why, false, null, Map.of(), null, -1, -1, bodies, 0, micros, null, null, -1,
+                    List.of(), List.of());
+        }
+
+        /** The same without errors, overlaps and counts. */
+        Answer withoutErrors() {
+            return new Answer(
+                    failure,
+                    missing,
+                    null,
+                    Map.of(),
+                    null,
+                    -1,
+                    -1,
+                    bodies,
+                    ticks,
+                    cpuMicros,
+                    medianMillis,
+                    p99Millis,
+                    compilerShare,
+                    cold,
+                    notes);
+        }
+
         static Answer timed(
                 int bodies, long ticks, double cpu, double median, double p99, double compilers) {
             return new Answer(

@@ -2,6 +2,7 @@ package dev.cairn.benchmarks.compare;
 
 import com.google.gson.GsonBuilder;
 
+import dev.cairn.benchmarks.Spread;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.PeerSettings;
 
@@ -113,13 +114,10 @@ record Results(
                     found.add(one);
                 }
             }
-            if (found.isEmpty()) {
-                return Double.NaN;
+            if (found.isEmpty() || share == 0.5) {
+                return Spread.median(found);
             }
             double[] sorted = found.stream().mapToDouble(Double::doubleValue).sorted().toArray();
-            if (share == 0.5 && sorted.length % 2 == 0) {
-                return (sorted[sorted.length / 2 - 1] + sorted[sorted.length / 2]) / 2;
-            }
             return sorted[(int) Math.round(share * (sorted.length - 1))];
         }
     }

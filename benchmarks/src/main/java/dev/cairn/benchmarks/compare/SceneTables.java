@@ -61,7 +61,7 @@ final class SceneTables {
             }
             html.add("</tr>\n");
         }
-        html.add("</table>\n");
+        html.endTable();
     }
 
     private static double least(Map<Engine, Results.Point> row, boolean ofErrors) {
@@ -118,6 +118,7 @@ final class SceneTables {
     /** A row per point. */
     static void points(Html html, Case scene, List<Results.Point> points) {
         html.table(
+                "points",
                 List.of(
                         " engine",
                         "N",
@@ -145,13 +146,13 @@ final class SceneTables {
             }
             html.cell(point.cpuMicros());
             html.cell(
-                    point.rounds().isEmpty()
+                    Double.isNaN(point.cpuLow())
                             ? "–"
                             : Html.number(point.cpuLow()) + " … " + Html.number(point.cpuHigh()));
             html.cell(Integer.toString(point.rounds().size()));
             html.cell(point.medianMillis()).cell(point.p99Millis()).add("</tr>\n");
         }
-        html.add("</table>\n");
+        html.endTable();
     }
 
     /** Says whether no other point is at least as good in both and better in one. */

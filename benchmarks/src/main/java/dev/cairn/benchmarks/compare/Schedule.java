@@ -1,5 +1,6 @@
 package dev.cairn.benchmarks.compare;
 
+import dev.cairn.benchmarks.Spread;
 import dev.cairn.benchmarks.peer.Engine;
 import dev.cairn.benchmarks.peer.PeerSettings;
 import dev.cairn.benchmarks.peer.PeerSettings.Tuning;
@@ -9,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -19,6 +21,15 @@ final class Schedule {
     static final int BASE_SUBSTEPS = 4;
     private static final int REFINED = 16;
     private static final int MORE_ITERATIONS = 8;
+
+    /** Rounds of a point end when two standard errors of their median are below this share. */
+    static final double AGREEMENT = 0.02;
+
+    /** And there are so many: the deviation of fewer says little. */
+    static final int FEWEST_ROUNDS = 4;
+
+    /** What is expected to take longer than this times the limit is not tried. */
+    private static final double PREDICTION_MARGIN = 1.2;
 
     private final Plan plan;
     private final CellStore store;
@@ -45,7 +56,9 @@ final class Schedule {
     List<Cell> errors(Case scene, Engine engine) {
         List<Cell> cells = new ArrayList<>();
         for (PeerSettings peer : settings(scene, engine)) {
-            cells.add(new Cell(scene, engine, peer, Protocol.Kind.JUDGE, 0));
+            if (peer.workers() == plan.workers().getFirst()) {
+                cells.add(new Cell(scene, engine, peer, Protocol.Kind.JUDGE, 0));
+            }
         }
         for (PeerSettings peer : refinements(scene, engine).values()) {
             cells.add(new Cell(scene, engine, peer, Protocol.Kind.JUDGE, 0));
@@ -162,11 +175,15 @@ final class Schedule {
     }
 
     /**
-     * Says what would be known without an error run: the engine is not there, or was already too
-     * slow with fewer sub-steps and no more iterations.
+     * Says what is known without an error run: the engine is not there, was too slow already with
+     * fewer sub-steps and no more iterations, or will be by what the two numbers below took.
      */
     Protocol.@Nullable Answer foregone(Cell cell) {
         PeerSettings wanted = cell.peer();
+        Protocol.Answer before = null;
+        Protocol.Answer last = null;
+        int beforeSubsteps = 0;
+        int lastSubsteps = 0;
         for (Cell other : errors(cell.scene(), cell.engine())) {
             Protocol.Answer known = store.get(other.key());
             if (known == null) {
@@ -176,21 +193,78 @@ final class Schedule {
                 return known;
             }
             PeerSettings peer = other.peer();
-            if (Results.tooSlow(known)
-                    && peer.tuning() == wanted.tuning()
-                    && peer.workers() == wanted.workers()
-                    && peer.substeps() <= wanted.substeps()
-                    && peer.iterationFactor() <= wanted.iterationFactor()) {
+            if (Results.tooSlow(known) && costsNoMore(peer, wanted)) {
                 return Protocol.Answer.failed(
-                        "not run: N = %d was too slow".formatted(peer.substeps()), false);
+                        "not run: N = %d%s was too slow"
+                                .formatted(
+                                        peer.substeps(),
+                                        peer.tuning() == wanted.tuning()
+                                                ? ""
+                                                : " with default settings"),
+                        false);
+            }
+            boolean alike =
+                    peer.tuning() == wanted.tuning()
+                            && peer.workers() == wanted.workers()
+                            && peer.iterationFactor() == wanted.iterationFactor()
+                            && peer.collisionsPerTick() == wanted.collisionsPerTick();
+            if (alike && peer.substeps() < wanted.substeps() && peer.substeps() > lastSubsteps) {
+                before = last;
+                beforeSubsteps = lastSubsteps;
+                last = known;
+                lastSubsteps = peer.substeps();
             }
         }
-        return null;
+        return before == null || last == null
+                ? null
+                : expected(before, beforeSubsteps, last, lastSubsteps, wanted.substeps());
+    }
+
+    /** Best effort is more work than the default settings, at the same N. */
+    private static boolean costsNoMore(PeerSettings known, PeerSettings wanted) {
+        return (known.tuning() == wanted.tuning() || known.tuning() == Tuning.DEFAULT)
+                && known.workers() == wanted.workers()
+                && known.substeps() <= wanted.substeps()
+                && known.iterationFactor() <= wanted.iterationFactor();
+    }
+
+    /**
+     * Goes on in a straight line from the times of two numbers of sub-steps; returns null where
+     * that ends below the limit, or where one of the two fell, which changes what a step costs.
+     */
+    private Protocol.@Nullable Answer expected(
+            Protocol.Answer first, int n1, Protocol.Answer second, int n2, int n) {
+        Double micros1 = first.cpuMicros();
+        Double micros2 = second.cpuMicros();
+        if (first.failure() != null
+                || second.failure() != null
+                || micros1 == null
+                || micros2 == null) {
+            return null;
+        }
+        double micros = micros2 + (micros2 - micros1) * (n - n2) / (n2 - n1);
+        double seconds = micros * 1e-6 * second.bodies() * second.ticks();
+        if (seconds <= plan.judgeSeconds() * PREDICTION_MARGIN) {
+            return null;
+        }
+        return Protocol.Answer.slow(
+                String.format(
+                        Locale.ROOT,
+                        "too slow: %.0f s expected from %.1f s at N = %d and %.1f s at N = %d, the"
+                                + " limit is %.0f s",
+                        seconds,
+                        micros1 * 1e-6 * first.bodies() * first.ticks(),
+                        n1,
+                        micros2 * 1e-6 * second.bodies() * second.ticks(),
+                        n2,
+                        plan.judgeSeconds()),
+                second.bodies(),
+                micros);
     }
 
     /**
      * Says whether a timed run adds something: not where the error run says that there is nothing
-     * to time, and not where the rounds before it have run for long enough.
+     * to time, and not where the rounds before it have run for long enough or agree.
      */
     boolean isWorthTiming(Cell cell) {
         Protocol.Answer judged = judged(cell.scene(), cell.engine(), cell.peer());
@@ -198,16 +272,26 @@ final class Schedule {
             return false;
         }
         double spent = 0;
+        List<Double> rounds = new ArrayList<>();
         for (int round = 0; round < cell.round(); round++) {
             Protocol.Answer timed = timed(cell.scene(), cell.engine(), cell.peer(), round);
             Double micros = timed == null ? null : timed.cpuMicros();
-            spent += timed == null || micros == null ? 0 : micros * timed.ticks() * timed.bodies();
+            if (timed != null && micros != null) {
+                spent += micros * timed.ticks() * timed.bodies();
+                rounds.add(micros);
+            }
         }
-        return spent / 1e6 < plan.pointSeconds();
+        return spent / 1e6 < plan.pointSeconds()
+                && (rounds.size() < FEWEST_ROUNDS || 2 * Spread.error(rounds) >= AGREEMENT);
     }
 
+    /**
+     * The error run of a point. With more workers than the first number that is that of the first:
+     * only times are taken then.
+     */
     Protocol.@Nullable Answer judged(Case scene, Engine engine, PeerSettings peer) {
-        return store.get(new Cell(scene, engine, peer, Protocol.Kind.JUDGE, 0).key());
+        PeerSettings alone = peer.withWorkers(plan.workers().getFirst());
+        return store.get(new Cell(scene, engine, alone, Protocol.Kind.JUDGE, 0).key());
     }
 
     Protocol.@Nullable Answer timed(Case scene, Engine engine, PeerSettings peer, int round) {

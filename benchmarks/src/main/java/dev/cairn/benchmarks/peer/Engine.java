@@ -87,6 +87,15 @@ public enum Engine {
     }
 
     /**
+     * Says whether it runs in the JVM, whose compiler needs a while.
+     *
+     * @return false for native code
+     */
+    public boolean isJava() {
+        return this == CAIRN || this == ODE4J || this == JBULLET;
+    }
+
+    /**
      * How many threads the build of the engine that is used here can step with.
      *
      * @return at least 1

@@ -47,6 +47,17 @@ public record PeerSettings(
         this(workers, substeps, counting, tuning, 1, 1);
     }
 
+    /**
+     * The same with another number of threads.
+     *
+     * @param count threads that step, at least 1
+     * @return a copy
+     */
+    public PeerSettings withWorkers(int count) {
+        return new PeerSettings(
+                count, substeps, counting, tuning, iterationFactor, collisionsPerTick);
+    }
+
     /** Whose settings an engine runs with. */
     public enum Tuning {
         /** The engine's own. */

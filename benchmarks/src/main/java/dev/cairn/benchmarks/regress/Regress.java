@@ -1,7 +1,10 @@
 package dev.cairn.benchmarks.regress;
 
+import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
 
+import dev.cairn.benchmarks.Main;
+import dev.cairn.benchmarks.Spread;
 import dev.cairn.benchmarks.compare.Probe;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.samples.SampleScene;
@@ -22,10 +25,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
+import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 
@@ -39,8 +43,12 @@ public final class Regress implements Callable<Integer> {
     private static final int DIGEST_TICKS = 120;
 
     /** What is judged: a scene of the report, the error wanted, the cost allowed. */
-    private record Subject(
-            String scene, Map<String, String> settings, double tolerance, double budgetMicros) {}
+    record Subject(
+            String scene, Map<String, String> settings, double tolerance, double budgetMicros) {
+        String name() {
+            return scene + (settings.isEmpty() ? "" : new TreeMap<>(settings).toString());
+        }
+    }
 
     private static final List<Subject> SUBJECTS =
             List.of(
@@ -63,11 +71,28 @@ public final class Regress implements Callable<Integer> {
     private @Nullable Path against;
 
     @Option(
+            names = "--runs",
+            paramLabel = "N",
+            defaultValue = "5",
+            description = "runs, each in a JVM of its own, default: ${DEFAULT-VALUE}")
+    private int runs = 5;
+
+    @Option(
             names = "--rounds",
             paramLabel = "N",
-            defaultValue = "9",
-            description = "timed rounds, default: ${DEFAULT-VALUE}")
-    private int rounds = 9;
+            defaultValue = "3",
+            description = "timed rounds of a run, default: ${DEFAULT-VALUE}")
+    private int rounds = 3;
+
+    @Option(names = "--add", description = "adds runs to those that this commit has already")
+    private boolean add;
+
+    @Option(
+            names = "--one-run",
+            hidden = true,
+            paramLabel = "FILE",
+            description = "measures once, in this JVM, and writes the figures to this file")
+    private @Nullable Path oneRun;
 
     private final PrintStream err = System.err;
 
@@ -84,23 +109,36 @@ public final class Regress implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        if (runs < 1 || rounds < 1) {
+            err.printf("--runs %d, --rounds %d: counts start at 1%n", runs, rounds);
+            return CommandLine.ExitCode.USAGE;
+        }
+        if (oneRun != null) {
+            write(measure(), oneRun);
+            return CommandLine.ExitCode.OK;
+        }
         Files.createDirectories(folder);
-        Headline now = new Headline(commit(), machine(), figures());
-        Path file = folder.resolve(now.commit().replace("+", "-changed") + ".json");
+        Path file = folder.resolve(commit().replace("+", "-changed") + ".json");
+        Headline now = add && Files.exists(file) ? read(file) : null;
+        for (int run = 0; run < runs; run++) {
+            err.printf("run %d of %d%n", run + 1, runs);
+            Headline one = fork();
+            now = now == null ? one : now.with(one);
+        }
+        write(Objects.requireNonNull(now), file);
         Path before = against != null ? against : newestBut(file);
-        Files.writeString(file, new GsonBuilder().setPrettyPrinting().create().toJson(now) + "\n");
         System.out.println(file);
         if (before == null) {
             System.out.println("nothing to compare with yet");
             return CommandLine.ExitCode.OK;
         }
-        Headline earlier =
-                new GsonBuilder()
-                        .create()
-                        .fromJson(Files.readString(before, StandardCharsets.UTF_8), Headline.class);
-        System.out.printf("%ncommit %s against %s%n%n", now.commit(), earlier.commit());
+        Headline earlier = read(before);
+        System.out.printf(
+                "%ncommit %s, %d runs, against %s, %d runs; us: microseconds of CPU per body and"
+                        + " tick%n%n",
+                now.commit(), now.runs(), earlier.commit(), earlier.runs());
         System.out.println("| figure | before | now | |\n|---|---|---|---|");
-        for (Headline.Line line : now.against(earlier)) {
+        for (Headline.Line line : now.against(earlier, SUBJECTS)) {
             System.out.printf(
                     "| %s | %s | %s | %s |%n",
                     line.name(), line.before(), line.now(), line.verdict());
@@ -108,71 +146,66 @@ public final class Regress implements Callable<Integer> {
         return CommandLine.ExitCode.OK;
     }
 
-    private Map<String, Headline.Figure> figures() {
+    private static Headline read(Path file) throws IOException {
+        Headline known =
+                new Gson().fromJson(Files.readString(file, StandardCharsets.UTF_8), Headline.class);
+        if (known == null || known.points() == null) {
+            throw new IOException(file + " holds no figures of this version of regress");
+        }
+        return known;
+    }
+
+    private static void write(Headline headline, Path file) throws IOException {
+        Files.writeString(
+                file, new GsonBuilder().setPrettyPrinting().create().toJson(headline) + "\n");
+    }
+
+    /** Measures in a JVM of its own: another one compiles the same code in another order. */
+    private Headline fork() throws IOException {
+        Path file = Files.createTempFile("regress", ".json");
+        try {
+            List<String> command = new ArrayList<>();
+            command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+            command.addAll(Probe.JVM_FLAGS);
+            command.addAll(List.of("-cp", System.getProperty("java.class.path")));
+            command.addAll(List.of(Main.class.getName(), "regress"));
+            command.addAll(List.of("--rounds", Integer.toString(rounds)));
+            command.addAll(List.of("--one-run", file.toString()));
+            int status = new ProcessBuilder(command).inheritIO().start().waitFor();
+            if (status != 0) {
+                throw new IOException("a run ended with status " + status);
+            }
+            return read(file);
+        } catch (InterruptedException stop) {
+            Thread.currentThread().interrupt();
+            throw new IOException("interrupted", stop);
+        } finally {
+            Files.delete(file);
+        }
+    }
+
+    private Headline measure() {
         Probe probe = new Probe();
-        Map<String, Headline.Figure> figures = new LinkedHashMap<>();
+        List<Headline.Point> points = new ArrayList<>();
         for (Subject subject : SUBJECTS) {
-            err.println(subject.scene());
             // The first run of each warms up; its times are thrown away.
             probe.run(subject.scene(), subject.settings(), 4, 3, 0.5);
-            List<Probe.Figures> curve = new ArrayList<>();
             for (int n : SUBSTEPS) {
-                curve.add(probe.run(subject.scene(), subject.settings(), n, rounds, 0.1));
+                Probe.Figures found =
+                        probe.run(subject.scene(), subject.settings(), n, rounds, 0.1);
+                points.add(
+                        new Headline.Point(
+                                subject.name(),
+                                n,
+                                Double.isNaN(found.error()) ? null : found.error(),
+                                List.of(Spread.median(found.cpuMicros()))));
             }
-            String name = subject.scene() + subject.settings().values();
-            figures.put(
-                    String.format(Locale.ROOT, "%s cost@%.0e", name, subject.tolerance()),
-                    costAt(curve, subject.tolerance()));
-            figures.put(
-                    String.format(Locale.ROOT, "%s err@%.0f us", name, subject.budgetMicros()),
-                    errorWithin(curve, subject.budgetMicros()));
         }
+        Map<String, String> digests = new TreeMap<>();
         for (String scene : List.of("pyramid", "room", "pile-mixed")) {
-            figures.put("digest " + scene, new Headline.Figure(null, 0, "", digest(scene)));
+            digests.put(scene, digest(scene));
         }
-        return figures;
-    }
-
-    /** Returns the cheapest cost of those that reach an error. */
-    static Headline.Figure costAt(List<Probe.Figures> curve, double tolerance) {
-        Double best = null;
-        double noise = 0;
-        for (Probe.Figures point : curve) {
-            double cost = median(point.cpuMicros());
-            if (point.error() <= tolerance && (best == null || cost < best)) {
-                best = cost;
-                noise = noise(point.cpuMicros());
-            }
-        }
-        return new Headline.Figure(best, noise, "us per body and tick", null);
-    }
-
-    /** Returns the smallest error of those that cost no more than allowed. */
-    static Headline.Figure errorWithin(List<Probe.Figures> curve, double budget) {
-        Double best = null;
-        for (Probe.Figures point : curve) {
-            if (median(point.cpuMicros()) <= budget && (best == null || point.error() < best)) {
-                best = Double.isNaN(point.error()) ? best : Double.valueOf(point.error());
-            }
-        }
-        return new Headline.Figure(best, 0, "", null);
-    }
-
-    static double median(List<Double> values) {
-        double[] sorted = values.stream().mapToDouble(Double::doubleValue).sorted().toArray();
-        int n = sorted.length;
-        return n % 2 == 1 ? sorted[n / 2] : (sorted[n / 2 - 1] + sorted[n / 2]) / 2;
-    }
-
-    /**
-     * Returns the standard error of the median as a share: 1.4826 x the median deviation is the
-     * standard deviation of what is normally distributed, and the median's error is 1.2533 x that
-     * over the root of the number (Kenney and Keeping 1962).
-     */
-    static double noise(List<Double> values) {
-        double median = median(values);
-        double deviation = median(values.stream().map(value -> Math.abs(value - median)).toList());
-        return 1.2533 * 1.4826 * deviation / Math.sqrt(values.size()) / median;
+        return new Headline(commit(), machine(), points, digests);
     }
 
     private static String digest(String id) {
@@ -217,7 +250,7 @@ public final class Regress implements Callable<Integer> {
     }
 
     private static String machine() {
-        return System.getProperty("os.arch")
+        return Probe.processor()
                 + ", Java "
                 + Runtime.version()
                 + ", "

@@ -3,8 +3,15 @@
  * with those of an earlier commit. A report for people, not a gate: it never fails a build.
  *
  * <p>Figures: cheapest cost that reaches an error (cost@tol), best error within a cost
- * (err@budget), and the digest of the state, which changes with any change of behaviour. Two costs
- * differ if they are further apart than three times their measured noise.
+ * (err@budget), the error at N = 4, and the digest of the state, which changes with any change of
+ * behaviour.
+ *
+ * <p>One JVM compiles the same code otherwise than the next, so a commit is measured in several,
+ * and a figure that hangs on a clock counts as changed only if every run of one commit lies beyond
+ * every run of the other, and the medians are 3 % apart. If nothing has changed, five runs and five
+ * come to lie so in 2 of the 252 orders that are possible, for each figure (Mann and Whitney 1947,
+ * the extreme of their U); this holds whatever the distribution is, as long as the runs of both are
+ * taken in turns.
  *
  * <p>Source: accuracy catalogue, section 3.1.
  */
