@@ -27,9 +27,9 @@ final class AccuracyTest {
             strings = {
                 "A1",
                 "A2",
-                "A3:attitude",
-                "A3:L",
+                "A3",
                 "A4",
+                "A4-60",
                 "A5:axis",
                 "A6",
                 "A7",

@@ -73,12 +73,12 @@ final class Motion {
         double h = t / substeps;
         if (driven) {
             spinUp(b, s, i, 0.5 * h);
-        }
-        for (int k = 0; k < substeps; k++) {
-            rotate(b, s, i, h);
-            if (driven) {
+            for (int k = 0; k < substeps; k++) {
+                rotate(b, s, i, h, 1);
                 spinUp(b, s, i, k + 1 == substeps ? 0.5 * h : h);
             }
+        } else {
+            rotate(b, s, i, h, substeps);
         }
         b.angularVelocityX[i] = w[o + V + 3];
         b.angularVelocityY[i] = w[o + V + 4];
@@ -133,17 +133,21 @@ final class Motion {
         s.state[o + 2] += z + qw * uz - (qx * uy - qy * ux);
     }
 
-    /** Free rotation by {@code h} of a body whose angular velocity is in the solver's state. */
-    private static void rotate(BodyStore b, SolverBodies s, int i, double h) {
+    /**
+     * Free rotation by {@code count} steps of {@code h} of a body whose angular velocity is in the
+     * solver's state.
+     */
+    private static void rotate(BodyStore b, SolverBodies s, int i, double h, int count) {
         int o = SolverBodies.offset(i) + V + 3;
         double[] w = s.state;
         if (w[o] == 0 && w[o + 1] == 0 && w[o + 2] == 0) {
             return;
         }
         if (s.axes.isotropic[i]) {
-            Rotation.turn(b, i, h * w[o], h * w[o + 1], h * w[o + 2]);
+            double t = h * count;
+            Rotation.turn(b, i, t * w[o], t * w[o + 1], t * w[o + 2]);
         } else {
-            Rotation.strang(b, i, s.axes.data, w, o, h);
+            Tumbling.turn(b, i, s.axes.data, w, o, h, count);
         }
     }
 
@@ -241,7 +245,7 @@ final class Motion {
         w[o] = x;
         w[o + 1] = y;
         w[o + 2] = z;
-        Rotation.strang(b, i, s.axes.data, w, o, h);
+        Tumbling.turn(b, i, s.axes.data, w, o, h, 1);
         s.weigh(i, w[o], w[o + 1], w[o + 2]);
         int m = (i + 1) * SolverBodies.HALF + 3;
         s.mark[m] += w[o] - u;

@@ -93,7 +93,29 @@ final class Rotation {
                 dw * qw - (dx * qx + dy * qy + dz * qz));
     }
 
-    private static void store(BodyStore bodies, int i, double x, double y, double z, double w) {
+    /** Turns the orientation of body {@code i} about its own axis of that number; exact. */
+    static void turnAboutOwn(BodyStore bodies, int i, int axis, double angle) {
+        double s = sin(0.5 * angle);
+        double c = cos(0.5 * angle);
+        double dx = axis == 0 ? s : 0;
+        double dy = axis == 1 ? s : 0;
+        double dz = axis == 2 ? s : 0;
+        double qx = bodies.orientationX[i];
+        double qy = bodies.orientationY[i];
+        double qz = bodies.orientationZ[i];
+        double qw = bodies.orientationW[i];
+        // q' = q d
+        store(
+                bodies,
+                i,
+                qw * dx + qx * c + (qy * dz - qz * dy),
+                qw * dy + qy * c + (qz * dx - qx * dz),
+                qw * dz + qz * c + (qx * dy - qy * dx),
+                qw * c - (qx * dx + qy * dy + qz * dz));
+    }
+
+    /** Sets the orientation of body {@code i} to a quaternion, made a unit one. */
+    static void store(BodyStore bodies, int i, double x, double y, double z, double w) {
         double k = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
         bodies.orientationX[i] = x * k;
         bodies.orientationY[i] = y * k;

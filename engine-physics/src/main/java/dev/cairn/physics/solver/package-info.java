@@ -16,7 +16,7 @@
  *     impacts  bounces, each at its own time, before anything is solved
  *     kick     v += h (g + f/m), then the warm start of all contacts of a body at once
  *     bias     normals, soft: overlap is pushed out, gaps close at most to zero
- *     drift    x += h v under load, the parabola without; free rotation by Strang splitting
+ *     drift    x += h v under load, the parabola without; free rotation, exact or of order 6
  *     renew    levers of now, for rows of bodies that turn or pass each other
  *     relax    normals, hard, without push; then twist and friction at the patch's centre
  *     finish   what the contacts did is the next warm start; bodies on one static contact: trapezoid
@@ -39,8 +39,9 @@
  *
  * <p>Sources: E. Catto, Solver2D and the Soft Step solver (2023-24); M. Macklin et al., "Small
  * Steps in Physics Simulation" (2019); E. Guendelman, R. Bridson, R. Fedkiw, "Nonconvex rigid
- * bodies with stacking" (2003) for impacts before contacts; R. McLachlan (1993) for the splitting;
- * M. Powell and M. Hestenes (1969) for the offset. Figures: {@code docs/solver.md}.
+ * bodies with stacking" (2003) for impacts before contacts; R. McLachlan, A. Zanna (2005) and E.
+ * Hairer, G. Vilmart (2006) for the rotation; M. Powell and M. Hestenes (1969) for the offset.
+ * Figures: {@code docs/solver.md}.
  */
 @NullMarked
 package dev.cairn.physics.solver;
