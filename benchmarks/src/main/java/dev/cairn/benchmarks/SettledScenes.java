@@ -1,7 +1,5 @@
 package dev.cairn.benchmarks;
 
-import com.sun.management.ThreadMXBean;
-
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.samples.SampleScene;
@@ -9,25 +7,14 @@ import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.SceneRegistry;
 
-import java.lang.management.ManagementFactory;
 import java.util.Map;
 
 /**
  * Scenes of the samples after two seconds of settling or more, sleep off; for the suites of whole
- * steps.
- *
- * <p>Vector kernels are warmed up by threads of their own, which put their vectors on the heap
- * until the compiler is through, some seconds on a quiet machine and many on a busy one. JMH's
- * {@code -prof gc} counts all threads. So a scene goes on until no thread allocates any more.
+ * steps. They go on until the vector kernels are warm, see {@link WarmUp}.
  */
 final class SettledScenes {
     private static final int SETTLING_STEPS = 120;
-
-    /** Fewer bytes in so many steps are the JVM's own doing. */
-    private static final long QUIET_BYTES = 64 * 1024;
-
-    private static final long MOST_NANOS = 60_000_000_000L;
-    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     private SettledScenes() {}
 
@@ -55,15 +42,11 @@ final class SettledScenes {
                         world,
                         SceneOptions.of(
                                 chosen, sized(scene, bodies), SceneOptions.DEFAULT_SEED, null)));
-        long start = System.nanoTime();
-        long bytes = Long.MAX_VALUE;
-        while (bytes > QUIET_BYTES && System.nanoTime() - start < MOST_NANOS) {
-            long before = THREADS.getTotalThreadAllocatedBytes();
+        WarmUp.untilQuiet(() -> {
             for (int step = 0; step < SETTLING_STEPS; step++) {
                 world.step(SampleScene.STEP_SECONDS);
             }
-            bytes = THREADS.getTotalThreadAllocatedBytes() - before;
-        }
+        });
         return world;
     }
 

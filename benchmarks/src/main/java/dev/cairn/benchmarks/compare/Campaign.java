@@ -178,7 +178,7 @@ final class Campaign {
             }
             long start = System.nanoTime();
             Protocol.Answer answer =
-                    known != null ? known : ask(process, cell, plan.judgeSeconds());
+                    known != null ? known : ask(process, cell, judgeSeconds(cell.scene()));
             put(cell, answer, start, judges());
             done(estimate);
         }
@@ -258,7 +258,11 @@ final class Campaign {
                         cell.scene().settings(),
                         cell.peer(),
                         seconds),
-                GRACE_SECONDS + 3 * Math.max(seconds, plan.judgeSeconds()));
+                GRACE_SECONDS + 3 * Math.max(seconds, judgeSeconds(cell.scene())));
+    }
+
+    private double judgeSeconds(Case scene) {
+        return plan.judgeSeconds(bodies.getOrDefault(scene.id(), 1));
     }
 
     private void collect(

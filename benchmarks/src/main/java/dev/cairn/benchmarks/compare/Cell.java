@@ -17,8 +17,14 @@ import java.util.Locale;
 record Cell(Case scene, Engine engine, PeerSettings peer, Protocol.Kind kind, int round) {
     private static final double BEST_FACTOR = 2.5;
 
-    /** Building, reading poses and looking for overlaps, per body and tick, s. */
+    /** After so many rounds the median of most points is known. */
+    private static final int USUAL_ROUNDS = 6;
+
+    /** Looking for overlaps, per body of a tick's share, s. */
     private static final double JUDGE_SECONDS = 4e-6;
+
+    /** Reading a pose and placing it, s. */
+    private static final double POSE_SECONDS = 1e-6;
 
     /** What tells this cell from all others, whatever the order in which they are measured. */
     String key() {
@@ -48,16 +54,19 @@ record Cell(Case scene, Engine engine, PeerSettings peer, Protocol.Kind kind, in
         }
         double tick = each * bodies * peer.substeps() * peer.iterationFactor();
         double whole = tick * scene.ticks();
+        double limit = plan.judgeSeconds(bodies);
         if (kind == Protocol.Kind.TIME) {
             double stepped = Math.max(plan.seconds(), whole);
-            boolean enough = round * stepped >= plan.pointSeconds();
-            return whole > plan.judgeSeconds() || (round > 0 && enough) ? 0 : stepped + 2 * tick;
+            boolean enough = round * stepped >= plan.pointSeconds() || round >= USUAL_ROUNDS;
+            return whole > limit || (round > 0 && enough) ? 0 : stepped + 2 * tick;
         }
-        if (peer.substeps() > 1 && whole / 2 > plan.judgeSeconds()) {
-            return 0; // fewer sub-steps were too slow already
+        boolean known = peer.substeps() > 2 && peer.iterationFactor() == 1;
+        if (peer.substeps() > 1 && whole / (known ? 1.2 : 2) > limit) {
+            return 0; // fewer sub-steps were too slow already, or tell that it will be
         }
-        double looks = JUDGE_SECONDS * scene.lookCost() * bodies * scene.ticks();
-        return Math.min(plan.judgeSeconds(), whole) + looks + 0.02;
+        double looked = Math.min(Judge.BODIES_PER_LOOK, scene.lookCost() * bodies);
+        double looks = (POSE_SECONDS * bodies + JUDGE_SECONDS * looked) * scene.ticks();
+        return Math.min(limit, whole) + looks + 0.02;
     }
 
     /** Rough cost of a body in a sub-step, s. */

@@ -197,7 +197,7 @@ public final class Compare implements Callable<Integer> {
                 0.03,
                 quick ? 0.3 : 1,
                 quick ? 0.8 : 4,
-                quick ? 4 : 20,
+                quick ? 4 : 6,
                 quick ? 2 : 5,
                 !quick);
     }

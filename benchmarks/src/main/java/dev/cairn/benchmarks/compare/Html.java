@@ -60,9 +60,11 @@ final class Html {
     }
 
     Html picture(String alt, String svg) {
-        out.append("<img alt=\"").append(text(alt)).append("\" src=\"data:image/svg+xml;base64,");
+        out.append("<div class=\"wide\"><img alt=\"")
+                .append(text(alt))
+                .append("\" src=\"data:image/svg+xml;base64,");
         out.append(Base64.getEncoder().encodeToString(svg.getBytes(StandardCharsets.UTF_8)));
-        out.append("\"/>\n");
+        out.append("\"/></div>\n");
         return this;
     }
 

@@ -27,7 +27,7 @@ import java.util.Map;
  */
 final class Judge implements AutoCloseable {
     /** Overlaps of many or of many-sided bodies take long: fewer looks. */
-    private static final int BODIES_PER_LOOK = 60;
+    static final int BODIES_PER_LOOK = 60;
 
     /** At the end of the scene: the last quarter counts as rest. */
     private static final double REST = 0.75;

@@ -19,7 +19,7 @@ final class Page {
                    padding: 0 1em }
             h1, h2 { line-height: 1.2 } h2 { margin-top: 2.5em; border-top: 1px solid #ccc;
                    padding-top: 1em }
-            img { max-width: 100%; display: block }
+            img { width: 100%; max-width: 960px; min-width: 640px; display: block }
             table { border-collapse: collapse; font-size: 14px; margin: 1em 0 }
             th, td { padding: .2em .6em; text-align: right; border-bottom: 1px solid #ddd;
                    vertical-align: top; white-space: nowrap }
@@ -288,6 +288,16 @@ final class Page {
         html.add(
                 " begins where the engine has built the scene; this program loads its classes and");
         html.add(" runs the scene's script before that, the same for all.</p>\n");
+        List<String> absent = new ArrayList<>();
+        for (Engine engine : Engine.values()) {
+            if (results.points().stream().anyMatch(point -> point.engine() == engine)
+                    && results.colds().stream().noneMatch(cold -> cold.engine() == engine)) {
+                absent.add(engine.title());
+            }
+        }
+        if (!absent.isEmpty()) {
+            html.add("<p>Not a tick in that time: ").say(String.join(", ", absent)).add(".</p>\n");
+        }
         picture("cold-start", "Cold start: time of a tick", Charts.cold(results.colds()));
     }
 

@@ -20,7 +20,7 @@ import java.util.Map;
  * @param seconds stepped per timed run, at least; more only where one run of the scene takes more
  * @param pointSeconds CPU time after which a point gets no further round
  * @param warmSeconds warm-up per engine and scene, at most; native engines need less
- * @param judgeSeconds stepped per error run, at most
+ * @param judgeSeconds stepped per error run, at most, in scenes of few bodies
  * @param coldSeconds length of a cold start, 0 for none
  * @param budget whether errors are taken apart
  */
@@ -39,6 +39,8 @@ record Plan(
         boolean budget) {
 
     private static final double NATIVE_WARM_SECONDS = 1;
+    private static final double SECONDS_PER_BODY = 4e-3;
+    private static final double MOST_SECONDS = 20;
 
     Plan {
         scenes = List.copyOf(scenes);
@@ -46,6 +48,12 @@ record Plan(
         tunings = List.copyOf(tunings);
         workers = List.copyOf(workers);
         substeps = List.copyOf(substeps);
+    }
+
+    /** How long an error run of so many movable bodies may step, s of CPU time. */
+    double judgeSeconds(int bodies) {
+        return Math.clamp(
+                SECONDS_PER_BODY * bodies, judgeSeconds, Math.max(judgeSeconds, MOST_SECONDS));
     }
 
     /** Native code is compiled already: only the calls into it have to be. */
@@ -86,7 +94,8 @@ record Plan(
                 "an error run",
                 "is stopped after "
                         + judgeSeconds
-                        + " s of steps; larger N of the same engine are then left out, and what"
+                        + " s of CPU time, in scenes of many bodies after 4 ms per body, at most"
+                        + " after 20 s; larger N of the same engine are then left out, and what"
                         + " would take longer by the times of the two N before it");
         words.put(
                 "warm-up per engine and scene",

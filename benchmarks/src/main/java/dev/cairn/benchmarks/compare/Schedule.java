@@ -126,11 +126,12 @@ final class Schedule {
         return scaled && substeps <= scene.maxSubsteps();
     }
 
-    /** Where sub-steps are limited for time's sake, best effort shows the ends of its curve. */
+    /** Best effort shows the ends and the middle of its curve; of limited ones no far end. */
     private boolean isWantedOfBest(Case scene, int substeps) {
-        return scene.maxSubsteps() >= Case.MOST_SUBSTEPS
-                || substeps == plan.substeps().getFirst()
-                || substeps == scalingSubsteps(plan.substeps());
+        return substeps == plan.substeps().getFirst()
+                || substeps == scalingSubsteps(plan.substeps())
+                || (scene.maxSubsteps() >= Case.MOST_SUBSTEPS
+                        && substeps == plan.substeps().getLast());
     }
 
     /** The largest number of sub-steps up to 4, or the smallest there is. */
@@ -244,7 +245,8 @@ final class Schedule {
         }
         double micros = micros2 + (micros2 - micros1) * (n - n2) / (n2 - n1);
         double seconds = micros * 1e-6 * second.bodies() * second.ticks();
-        if (seconds <= plan.judgeSeconds() * PREDICTION_MARGIN) {
+        double limit = plan.judgeSeconds(second.bodies());
+        if (seconds <= limit * PREDICTION_MARGIN) {
             return null;
         }
         return Protocol.Answer.slow(
@@ -257,7 +259,7 @@ final class Schedule {
                         n1,
                         micros2 * 1e-6 * second.bodies() * second.ticks(),
                         n2,
-                        plan.judgeSeconds()),
+                        limit),
                 second.bodies(),
                 micros);
     }

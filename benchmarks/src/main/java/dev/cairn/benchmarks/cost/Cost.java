@@ -1,7 +1,9 @@
 package dev.cairn.benchmarks.cost;
 
 import dev.cairn.benchmarks.Marked;
+import dev.cairn.benchmarks.WarmUp;
 import dev.cairn.physics.PhysicsSettings;
+import dev.cairn.physics.PhysicsWorld;
 
 import org.jspecify.annotations.Nullable;
 
@@ -29,6 +31,7 @@ import java.util.concurrent.Callable;
 public final class Cost implements Callable<Integer> {
     private static final Marked TABLES = new Marked("cost");
     private static final PhysicsSettings AWAKE = PhysicsSettings.DEFAULT.withSleeping(false);
+    private static final Mix BIG = new Mix(50, 50, 20, 100, 200, 100, 50, 0, 0, 0.6);
     private static final long SEED = 1;
     private static final int REPEATS = 3;
 
@@ -93,7 +96,7 @@ public final class Cost implements Callable<Integer> {
             return CommandLine.ExitCode.OK;
         }
         if (out == null) {
-            System.out.println(priceList() + "\n" + ladder());
+            System.out.println(priceLists() + "\n" + ladder());
             return CommandLine.ExitCode.OK;
         }
         String page = TABLES.page(out);
@@ -104,23 +107,38 @@ public final class Cost implements Callable<Integer> {
             err.printf("--out %s: %s%n", out, unmarked.getMessage());
             return CommandLine.ExitCode.USAGE;
         }
-        String tables = priceList() + "\n" + ladder();
+        String tables = priceLists() + "\n" + ladder();
         Files.writeString(out, TABLES.replaced(page, tables), StandardCharsets.UTF_8);
         return CommandLine.ExitCode.OK;
     }
 
+    private String priceLists() {
+        return priceList(false) + "\n" + priceList(true);
+    }
+
     /** Measures all scenes over and over, and keeps each scene's median time. */
-    private String priceList() {
+    private String priceList(boolean wide) {
+        if (wide) {
+            try (PhysicsWorld world = BIG.build(AWAKE)) {
+                WarmUp.untilQuiet(() -> {
+                    for (int tick = 0; tick < 120; tick++) {
+                        world.step(1.0 / 60);
+                    }
+                });
+            }
+        }
         SplittableRandom random = new SplittableRandom(SEED);
         List<Mix> mixes = new ArrayList<>();
         for (int i = 0; i < scenes; i++) {
-            mixes.add(Mix.random(random));
+            mixes.add(Mix.random(random, wide));
         }
         double[][] micros = new double[scenes][REPEATS];
         double[][] counts = new double[scenes][];
         // The first pass warms up.
         for (int pass = -1; pass < REPEATS; pass++) {
-            err.printf("price list, pass %d of %d%n", pass + 2, REPEATS + 1);
+            err.printf(
+                    "price list, %s contacts, pass %d of %d%n",
+                    wide ? "many" : "few", pass + 2, REPEATS + 1);
             for (int i = 0; i < scenes; i++) {
                 Mix.Sample sample = mixes.get(i).measure(AWAKE, time);
                 counts[i] = sample.counts();
@@ -141,8 +159,12 @@ public final class Cost implements Callable<Integer> {
         text.append(
                 String.format(
                         Locale.ROOT,
-                        "Price list: %d scenes, seed %d, median of %d passes, one worker, 4"
-                                + " sub-steps, R² = %.4f. Nanoseconds of CPU time per tick.%n%n",
+                        "Price list, scenes of %s: %d scenes, seed %d, median of %d passes,"
+                                + " one worker, 4 sub-steps, R² = %.4f. Nanoseconds of CPU time per"
+                                + " tick.%n%n",
+                        wide
+                                ? "more than 300 contacts, solved several at once"
+                                : "fewer than 230 contacts, solved one by one",
                         scenes,
                         SEED,
                         REPEATS,

@@ -26,6 +26,7 @@ import java.util.SplittableRandom;
  * @param bouncing elastic balls above a plate: events
  * @param fixed boxes far from everything
  * @param friction Coulomb coefficient of all, 0 for none
+ * @param bounceHeight 1 for bounces of 0.06 to 0.6 s; higher ones are rarer
  */
 record Mix(
         int flyingSpheres,
@@ -37,7 +38,11 @@ record Mix(
         int columns,
         int bouncing,
         int fixed,
-        double friction) {
+        double friction,
+        double bounceHeight) {
+    /** From so many contacts on the solver may take its wide kernels. */
+    private static final int WIDE_FROM = 256;
+
     /** What is counted, in the order of the table. */
     static final List<String> NAMES =
             List.of(
@@ -61,18 +66,67 @@ record Mix(
     @SuppressWarnings("ArrayRecordComponent") // read, never compared
     record Sample(double micros, double[] counts) {}
 
-    static Mix random(SplittableRandom random) {
+    /** The same with bounces of 0.06 to 0.6 s. */
+    Mix(
+            int flyingSpheres,
+            int flyingBoxes,
+            int nearPairs,
+            int restingSpheres,
+            int restingCubes,
+            int edgeCubes,
+            int columns,
+            int bouncing,
+            int fixed,
+            double friction) {
+        this(
+                flyingSpheres,
+                flyingBoxes,
+                nearPairs,
+                restingSpheres,
+                restingCubes,
+                edgeCubes,
+                columns,
+                bouncing,
+                fixed,
+                friction,
+                1);
+    }
+
+    /**
+     * Draws a scene with few contacts, which the solver takes one by one, or with many, which it
+     * takes several at once: the prices differ, and a fit over both would have a kink.
+     */
+    static Mix random(SplittableRandom random, boolean wide) {
+        while (true) {
+            // From nearly nothing, which tells the constant, to hundreds of each.
+            double size = wide ? 1 : StrictMath.exp(random.nextDouble(-4, 0));
+            Mix mix = random(random, size);
+            int most = mix.resting() + mix.bouncing;
+            if (wide ? mix.resting() > 1.2 * WIDE_FROM : most < 0.9 * WIDE_FROM) {
+                return mix;
+            }
+        }
+    }
+
+    private static Mix random(SplittableRandom random, double size) {
         return new Mix(
-                random.nextInt(300),
-                random.nextInt(300),
-                random.nextInt(150),
-                random.nextInt(200),
-                random.nextInt(200),
-                random.nextInt(200),
-                random.nextInt(60),
-                random.nextInt(200),
-                random.nextInt(400),
-                random.nextBoolean() ? 0.6 : 0);
+                (int) (size * random.nextInt(300)),
+                (int) (size * random.nextInt(300)),
+                (int) (size * random.nextInt(150)),
+                (int) (size * random.nextInt(200)),
+                (int) (size * random.nextInt(200)),
+                (int) (size * random.nextInt(200)),
+                (int) (size * random.nextInt(60)),
+                (int) (size * random.nextInt(200)),
+                (int) (size * random.nextInt(400)),
+                random.nextBoolean() ? 0.6 : 0,
+                // As many balls, but more or fewer events: else the two could not be told apart.
+                StrictMath.exp(random.nextDouble(-2, 3)));
+    }
+
+    /** Contacts that last. */
+    private int resting() {
+        return restingSpheres + restingCubes + edgeCubes + 3 * columns;
     }
 
     PhysicsWorld build(PhysicsSettings settings) {
@@ -114,8 +168,8 @@ record Mix(
         }
         for (int i = 0; i < bouncing; i++) {
             grid.next().fix(plate);
-            // Bounces last between 0.06 and 0.6 s.
-            double high = 0.005 * (1 + i % 10) * (1 + i % 10);
+            // Bounces last between 0.06 and 0.6 s, times the root of bounceHeight.
+            double high = 0.005 * bounceHeight * (1 + i % 10) * (1 + i % 10);
             world.add(
                     Body.dynamic()
                             .shape(ball)
