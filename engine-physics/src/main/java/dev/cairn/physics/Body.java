@@ -37,6 +37,11 @@ public final class Body {
     final List<Record> components = new ArrayList<>();
     String name = "";
     boolean maySleep = true;
+    double gravityScale = 1;
+    double linearDamping;
+    double angularDamping;
+    double speedLimit = Double.POSITIVE_INFINITY;
+    int locks;
 
     private Body(boolean fixed) {
         this.fixed = fixed;
@@ -258,6 +263,54 @@ public final class Body {
             Checks.notNull("component", value);
         }
         components.addAll(List.of(values));
+        return this;
+    }
+
+    /**
+     * Sets how much of the world's gravity acts on the body; 1 by default.
+     *
+     * @param factor finite; 0 for a body that floats, below 0 for one that rises
+     * @return this
+     */
+    public Body gravityScale(double factor) {
+        gravityScale = Checks.finite("gravityScale", factor);
+        return this;
+    }
+
+    /**
+     * Lets velocity and angular momentum decay as {@code exp(-rate t)}, whatever the length of the
+     * tick; 0 by default. A body that falls so reaches {@code g / linear}.
+     *
+     * @param linear rate of the velocity, 1/s, 0 to 1e6
+     * @param angular rate of the angular velocity, 1/s, 0 to 1e6
+     * @return this
+     */
+    public Body damping(double linear, double angular) {
+        linearDamping = Checks.between("linear damping", linear, 0, 1e6);
+        angularDamping = Checks.between("angular damping", angular, 0, 1e6);
+        return this;
+    }
+
+    /**
+     * Limits the speed of the centre of mass at the end of each tick; there is no limit by default.
+     *
+     * @param metresPerSecond above 0; infinite for none
+     * @return this
+     */
+    public Body speedLimit(double metresPerSecond) {
+        speedLimit = Checks.limit("speedLimit", metresPerSecond);
+        return this;
+    }
+
+    /**
+     * Takes degrees of freedom from the body; none by default. See {@link Lock} for what a contact
+     * does with a locked body.
+     *
+     * @param values the ones to take; they replace those of an earlier call
+     * @return this
+     */
+    public Body lock(Lock... values) {
+        locks = Lock.bits(values);
         return this;
     }
 

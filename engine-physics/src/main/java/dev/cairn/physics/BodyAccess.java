@@ -112,6 +112,43 @@ final class BodyAccess {
                 bodies.angularVelocityX[s], bodies.angularVelocityY[s], bodies.angularVelocityZ[s]);
     }
 
+    void setGravityScale(int s, double factor) {
+        bodies.gravityScale[s] = Checks.finite("gravityScale", factor);
+        wake(s);
+    }
+
+    void setDamping(int s, double linear, double angular) {
+        Checks.between("linear damping", linear, 0, 1e6);
+        Checks.between("angular damping", angular, 0, 1e6);
+        bodies.linearDamping[s] = linear;
+        bodies.angularDamping[s] = angular;
+        restrain(s, bodies.restraint[s]);
+        wake(s);
+    }
+
+    void setSpeedLimit(int s, double metresPerSecond) {
+        bodies.speedLimit[s] = Checks.limit("speedLimit", metresPerSecond);
+        restrain(s, bodies.restraint[s]);
+        wake(s);
+    }
+
+    void setLocks(int s, Lock... locks) {
+        restrain(s, Lock.bits(locks));
+        wake(s);
+    }
+
+    /** Sums up what holds a body back; of {@code locks} the bits of the axes count. */
+    void restrain(int s, int locks) {
+        int bits = locks & 63;
+        if (bodies.linearDamping[s] != 0 || bodies.angularDamping[s] != 0) {
+            bits |= BodyStore.DAMPED;
+        }
+        if (bodies.speedLimit[s] < Double.POSITIVE_INFINITY) {
+            bits |= BodyStore.LIMITED;
+        }
+        bodies.restraint[s] = (byte) bits;
+    }
+
     void applyForce(int s, double fx, double fy, double fz) {
         Checks.finite("fx", fx);
         Checks.finite("fy", fy);

@@ -262,6 +262,43 @@ public final class BodyRef {
     }
 
     /**
+     * Sets how much of the world's gravity acts on the body, and wakes it.
+     *
+     * @param factor finite; see {@link Body#gravityScale}
+     */
+    public void setGravityScale(double factor) {
+        table.access.setGravityScale(alive(), factor);
+    }
+
+    /**
+     * Sets the rates at which velocity and angular momentum decay, and wakes the body.
+     *
+     * @param linear 1/s, 0 to 1e6; see {@link Body#damping}
+     * @param angular 1/s, 0 to 1e6
+     */
+    public void setDamping(double linear, double angular) {
+        table.access.setDamping(alive(), linear, angular);
+    }
+
+    /**
+     * Limits the speed of the centre of mass at the end of each tick, and wakes the body.
+     *
+     * @param metresPerSecond above 0; infinite for none
+     */
+    public void setSpeedLimit(double metresPerSecond) {
+        table.access.setSpeedLimit(alive(), metresPerSecond);
+    }
+
+    /**
+     * Takes degrees of freedom from the body, gives it the others back, and wakes it.
+     *
+     * @param locks the ones it shall not have; none to give all back
+     */
+    public void setLocks(Lock... locks) {
+        table.access.setLocks(alive(), locks);
+    }
+
+    /**
      * Sets the velocity of the centre of mass.
      *
      * @param vx m/s, finite

@@ -281,6 +281,11 @@ final class BodyTable {
         b.inverseInertiaYZ[s] = inverse[5];
         b.friction[s] = body.material.friction();
         b.restitution[s] = body.material.restitution();
+        b.gravityScale[s] = body.gravityScale;
+        b.linearDamping[s] = body.linearDamping;
+        b.angularDamping[s] = body.angularDamping;
+        b.speedLimit[s] = body.speedLimit;
+        access.restrain(s, body.locks);
         b.inertiaScale[s] = 0;
         b.pressed[s] = 0;
         b.pressing[s] = 0;

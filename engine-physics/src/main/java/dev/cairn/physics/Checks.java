@@ -37,6 +37,14 @@ final class Checks {
         return value;
     }
 
+    static double limit(String name, double value) {
+        if (!(value > 0)) {
+            throw new IllegalArgumentException(
+                    name + " is " + value + "; it must be greater than 0, or infinite for none");
+        }
+        return value;
+    }
+
     static double between(String name, double value, double low, double high) {
         if (!(value >= low && value <= high)) {
             throw new IllegalArgumentException(

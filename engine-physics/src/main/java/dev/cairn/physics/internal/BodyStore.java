@@ -116,6 +116,27 @@ public final class BodyStore {
     public int[] pressing = {};
 
     /**
+     * {@link #DAMPED}, {@link #LIMITED}, and the world axes along which (bits 0 to 2 for x, y, z)
+     * and about which (bits 3 to 5) the body may not move; 0 for a body without any of these.
+     */
+    public byte[] restraint = {};
+
+    /** Bit of {@link #restraint}: one of the rates of damping is not 0. */
+    public static final int DAMPED = 64;
+
+    /** Bit of {@link #restraint}: the speed is limited. */
+    public static final int LIMITED = -128;
+
+    /** Rates at which velocity and angular velocity decay, 1/s. */
+    public double[] linearDamping = {}, angularDamping = {};
+
+    /** The largest speed of the centre of mass, m/s. */
+    public double[] speedLimit = {};
+
+    /** Factor on the world's gravity; 1 for most. */
+    public double[] gravityScale = {};
+
+    /**
      * Grows every column to at least {@code capacity} slots; between phases only.
      *
      * @param capacity slots that must fit
@@ -170,5 +191,12 @@ public final class BodyStore {
         lastVelocity = Arrays.copyOf(lastVelocity, 6 * n);
         pressed = Arrays.copyOf(pressed, n);
         pressing = Arrays.copyOf(pressing, n);
+        restraint = Arrays.copyOf(restraint, n);
+        linearDamping = Arrays.copyOf(linearDamping, n);
+        angularDamping = Arrays.copyOf(angularDamping, n);
+        speedLimit = Arrays.copyOf(speedLimit, n);
+        int old = gravityScale.length;
+        gravityScale = Arrays.copyOf(gravityScale, n);
+        Arrays.fill(gravityScale, old, n, 1.0);
     }
 }

@@ -184,7 +184,7 @@ public final class ContactSolver {
         int end = Blocks.end(block, BODIES_PER_BLOCK, stored(bodyStore).slotCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             if (body.guide[i] != SolverBodies.FREE) {
-                Motion.keep(body, i);
+                Motion.keep(stored(bodyStore), body, i);
             }
         }
     }
@@ -450,7 +450,7 @@ public final class ContactSolver {
         int end = Blocks.end(block, BODIES_PER_BLOCK, stored(bodyStore).slotCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             if (body.guide[i] != SolverBodies.FREE) {
-                Motion.keep(body, i);
+                Motion.keep(stored(bodyStore), body, i);
                 if (body.guide[i] >= 0) {
                     Motion.glide(body, i, rows, subStep);
                 }

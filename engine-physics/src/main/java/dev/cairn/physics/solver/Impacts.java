@@ -185,6 +185,7 @@ final class Impacts {
             k = body[at + SolverBodies.GRAVITY];
         }
         int slot = Math.max(0, SolverBodies.slot(at));
+        k *= store.gravityScale[slot];
         acceleration[out] = k * g[0] + m * store.forceX[slot];
         acceleration[out + 1] = k * g[1] + m * store.forceY[slot];
         acceleration[out + 2] = k * g[2] + m * store.forceZ[slot];
@@ -230,6 +231,8 @@ final class Impacts {
         for (int p = 0; p < points; p++) {
             d[point(p) + IMPULSE * lanes] = 0;
         }
+        Restraint.lock(store, bodies.state, a);
+        Restraint.lock(store, bodies.state, b);
         shift(a, ax, ay, az, au, av, aw, time);
         shift(b, bx, by, bz, bu, bv, bw, time);
     }

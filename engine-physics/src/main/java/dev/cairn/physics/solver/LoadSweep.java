@@ -417,7 +417,8 @@ final class LoadSweep {
         for (int k = 0; k < ordered; k++) {
             int i = order[k];
             double lift = upX * bodies.forceX[i] + upY * bodies.forceY[i] + upZ * bodies.forceZ[i];
-            double force = Math.max(0, load[i] + gravity / bodies.inverseMass[i] - lift);
+            double own = gravity * bodies.gravityScale[i] / bodies.inverseMass[i];
+            double force = Math.max(0, load[i] + own - lift);
             double sum = 0;
             for (int e = first[i]; e < first[i + 1]; e++) {
                 sum += weight[edge[e]];

@@ -29,9 +29,14 @@ final class Motion {
             double t,
             int substeps) {
         double m = b.inverseMass[i];
-        double ax = gx + m * b.forceX[i];
-        double ay = gy + m * b.forceY[i];
-        double az = gz + m * b.forceZ[i];
+        double scale = b.gravityScale[i];
+        double ax = scale * gx + m * b.forceX[i];
+        double ay = scale * gy + m * b.forceY[i];
+        double az = scale * gz + m * b.forceZ[i];
+        if (b.restraint[i] != 0) {
+            Restraint.fly(b, s, i, ax, ay, az, t, substeps);
+            return;
+        }
         double half = 0.5 * t * t;
         double[] c = s.carry;
         int q = 12 * i;
@@ -59,30 +64,40 @@ final class Motion {
         b.velocityX[i] = add(c, q + 3, b.velocityX[i], t * ax, 0);
         b.velocityY[i] = add(c, q + 4, b.velocityY[i], t * ay, 0);
         b.velocityZ[i] = add(c, q + 5, b.velocityZ[i], t * az, 0);
+        s.state[SolverBodies.offset(i) + LOADED] = 0;
+        spin(b, s, i, t, substeps);
+    }
+
+    /**
+     * Rotation of a tick without contacts; damped, for the body's own time of {@link Restraint}.
+     */
+    static void spin(BodyStore b, SolverBodies s, int i, double t, int substeps) {
         double[] w = s.state;
-        int o = SolverBodies.offset(i);
-        w[o + LOADED] = 0;
-        w[o + V + 3] = b.angularVelocityX[i];
-        w[o + V + 4] = b.angularVelocityY[i];
-        w[o + V + 5] = b.angularVelocityZ[i];
+        int o = SolverBodies.offset(i) + V + 3;
+        w[o] = b.angularVelocityX[i];
+        w[o + 1] = b.angularVelocityY[i];
+        w[o + 2] = b.angularVelocityZ[i];
         boolean driven = b.torqueX[i] != 0 || b.torqueY[i] != 0 || b.torqueZ[i] != 0;
-        if (s.axes.isotropic[i] && !driven) {
-            Rotation.turn(b, i, t * w[o + V + 3], t * w[o + V + 4], t * w[o + V + 5]);
-            return;
-        }
-        double h = t / substeps;
+        int parts = driven ? substeps : 1;
+        double h = t / parts;
+        double damping = b.angularDamping[i];
+        double own = damping == 0 ? h : h * Restraint.mean(damping * h);
+        double left = damping == 0 ? 1 : Restraint.decay(damping * h);
         if (driven) {
             spinUp(b, s, i, 0.5 * h);
-            for (int k = 0; k < substeps; k++) {
-                rotate(b, s, i, h, 1);
-                spinUp(b, s, i, k + 1 == substeps ? 0.5 * h : h);
-            }
-        } else {
-            rotate(b, s, i, h, substeps);
         }
-        b.angularVelocityX[i] = w[o + V + 3];
-        b.angularVelocityY[i] = w[o + V + 4];
-        b.angularVelocityZ[i] = w[o + V + 5];
+        for (int k = 0; k < parts; k++) {
+            rotate(b, s, i, driven ? own : own / substeps, driven ? 1 : substeps);
+            w[o] *= left;
+            w[o + 1] *= left;
+            w[o + 2] *= left;
+            if (driven) {
+                spinUp(b, s, i, k + 1 == parts ? 0.5 * h : h);
+            }
+        }
+        b.angularVelocityX[i] = w[o];
+        b.angularVelocityY[i] = w[o + 1];
+        b.angularVelocityZ[i] = w[o + 2];
     }
 
     /**
@@ -167,13 +182,21 @@ final class Motion {
         }
         v[o + LOADED] = 0;
         double m = v[o + MASS];
-        double k = v[o + GRAVITY];
-        v[o + V] += h * (k * gx + m * b.forceX[i]);
-        v[o + V + 1] += h * (k * gy + m * b.forceY[i]);
-        v[o + V + 2] += h * (k * gz + m * b.forceZ[i]);
-        double x = h * b.torqueX[i];
-        double y = h * b.torqueY[i];
-        double z = h * b.torqueZ[i];
+        double k = v[o + GRAVITY] * b.gravityScale[i];
+        double hv = h;
+        double hw = h;
+        int restraint = b.restraint[i];
+        if (restraint != 0) {
+            Restraint.damp(b, v, i, h);
+            hv = h * Restraint.mean(b.linearDamping[i] * h);
+            hw = h * Restraint.mean(b.angularDamping[i] * h);
+        }
+        v[o + V] += hv * (k * gx + m * b.forceX[i]);
+        v[o + V + 1] += hv * (k * gy + m * b.forceY[i]);
+        v[o + V + 2] += hv * (k * gz + m * b.forceZ[i]);
+        double x = hw * b.torqueX[i];
+        double y = hw * b.torqueY[i];
+        double z = hw * b.torqueZ[i];
         if (x != 0 || y != 0 || z != 0) {
             double[] d = s.root;
             int q = (i + 1) * SolverBodies.ROOT;
@@ -184,8 +207,11 @@ final class Motion {
         int w = (i + 1) * SolverBodies.HALF;
         for (int c = 0; c < 6; c++) {
             v[o + c] += s.warm[w + c];
-            s.mark[w + c] = v[o + c];
         }
+        if (restraint != 0) {
+            Restraint.lock(b, v, o);
+        }
+        System.arraycopy(v, o, s.mark, w, 6);
     }
 
     /**
@@ -197,13 +223,23 @@ final class Motion {
             BodyStore b, SolverBodies s, int i, double gx, double gy, double gz, double h) {
         double[] v = s.state;
         int o = SolverBodies.offset(i);
-        double vx = v[o + V];
-        double vy = v[o + V + 1];
-        double vz = v[o + V + 2];
+        double turn = h;
+        double half = 0.5 * h;
+        double over = 1;
+        if (b.restraint[i] != 0) {
+            Restraint.lock(b, v, o);
+            if (v[o + LOADED] == 0) {
+                turn = h * Restraint.meanOverEnd(b.angularDamping[i] * h);
+                over = Restraint.meanOverEnd(b.linearDamping[i] * h);
+                half = h * Restraint.behind(b.linearDamping[i] * h);
+            }
+        }
+        double vx = over * v[o + V];
+        double vy = over * v[o + V + 1];
+        double vz = over * v[o + V + 2];
         if (v[o + LOADED] == 0) {
             double m = v[o + MASS];
-            double k = v[o + GRAVITY];
-            double half = 0.5 * h;
+            double k = v[o + GRAVITY] * b.gravityScale[i];
             vx -= half * (k * gx + m * b.forceX[i]);
             vy -= half * (k * gy + m * b.forceY[i]);
             vz -= half * (k * gz + m * b.forceZ[i]);
@@ -219,7 +255,7 @@ final class Motion {
         v[o + P + 3] += h * v[o + V + 3];
         v[o + P + 4] += h * v[o + V + 4];
         v[o + P + 5] += h * v[o + V + 5];
-        turn(b, s, i, h);
+        turn(b, s, i, turn);
     }
 
     /**
@@ -254,8 +290,11 @@ final class Motion {
     }
 
     /** End of a sub-step: what the contacts have done is the next warm start. */
-    static void keep(SolverBodies s, int i) {
+    static void keep(BodyStore b, SolverBodies s, int i) {
         int o = SolverBodies.offset(i);
+        if (b.restraint[i] != 0) {
+            Restraint.lock(b, s.state, o);
+        }
         int w = (i + 1) * SolverBodies.HALF;
         for (int c = 0; c < 6; c++) {
             s.warm[w + c] += s.state[o + c] - s.mark[w + c];

@@ -114,6 +114,25 @@ final class Rotation {
                 qw * c - (qx * dx + qy * dy + qz * dz));
     }
 
+    /** World component {@code k} of the body's axis {@code axis}: column of its rotation matrix. */
+    static double axis(BodyStore b, int i, int axis, int k) {
+        double x = b.orientationX[i];
+        double y = b.orientationY[i];
+        double z = b.orientationZ[i];
+        double w = b.orientationW[i];
+        return switch (3 * k + axis) {
+            case 0 -> 1 - 2 * (y * y + z * z);
+            case 1 -> 2 * (x * y - w * z);
+            case 2 -> 2 * (x * z + w * y);
+            case 3 -> 2 * (x * y + w * z);
+            case 4 -> 1 - 2 * (x * x + z * z);
+            case 5 -> 2 * (y * z - w * x);
+            case 6 -> 2 * (x * z - w * y);
+            case 7 -> 2 * (y * z + w * x);
+            default -> 1 - 2 * (x * x + y * y);
+        };
+    }
+
     /** Sets the orientation of body {@code i} to a quaternion, made a unit one. */
     static void store(BodyStore bodies, int i, double x, double y, double z, double w) {
         double k = 1 / Math.sqrt(x * x + y * y + z * z + w * w);

@@ -145,6 +145,10 @@ final class SolverBodies {
     void rootOfInertia(BodyStore b, int i, double scale) {
         double[] r = root;
         int k = (i + 1) * ROOT;
+        if ((b.restraint[i] & Restraint.TURNS) != 0) {
+            Restraint.rootOfInertia(b, i, scale, r, k);
+            return;
+        }
         if (axes.isotropic[i]) {
             double square = b.inverseInertiaXX[i] * scale;
             double x = Math.sqrt(square);
@@ -203,5 +207,8 @@ final class SolverBodies {
         b.positionX[i] += s[o + P];
         b.positionY[i] += s[o + P + 1];
         b.positionZ[i] += s[o + P + 2];
+        if ((b.restraint[i] & BodyStore.LIMITED) != 0) {
+            Restraint.limit(b, i);
+        }
     }
 }

@@ -134,37 +134,18 @@ final class Tumbling {
             double t) {
         double spin = 0;
         for (int k = 0; k < 3; k++) {
-            spin += w[o + k] * axis(b, i, axis, k);
+            spin += w[o + k] * Rotation.axis(b, i, axis, k);
         }
         // w = L/A + own e3, own = (1/C - 1/A) m3 = (1 - C/A) w.e3
         double own = (1 - along / across) * spin;
         for (int k = 0; k < 3; k++) {
-            w[o + k] -= own * axis(b, i, axis, k);
+            w[o + k] -= own * Rotation.axis(b, i, axis, k);
         }
         Rotation.turn(b, i, t * w[o], t * w[o + 1], t * w[o + 2]);
         Rotation.turnAboutOwn(b, i, axis, t * own);
         for (int k = 0; k < 3; k++) {
-            w[o + k] += own * axis(b, i, axis, k);
+            w[o + k] += own * Rotation.axis(b, i, axis, k);
         }
-    }
-
-    /** World component {@code k} of the body's axis {@code axis}: column of its rotation matrix. */
-    private static double axis(BodyStore b, int i, int axis, int k) {
-        double x = b.orientationX[i];
-        double y = b.orientationY[i];
-        double z = b.orientationZ[i];
-        double w = b.orientationW[i];
-        return switch (3 * k + axis) {
-            case 0 -> 1 - 2 * (y * y + z * z);
-            case 1 -> 2 * (x * y - w * z);
-            case 2 -> 2 * (x * z + w * y);
-            case 3 -> 2 * (x * y + w * z);
-            case 4 -> 1 - 2 * (x * x + z * z);
-            case 5 -> 2 * (y * z - w * x);
-            case 6 -> 2 * (x * z - w * y);
-            case 7 -> 2 * (y * z + w * x);
-            default -> 1 - 2 * (x * x + y * y);
-        };
     }
 
     /** {@code count} steps of length {@code h}; the orientation is that of the principal axes. */
