@@ -74,16 +74,22 @@ final class GpuTexture implements AutoCloseable {
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
-        // llvmpipe walks over every texel below the pixel's ellipse: seconds for a face seen on
-        // edge
-        if (GL.getCapabilities().GL_EXT_texture_filter_anisotropic
-                && !GlContext.isSoftware(
-                        Objects.requireNonNullElse(glGetString(GL_RENDERER), ""))) {
+        if (isAnisotropic()) {
             glTexParameterf(
                     GL_TEXTURE_2D,
                     EXTTextureFilterAnisotropic.GL_TEXTURE_MAX_ANISOTROPY_EXT,
                     ANISOTROPY);
         }
+    }
+
+    /**
+     * Whether the graphics processor takes the mean over a long footprint itself; else the shader
+     * does. llvmpipe could, but walks over every texel below the pixel's ellipse: seconds for a
+     * face seen on edge.
+     */
+    static boolean isAnisotropic() {
+        return GL.getCapabilities().GL_EXT_texture_filter_anisotropic
+                && !GlContext.isSoftware(Objects.requireNonNullElse(glGetString(GL_RENDERER), ""));
     }
 
     void bind() {

@@ -34,6 +34,8 @@ import org.jspecify.annotations.Nullable;
 public final class SceneRenderer implements AutoCloseable {
     private static final int MIN_SHADOW_SIZE = 512;
     private static final int MAX_SHADOW_SIZE = 2048;
+    private static final int FRUGAL_TAPS = 4;
+    private static final int MOST_TAPS = 12;
 
     private final boolean frugal;
     private final ShaderProgram scene;
@@ -67,7 +69,8 @@ public final class SceneRenderer implements AutoCloseable {
         scene =
                 new ShaderProgram(
                         "scene",
-                        "#define SHADOW_TAPS " + (frugal ? 1 : 3) + "\n",
+                        "#define SHADOW_TAPS %d\n#define SURFACE_TAPS %d\n"
+                                .formatted(frugal ? 1 : 3, surfaceTaps(frugal)),
                         new String[] {"instance.glsl", "scene.vert"},
                         new String[] {"encode.glsl", "scene.frag"});
         uniforms = new SceneUniforms(scene);
@@ -87,6 +90,11 @@ public final class SceneRenderer implements AutoCloseable {
         glEnable(GL_CULL_FACE);
         glCullFace(GL_BACK);
         glClearColor(0, 0, 0, 1);
+    }
+
+    /** Lookups along a pixel's footprint by the shader itself; see {@link GpuTexture}. */
+    private static int surfaceTaps(boolean frugal) {
+        return GpuTexture.isAnisotropic() ? 1 : frugal ? FRUGAL_TAPS : MOST_TAPS;
     }
 
     /**

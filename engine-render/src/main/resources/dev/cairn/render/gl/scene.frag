@@ -54,9 +54,33 @@ vec2 surfaceCoordinate() {
     return metres / tileMetres;
 }
 
+// The mean over the pixel's footprint, which is long and narrow on a floor seen at a low angle: up to SURFACE_TAPS
+// lookups along its longer side, each with the mipmap of a square part of it. 1 = the graphics processor does it itself.
+vec3 surfaceColour(vec2 at) {
+#if SURFACE_TAPS == 1
+    return texture(surface, at).rgb;
+#else
+    vec2 along = dFdx(at);
+    vec2 across = dFdy(at);
+    if (dot(along, along) < dot(across, across)) {
+        vec2 swap = along;
+        along = across;
+        across = swap;
+    }
+    float ratio = sqrt(dot(along, along) / max(dot(across, across), 1e-20));
+    int taps = int(clamp(ceil(ratio), 1.0, float(SURFACE_TAPS)));
+    along /= float(taps);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < taps; i++) {
+        sum += textureGrad(surface, at + (float(i) + 0.5 - 0.5 * float(taps)) * along, along, across).rgb;
+    }
+    return sum / float(taps);
+#endif
+}
+
 void main() {
     vec3 normal = normalize(worldNormal);
-    vec3 albedo = texture(surface, surfaceCoordinate()).rgb * colour;
+    vec3 albedo = surfaceColour(surfaceCoordinate()) * colour;
     float facing = max(dot(normal, sunDirection), 0.0);
     float visible = facing > 0.0 ? sunVisible(normal) : 0.0;
     vec3 ambient = mix(groundLight, skyLight, 0.5 + 0.5 * normal.y);

@@ -98,6 +98,50 @@ class SurfaceTest extends Drawing {
         }
     }
 
+    /**
+     * A pixel of a floor near the horizon covers metres along the view and centimetres across it:
+     * stripes along the view stay apart, where a mean over a square would be grey.
+     */
+    @Test
+    void stripesOfAFloorStayApartInTheDistance() {
+        double tile = 4;
+        int light = 0xFFFFFF;
+        int dark = 0x808080;
+        int[] pixels = new int[SIZE * SIZE];
+        for (int i = 0; i < pixels.length; i++) {
+            pixels[i] = 0xFF000000 | (i % SIZE < SIZE / 2 ? light : dark);
+        }
+        Model floor =
+                Model.of(Meshes.CUBE)
+                        .scale(100, 1, 100)
+                        .texture(Texture.of("stripes", SIZE, SIZE, pixels).tiledEvery(tile))
+                        .color(0xFFFFFF);
+        Camera camera = new Camera().lookAt(0.3, 1.2, 0, 0.3, 0.6, -20);
+        try (Stage stage = new Stage()) {
+            stage.add(Pose.at(0, -1, 0), floor);
+            Picture picture = draw(stage.publish(), 1, camera, FLAT);
+            int checked = 0;
+            for (int y = 0; y < HEIGHT; y++) {
+                for (int x = 0; x < WIDTH; x++) {
+                    Vector3d ray = Blocks.ray(camera, x + 0.5, y + 0.5, WIDTH, HEIGHT);
+                    double t = 1.2 / -ray.y;
+                    double across = 0.3 + t * ray.x;
+                    boolean sure = fromEdge(across / tile) * tile > 0.6;
+                    if (t > 22 && t < 35 && Math.abs(across) < 8 && sure) {
+                        checked++;
+                        double u = across / tile;
+                        int expected = u - Math.floor(u) < 0.5 ? light : dark;
+                        assertTrue(
+                                Blocks.difference(expected, picture.at(x, y)) < 25,
+                                "pixel %d,%d, %.1f m away, shows %06x, expected %06x"
+                                        .formatted(x, y, t, picture.at(x, y) & 0xFFFFFF, expected));
+                    }
+                }
+            }
+            assertTrue(checked > 40, "checked " + checked);
+        }
+    }
+
     /** IEC 61966-2-1, its linear part too. */
     @Test
     void lightIsEncodedForTheScreen() {
