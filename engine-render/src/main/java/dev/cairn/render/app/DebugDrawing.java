@@ -16,6 +16,10 @@ final class DebugDrawing {
     private static final int VELOCITY = 0xE040FB;
     private static final int CENTRE = 0xFFFFFF;
     private static final int ASLEEP = 0x5C6BC0;
+
+    /** The graph's lines lie inside of the bodies, and would be too faint. */
+    private static final double INSIDE = 0.85;
+
     private static final double NORMAL_METRES = 0.25;
     private static final double VELOCITY_SECONDS = 0.25;
 
@@ -83,6 +87,7 @@ final class DebugDrawing {
     private static void graph(DebugData data, DebugLines lines, boolean byColour) {
         double[] p = data.points();
         double[] c = data.centres();
+        lines.hidden(INSIDE);
         for (int i = 0; i < data.pointCount(); i++) {
             int a = data.firstBodies()[i];
             int b = data.secondBodies()[i];
@@ -107,10 +112,11 @@ final class DebugDrawing {
                             p[3 * i + 1],
                             p[3 * i + 2],
                             rgb,
-                            byColour ? 2 : 1.25);
+                            byColour ? 2.25 : 1.5);
                 }
             }
         }
+        lines.hidden(DebugLines.HIDDEN);
         if (!byColour) {
             for (int i = 0; i < data.bodyCount(); i++) {
                 if (data.islands()[i] != DebugData.NONE) {

@@ -19,7 +19,7 @@ import static org.lwjgl.opengl.GL14.glBlendFuncSeparate;
 import static org.lwjgl.opengl.GL15.GL_ARRAY_BUFFER;
 import static org.lwjgl.opengl.GL15.GL_STREAM_DRAW;
 import static org.lwjgl.opengl.GL15.glBindBuffer;
-import static org.lwjgl.opengl.GL15.glBufferData;
+import static org.lwjgl.opengl.GL15.nglBufferData;
 import static org.lwjgl.opengl.GL20.glEnableVertexAttribArray;
 import static org.lwjgl.opengl.GL20.glVertexAttribPointer;
 import static org.lwjgl.opengl.GL30.glBindVertexArray;
@@ -38,21 +38,30 @@ import java.nio.ByteBuffer;
  * context.
  */
 public final class DebugLines implements SceneOverlay, AutoCloseable {
+    /**
+     * How well lines are seen through what lies in front of them, unless something else is said.
+     */
+    public static final double HIDDEN = 0.25;
+
     private static final int BYTES = 32;
-    private static final double HIDDEN = 0.25;
 
     private final ShaderProgram program =
             new ShaderProgram(
                     "lines", "", new String[] {"lines.vert"}, new String[] {"lines.frag"});
     private final int matrixUniform = program.uniform("clipFromAnchored");
     private final int viewUniform = program.uniform("view");
-    private final int fadeUniform = program.uniform("fade");
+    private final int frontUniform = program.uniform("front");
     private final int vertexArray = GlObjects.vertexArray();
     private final int buffer = GlObjects.buffer();
     private final Vector3d origin = new Vector3d();
     private final Matrix4d matrix = new Matrix4d();
     private ByteBuffer staging = MemoryUtil.memAlloc(1024 * BYTES);
+
+    /** By address, since LWJGL wraps the buffer for each upload. */
+    private long stagingAddress = MemoryUtil.memAddress(staging);
+
     private int count;
+    private byte hiddenShare;
     private double widthScale = 1;
 
     /** Compiles the shader. */
@@ -82,6 +91,16 @@ public final class DebugLines implements SceneOverlay, AutoCloseable {
         origin.set(around);
         widthScale = pixelScale;
         count = 0;
+        hidden(HIDDEN);
+    }
+
+    /**
+     * Says how well the lines to come are seen through what lies in front of them.
+     *
+     * @param share 0..1; {@link #HIDDEN} after {@link #begin}
+     */
+    public void hidden(double share) {
+        hiddenShare = (byte) Math.round(255 * share);
     }
 
     /**
@@ -107,6 +126,7 @@ public final class DebugLines implements SceneOverlay, AutoCloseable {
             double pixels) {
         if ((count + 1) * BYTES > staging.capacity()) {
             staging = MemoryUtil.memRealloc(staging, 2 * staging.capacity());
+            stagingAddress = MemoryUtil.memAddress(staging);
         }
         int at = count * BYTES;
         staging.putFloat(at, (float) (ax - origin.x));
@@ -118,7 +138,7 @@ public final class DebugLines implements SceneOverlay, AutoCloseable {
         staging.put(at + 24, (byte) (rgb >> 16));
         staging.put(at + 25, (byte) (rgb >> 8));
         staging.put(at + 26, (byte) rgb);
-        staging.put(at + 27, (byte) 255);
+        staging.put(at + 27, hiddenShare);
         staging.putFloat(at + 28, (float) (pixels * widthScale));
         count++;
     }
@@ -157,19 +177,17 @@ public final class DebugLines implements SceneOverlay, AutoCloseable {
                 matrix.set(clipFromAnchored)
                         .translate(origin.x - anchor.x, origin.y - anchor.y, origin.z - anchor.z));
         ShaderProgram.set(viewUniform, width, height, 0);
-        staging.position(0).limit(count * BYTES);
         glBindBuffer(GL_ARRAY_BUFFER, buffer);
-        glBufferData(GL_ARRAY_BUFFER, staging, GL_STREAM_DRAW);
-        staging.clear();
+        nglBufferData(GL_ARRAY_BUFFER, (long) count * BYTES, stagingAddress, GL_STREAM_DRAW);
         glBindVertexArray(vertexArray);
         glEnable(GL_BLEND);
         glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
         glDisable(GL_CULL_FACE);
         glDepthMask(false);
-        ShaderProgram.set(fadeUniform, HIDDEN);
+        ShaderProgram.set(frontUniform, 0.0);
         glDepthFunc(GL_GREATER);
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
-        ShaderProgram.set(fadeUniform, 1.0);
+        ShaderProgram.set(frontUniform, 1.0);
         glDepthFunc(GL_LEQUAL);
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
         glDepthMask(true);

@@ -13,6 +13,8 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Debug lines lie where their ends are projected to, as wide as they say, faint where hidden. */
 class LinesTest extends Drawing {
@@ -110,20 +112,27 @@ class LinesTest extends Drawing {
         }
     }
 
-    @Test
-    void whatIsHiddenIsFaint() {
+    @ParameterizedTest
+    @ValueSource(doubles = {DebugLines.HIDDEN, 0.85})
+    void whatIsHiddenIsFaint(double share) {
         Camera camera = new Camera().lookAt(0, 0, 6, 0, 0, 0);
         int grey = 0x404040;
         try (Stage stage = new Stage()) {
             stage.add(Pose.at(0, 0, 1), Model.of(Meshes.CUBE).scale(9, 9, 0.1).color(grey));
             lines.begin(new Vector3d(), 1);
+            if (share != DebugLines.HIDDEN) {
+                lines.hidden(share);
+            }
             lines.line(-1, -0.5, 0, 1, 0.8, 0, RGB, 7);
             Picture picture = draw(stage.publish(), 1, camera, FLAT);
-            // A quarter of the line's colour over what hides it.
+            // That share of the line's colour over what hides it.
             int faint = 0;
             for (int shift = 16; shift >= 0; shift -= 8) {
                 faint |=
-                        (int) Math.round(0.25 * (RGB >> shift & 255) + 0.75 * (grey >> shift & 255))
+                        (int)
+                                        Math.round(
+                                                share * (RGB >> shift & 255)
+                                                        + (1 - share) * (grey >> shift & 255))
                                 << shift;
             }
             expectLine(
