@@ -15,6 +15,7 @@ import static org.lwjgl.glfw.GLFW.GLFW_OPENGL_FORWARD_COMPAT;
 import static org.lwjgl.glfw.GLFW.GLFW_OPENGL_PROFILE;
 import static org.lwjgl.glfw.GLFW.GLFW_PLATFORM;
 import static org.lwjgl.glfw.GLFW.GLFW_PLATFORM_NULL;
+import static org.lwjgl.glfw.GLFW.GLFW_PLATFORM_X11;
 import static org.lwjgl.glfw.GLFW.GLFW_SCALE_TO_MONITOR;
 import static org.lwjgl.glfw.GLFW.GLFW_TRUE;
 import static org.lwjgl.glfw.GLFW.GLFW_VISIBLE;
@@ -25,6 +26,7 @@ import static org.lwjgl.glfw.GLFW.glfwGetError;
 import static org.lwjgl.glfw.GLFW.glfwInit;
 import static org.lwjgl.glfw.GLFW.glfwInitHint;
 import static org.lwjgl.glfw.GLFW.glfwMakeContextCurrent;
+import static org.lwjgl.glfw.GLFW.glfwPlatformSupported;
 import static org.lwjgl.glfw.GLFW.glfwTerminate;
 import static org.lwjgl.glfw.GLFW.glfwWindowHint;
 import static org.lwjgl.opengl.GL11.GL_NO_ERROR;
@@ -43,6 +45,7 @@ import org.lwjgl.system.MemoryStack;
 import org.lwjgl.system.MemoryUtil;
 
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.atomic.AtomicBoolean;
 
 /**
@@ -116,6 +119,15 @@ public final class GlContext implements AutoCloseable {
         }
     }
 
+    /** Under an X server alone, trying Wayland would only have its library print that it fails. */
+    static int platform(Map<String, String> environment) {
+        boolean onlyX11 =
+                environment.containsKey("DISPLAY") && !environment.containsKey("WAYLAND_DISPLAY");
+        return onlyX11 && glfwPlatformSupported(GLFW_PLATFORM_X11)
+                ? GLFW_PLATFORM_X11
+                : GLFW_ANY_PLATFORM;
+    }
+
     private static GlContext create(boolean visible, int width, int height, String title) {
         // GLFW's own printing would come between the application's lines; its words come back by
         // glfwGetError.
@@ -124,7 +136,7 @@ public final class GlContext implements AutoCloseable {
             previous.free();
         }
         // Init hints outlive glfwTerminate, so the platform is always named.
-        glfwInitHint(GLFW_PLATFORM, visible ? GLFW_ANY_PLATFORM : GLFW_PLATFORM_NULL);
+        glfwInitHint(GLFW_PLATFORM, visible ? platform(System.getenv()) : GLFW_PLATFORM_NULL);
         if (!glfwInit()) {
             String reason = lastError();
             glfwTerminate();
