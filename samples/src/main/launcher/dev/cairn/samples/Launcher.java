@@ -76,6 +76,17 @@ public final class Launcher {
 
     /** Returns those of the needed flags that the options do not have. */
     static List<String> missingFlags(File home, List<String> jvmOptions) {
+        boolean elsewhere =
+                isMac() && System.getenv("JAVA_STARTED_ON_FIRST_THREAD_" + processId()) == null;
+        return missingFlags(home, jvmOptions, elsewhere);
+    }
+
+    /**
+     * The same; macOS lets only a process's first thread have windows, which is not the one in
+     * which Java calls {@code main} unless it is told to.
+     */
+    static List<String> missingFlags(
+            File home, List<String> jvmOptions, boolean offTheFirstThreadOfAMac) {
         List<String> missing = new ArrayList<String>();
         if (JdkSearch.hasVectorModule(home)
                 && !has(jvmOptions, "--add-modules=", "jdk.incubator.vector")) {
@@ -87,7 +98,7 @@ public final class Launcher {
         if (!has(jvmOptions, "--sun-misc-unsafe-memory-access=", "")) {
             missing.add("--sun-misc-unsafe-memory-access=allow");
         }
-        if (isMac() && System.getenv("JAVA_STARTED_ON_FIRST_THREAD_" + processId()) == null) {
+        if (offTheFirstThreadOfAMac) {
             missing.add("-XstartOnFirstThread");
         }
         return missing;

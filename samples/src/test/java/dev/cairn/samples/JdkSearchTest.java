@@ -143,6 +143,14 @@ class JdkSearchTest {
         assertFalse(again.contains("--add-modules=jdk.incubator.vector"), again.toString());
     }
 
+    /** GLFW's rule; a child that was started so is not started once more. */
+    @Test
+    void onAMacTheWindowGetsTheFirstThread() throws IOException {
+        File home = jdk("jdk", "25.0.3");
+        assertTrue(Launcher.missingFlags(home, List.of(), true).contains("-XstartOnFirstThread"));
+        assertFalse(Launcher.missingFlags(home, List.of(), false).contains("-XstartOnFirstThread"));
+    }
+
     @Test
     void aJavaWithoutTheVectorModuleIsNotAskedForIt() throws IOException {
         File home = jdk("jre", "25.0.3", "java.base java.desktop");
