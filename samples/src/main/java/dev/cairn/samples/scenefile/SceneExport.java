@@ -14,6 +14,7 @@ import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.render.camera.CameraMount;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
@@ -103,6 +104,10 @@ public final class SceneExport {
                                 new Turn(pose.qx(), pose.qy(), pose.qz(), pose.qw()))
                         .withMaterial(material, ownMass ? (Double) body.mass() : null)
                         .withLook(look(world, body));
+        if (world.ecs().has(body.entity(), CameraMount.COMPONENT)) {
+            CameraMount mount = world.ecs().get(body.entity(), CameraMount.COMPONENT);
+            entity = entity.withDriven(new EntitySpec.Driven(List.of(), mount));
+        }
         if (body.isFixed()) {
             return entity;
         }

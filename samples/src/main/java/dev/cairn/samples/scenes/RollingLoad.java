@@ -4,6 +4,7 @@ import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.render.mesh.Model;
 import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
@@ -60,10 +61,11 @@ public final class RollingLoad {
         double dz = StrictMath.sin(heading);
         // The friction of a pair is the square root of the product.
         scene.floor(60, 60, GROUND_FRICTION, 0);
+        Box slab = Box.of(10, HALF, 10);
         BodyRef plate =
                 scene.add(
-                        Box.of(10, HALF, 10),
-                        Palette.STONE,
+                        slab,
+                        Model.ground(slab).color(Palette.STONE),
                         Body.dynamic()
                                 .at(0, HALF - OVERLAP, 0)
                                 .mass(PLATE_MASS)

@@ -72,7 +72,7 @@ public final class SlopeBox {
                         .name("box");
         BodyRef box =
                 scene.add(Box.of(HALF_LENGTH, HALF_HEIGHT, HALF_LENGTH), Palette.body(0), body);
-        ramp.look(scene, 1.7, 5);
+        ramp.look(scene, 2.2, 6.5);
 
         Truth truth = new Truth(ramp, friction, drop, speed);
         Ramp.Tracker tracker = ramp.new Tracker(box);

@@ -110,7 +110,7 @@ public final class SphereGrid {
                                     .material(Palette.material(0, e))));
         }
         double reach = side * pitch;
-        scene.view(new SceneBuilder.View(reach, 2 + 0.5 * reach, 2.2 * reach + 2, 0, 0.5, 0));
+        scene.view(new SceneBuilder.View(0.6 * reach, 2 + 0.4 * reach, 1.2 * reach + 4, 0, 0.5, 0));
         if (e == 1) {
             Energy energy = new Energy(balls);
             scene.afterTick(energy::note);

@@ -3,6 +3,7 @@ package dev.cairn.samples.scenes;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.render.camera.CameraMount;
 import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
@@ -57,8 +58,9 @@ public final class Tumble {
                                 .mass(MASS)
                                 .velocity(-2, 8, -2)
                                 .angularVelocity(0.1, 0.1, -scene.get("spin"))
+                                .with(new CameraMount(0, 0.7, 2.8, true))
                                 .name("box"));
-        scene.view(new SceneBuilder.View(0, HEIGHT + 1, 12, 0, HEIGHT, 0));
+        scene.view(new SceneBuilder.View(0, HEIGHT + 0.7, 2.8, 0, HEIGHT, 0));
         Watch watch = new Watch(box);
         scene.afterTick(watch::note);
         scene.error("momentumRelative", () -> watch.momentum);
