@@ -6,6 +6,7 @@ import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenes.StackOfBoxes;
 
+import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -15,7 +16,11 @@ import java.util.Map;
  * {@link EditorWindowTest}.
  */
 final class EditorProbe extends Sandbox {
-    private static final List<String> BUTTONS = List.of("box", "Save", "Load");
+    private static final List<String> BUTTONS =
+            List.of("box", "capsule", "hull", "half-space", "Save", "Load");
+    private final com.sun.management.ThreadMXBean threads =
+            (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+    private long bytesBefore;
 
     private EditorProbe() {
         super(List.of(StackOfBoxes.scene()), Map.of(), 1, 4, false, System.err);
@@ -28,13 +33,15 @@ final class EditorProbe extends Sandbox {
 
     @Override
     void shown(Ui ui, View view, SandboxState state) {
+        // What the frame allocated but for this method.
+        long bytes = threads.getCurrentThreadAllocatedBytes() - bytesBefore;
         EntitySpec chosen = editor().selectedEntity();
         StringBuilder line = new StringBuilder();
         line.append(
                 String.format(
                         Locale.ROOT,
                         "frame=%d mode=%s tick=%d steps=%d entities=%d changed=%b wrong=%b"
-                                + " selected=%d selectedX=%s selectedY=%s seenY=%.6f",
+                                + " selected=%d selectedX=%s selectedY=%s seenY=%.6f bytes=%d",
                         view.frames(),
                         editor().mode(),
                         state.tick,
@@ -45,22 +52,14 @@ final class EditorProbe extends Sandbox {
                         editor().selected(),
                         chosen == null ? "NaN" : chosen.position().x(),
                         chosen == null ? "NaN" : chosen.position().y(),
-                        heightOfLast(view, state)));
+                        heightOfLast(view, state),
+                        bytes));
         for (String button : BUTTONS) {
-            double[] at = ui.boundsOf(button);
-            if (at != null) {
-                line.append(
-                        String.format(
-                                Locale.ROOT,
-                                " %sX=%.1f %sY=%.1f",
-                                button,
-                                at[0] + at[2] / 2,
-                                button,
-                                at[1] + at[3] / 2));
-            }
+            line.append(WindowFixture.middle(ui, button));
         }
         System.out.println(line);
         System.out.flush();
+        bytesBefore = threads.getCurrentThreadAllocatedBytes();
     }
 
     /** Where the world has the last entity of the edited scene. */

@@ -24,12 +24,6 @@ class EditorWindowTest extends WindowFixture {
         return seen.number("tick") >= 1;
     }
 
-    private void click(String button) throws IOException, InterruptedException {
-        Seen seen = now();
-        moveTo(seen.number(button + "X"), seen.number(button + "Y"));
-        type("click", "1");
-    }
-
     @Test
     void aBoxIsPlacedDraggedRaisedSavedLoadedAndFalls() throws IOException, InterruptedException {
         type("key", "F2");
@@ -105,5 +99,24 @@ class EditorWindowTest extends WindowFixture {
         type("key", "F2");
         Seen closed = await("the sandbox's own scene", seen -> seen.is("mode", "CLOSED"));
         assertTrue(closed.number("entities") == 2, "the editor keeps its scene: " + last);
+    }
+
+    /** With what is selected, its fields and its outline, and while the scene runs. */
+    @Test
+    void aSteadyEditorMakesNoGarbage() throws IOException, InterruptedException {
+        type("key", "F2");
+        await("the editor", seen -> seen.is("mode", "REST") && seen.number("entities") == 1);
+        awaitNoGarbage("nothing is selected");
+        int entities = 1;
+        for (String shape : new String[] {"box", "capsule", "hull", "half-space"}) {
+            click(shape);
+            int wanted = ++entities;
+            await(shape, seen -> seen.number("entities") == wanted);
+            awaitNoGarbage(shape);
+        }
+        type("key", "F5");
+        Seen started = await("the scene to run", seen -> seen.is("mode", "PLAYING"));
+        awaitNoGarbage("the scene runs");
+        assertTrue(now().number("tick") > started.number("tick"), last);
     }
 }

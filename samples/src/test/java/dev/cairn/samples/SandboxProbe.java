@@ -1,5 +1,6 @@
 package dev.cairn.samples;
 
+import dev.cairn.render.app.DebugLayer;
 import dev.cairn.render.app.View;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.scenes.StackOfBoxes;
@@ -21,6 +22,15 @@ final class SandboxProbe extends Sandbox {
     private final Vector3d eye = new Vector3d();
     private final com.sun.management.ThreadMXBean threads =
             (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+    private static final List<String> SECTIONS =
+            List.of(
+                    "Plots",
+                    "Stages of a tick",
+                    "Draw",
+                    "Solver",
+                    "Ball (key B)",
+                    "Window",
+                    "Keys");
     private long bytesBefore;
 
     private SandboxProbe(List<SampleScene> scenes, PrintStream out) {
@@ -31,6 +41,25 @@ final class SandboxProbe extends Sandbox {
     /** Runs until the window is closed. */
     public static void main(String[] arguments) {
         new SandboxProbe(List.of(StackOfBoxes.scene()), System.out).size(1024, 640).start();
+    }
+
+    private int layers() {
+        int count = 0;
+        for (DebugLayer layer : DebugLayer.values()) {
+            count += isDebug(layer) ? 1 : 0;
+        }
+        return count;
+    }
+
+    private static String places(Ui ui) {
+        StringBuilder line = new StringBuilder();
+        for (String section : SECTIONS) {
+            line.append(WindowFixture.middle(ui, section));
+        }
+        for (DebugLayer layer : DebugLayer.values()) {
+            line.append(WindowFixture.middle(ui, layer.title()));
+        }
+        return line.toString();
     }
 
     @Override
@@ -44,7 +73,7 @@ final class SandboxProbe extends Sandbox {
                 "frame=%d tick=%d worldTick=%d paused=%b eyeX=%.6f eyeY=%.6f eyeZ=%.6f pulling=%b"
                         + " held=%s heldX=%.6f gap=%.6f sliderX=%.1f sliderY=%.1f sliderWidth=%.1f"
                         + " sliderHeight=%.1f bodies=%d uiWidth=%.0f uiHeight=%.0f uiScale=%.2f"
-                        + " full=%b substeps=%d workers=%d bytes=%d%n",
+                        + " full=%b substeps=%d workers=%d layers=%d bytes=%d%s%n",
                 view.frames(),
                 state.tick,
                 view.snapshot().tick(),
@@ -67,7 +96,9 @@ final class SandboxProbe extends Sandbox {
                 isFullscreen(),
                 state.substeps,
                 state.workers,
-                bytes);
+                layers(),
+                bytes,
+                places(ui));
         out.flush();
         bytesBefore = threads.getCurrentThreadAllocatedBytes();
     }

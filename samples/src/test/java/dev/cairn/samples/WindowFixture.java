@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import dev.cairn.render.ui.Ui;
+
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
@@ -20,6 +22,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -32,11 +35,9 @@ import java.util.function.Predicate;
  * deadline.
  */
 abstract class WindowFixture {
-    private static final long DEADLINE_SECONDS = 90;
-
     @TempDir Path folder;
     private final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
-    private final long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(DEADLINE_SECONDS);
+    private final long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(deadlineSeconds());
     private Process server;
     private Process sandbox;
     private String display;
@@ -50,6 +51,11 @@ abstract class WindowFixture {
 
     /** When the window is ready for the test. */
     abstract boolean ready(Seen seen);
+
+    /** How long the whole test may take, from its beginning. */
+    long deadlineSeconds() {
+        return 90;
+    }
 
     /** One frame. */
     record Seen(Map<String, String> values) {
@@ -100,11 +106,6 @@ abstract class WindowFixture {
                         "--enable-native-access=ALL-UNNAMED",
                         "--sun-misc-unsafe-memory-access=deny",
                         "--add-modules=jdk.incubator.vector",
-                        // As after minutes: frames here are slow, and few.
-                        "-XX:Tier4InvocationThreshold=200",
-                        "-XX:Tier4MinInvocationThreshold=50",
-                        "-XX:Tier4CompileThreshold=500",
-                        "-XX:Tier4BackEdgeThreshold=2000",
                         "-cp",
                         wholeClassPath(),
                         program().getName());
@@ -186,6 +187,40 @@ abstract class WindowFixture {
             }
         }
         return false;
+    }
+
+    /** For a probe's line: where the middle of a widget is, if it was drawn yet. */
+    static String middle(Ui ui, String label) {
+        double[] at = ui.boundsOf(label);
+        String key = label.replace(' ', '_');
+        return at == null
+                ? ""
+                : String.format(
+                        Locale.ROOT,
+                        " %sX=%.1f %sY=%.1f",
+                        key,
+                        at[0] + at[2] / 2,
+                        key,
+                        at[1] + at[3] / 2);
+    }
+
+    /** Clicks on a widget whose middle the probe tells. */
+    void click(String label) throws IOException, InterruptedException {
+        Seen seen = now();
+        String key = label.replace(' ', '_');
+        moveTo(seen.number(key + "X"), seen.number(key + "Y"));
+        type("click", "1");
+    }
+
+    /** Waits until the window's thread makes no garbage any more; the first frames make some. */
+    void awaitNoGarbage(String what) throws IOException, InterruptedException {
+        int[] quiet = new int[1];
+        await(
+                "ten frames in a row without a byte: " + what,
+                seen -> {
+                    quiet[0] = seen.number("bytes") == 0 ? quiet[0] + 1 : 0;
+                    return quiet[0] >= 10;
+                });
     }
 
     /** Runs xdotool to its end. */

@@ -5,17 +5,14 @@ import static org.lwjgl.glfw.GLFW.glfwGetPrimaryMonitor;
 import static org.lwjgl.glfw.GLFW.glfwGetVideoMode;
 import static org.lwjgl.glfw.GLFW.glfwGetWindowPos;
 import static org.lwjgl.glfw.GLFW.glfwGetWindowSize;
-import static org.lwjgl.glfw.GLFW.glfwPollEvents;
 import static org.lwjgl.glfw.GLFW.glfwSetFramebufferSizeCallback;
+import static org.lwjgl.glfw.GLFW.glfwSetWindowCloseCallback;
 import static org.lwjgl.glfw.GLFW.glfwSetWindowContentScaleCallback;
 import static org.lwjgl.glfw.GLFW.glfwSetWindowMonitor;
 import static org.lwjgl.glfw.GLFW.glfwSetWindowSizeCallback;
-import static org.lwjgl.glfw.GLFW.glfwSetWindowTitle;
 import static org.lwjgl.glfw.GLFW.glfwShowWindow;
-import static org.lwjgl.glfw.GLFW.glfwSwapBuffers;
 import static org.lwjgl.glfw.GLFW.glfwSwapInterval;
 import static org.lwjgl.glfw.GLFW.glfwWaitEventsTimeout;
-import static org.lwjgl.glfw.GLFW.glfwWindowShouldClose;
 import static org.lwjgl.glfw.GLFW.nglfwGetFramebufferSize;
 import static org.lwjgl.glfw.GLFW.nglfwGetWindowContentScale;
 import static org.lwjgl.glfw.GLFW.nglfwGetWindowSize;
@@ -29,6 +26,7 @@ import dev.cairn.render.gl.FrameTarget;
 import dev.cairn.render.gl.GlContext;
 import dev.cairn.render.gl.SceneRenderer;
 import dev.cairn.render.ui.TextBuffer;
+import dev.cairn.render.ui.nuklear.NativeText;
 import dev.cairn.render.ui.nuklear.NuklearUi;
 
 import org.joml.Vector3d;
@@ -56,6 +54,7 @@ final class WindowLoop {
     private final long sizes = MemoryUtil.nmemCallocChecked(5, 4);
 
     private boolean sizesKnown;
+    private boolean closed;
     private final int[] windowX = new int[1];
     private final int[] windowY = new int[1];
     private final int[] oneWidth = new int[1];
@@ -71,6 +70,7 @@ final class WindowLoop {
     private long framesAtTitle;
     private double titleAge;
     private final TextBuffer title = new TextBuffer();
+    private final NativeText titleLetters = new NativeText();
 
     WindowLoop(Application application, Simulation simulation, GlContext context) {
         this.application = application;
@@ -93,10 +93,8 @@ final class WindowLoop {
             renderer.overlay(lines);
             view.lines(lines);
             long before = System.nanoTime();
-            while (!glfwWindowShouldClose(window)
-                    && !application.isQuitting()
-                    && !simulation.isOver()) {
-                glfwPollEvents();
+            while (!closed && !application.isQuitting() && !simulation.isOver()) {
+                FrameCalls.pollEvents();
                 long now = System.nanoTime();
                 double elapsed = Math.min((now - before) * 1e-9, 0.1);
                 before = now;
@@ -121,6 +119,7 @@ final class WindowLoop {
             if (panels != null) {
                 panels.close();
             }
+            titleLetters.close();
             MemoryUtil.nmemFree(sizes);
         }
     }
@@ -148,12 +147,13 @@ final class WindowLoop {
         if (application.takeScreenshotRequest()) {
             saveScreenshot(into, snapshot.tick());
         }
-        glfwSwapBuffers(window);
+        FrameCalls.swapBuffers(window);
     }
 
     // GLFW owns the callbacks; GlContext.close frees them.
     @SuppressWarnings("resource")
     private void listen(long window) {
+        glfwSetWindowCloseCallback(window, w -> closed = true);
         glfwSetFramebufferSizeCallback(window, (w, x, y) -> sizesKnown = false);
         glfwSetWindowSizeCallback(window, (w, x, y) -> sizesKnown = false);
         glfwSetWindowContentScaleCallback(window, (w, x, y) -> sizesKnown = false);
@@ -295,7 +295,7 @@ final class WindowLoop {
         } else {
             title.put(", x").putDigits(simulation.timeScale(), 3).put(", ");
         }
-        glfwSetWindowTitle(window, title.put(rate, 0).put(" fps"));
+        FrameCalls.title(window, titleLetters.of(title.put(rate, 0).put(" fps")));
         titleAge = 0;
         framesAtTitle = frames;
     }

@@ -4,13 +4,11 @@ import static org.lwjgl.opengl.GL11.glBindTexture;
 import static org.lwjgl.opengl.GL11.glGetInteger;
 import static org.lwjgl.opengl.GL13.glActiveTexture;
 import static org.lwjgl.opengl.GL15.glBindBuffer;
-import static org.lwjgl.opengl.GL15.glBufferData;
+import static org.lwjgl.opengl.GL15.nglBufferData;
 import static org.lwjgl.opengl.GL30.GL_RGBA32F;
 import static org.lwjgl.opengl.GL31.GL_MAX_TEXTURE_BUFFER_SIZE;
 import static org.lwjgl.opengl.GL31.GL_TEXTURE_BUFFER;
 import static org.lwjgl.opengl.GL31.glTexBuffer;
-
-import java.nio.FloatBuffer;
 
 /** A list of four-float texels that shaders read by number. */
 final class BufferTexture implements AutoCloseable {
@@ -41,11 +39,12 @@ final class BufferTexture implements AutoCloseable {
      * Replaces the list. It gets a new store each time, so the driver need not wait for frames that
      * still read the old one.
      *
-     * @param floats from position to limit
+     * @param address of the first float
+     * @param floats how many
      * @param usage GL_STREAM_DRAW, GL_STATIC_DRAW
      */
-    void write(FloatBuffer floats, int usage) {
-        int texels = floats.remaining() / FLOATS_PER_TEXEL;
+    void write(long address, int floats, int usage) {
+        int texels = floats / FLOATS_PER_TEXEL;
         if (texels > limit) {
             throw new IllegalStateException(
                     what
@@ -56,7 +55,7 @@ final class BufferTexture implements AutoCloseable {
                             + " in a buffer texture; show fewer entities");
         }
         glBindBuffer(GL_TEXTURE_BUFFER, buffer);
-        glBufferData(GL_TEXTURE_BUFFER, floats, usage);
+        nglBufferData(GL_TEXTURE_BUFFER, 4L * floats, address, usage);
     }
 
     /** Makes it readable at its unit. */

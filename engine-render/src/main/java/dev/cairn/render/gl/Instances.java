@@ -67,6 +67,10 @@ final class Instances implements AutoCloseable {
     private double[] wayOfRow = new double[0];
 
     private FloatBuffer staging = MemoryUtil.memAllocFloat(64 * MOTION_FLOATS);
+
+    /** By address, since LWJGL wraps the buffer for each upload. */
+    private long stagingAddress = MemoryUtil.memAddress(staging);
+
     private @Nullable PoseSnapshot uploaded;
     private long uploadedTick;
     private long uploadedNanos;
@@ -227,7 +231,7 @@ final class Instances implements AutoCloseable {
                 reachOfSlot[slot] = parts.get(i).radius();
                 putLook(looks, slot * LOOK_FLOATS, parts.get(i), rows.get(i));
             }
-            look.write(looks, GL_STATIC_DRAW);
+            look.write(MemoryUtil.memAddress(looks), looks.capacity(), GL_STATIC_DRAW);
         } finally {
             MemoryUtil.memFree(looks);
         }
@@ -296,6 +300,7 @@ final class Instances implements AutoCloseable {
         if (staging.capacity() < floats) {
             MemoryUtil.memFree(staging);
             staging = MemoryUtil.memAllocFloat(Math.max(floats, 2 * staging.capacity()));
+            stagingAddress = MemoryUtil.memAddress(staging);
         }
         double[] previous = snapshot.previous();
         double[] current = snapshot.current();
@@ -321,9 +326,7 @@ final class Instances implements AutoCloseable {
             wayOfRow[4 * row + 3] = Math.sqrt(dx * dx + dy * dy + dz * dz);
         }
         boundCasters(casterLimit);
-        staging.position(0).limit(floats);
-        motion.write(staging, GL_STREAM_DRAW);
-        staging.clear();
+        motion.write(stagingAddress, floats, GL_STREAM_DRAW);
         uploads++;
     }
 

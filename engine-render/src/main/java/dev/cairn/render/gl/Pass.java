@@ -6,7 +6,7 @@ import static org.lwjgl.opengl.GL11.GL_UNSIGNED_INT;
 import static org.lwjgl.opengl.GL15.GL_ARRAY_BUFFER;
 import static org.lwjgl.opengl.GL15.GL_STREAM_DRAW;
 import static org.lwjgl.opengl.GL15.glBindBuffer;
-import static org.lwjgl.opengl.GL15.glBufferData;
+import static org.lwjgl.opengl.GL15.nglBufferData;
 import static org.lwjgl.opengl.GL20.glEnableVertexAttribArray;
 import static org.lwjgl.opengl.GL20.glVertexAttribPointer;
 import static org.lwjgl.opengl.GL30.glBindVertexArray;
@@ -41,6 +41,9 @@ final class Pass implements AutoCloseable {
     private int drawn;
     private IntBuffer staging = MemoryUtil.memAllocInt(64);
 
+    /** By address, since LWJGL wraps the buffer for each upload. */
+    private long stagingAddress = MemoryUtil.memAddress(staging);
+
     /**
      * A pass that draws nothing yet.
      *
@@ -70,11 +73,8 @@ final class Pass implements AutoCloseable {
             visible[b] = instances.visible(frustum, batch.first, batch.count, staging);
             drawn += visible[b];
         }
-        staging.clear();
-        staging.limit(instances.slots());
         glBindBuffer(GL_ARRAY_BUFFER, slotBuffer);
-        glBufferData(GL_ARRAY_BUFFER, staging, GL_STREAM_DRAW);
-        staging.clear();
+        nglBufferData(GL_ARRAY_BUFFER, 4L * instances.slots(), stagingAddress, GL_STREAM_DRAW);
         culledUpload = instances.uploads();
         culledFor.set(clipFromAnchored);
     }
@@ -87,6 +87,7 @@ final class Pass implements AutoCloseable {
         if (staging.capacity() < instances.slots()) {
             MemoryUtil.memFree(staging);
             staging = MemoryUtil.memAllocInt(Math.max(instances.slots(), 2 * staging.capacity()));
+            stagingAddress = MemoryUtil.memAddress(staging);
         }
         for (int b = 0; b < batches; b++) {
             Batch batch = instances.batch(b);

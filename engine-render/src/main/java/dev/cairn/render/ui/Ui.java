@@ -90,7 +90,7 @@ public interface Ui {
      * @param name dimmed
      * @param value bright
      */
-    void value(String name, CharSequence value);
+    void value(CharSequence name, CharSequence value);
 
     /**
      * A heading on a row of its own, with space above.

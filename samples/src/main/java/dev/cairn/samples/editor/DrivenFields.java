@@ -29,14 +29,25 @@ final class DrivenFields {
 
     private final Editor editor;
 
+    /** The controls that were shown last, which set they are, and what is written of them. */
+    private List<Control> known = List.of();
+
+    private int knownSet = NOBODY;
+    private String[] triggers = {};
+    private String[] effects = {};
+
     DrivenFields(Editor editor) {
         this.editor = editor;
     }
 
+    @SuppressWarnings("ReferenceEquality") // each change makes another list
     void draw(Ui ui, EntitySpec entity) {
         ui.heading("Driven by");
         List<Control> controls = entity.driven().controls();
-        int present = set(controls);
+        if (controls != known) {
+            learn(controls);
+        }
+        int present = knownSet;
         int chosen = ui.choice("keys", NAMES, present);
         if (chosen != present && chosen != OWN) {
             change(make(chosen, PUSH, JUMP), entity.driven().camera());
@@ -52,8 +63,8 @@ final class DrivenFields {
                 return;
             }
         } else if (present == OWN) {
-            for (Control control : controls) {
-                ui.value(control.trigger(), control.effect().word());
+            for (int i = 0; i < triggers.length; i++) {
+                ui.value(triggers[i], effects[i]);
             }
         }
         CameraMount camera = entity.driven().camera();
@@ -61,6 +72,13 @@ final class DrivenFields {
         if (rides != (camera != null)) {
             change(controls, rides ? new CameraMount(0, 2, 6, true) : null);
         }
+    }
+
+    private void learn(List<Control> controls) {
+        known = controls;
+        knownSet = set(controls);
+        triggers = controls.stream().map(Control::trigger).toArray(String[]::new);
+        effects = controls.stream().map(c -> c.effect().word()).toArray(String[]::new);
     }
 
     private void change(List<Control> controls, @Nullable CameraMount camera) {

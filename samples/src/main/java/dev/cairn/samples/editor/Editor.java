@@ -47,6 +47,11 @@ public final class Editor {
     private volatile Mode mode = Mode.CLOSED;
     private SceneHistory history = new SceneHistory(Supply.emptyScene());
     private SceneFile saved = history.current();
+
+    /** The scene that was compared with the saved one last, and the answer. */
+    private @Nullable SceneFile compared;
+
+    private boolean changed;
     private Path folder = Path.of("").toAbsolutePath();
     private @Nullable Path file;
     private int selected = NOTHING;
@@ -98,8 +103,20 @@ public final class Editor {
      *
      * @return true if so
      */
+    @SuppressWarnings("ReferenceEquality") // each edit makes another object
     public boolean isChanged() {
-        return !history.current().equals(saved);
+        SceneFile now = history.current();
+        if (now != compared) {
+            // Asked for in each frame, and a comparison of long lists.
+            compared = now;
+            changed = !now.equals(saved);
+        }
+        return changed;
+    }
+
+    private void savedIs(SceneFile scene) {
+        saved = scene;
+        compared = null;
     }
 
     /**
@@ -172,7 +189,7 @@ public final class Editor {
      */
     public void open(SceneFile scene, @Nullable Path origin, Path relativeTo) {
         history = new SceneHistory(scene);
-        saved = scene;
+        savedIs(scene);
         file = origin;
         folder = relativeTo.toAbsolutePath().normalize();
         selected = NOTHING;
@@ -424,7 +441,7 @@ public final class Editor {
             }
             folder = home;
             file = target;
-            saved = moved;
+            savedIs(moved);
             say("saved in " + target);
         } catch (UncheckedIOException | InvalidPathException broken) {
             fail(String.valueOf(broken.getMessage()));

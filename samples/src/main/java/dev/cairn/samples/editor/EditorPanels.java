@@ -7,6 +7,7 @@ import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Key;
 import dev.cairn.render.input.MouseButton;
 import dev.cairn.render.input.Pointer;
+import dev.cairn.render.ui.TextBuffer;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
@@ -51,6 +52,13 @@ public final class EditorPanels {
     private @Nullable Path shownFile;
     private @Nullable GroundDrag drag;
     private boolean snaps = true;
+    private final EntityTitles titles = new EntityTitles();
+    private final TextBuffer text = new TextBuffer();
+
+    /** Whose box is drawn, and its corners. */
+    private @Nullable EntitySpec outlined;
+
+    private Vector3d[] corners = {};
     private int stepsBefore;
     private int restFrames;
 
@@ -223,9 +231,8 @@ public final class EditorPanels {
             editor.redo();
         }
         String label = editor.history().undoLabel();
-        ui.value(
-                editor.history().steps() + " steps" + (editor.isChanged() ? ", unsaved" : ""),
-                label == null ? "" : label);
+        text.clear().put(editor.history().steps()).put(" steps");
+        ui.value(editor.isChanged() ? text.put(", unsaved") : text, label == null ? "" : label);
         fileName = ui.textField("file", fileName);
         ui.columns(3);
         if (ui.button("Save")) {
@@ -248,7 +255,8 @@ public final class EditorPanels {
     private void palette(Ui ui, View view) {
         ui.heading("Place");
         ui.columns(3);
-        for (Supply.Item item : Supply.ITEMS) {
+        for (int i = 0; i < Supply.ITEMS.size(); i++) {
+            Supply.Item item = Supply.ITEMS.get(i);
             if (ui.button(item.name())) {
                 EntitySpec made = EntitySpec.of(item.name(), item.body(), item.shape());
                 editor.place(
@@ -268,25 +276,12 @@ public final class EditorPanels {
         List<EntitySpec> entities = editor.scene().entities();
         if (ui.panel("Entities", GAP, top, LEFT_WIDTH, height)) {
             for (int i = 0; i < entities.size(); i++) {
-                if (ui.item(title(i, entities.get(i)), i == editor.selected(), "")) {
+                if (ui.item(titles.of(i, entities.get(i)), i == editor.selected(), "")) {
                     editor.select(i == editor.selected() ? Editor.NOTHING : i);
                 }
             }
         }
         ui.endPanel();
-    }
-
-    static String title(int index, EntitySpec entity) {
-        return "%d  %s, %s%s"
-                .formatted(
-                        index,
-                        entity.name().isEmpty() ? "(no name)" : entity.name(),
-                        entity.shape().type(),
-                        switch (entity.body()) {
-                            case DYNAMIC -> "";
-                            case FIXED -> ", fixed";
-                            case NONE -> ", only drawn";
-                        });
     }
 
     // Mouse ------------------------------------------------------------------------------------
@@ -362,12 +357,17 @@ public final class EditorPanels {
     }
 
     /** The box around what is selected, drawn over the scene. */
+    @SuppressWarnings("ReferenceEquality") // a changed entity is another object
     private void outline(View view) {
         EntitySpec chosen = editor.selectedEntity();
         if (chosen == null) {
             return;
         }
-        Vector3d[] c = Sizes.of(chosen).corners(chosen.position(), chosen.rotation());
+        if (chosen != outlined) {
+            outlined = chosen;
+            corners = Sizes.of(chosen).corners(chosen.position(), chosen.rotation());
+        }
+        Vector3d[] c = corners;
         for (int i = 0; i < EDGES.length; i += 2) {
             Vector3d a = c[EDGES[i]];
             Vector3d b = c[EDGES[i + 1]];

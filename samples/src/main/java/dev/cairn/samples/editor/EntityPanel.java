@@ -36,6 +36,8 @@ final class EntityPanel {
     private final Fields fields = new Fields();
     private final ShapeFields shapes;
     private final DrivenFields driven;
+    private final Quaterniond rotation = new Quaterniond();
+    private final Vector3d angles = new Vector3d();
     private int shown = Editor.NOTHING;
 
     EntityPanel(Editor editor) {
@@ -145,10 +147,7 @@ final class EntityPanel {
             editor.change("move", e -> e.at(position, e.rotation()));
         }
         Turn turn = entity.rotation();
-        Vector3d angles =
-                new Quaterniond(turn.x(), turn.y(), turn.z(), turn.w())
-                        .normalize()
-                        .getEulerAnglesYXZ(new Vector3d());
+        rotation.set(turn.x(), turn.y(), turn.z(), turn.w()).normalize().getEulerAnglesYXZ(angles);
         double yaw = degrees(ui, "yaw", angles.y, 180, "about the upward axis, degrees");
         double pitch = degrees(ui, "pitch", angles.x, 90, "about the sideward axis, degrees");
         double roll = degrees(ui, "roll", angles.z, 180, "about the forward axis, degrees");

@@ -11,14 +11,29 @@ import java.util.Map;
 
 /**
  * Numbers as text that can be typed. While a text is no number the value stays, and the text too,
- * so that it can be finished. Window thread.
+ * so that it can be finished. Texts are made anew only when they or their values change, so that a
+ * frame in which nothing is typed makes no garbage. Window thread.
  */
 final class Fields {
-    private final Map<String, String> typed = new HashMap<>();
+    /** What the user typed: its text and the value that it means, NaN where it means none. */
+    private record Typed(String text, double value) {}
+
+    /** A field that nobody types into: the bits of a value, and the text that shows it. */
+    private static final class Shown {
+        private long bits;
+        private String text = "";
+    }
+
+    private static final int NO_COLOUR = -1;
+
+    private final Map<String, Typed> typed = new HashMap<>();
+    private final Map<String, Shown> untouched = new HashMap<>();
+    private final Map<String, String[]> axes = new HashMap<>();
 
     /** Forgets unfinished texts: something else is selected. */
     void forget() {
         typed.clear();
+        untouched.clear();
     }
 
     /**
@@ -27,20 +42,32 @@ final class Fields {
      * @return what was typed if it is a finite number, or the same bits as before
      */
     double number(Ui ui, String label, double value) {
-        String shown = typed.get(label);
-        Double meant = shown == null ? null : parse(shown);
-        if (shown == null || (meant != null && meant != value)) {
-            // Untouched, or changed elsewhere meanwhile.
+        Typed before = typed.get(label);
+        if (before != null && !Double.isNaN(before.value) && before.value != value) {
+            // Changed elsewhere meanwhile.
             typed.remove(label);
-            shown = text(value);
+            before = null;
         }
+        String shown = before == null ? untouched(label, value) : before.text;
         String now = ui.textField(label, shown);
         if (now.equals(shown)) {
             return value;
         }
-        typed.put(label, now);
         Double parsed = parse(now);
+        typed.put(label, new Typed(now, parsed == null ? Double.NaN : parsed));
         return parsed == null ? value : parsed;
+    }
+
+    private String untouched(String label, double value) {
+        long bits = Double.doubleToRawLongBits(value);
+        Shown shown = untouched.get(label);
+        if (shown == null || shown.bits != bits) {
+            shown = new Shown();
+            shown.bits = bits;
+            shown.text = text(value);
+            untouched.put(label, shown);
+        }
+        return shown.text;
     }
 
     /**
@@ -49,19 +76,31 @@ final class Fields {
      * @return what was typed if it is a colour, or the same as before
      */
     @Nullable Integer rgb(Ui ui, String label, @Nullable Integer value) {
-        String shown = typed.get(label);
-        Integer meant = shown == null ? null : parseRgb(shown);
-        if (shown == null || (meant != null && !meant.equals(value))) {
+        int known = value == null ? NO_COLOUR : value & 0xFFFFFF;
+        Typed before = typed.get(label);
+        if (before != null && !Double.isNaN(before.value) && before.value != known) {
             typed.remove(label);
-            shown = value == null ? "" : String.format(Locale.ROOT, "#%06X", value & 0xFFFFFF);
+            before = null;
         }
+        String shown = before == null ? untouchedRgb(label, known) : before.text;
         String now = ui.textField(label, shown);
         if (now.equals(shown)) {
             return value;
         }
-        typed.put(label, now);
         Integer parsed = parseRgb(now);
+        typed.put(label, new Typed(now, parsed == null ? Double.NaN : parsed));
         return parsed == null ? value : parsed;
+    }
+
+    private String untouchedRgb(String label, int rgb) {
+        Shown shown = untouched.get(label);
+        if (shown == null || shown.bits != rgb) {
+            shown = new Shown();
+            shown.bits = rgb;
+            shown.text = rgb == NO_COLOUR ? "" : String.format(Locale.ROOT, "#%06X", rgb);
+            untouched.put(label, shown);
+        }
+        return shown.text;
     }
 
     static @Nullable Integer parseRgb(String text) {
@@ -69,11 +108,20 @@ final class Fields {
         return digits.matches("[0-9A-Fa-f]{6}") ? (Integer) Integer.parseInt(digits, 16) : null;
     }
 
-    /** Three fields, for x, y and z. */
+    /**
+     * Three fields, for x, y and z.
+     *
+     * @return what was typed, or the same object as before
+     */
     Xyz xyz(Ui ui, String label, Xyz value) {
-        double x = number(ui, label + " x", value.x());
-        double y = number(ui, label + " y", value.y());
-        double z = number(ui, label + " z", value.z());
+        String[] names = axes.get(label);
+        if (names == null) {
+            names = new String[] {label + " x", label + " y", label + " z"};
+            axes.put(label, names);
+        }
+        double x = number(ui, names[0], value.x());
+        double y = number(ui, names[1], value.y());
+        double z = number(ui, names[2], value.z());
         boolean same =
                 Double.compare(x, value.x()) == 0
                         && Double.compare(y, value.y()) == 0

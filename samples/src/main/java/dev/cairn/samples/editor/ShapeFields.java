@@ -1,5 +1,6 @@
 package dev.cairn.samples.editor;
 
+import dev.cairn.render.ui.TextBuffer;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.ShapeSpec;
@@ -16,12 +17,22 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** The sizes of a shape as fields; the points of a hull one by one. Window thread. */
+@SuppressWarnings("ReferenceEquality") // what nobody typed into is the same object
 final class ShapeFields {
     /** Points of a hull that have fields; more would be a list without an end. */
     private static final int MOST_POINTS = 24;
 
+    private static final String[] POINTS = new String[MOST_POINTS];
+
+    static {
+        for (int i = 0; i < MOST_POINTS; i++) {
+            POINTS[i] = "p" + i;
+        }
+    }
+
     private final Editor editor;
     private final Fields fields;
+    private final TextBuffer text = new TextBuffer();
 
     ShapeFields(Editor editor, Fields fields) {
         this.editor = editor;
@@ -31,45 +42,86 @@ final class ShapeFields {
     void draw(Ui ui, EntitySpec entity) {
         ShapeSpec wanted =
                 switch (entity.shape()) {
-                    case BoxShape(Xyz half) -> new BoxShape(fields.xyz(ui, "half", half));
-                    case SphereShape(double radius) ->
-                            new SphereShape(fields.number(ui, "radius, m", radius));
-                    case TurnedShape(String type, double radius, double half) ->
-                            new TurnedShape(
-                                    type,
-                                    fields.number(ui, "radius, m", radius),
-                                    fields.number(ui, "half height, m", half));
+                    case BoxShape box -> box(ui, box);
+                    case SphereShape ball -> ball(ui, ball);
+                    case TurnedShape turned -> turned(ui, turned);
                     case HullShape hull -> hull(ui, hull);
-                    case MeshShape(String file) -> new MeshShape(ui.textField("file", file));
+                    case MeshShape mesh -> mesh(ui, mesh);
                     case GroundShape ground -> ground;
                     case MovedShape moved -> moved;
                 };
-        if (!wanted.equals(entity.shape())) {
+        if (wanted != entity.shape()) {
             change(entity, wanted);
         }
     }
 
+    // Each gives back the very shape where nothing was typed: a copy would be garbage of each
+    // frame.
+
+    private BoxShape box(Ui ui, BoxShape box) {
+        Xyz half = fields.xyz(ui, "half", box.halfExtents());
+        return half == box.halfExtents() ? box : new BoxShape(half);
+    }
+
+    private SphereShape ball(Ui ui, SphereShape ball) {
+        double radius = fields.number(ui, "radius, m", ball.radius());
+        return radius == ball.radius() ? ball : new SphereShape(radius);
+    }
+
+    private TurnedShape turned(Ui ui, TurnedShape turned) {
+        double radius = fields.number(ui, "radius, m", turned.radius());
+        double half = fields.number(ui, "half height, m", turned.halfHeight());
+        return radius == turned.radius() && half == turned.halfHeight()
+                ? turned
+                : new TurnedShape(turned.type(), radius, half);
+    }
+
+    private static MeshShape mesh(Ui ui, MeshShape mesh) {
+        String file = ui.textField("file", mesh.file());
+        return file.equals(mesh.file()) ? mesh : new MeshShape(file);
+    }
+
     private HullShape hull(Ui ui, HullShape hull) {
-        List<Xyz> points = new ArrayList<>(hull.points());
+        // Closed at first: three fields a point would push all else out of sight.
+        if (!ui.section("Points", false)) {
+            return hull;
+        }
+        HullShape result = points(ui, hull);
+        ui.endSection();
+        return result;
+    }
+
+    private HullShape points(Ui ui, HullShape hull) {
+        List<Xyz> points = hull.points();
         ui.columns(2);
-        if (ui.button("Add a point")) {
-            Xyz last = points.getLast();
-            points.add(new Xyz(last.x(), last.y() + 0.25, last.z()));
-        }
-        if (ui.button("Remove the last")) {
-            points.removeLast();
-        }
-        if (points.size() != hull.points().size()) {
+        boolean adds = ui.button("Add a point");
+        boolean removes = ui.button("Remove the last");
+        if (adds || removes) {
+            List<Xyz> changed = new ArrayList<>(points);
+            Xyz last = changed.getLast();
+            if (adds) {
+                changed.add(new Xyz(last.x(), last.y() + 0.25, last.z()));
+            } else {
+                changed.removeLast();
+            }
             fields.forget();
-            return new HullShape(points);
+            return new HullShape(changed);
         }
         if (points.size() > MOST_POINTS) {
-            ui.text(points.size() + " points; the first " + MOST_POINTS + " have fields.");
+            text.clear().put(points.size()).put(" points; the first ").put(MOST_POINTS);
+            ui.text(text.put(" have fields."));
         }
+        HullShape result = hull;
         for (int i = 0; i < Math.min(points.size(), MOST_POINTS); i++) {
-            points.set(i, fields.xyz(ui, "p" + i, points.get(i)));
+            Xyz old = points.get(i);
+            Xyz typed = fields.xyz(ui, POINTS[i], old);
+            if (typed != old) {
+                List<Xyz> changed = new ArrayList<>(result.points());
+                changed.set(i, typed);
+                result = new HullShape(changed);
+            }
         }
-        return points.equals(hull.points()) ? hull : new HullShape(points);
+        return result;
     }
 
     /** A shape that cannot be, such as a flat hull, is told and not taken over. */

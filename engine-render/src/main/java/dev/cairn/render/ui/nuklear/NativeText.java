@@ -3,13 +3,16 @@ package dev.cairn.render.ui.nuklear;
 import org.lwjgl.system.MemoryUtil;
 
 /**
- * One text at a time in UTF-8 outside the heap, for Nuklear, which copies what it is given. LWJGL's
- * own way makes garbage with each text. Window thread.
+ * One text at a time in UTF-8 outside the heap, for libraries that copy what they are given.
+ * LWJGL's own way makes garbage with each text. Window thread.
  */
-final class NativeText implements AutoCloseable {
+public final class NativeText implements AutoCloseable {
     private static final int BYTES = 4096;
 
     private final long address = MemoryUtil.nmemAllocChecked(BYTES);
+
+    /** Room for some thousand letters. */
+    public NativeText() {}
 
     /**
      * Writes a text, cut off after some thousand letters.
@@ -17,7 +20,7 @@ final class NativeText implements AutoCloseable {
      * @param text what
      * @return its address, valid until the next call
      */
-    long of(CharSequence text) {
+    public long of(CharSequence text) {
         int at = 0;
         for (int i = 0; i < text.length() && at < BYTES - 5; i++) {
             char letter = text.charAt(i);

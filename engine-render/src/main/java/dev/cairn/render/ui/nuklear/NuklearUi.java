@@ -252,7 +252,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     }
 
     @Override
-    public void value(String name, CharSequence value) {
+    public void value(CharSequence name, CharSequence value) {
         row(LINE, 2, valueColumns);
         write(name, UiStyle.DIM, NK_TEXT_LEFT);
         write(value, NK_TEXT_RIGHT);
