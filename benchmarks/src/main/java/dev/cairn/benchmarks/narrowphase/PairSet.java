@@ -1,5 +1,6 @@
 package dev.cairn.benchmarks.narrowphase;
 
+import dev.cairn.benchmarks.peer.PairCalls;
 import dev.cairn.physics.narrowphase.BoxContacts;
 import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
@@ -108,6 +109,17 @@ public final class PairSet {
                 framesB[FRAMES * i + f] =
                         new Quaterniond(turnB[i]).rotateXYZ(by * turn.x, by * turn.y, by * turn.z);
             }
+        }
+    }
+
+    /**
+     * Hands all pairs to another engine's call.
+     *
+     * @param calls receives them
+     */
+    void addTo(PairCalls calls) {
+        for (int i = 0; i < SIZE; i++) {
+            calls.add(a[i], turnA[i], b[i], turnB[i], offset[i]);
         }
     }
 

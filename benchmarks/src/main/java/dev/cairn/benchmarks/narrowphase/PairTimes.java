@@ -1,18 +1,22 @@
 package dev.cairn.benchmarks.narrowphase;
 
+import dev.cairn.benchmarks.peer.PairCalls;
 import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.NarrowPhase.Method;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 
 /**
  * Nanoseconds of thread CPU time per pair: one after another, cold (nothing known of the last
  * tick), warm (poses unchanged), and moving (the word of the last tick, and poses that differ by
- * what a slow body moves in it); and in the stage of a step, gather and store included.
+ * what a slow body moves in it); and in the stage of a step, gather and store included. Then the
+ * other engines' calls for two shapes, see {@link PairCalls}.
  *
  * <p>{@code java --add-modules=jdk.incubator.vector -jar benchmarks.jar narrow-phase times}
  */
@@ -21,6 +25,8 @@ public final class PairTimes {
 
     /** Repetitions; the fastest is told, and the median. */
     private static final int REPETITIONS = 1000;
+
+    private static final int PEER_REPETITIONS = 300;
 
     /** Sets of pairs, 256 each, whose iterations are counted. */
     private static final int ITERATION_SETS = 40;
@@ -45,10 +51,12 @@ public final class PairTimes {
                 "warm",
                 "iterations",
                 "stage");
+        List<PairSet.Kind> kinds = new ArrayList<>();
         for (PairSet.Kind kind : PairSet.Kind.values()) {
             if (args.length > 0 && !Arrays.asList(args).contains(kind.name())) {
                 continue;
             }
+            kinds.add(kind);
             for (Method method : Method.values()) {
                 System.out.printf(
                         Locale.ROOT,
@@ -65,6 +73,42 @@ public final class PairTimes {
                     System.out.printf(Locale.ROOT, " %8.0f", stage(kind));
                 }
                 System.out.println();
+            }
+        }
+        peers(kinds);
+    }
+
+    /** The other engines' calls for single pairs, cold, and what crossing to them costs alone. */
+    private static void peers(List<PairSet.Kind> kinds) {
+        List<String> missing = new ArrayList<>();
+        PairCalls.all(missing);
+        missing.forEach(System.out::println);
+        for (PairSet.Kind kind : kinds) {
+            PairSet set = new PairSet(kind, 1);
+            for (PairCalls calls : PairCalls.all(new ArrayList<>())) {
+                set.addTo(calls);
+                int found = calls.run();
+                double call = Double.MAX_VALUE;
+                double cross = Double.MAX_VALUE;
+                long sum = 0;
+                for (int k = 0; k < PEER_REPETITIONS; k++) {
+                    long begin = THREADS.getCurrentThreadCpuTime();
+                    sum += calls.run();
+                    long middle = THREADS.getCurrentThreadCpuTime();
+                    sum += calls.cross();
+                    long end = THREADS.getCurrentThreadCpuTime();
+                    call = Math.min(call, (middle - begin) / (double) PairSet.SIZE);
+                    cross = Math.min(cross, (end - middle) / (double) PairSet.SIZE);
+                }
+                System.out.printf(
+                        Locale.ROOT,
+                        "%-16s %-40s cold %6.0f, of it the crossing %4.0f (%d found in %d pairs)%n",
+                        kind,
+                        calls.title(),
+                        call,
+                        cross,
+                        sum == 0 ? 0 : found,
+                        PairSet.SIZE);
             }
         }
     }

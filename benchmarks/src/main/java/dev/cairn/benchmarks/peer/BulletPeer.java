@@ -75,7 +75,7 @@ final class BulletPeer implements Peer {
         }
     }
 
-    private static void prepare() {
+    static void prepare() {
         if (ready) {
             return;
         }

@@ -115,7 +115,7 @@ final class JoltPeer implements Peer {
         }
     }
 
-    private static void prepare() {
+    static void prepare() {
         if (ready) {
             return;
         }

@@ -10,9 +10,13 @@ import dev.cairn.physics.narrowphase.BoxContacts;
 import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.RoundContacts;
+import dev.cairn.physics.narrowphase.RoundPairs;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
+import dev.cairn.physics.narrowphase.wide.RoundBatch;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Sphere;
 
 import java.util.Arrays;
 
@@ -26,8 +30,8 @@ public final class ManifoldStage {
     /** A batch of boxes, about 5 microseconds. */
     private static final int BOXES_PER_BLOCK = BoxBatch.CAPACITY;
 
-    /** Fewer pairs of boxes go without lanes, whose kernels would stay uncompiled for long. */
-    private static final int BOXES_FOR_LANES = 512;
+    /** Fewer pairs of a kind go without lanes, whose kernels would stay uncompiled for long. */
+    private static final int PAIRS_FOR_LANES = 512;
 
     /** At rest few pairs of a batch have moved; lanes would be empty. */
     private static final int MOVED_FOR_LANES = 8;
@@ -122,6 +126,65 @@ public final class ManifoldStage {
     }
 
     private void round(int begin, int end, Scratch own) {
+        int pairs = kinds.begin(PairKinds.OTHERS) - kinds.begin(PairKinds.ROUND);
+        boolean wide = pairs >= PAIRS_FOR_LANES && BoxWarmUp.ready();
+        for (int i = begin; i < end; i += RoundBatch.CAPACITY) {
+            int last = Math.min(end, i + RoundBatch.CAPACITY);
+            if (wide) {
+                roundBatch(i, last - i, own);
+            } else {
+                roundOnes(i, last, own);
+            }
+        }
+    }
+
+    private void roundBatch(int begin, int count, Scratch own) {
+        BodyStore s = bodies;
+        ContactStore c = contacts;
+        int[] order = kinds.order();
+        RoundPairs batch = own.roundPairs;
+        for (int i = 0; i < count; i++) {
+            int row = order[begin + i];
+            int a = c.bodyA[row];
+            int b = c.bodyB[row];
+            batch.put(
+                    i,
+                    s.positionX[b] - s.positionX[a],
+                    s.positionY[b] - s.positionY[a],
+                    s.positionZ[b] - s.positionZ[a],
+                    margin(a, b));
+            putRound(i, false, a, batch);
+            putRound(i, true, b, batch);
+        }
+        batch.run(count);
+        for (int i = 0; i < count; i++) {
+            int row = order[begin + i];
+            if (batch.take(i, own.manifold)) {
+                c.cache[row] = RoundPairs.word(own.manifold);
+                points.store(row, own.manifold, own.points);
+            } else {
+                collide(row, own);
+            }
+        }
+    }
+
+    private void putRound(int i, boolean second, int body, RoundPairs batch) {
+        BodyStore s = bodies;
+        if (s.shape[body] instanceof Capsule capsule) {
+            batch.capsule(
+                    i,
+                    second,
+                    capsule,
+                    s.orientationX[body],
+                    s.orientationY[body],
+                    s.orientationZ[body],
+                    s.orientationW[body]);
+        } else {
+            batch.ball(i, second, (Sphere) s.shape[body]);
+        }
+    }
+
+    private void roundOnes(int begin, int end, Scratch own) {
         BodyStore s = bodies;
         ContactStore c = contacts;
         int[] order = kinds.order();
@@ -191,7 +254,7 @@ public final class ManifoldStage {
                     c.cache[row]);
         }
         batch.useLanes(
-                kinds.begin(PairKinds.ROUND) >= BOXES_FOR_LANES
+                kinds.begin(PairKinds.ROUND) >= PAIRS_FOR_LANES
                         && moved >= MOVED_FOR_LANES
                         && BoxWarmUp.ready());
         batch.run(moved);
@@ -208,6 +271,11 @@ public final class ManifoldStage {
         ContactStore c = contacts;
         int a = c.bodyA[row];
         int b = c.bodyB[row];
+        double margin = margin(a, b);
+        boolean flat = Recycler.fits(s.shape[a]) && Recycler.fits(s.shape[b]);
+        if (flat && recycler.renew(row, margin)) {
+            return;
+        }
         c.cache[row] =
                 own.narrowPhase.collide(
                         s.shape[a],
@@ -223,10 +291,13 @@ public final class ManifoldStage {
                         s.positionX[b] - s.positionX[a],
                         s.positionY[b] - s.positionY[a],
                         s.positionZ[b] - s.positionZ[a],
-                        margin(a, b),
+                        margin,
                         c.cache[row],
                         own.manifold);
         points.store(row, own.manifold, own.points);
+        if (flat) {
+            recycler.keep(row, own.manifold, own.narrowPhase.leftOut(), margin);
+        }
     }
 
     /** The speculative margin of a pair; see the package's essay. */
@@ -246,6 +317,7 @@ public final class ManifoldStage {
         final NarrowPhase narrowPhase = new NarrowPhase();
         final BoxContacts boxes = new BoxContacts(narrowPhase);
         final RoundContacts round = new RoundContacts();
+        final RoundPairs roundPairs = new RoundPairs();
         final int[] row = new int[BOXES_PER_BLOCK];
         final double[] margin = new double[BOXES_PER_BLOCK];
         final Manifold manifold = new Manifold();

@@ -5,6 +5,9 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Polyhedron;
+import dev.cairn.physics.shape.Shape;
 
 /**
  * Renews the points of pairs of boxes that have hardly moved since they were collided, without
@@ -31,7 +34,7 @@ final class Recycler {
     static final double SHARE = 0x1p-12;
 
     /** Places in a row of {@link ContactStore#kept}. */
-    private static final int CENTRE = 4, HALF = 7, SPIN = 8, LIMIT = 9, GAP = 10, POINT = 12;
+    private static final int CENTRE = 4, OFFSET = 7, SPIN = 8, LIMIT = 9, GAP = 10, POINT = 12;
 
     private BodyStore s = new BodyStore();
     private ContactStore c = new ContactStore();
@@ -42,6 +45,11 @@ final class Recycler {
         s = bodyStore;
         c = rows;
         stepSquared = stepSeconds * stepSeconds;
+    }
+
+    /** Whether pairs of such shapes may be kept. */
+    static boolean fits(Shape shape) {
+        return shape instanceof Box || shape instanceof ConvexHull;
     }
 
     /**
@@ -96,11 +104,22 @@ final class Recycler {
         }
         int face = NarrowPhase.faceOf(c.cache[row]);
         double sign = (face & 1) == 0 ? -1 : 1;
-        // The face's outward normal is a column of the reference's rotation matrix.
+        // The face's outward normal: of a box a column of its rotation matrix.
         double nx;
         double ny;
         double nz;
-        if (face >> 1 == 1) {
+        if (s.shape[r] instanceof ConvexHull hull) {
+            Polyhedron h = hull.polyhedron();
+            double x = h.normalX(face);
+            double y = h.normalY(face);
+            double z = h.normalZ(face);
+            double ux = 2 * (ry * z - rz * y);
+            double uy = 2 * (rz * x - rx * z);
+            double uz = 2 * (rx * y - ry * x);
+            nx = x + rw * ux + (ry * uz - rz * uy);
+            ny = y + rw * uy + (rz * ux - rx * uz);
+            nz = z + rw * uz + (rx * uy - ry * ux);
+        } else if (face >> 1 == 1) {
             nx = sign * (2 * (rx * ry - rw * rz));
             ny = sign * (1 - 2 * (rx * rx + rz * rz));
             nz = sign * (2 * (ry * rz + rw * rx));
@@ -145,7 +164,7 @@ final class Recycler {
         double m22 = 1 - 2 * (ix * ix + iy * iy);
         double[] k = c.kept;
         int at = ContactStore.KEPT * row;
-        double before = ex * nx + ey * ny + ez * nz - k[at + HALF];
+        double before = ex * nx + ey * ny + ez * nz - k[at + OFFSET];
         int to = ContactStore.POINTS * row;
         int end = to + c.pointCount[row];
         double[] incidentX = flip ? c.anchorAX : c.anchorBX;
@@ -234,16 +253,24 @@ final class Recycler {
         k[at + CENTRE] = ex + rw * tx + (rz * ty - ry * tz);
         k[at + CENTRE + 1] = ey + rw * ty + (rx * tz - rz * tx);
         k[at + CENTRE + 2] = ez + rw * tz + (ry * tx - rx * ty);
-        Box box = (Box) s.shape[r];
-        int axis = NarrowPhase.faceOf(c.cache[row]) >> 1;
-        k[at + HALF] = axis == 0 ? box.halfX() : axis == 1 ? box.halfY() : box.halfZ();
+        k[at + OFFSET] = offset(s.shape[r], NarrowPhase.faceOf(c.cache[row]));
         k[at + SPIN] = 4 * s.outerRadius[i] * s.outerRadius[i];
         k[at + LIMIT] = apart ? Double.MAX_VALUE : allowed * allowed;
         k[at + GAP] = gap;
         keepPoints(m, flip, at + POINT, ix, iy, iz, iw, ex, ey, ez);
     }
 
-    /** Keeps the points on the surface of the incident box, in its axes. */
+    /** How far the plane of a face is from the centre of its shape, m. */
+    private static double offset(Shape shape, int face) {
+        if (shape instanceof ConvexHull hull) {
+            return hull.polyhedron().offset(face);
+        }
+        Box box = (Box) shape;
+        int axis = face >> 1;
+        return axis == 0 ? box.halfX() : axis == 1 ? box.halfY() : box.halfZ();
+    }
+
+    /** Keeps the points on the surface of the incident shape, in its axes. */
     private void keepPoints(
             Manifold m,
             boolean flip,

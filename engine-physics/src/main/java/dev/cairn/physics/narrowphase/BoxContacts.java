@@ -234,7 +234,9 @@ public final class BoxContacts {
         }
         out.bound = Math.abs(best[i] - least) + 0x1p-48 * scale(i);
         return NarrowPhase.word(
-                flip ? NarrowPhase.FACE_B : NarrowPhase.FACE_A, face, Names.of(out));
+                flip ? NarrowPhase.FACE_B : NarrowPhase.FACE_A,
+                face,
+                wide ? cuts.names[i] : Names.of(out));
     }
 
     /**

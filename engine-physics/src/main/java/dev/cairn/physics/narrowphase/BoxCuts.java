@@ -40,6 +40,17 @@ final class BoxCuts {
     /** The batch's corner at a slot; and the vertices of the batch's corners, four to a face. */
     private static final int[] SLOT_CORNER = new int[24], CORNER_VERTEX = new int[24];
 
+    /** Pairs of faces, either way round, and the sixteen ways to cut one straight. */
+    private static final int WAYS = 2 * 36 * 16;
+
+    /**
+     * Of each of those the names of the four points in their order, where each stands in the
+     * columns (two bits, the first one lowest), and the names as a word.
+     */
+    private static final int[] ONCE_NAME = new int[4 * WAYS],
+            ONCE_ORDER = new int[WAYS],
+            ONCE_NAMES = new int[WAYS];
+
     static {
         Polyhedron h = Box.cube(1).polyhedron();
         for (int s = 0; s < 24; s++) {
@@ -57,6 +68,33 @@ final class BoxCuts {
             SIDE_OUTSIDE[s] = OUTSIDE + side * CAPACITY;
             SIDE_SLOT[(s & ~3) + side] = s;
         }
+        for (int entry = 0; entry < WAYS; entry++) {
+            fillOnce(entry / (16 * 36) != 0, entry / 96 % 6 * 4, entry / 16 % 6 * 4, entry % 16);
+        }
+    }
+
+    /** See {@link #once}. */
+    private static void fillOnce(boolean flip, int begin, int incident, int code) {
+        int slot = SIDE_SLOT[begin + (code >> 2)];
+        int p = code & 3;
+        int kind = flip ? Clipper.VERTEX_A : Clipper.VERTEX_B;
+        int[] found = {
+            kind | SLOT_VERTEX[incident + p],
+            kind | SLOT_VERTEX[incident + ((p + 3) & 3)],
+            crossing(flip, SLOT_EDGE[incident + p], SLOT_EDGE[slot]),
+            crossing(flip, SLOT_EDGE[incident + ((p + 2) & 3)], SLOT_EDGE[slot])
+        };
+        int entry = onceEntry(flip, begin, incident, code);
+        Manifold sorted = new Manifold();
+        for (int k = 0; k < 4; k++) {
+            int at = k & 2;
+            at += found[k] < found[k ^ 1] ? 0 : 1;
+            ONCE_NAME[4 * entry + at] = found[k];
+            ONCE_ORDER[entry] |= k << (2 * at);
+            sorted.feature[at] = found[k];
+        }
+        sorted.pointCount = 4;
+        ONCE_NAMES[entry] = Names.of(sorted);
     }
 
     /** Corners made so far: along the face's axis and the two beside it. */
@@ -86,6 +124,9 @@ final class BoxCuts {
 
     /** The points of each pair, up to four: names, and separations. */
     final int[] name = new int[4 * BoxBatch.CAPACITY];
+
+    /** The same of each pair as a word, see {@link Names}. */
+    final int[] names = new int[BoxBatch.CAPACITY];
 
     /** In which of the four places of the columns each of them is. */
     final int[] place = new int[4 * BoxBatch.CAPACITY];
@@ -162,6 +203,7 @@ final class BoxCuts {
 
     /** All four corners stay, in order of their names. */
     private int whole(double[] t, int i, boolean positive, int incident, double margin) {
+        int hash = 0;
         int kind = flip ? Clipper.VERTEX_A : Clipper.VERTEX_B;
         double limit = t[HALF + i];
         double least = Double.MAX_VALUE;
@@ -177,6 +219,7 @@ final class BoxCuts {
             }
             least = s < least ? s : least;
             name[4 * i + kept] = kind | CORNER_VERTEX[incident + k];
+            hash |= Names.hash(name[4 * i + kept]) << (8 * kept);
             separation[4 * i + kept++] = s;
             t[to] = positive ? height - s / 2 : height + s / 2;
             if (to != from) {
@@ -186,39 +229,33 @@ final class BoxCuts {
             to += 3 * CAPACITY;
         }
         deepest = least;
+        names[i] = hash;
         return kept;
     }
 
     /** Names the points of the usual case of bricks, which are in the columns already. */
     private int once(double[] t, int i, int code, int incident, int begin) {
-        int slot = SIDE_SLOT[begin + (code >> 2)];
-        int p = code & 3;
-        int kind = flip ? Clipper.VERTEX_A : Clipper.VERTEX_B;
-        int vertexP = kind | SLOT_VERTEX[incident + p];
-        int vertexQ = kind | SLOT_VERTEX[incident + ((p + 3) & 3)];
-        int crossL = crossing(SLOT_EDGE[incident + p], SLOT_EDGE[slot]);
-        int crossE = crossing(SLOT_EDGE[incident + ((p + 2) & 3)], SLOT_EDGE[slot]);
-        int vertexFirst = vertexP < vertexQ ? 0 : 1;
-        int crossFirst = crossL < crossE ? 0 : 1;
+        int at = onceEntry(flip, begin, incident, code);
+        int order = ONCE_ORDER[at];
         int to = 4 * i;
-        place[to + vertexFirst] = 0;
-        place[to + 1 - vertexFirst] = 1;
-        place[to + 2 + crossFirst] = 2;
-        place[to + 3 - crossFirst] = 3;
-        name[to + vertexFirst] = vertexP;
-        name[to + 1 - vertexFirst] = vertexQ;
-        name[to + 2 + crossFirst] = crossL;
-        name[to + 3 - crossFirst] = crossE;
         int from = CUT_SEPARATION + i;
-        separation[to + vertexFirst] = t[from];
-        separation[to + 1 - vertexFirst] = t[from + CAPACITY];
-        separation[to + 2 + crossFirst] = t[from + 2 * CAPACITY];
-        separation[to + 3 - crossFirst] = t[from + 3 * CAPACITY];
+        for (int p = 0; p < 4; p++, order >>= 2) {
+            int k = order & 3;
+            name[to + p] = ONCE_NAME[4 * at + p];
+            place[to + p] = k;
+            separation[to + p] = t[from + k * CAPACITY];
+        }
+        names[i] = ONCE_NAMES[at];
         deepest = t[DEEPEST + i];
         return 4;
     }
 
-    private int crossing(int incidentEdge, int edge) {
+    private static int onceEntry(boolean flip, int begin, int incident, int code) {
+        int faces = (flip ? 36 : 0) + 6 * (begin >> 2) + (incident >> 2);
+        return 16 * faces + code;
+    }
+
+    private static int crossing(boolean flip, int incidentEdge, int edge) {
         return flip
                 ? Clipper.CROSSING | incidentEdge << 15 | edge
                 : Clipper.CROSSING | edge << 15 | incidentEdge;
@@ -335,7 +372,7 @@ final class BoxCuts {
 
     private int name(int cutSide, int slot, int begin) {
         if (cutSide >= 0) {
-            return crossing(cutSide, SLOT_EDGE[slot]);
+            return crossing(flip, cutSide, SLOT_EDGE[slot]);
         }
         int kind = flip ? Clipper.VERTEX_B : Clipper.VERTEX_A;
         int after = slot == begin + 3 ? begin : slot + 1;
@@ -409,6 +446,7 @@ final class BoxCuts {
         long mid = Math.max(low, low2);
         long mid2 = Math.min(high, high2);
         double least = Double.MAX_VALUE;
+        int hash = 0;
         for (int p = 0; p < count; p++) {
             long chosen =
                     p == 0
@@ -424,8 +462,10 @@ final class BoxCuts {
             t[to + CAPACITY] = u[k];
             t[to + 2 * CAPACITY] = v[k];
             name[4 * i + p] = feature[k];
+            hash |= Names.hash(feature[k]) << (8 * p);
             separation[4 * i + p] = s;
         }
+        names[i] = hash;
         deepest = least;
         return count;
     }

@@ -34,6 +34,9 @@ final class Clipper {
     int[] feature = new int[32];
     int count;
 
+    /** The least separation that was beyond the margin, m; infinite when none was. */
+    double leftOut;
+
     /**
      * What the side after a corner came from: an edge of the incident shape, or the complement of a
      * reference slot.
@@ -81,9 +84,12 @@ final class Clipper {
         double nz = reference.normalZ(face);
         double offset = reference.offset(face);
         int kept = 0;
+        leftOut = Double.POSITIVE_INFINITY;
         for (int i = 0; i < count; i++) {
             double s = nx * x[i] + ny * y[i] + nz * z[i] - offset;
-            if (s <= margin) {
+            if (s > margin) {
+                leftOut = s < leftOut ? s : leftOut;
+            } else {
                 x[kept] = x[i];
                 y[kept] = y[i];
                 z[kept] = z[i];

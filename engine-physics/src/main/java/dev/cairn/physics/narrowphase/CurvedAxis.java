@@ -22,6 +22,9 @@ final class CurvedAxis {
     /** Of the smaller shape: overlaps that are not much more than that. */
     private static final double SHALLOW = 0x1p-18;
 
+    /** Cosine of 0.02 rad: a disc's axis this near to the best one may bend the separation. */
+    private static final double NEARLY = 0.9998;
+
     /** Axes that are tried when the polytope met its cap. */
     private static final int STARTS = 12;
 
@@ -92,6 +95,7 @@ final class CurvedAxis {
             double s = 1 / gjk.distance;
             refine.run(p, gjk.vx * s, gjk.vy * s, gjk.vz * s);
             take();
+            betweenFlats(p);
             gap = Math.max(0, gjk.distance - separation);
             capped = gjk.capped && gap > 4 * DEEP * p.scale;
         }
@@ -110,6 +114,7 @@ final class CurvedAxis {
         epa.relativeTolerance = finest;
         refine.run(p, epa.axisX, epa.axisY, epa.axisZ);
         take();
+        betweenFlats(p);
         if (gjk.distance > 0 && separation > -SHALLOW * p.small) {
             // Nearly touching, any axis is hardly deep; the way to the nearest points tells more.
             double s = 1 / gjk.distance;
@@ -125,6 +130,33 @@ final class CurvedAxis {
         }
         gap = Math.max(0, -epa.lower - separation);
         capped = epa.capped && gap > 4 * DEEP * p.scale;
+    }
+
+    /**
+     * Where a disc is nearly parallel to what it lies on, the best axis may lie between the disc's
+     * and the normal of the other's flat, and the rough axis on the far side of that normal, where
+     * the other touches with another corner. So what is in between is refined as well.
+     */
+    private void betweenFlats(Pair p) {
+        if (p.roundA && !p.spindleA.isThin()) {
+            betterTowards(p, 0, 1, 0);
+        }
+        if (p.roundB && !p.spindleB.isThin()) {
+            betterTowards(p, p.r01, p.r11, p.r21);
+        }
+    }
+
+    private void betterTowards(Pair p, double x, double y, double z) {
+        double dot = axisX * x + axisY * y + axisZ * z;
+        if (Math.abs(dot) < NEARLY) {
+            return;
+        }
+        double sign = dot < 0 ? -0.5 : 0.5;
+        double mx = 0.5 * axisX + sign * x;
+        double my = 0.5 * axisY + sign * y;
+        double mz = 0.5 * axisZ + sign * z;
+        double length = Math.sqrt(mx * mx + my * my + mz * mz);
+        better(p, mx / length, my / length, mz / length);
     }
 
     private void take() {

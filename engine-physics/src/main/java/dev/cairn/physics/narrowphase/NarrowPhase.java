@@ -199,6 +199,17 @@ public final class NarrowPhase {
     }
 
     /**
+     * How much nearer a pair of boxes or hulls must come for another point; after {@link #collide}.
+     *
+     * @return the least separation of the points that were left out for the margin, m; infinite
+     *     when there are none; of a pair that is apart a lower bound of its distance; NaN when it
+     *     is neither apart nor on a face
+     */
+    public double leftOut() {
+        return polyhedra.leftOut;
+    }
+
+    /**
      * The signed distance of two shapes: how far apart they are, or minus the length of the
      * shortest move that separates them.
      *

@@ -31,6 +31,9 @@ final class Polyhedra {
     /** By how much the signed distance may be larger than the best axis tells, m. */
     private double gap;
 
+    /** See {@link NarrowPhase#leftOut}. */
+    double leftOut;
+
     Polyhedra(boolean specialised, Pair pair, Gjk gjk, Epa epa, Axes axes, ContactPoints points) {
         this.specialised = specialised;
         this.pair = pair;
@@ -60,6 +63,7 @@ final class Polyhedra {
     long collide(Shape a, Shape b, double margin, long cache, Manifold out) {
         gap = 0;
         iterated = false;
+        leftOut = Double.NaN;
         // Else a pair that stays apart would remember the vertex of whatever was collided before
         // it.
         points.incidentVertex = 0;
@@ -67,6 +71,7 @@ final class Polyhedra {
         if (hulls && cache != 0) {
             long word = warm.collide(margin, cache, out);
             if (warm.done) {
+                leftOut = out.pointCount == 0 ? warm.separation : points.clipper.leftOut;
                 return word;
             }
         } else {
@@ -98,6 +103,9 @@ final class Polyhedra {
 
     private long manifold(double margin, long cache, Manifold out) {
         double best = axes.best();
+        if (best > margin) {
+            leftOut = best;
+        }
         if (best > margin && iterated && gjk.beyond) {
             return 0;
         }
@@ -132,6 +140,7 @@ final class Polyhedra {
         if (out.pointCount == 0) {
             return word(flip ? FACE_B : FACE_A, 0);
         }
+        leftOut = kind == EDGES ? Double.NaN : points.clipper.leftOut;
         out.bound = Math.abs(best - deepest(out)) + gap + rounding();
         return word(kind, Names.of(out));
     }
@@ -192,9 +201,13 @@ final class Polyhedra {
         long kind = cache >>> 62;
         int face = (int) (cache >>> 47) & 0x7FFF;
         if (kind == FACE_A && face < pair.a.faceCount()) {
-            return pair.faceSeparationA(face) > margin;
+            leftOut = pair.faceSeparationA(face);
+        } else if (kind == FACE_B && face < pair.b.faceCount()) {
+            leftOut = pair.faceSeparationB(face);
         }
-        return kind == FACE_B && face < pair.b.faceCount() && pair.faceSeparationB(face) > margin;
+        boolean apart = leftOut > margin;
+        leftOut = apart ? leftOut : Double.NaN;
+        return apart;
     }
 
     /**

@@ -1,5 +1,7 @@
 package dev.cairn.physics.narrowphase;
 
+import java.util.Arrays;
+
 /**
  * From a rough axis of a pair with a round core to the exact one.
  *
@@ -39,6 +41,14 @@ final class Refine {
     double axisX, axisY, axisZ, separation;
 
     int kindA, kindB;
+
+    /** The best axis of each sum of two kinds. */
+    private final double[] best = new double[2 * ROUGH + 1],
+            bestX = new double[2 * ROUGH + 1],
+            bestY = new double[2 * ROUGH + 1],
+            bestZ = new double[2 * ROUGH + 1];
+
+    private final int[] bestA = new int[2 * ROUGH + 1], bestB = new int[2 * ROUGH + 1];
     private final Features sideA = new Features(false), sideB = new Features(true);
     private Pair pair = new Pair();
     private double nx, ny, nz;
@@ -50,12 +60,8 @@ final class Refine {
         startX = x;
         startY = y;
         startZ = z;
-        axisX = x;
-        axisY = y;
-        axisZ = z;
-        kindA = ROUGH;
-        kindB = ROUGH;
-        separation = along(x, y, z);
+        Arrays.fill(best, Axes.NEVER);
+        tryAxis(x, y, z, ROUGH, ROUGH);
         sideA.gather(p, x, y, z);
         sideB.gather(p, -x, -y, -z);
         for (int i = 0; i < sideA.flats; i++) {
@@ -82,6 +88,7 @@ final class Refine {
                 free(Features.MOST + i, Features.MOST + j);
             }
         }
+        choose();
     }
 
     private double along(double x, double y, double z) {
@@ -92,21 +99,37 @@ final class Refine {
                 - pair.reachB(-x, -y, -z);
     }
 
+    /** Keeps the best axis of its flatness; the order of trying does not matter. */
     private void tryAxis(double x, double y, double z, int ofA, int ofB) {
         double s = along(x, y, z);
-        double tie = 0x1p-52 * pair.scale;
-        // Among equals the flatter features tell more; else the order of trying shall not matter.
-        int flatness = Integer.compare(ofA + ofB, kindA + kindB);
-        if (s > separation + tie
-                || (s > separation - tie && flatness < 0)
-                || (s > separation && flatness == 0)) {
-            separation = s;
-            axisX = x;
-            axisY = y;
-            axisZ = z;
-            kindA = ofA;
-            kindB = ofB;
+        int at = ofA + ofB;
+        if (s > best[at]) {
+            best[at] = s;
+            bestX[at] = x;
+            bestY[at] = y;
+            bestZ[at] = z;
+            bestA[at] = ofA;
+            bestB[at] = ofB;
         }
+    }
+
+    /** Among axes that are equal up to rounding the flattest features tell most. */
+    private void choose() {
+        double most = Axes.NEVER;
+        for (double s : best) {
+            most = Math.max(most, s);
+        }
+        double tie = 0x1p-52 * pair.scale;
+        int at = 0;
+        while (!(best[at] > most - tie) && best[at] < most) {
+            at++;
+        }
+        separation = best[at];
+        axisX = bestX[at];
+        axisY = bestY[at];
+        axisZ = bestZ[at];
+        kindA = bestA[at];
+        kindB = bestB[at];
     }
 
     /** Scales to unit length first. */

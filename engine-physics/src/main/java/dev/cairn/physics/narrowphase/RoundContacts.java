@@ -1,5 +1,12 @@
 package dev.cairn.physics.narrowphase;
 
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.CROSSING;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.LEAST;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.MOST;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.NEVER;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.PARALLEL;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.TOUCHING;
+
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
@@ -13,19 +20,7 @@ import dev.cairn.physics.shape.Sphere;
  * <p>Allocates nothing; one instance per worker.
  */
 public final class RoundContacts {
-    /** Squares of lengths in this range lose nothing to underflow or overflow. */
-    private static final double LEAST = 0x1p-900, MOST = 0x1p900;
-
-    /** Of the squared scale: cores that are nearer have no direction. */
-    private static final double TOUCHING = 0x1p-80;
-
-    /** Cosine squared of the angle below which capsules may lie side by side. */
-    private static final double PARALLEL = 0.9;
-
-    /** Of the squared sine: axes that cross by less are tried at all their ends. */
-    private static final double CROSSING = 0x1p-10;
-
-    private static final long SINGLE = 3L << 62 | Names.hash(ContactPoints.CLOSEST);
+    static final long SINGLE = 3L << 62 | Names.hash(ContactPoints.CLOSEST);
 
     /** The word of the last contact. */
     private long word;
@@ -277,7 +272,7 @@ public final class RoundContacts {
                 z = pz;
             }
         }
-        if (sine > 0x1p-60 && sine <= CROSSING && Math.abs(t) <= k && Math.abs(s) <= h) {
+        if (sine > NEVER && sine <= CROSSING && Math.abs(t) <= k && Math.abs(s) <= h) {
             double f = (dx * cx + dy * cy + dz * cz) * inverse;
             if (f * f * sine < best) {
                 onA = s;

@@ -49,6 +49,9 @@ final class WarmContact {
 
     double gap;
 
+    /** Along the face of the last tick, m. */
+    double separation;
+
     /**
      * The manifold holds the face contact of {@link #face}, of B when {@link #onB}, though it may
      * not be the answer.
@@ -145,6 +148,7 @@ final class WarmContact {
     private long face(
             boolean flip, int at, int v, double s, double margin, long cache, Manifold out) {
         long kind = flip ? FACE_B : FACE_A;
+        separation = s;
         if (s > margin) {
             done = true;
             return NarrowPhase.withHint(NarrowPhase.word(kind, at, (int) cache), v);

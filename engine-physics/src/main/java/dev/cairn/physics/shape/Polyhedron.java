@@ -18,11 +18,14 @@ public final class Polyhedron {
      */
     public static final int MAX_VERTICES = 10_922;
 
-    private final double[] x, y, z;
+    /** Up to so many vertices are scanned for a support point, more are climbed. */
+    private static final int SCANNED = 40;
+
+    /** Three numbers of a vertex lie side by side; so do a plane's normal and offset. */
+    private final double[] vertex, plane, sidePlane;
+
     private final int[] faceBegin;
     private final int[] slotVertex, slotEdge;
-    private final double[] normalX, normalY, normalZ, offset;
-    private final double[] sideX, sideY, sideZ, sideOffset;
     private final int[] edgeFrom, edgeTo, edgeLeft, edgeRight;
     private final int[] spokeBegin, spokeVertex, spokeEdge, spokeFace;
     private final double innerRadius, outerRadius;
@@ -40,7 +43,7 @@ public final class Polyhedron {
     /**
      * Assembles the topology from vertices and loops.
      *
-     * @param x vertices relative to the centre of mass; taken over, not copied
+     * @param x vertices relative to the centre of mass; copied
      * @param y see {@code x}
      * @param z see {@code x}
      * @param loops counter-clockwise loops, every edge in exactly two of them, once in each
@@ -52,9 +55,7 @@ public final class Polyhedron {
 
     private Polyhedron(double[] x, double[] y, double[] z, int[][] loops, boolean block) {
         this.block = block;
-        this.x = x;
-        this.y = y;
-        this.z = z;
+        vertex = pack(x, y, z, new double[x.length]);
         Topology topology = new Topology(x.length, loops);
         faceBegin = topology.faceBegin;
         slotVertex = topology.slotVertex;
@@ -69,22 +70,18 @@ public final class Polyhedron {
         spokeFace = topology.spokeFace;
         largestFace = topology.largestFace;
         FacePlanes planes = new FacePlanes(x, y, z, topology);
-        normalX = planes.normalX;
-        normalY = planes.normalY;
-        normalZ = planes.normalZ;
-        offset = planes.offset;
-        sideX = planes.sideX;
-        sideY = planes.sideY;
-        sideZ = planes.sideZ;
-        sideOffset = planes.sideOffset;
+        plane = pack(planes.normalX, planes.normalY, planes.normalZ, planes.offset);
+        sidePlane = pack(planes.sideX, planes.sideY, planes.sideZ, planes.sideOffset);
         rough = planes.rough;
         anyRough = planes.anyRough;
         double inner = Double.MAX_VALUE;
-        for (int f = 0; f < offset.length; f++) {
-            int top = support(normalX[f], normalY[f], normalZ[f], slotVertex[faceBegin[f]]);
-            double reach = normalX[f] * x[top] + normalY[f] * y[top] + normalZ[f] * z[top];
-            offset[f] = Math.max(offset[f], reach);
-            inner = Math.min(inner, offset[f]);
+        for (int f = 0; f < faceCount(); f++) {
+            double nx = normalX(f);
+            double ny = normalY(f);
+            double nz = normalZ(f);
+            int top = support(nx, ny, nz, slotVertex[faceBegin[f]]);
+            plane[4 * f + 3] = Math.max(offset(f), along(top, nx, ny, nz));
+            inner = Math.min(inner, offset(f));
         }
         innerRadius = inner;
         double outer = 0;
@@ -93,6 +90,17 @@ public final class Polyhedron {
         }
         outerRadius = Math.sqrt(outer);
         extremes = Topology.extremes(x, y, z);
+    }
+
+    private static double[] pack(double[] x, double[] y, double[] z, double[] w) {
+        double[] packed = new double[4 * x.length];
+        for (int i = 0; i < x.length; i++) {
+            packed[4 * i] = x[i];
+            packed[4 * i + 1] = y[i];
+            packed[4 * i + 2] = z[i];
+            packed[4 * i + 3] = w[i];
+        }
+        return packed;
     }
 
     /**
@@ -120,7 +128,7 @@ public final class Polyhedron {
      * @return at least 4, at most {@link #MAX_VERTICES}
      */
     public int vertexCount() {
-        return x.length;
+        return vertex.length >> 2;
     }
 
     /**
@@ -129,7 +137,7 @@ public final class Polyhedron {
      * @return at least 4
      */
     public int faceCount() {
-        return normalX.length;
+        return plane.length >> 2;
     }
 
     /**
@@ -157,7 +165,7 @@ public final class Polyhedron {
      * @return m, relative to the centre of mass
      */
     public double vertexX(int vertex) {
-        return x[vertex];
+        return this.vertex[4 * vertex];
     }
 
     /**
@@ -167,7 +175,7 @@ public final class Polyhedron {
      * @return m, relative to the centre of mass
      */
     public double vertexY(int vertex) {
-        return y[vertex];
+        return this.vertex[4 * vertex + 1];
     }
 
     /**
@@ -177,7 +185,7 @@ public final class Polyhedron {
      * @return m, relative to the centre of mass
      */
     public double vertexZ(int vertex) {
-        return z[vertex];
+        return this.vertex[4 * vertex + 2];
     }
 
     /**
@@ -217,7 +225,7 @@ public final class Polyhedron {
      * @return the x component
      */
     public double normalX(int face) {
-        return normalX[face];
+        return plane[4 * face];
     }
 
     /**
@@ -227,7 +235,7 @@ public final class Polyhedron {
      * @return the y component
      */
     public double normalY(int face) {
-        return normalY[face];
+        return plane[4 * face + 1];
     }
 
     /**
@@ -237,7 +245,7 @@ public final class Polyhedron {
      * @return the z component
      */
     public double normalZ(int face) {
-        return normalZ[face];
+        return plane[4 * face + 2];
     }
 
     /**
@@ -248,7 +256,7 @@ public final class Polyhedron {
      * @return m, positive
      */
     public double offset(int face) {
-        return offset[face];
+        return plane[4 * face + 3];
     }
 
     /**
@@ -259,7 +267,7 @@ public final class Polyhedron {
      * @return the x component
      */
     public double sideX(int slot) {
-        return sideX[slot];
+        return sidePlane[4 * slot];
     }
 
     /**
@@ -269,7 +277,7 @@ public final class Polyhedron {
      * @return the y component
      */
     public double sideY(int slot) {
-        return sideY[slot];
+        return sidePlane[4 * slot + 1];
     }
 
     /**
@@ -279,7 +287,7 @@ public final class Polyhedron {
      * @return the z component
      */
     public double sideZ(int slot) {
-        return sideZ[slot];
+        return sidePlane[4 * slot + 2];
     }
 
     /**
@@ -289,7 +297,7 @@ public final class Polyhedron {
      * @return m
      */
     public double sideOffset(int slot) {
-        return sideOffset[slot];
+        return sidePlane[4 * slot + 3];
     }
 
     /**
@@ -396,13 +404,13 @@ public final class Polyhedron {
         if (block) {
             return (dx > 0 ? 1 : 0) | (dy > 0 ? 2 : 0) | (dz > 0 ? 4 : 0);
         }
-        if (x.length > 40) {
+        if (vertexCount() > SCANNED) {
             return climb(dx, dy, dz, start(dx, dy, dz));
         }
         int best = 0;
-        double bestDot = x[0] * dx + y[0] * dy + z[0] * dz;
-        for (int v = 1; v < x.length; v++) {
-            double dot = x[v] * dx + y[v] * dy + z[v] * dz;
+        double bestDot = along(0, dx, dy, dz);
+        for (int v = 1; v < vertexCount(); v++) {
+            double dot = along(v, dx, dy, dz);
             if (dot > bestDot) {
                 bestDot = dot;
                 best = v;
@@ -412,7 +420,9 @@ public final class Polyhedron {
     }
 
     /**
-     * As {@link #support(double, double, double)}, but a climb starts at the given vertex.
+     * As {@link #support(double, double, double)}, but a climb starts at the given vertex, and a
+     * block keeps that vertex' side where the direction does not tell: the mirror image of a search
+     * then meets the mirror images of its vertices.
      *
      * @param dx direction in shape axes, any length
      * @param dy direction
@@ -421,7 +431,15 @@ public final class Polyhedron {
      * @return the vertex
      */
     public int support(double dx, double dy, double dz, int hint) {
-        return x.length > 40 ? climb(dx, dy, dz, hint) : support(dx, dy, dz);
+        if (block && (dx == 0 || dy == 0 || dz == 0)) {
+            int known = (dx != 0 ? 1 : 0) | (dy != 0 ? 2 : 0) | (dz != 0 ? 4 : 0);
+            return (support(dx, dy, dz) & known) | (hint & 7 & ~known);
+        }
+        return vertexCount() > SCANNED ? climb(dx, dy, dz, hint) : support(dx, dy, dz);
+    }
+
+    private double along(int v, double dx, double dy, double dz) {
+        return vertex[4 * v] * dx + vertex[4 * v + 1] * dy + vertex[4 * v + 2] * dz;
     }
 
     private int start(double dx, double dy, double dz) {
@@ -446,13 +464,13 @@ public final class Polyhedron {
      */
     public int climb(double dx, double dy, double dz, int from) {
         int best = from;
-        double bestDot = x[from] * dx + y[from] * dy + z[from] * dz;
+        double bestDot = along(from, dx, dy, dz);
         int at = -1;
         while (at != best) {
             at = best;
             for (int s = spokeBegin[at]; s < spokeBegin[at + 1]; s++) {
                 int v = spokeVertex[s];
-                double dot = x[v] * dx + y[v] * dy + z[v] * dz;
+                double dot = along(v, dx, dy, dz);
                 if (dot > bestDot) {
                     bestDot = dot;
                     best = v;
@@ -460,7 +478,7 @@ public final class Polyhedron {
             }
             if (at == best && anyRough) {
                 best = across(dx, dy, dz, at, bestDot);
-                bestDot = x[best] * dx + y[best] * dy + z[best] * dz;
+                bestDot = along(best, dx, dy, dz);
             }
         }
         return best;
@@ -480,7 +498,7 @@ public final class Polyhedron {
             }
             for (int k = faceBegin[f]; k < faceBegin[f + 1]; k++) {
                 int v = slotVertex[k];
-                double dot = x[v] * dx + y[v] * dy + z[v] * dz;
+                double dot = along(v, dx, dy, dz);
                 if (dot > most) {
                     most = dot;
                     best = v;
@@ -527,7 +545,7 @@ public final class Polyhedron {
     private void row(double[] dest, int at, double dx, double dy, double dz) {
         int high = support(dx, dy, dz);
         int low = support(-dx, -dy, -dz);
-        dest[at] = x[low] * dx + y[low] * dy + z[low] * dz;
-        dest[at + 3] = x[high] * dx + y[high] * dy + z[high] * dz;
+        dest[at] = along(low, dx, dy, dz);
+        dest[at + 3] = along(high, dx, dy, dz);
     }
 }

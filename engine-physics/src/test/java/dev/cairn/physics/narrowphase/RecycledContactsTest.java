@@ -10,6 +10,8 @@ import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Quaterniond;
@@ -20,8 +22,8 @@ import org.junit.jupiter.api.Test;
 import java.util.SplittableRandom;
 
 /**
- * Pairs of boxes that have hardly moved keep their points without being collided again; against
- * brute force, and within the stated share of the smaller inner radius.
+ * Pairs of boxes and hulls that have hardly moved keep their points without being collided again;
+ * against brute force, and within the stated share of the smaller inner radius.
  */
 class RecycledContactsTest {
     private static final double STEP = 1.0 / 60.0;
@@ -164,6 +166,66 @@ class RecycledContactsTest {
         }
         assertTrue(kept > 3000, "only " + kept + " were kept");
         assertEquals(kept, turned);
+    }
+
+    /** Hulls of any faces, hulls on boxes, touching in any pose. */
+    @Test
+    void theDepthOfHullsIsAsTrueAsItWasUpToTwiceTheMove() {
+        SplittableRandom r = new SplittableRandom(33);
+        NarrowPhase n = new NarrowPhase();
+        int kept = 0;
+        int collided = 0;
+        for (int trial = 0; trial < 600; trial++) {
+            String where = "seed 33 trial " + trial;
+            Shape a = trial % 3 == 0 ? Scene.box(r) : Scene.hull(r, 4 + r.nextInt(12), 1);
+            Scene s = Scene.random(r, a, Scene.hull(r, 4 + r.nextInt(12), .7));
+            s = r.nextBoolean() ? s : s.swapped();
+            double gap = inner(s) * (trial % 5 == 0 ? .1 : -.01) * r.nextDouble();
+            for (int k = 0; k < 3; k++) {
+                double d = s.distance(n);
+                s.d.fma(gap - d, EveryPairTest.axis(n));
+            }
+            begin(s);
+            boolean apart = rows.pointCount[0] == 0;
+            double missed = apart ? 0 : Math.abs(deepest() - truth(s));
+            for (int tick = 0; tick < 4; tick++) {
+                sway(s, r, .15 * SHARE);
+                if (!recycled(s)) {
+                    collided++;
+                    apart = rows.pointCount[0] == 0;
+                    missed = apart ? 0 : Math.abs(deepest() - truth(s));
+                    continue;
+                }
+                kept++;
+                if (apart) {
+                    double margin = PhysicsSettings.DEFAULT.speculativeFraction() * inner(s);
+                    assertTrue(truth(s) > margin, where + ": came within the margin unseen");
+                    continue;
+                }
+                double now = Math.abs(deepest() - truth(s));
+                double slack = 1e-13 * s.size();
+                assertTrue(now <= missed + 2 * SHARE * inner(s) + slack, where + ": " + now + " m");
+                assertTrue(crossesNoFace(s) < 2e-14, where + ": not the normal of a face");
+            }
+        }
+        assertTrue(kept > 800 && collided > 400, kept + " kept, " + collided + " collided");
+    }
+
+    /** Sine of the angle between the normal and that of the nearest face of either shape. */
+    private double crossesNoFace(Scene s) {
+        Vector3d n = new Vector3d(rows.normalX[0], rows.normalY[0], rows.normalZ[0]);
+        double best = 1;
+        for (int side = 0; side < 2; side++) {
+            Shape shape = side == 0 ? s.a : s.b;
+            Polyhedron h =
+                    shape instanceof Box b ? b.polyhedron() : ((ConvexHull) shape).polyhedron();
+            for (int f = 0; f < h.faceCount(); f++) {
+                Vector3d e = new Vector3d(h.normalX(f), h.normalY(f), h.normalZ(f));
+                (side == 0 ? s.qa : s.qb).transform(e);
+                best = Math.min(best, n.cross(e, e).length());
+            }
+        }
+        return best;
     }
 
     /** A column of one of the rotations, as the present poses have it. */

@@ -3,10 +3,10 @@ package dev.cairn.physics.narrowphase.wide;
 import java.util.Random;
 
 /**
- * Runs the wide kernels of boxes in a thread of their own until the compiler is done with them.
- * Code of the Vector API that is not compiled yet is some hundred times slower than scalar code,
- * and its vectors are objects on the heap. The lanes give the same bits as the scalar path, so it
- * does not matter to the result when the change comes.
+ * Runs the wide kernels of boxes and of round shapes in a thread of their own until the compiler is
+ * done with them. Code of the Vector API that is not compiled yet is some hundred times slower than
+ * scalar code, and its vectors are objects on the heap. The lanes give the same bits as the scalar
+ * path, so it does not matter to the result when the change comes.
  */
 public final class BoxWarmUp {
     private static final int LEAST = 12_000;
@@ -45,10 +45,12 @@ public final class BoxWarmUp {
 
     private static void run() {
         BoxBatch batch = new BoxBatch();
+        RoundBatch pairs = new RoundBatch();
         Random random = new Random(1);
         long scalar = Long.MAX_VALUE;
         long axes = Long.MAX_VALUE;
         long faces = Long.MAX_VALUE;
+        long capsules = Long.MAX_VALUE;
         for (int round = 0; round < MOST; round++) {
             fill(batch.data, random);
             long start = System.nanoTime();
@@ -62,11 +64,16 @@ public final class BoxWarmUp {
             BoxAxes.cutOnce(batch, BoxBatch.CAPACITY);
             BoxAxes.world(batch, BoxBatch.CAPACITY);
             long end = System.nanoTime();
+            System.arraycopy(batch.data, 0, pairs.data, 0, RoundBatch.CAPACITY * 15);
+            long fifth = System.nanoTime();
+            pairs.run(RoundBatch.CAPACITY, true);
+            pairs.run(RoundBatch.CAPACITY, false);
+            capsules = Math.min(capsules, System.nanoTime() - fifth);
             scalar = Math.min(scalar, second - start);
             axes = Math.min(axes, third - second);
             faces = Math.min(faces, end - fourth);
             // compiled, all after the axes costs no more than the scalar axes
-            if (round > LEAST && axes < scalar && faces < scalar) {
+            if (round > LEAST && axes < scalar && faces < scalar && capsules < scalar) {
                 ready = true;
                 return;
             }

@@ -1,0 +1,136 @@
+package dev.cairn.physics.narrowphase;
+
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.CAPACITY;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.HALF_A;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.HALF_B;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.KIND;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.MARGIN;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.NORMAL;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.OFFSET;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.POINT;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.RADIUS_A;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.RADIUS_B;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.SCALE;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.SEPARATION;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.TURN_A;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.TURN_B;
+
+import dev.cairn.physics.narrowphase.wide.RoundBatch;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Sphere;
+
+/**
+ * Contacts of balls and capsules in batches, a pair to a lane: the same bits as {@link
+ * RoundContacts}. Only where {@link dev.cairn.physics.narrowphase.wide.BoxAxes#wide}.
+ *
+ * <p>One instance per worker; not thread-safe; allocates nothing.
+ */
+public final class RoundPairs {
+    private final RoundBatch batch = new RoundBatch();
+    private final double[] t = batch.data;
+    private boolean capsules;
+
+    /** An empty batch. */
+    public RoundPairs() {}
+
+    /**
+     * Puts a pair into the batch; its shapes are put after it.
+     *
+     * @param i its place, 0 to {@link RoundBatch#CAPACITY} - 1; 0 begins a new batch
+     * @param dx centre of B minus centre of A, world axes, m
+     * @param dy see {@code dx}
+     * @param dz see {@code dx}
+     * @param margin points up to this far apart are reported, m, not negative
+     */
+    public void put(int i, double dx, double dy, double dz, double margin) {
+        capsules &= i != 0;
+        t[OFFSET + i] = dx;
+        t[OFFSET + CAPACITY + i] = dy;
+        t[OFFSET + 2 * CAPACITY + i] = dz;
+        t[MARGIN + i] = margin;
+    }
+
+    /**
+     * Puts a ball.
+     *
+     * @param i the pair
+     * @param second whether it is B
+     * @param ball the shape
+     */
+    public void ball(int i, boolean second, Sphere ball) {
+        t[(second ? RADIUS_B : RADIUS_A) + i] = ball.radius();
+        t[(second ? HALF_B : HALF_A) + i] = 0;
+    }
+
+    /**
+     * Puts a capsule.
+     *
+     * @param i the pair
+     * @param second whether it is B
+     * @param capsule the shape
+     * @param qx its orientation, world from body, unit quaternion
+     * @param qy see {@code qx}
+     * @param qz see {@code qx}
+     * @param qw see {@code qx}
+     */
+    public void capsule(
+            int i, boolean second, Capsule capsule, double qx, double qy, double qz, double qw) {
+        capsules = true;
+        t[(second ? RADIUS_B : RADIUS_A) + i] = capsule.radius();
+        t[(second ? HALF_B : HALF_A) + i] = capsule.halfLength();
+        int turn = (second ? TURN_B : TURN_A) + i;
+        t[turn] = qx;
+        t[turn + CAPACITY] = qy;
+        t[turn + 2 * CAPACITY] = qz;
+        t[turn + 3 * CAPACITY] = qw;
+    }
+
+    /**
+     * Collides all pairs that were put.
+     *
+     * @param count how many
+     */
+    public void run(int count) {
+        batch.run(count, capsules);
+    }
+
+    /**
+     * The contact of one pair, after {@link #run}.
+     *
+     * @param i its place
+     * @param out receives the contact
+     * @return false when {@link NarrowPhase} must find it; nothing is written then
+     */
+    public boolean take(int i, Manifold out) {
+        double kind = t[KIND + i];
+        if (kind == RoundBatch.OTHER) {
+            return false;
+        }
+        out.bound = 0x1p-46 * t[SCALE + i];
+        out.capped = false;
+        out.patch = 0;
+        out.pointCount = 0;
+        if (kind == RoundBatch.ONE_POINT) {
+            out.pointCount = 1;
+            out.normalX = t[NORMAL + i];
+            out.normalY = t[NORMAL + CAPACITY + i];
+            out.normalZ = t[NORMAL + 2 * CAPACITY + i];
+            out.pointX[0] = t[POINT + i];
+            out.pointY[0] = t[POINT + CAPACITY + i];
+            out.pointZ[0] = t[POINT + 2 * CAPACITY + i];
+            out.separation[0] = t[SEPARATION + i];
+            out.feature[0] = ContactPoints.CLOSEST;
+        }
+        return true;
+    }
+
+    /**
+     * The word to pass for a pair next time.
+     *
+     * @param out what {@link #take} filled
+     * @return 0 when the pair is apart
+     */
+    public static long word(Manifold out) {
+        return out.pointCount == 0 ? 0 : RoundContacts.SINGLE;
+    }
+}

@@ -1,0 +1,238 @@
+package dev.cairn.physics.narrowphase.wide;
+
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.ACROSS;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.ALIGNED;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.AXIS_A;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.AXIS_B;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.CAPACITY;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.CROSSING;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.HALF_A;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.HALF_B;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.KIND;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.LEAST;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.MARGIN;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.MOST;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.NEVER;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.NORMAL;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.OFFSET;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.ON_A;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.PARALLEL;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.POINT;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.RADIUS_A;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.RADIUS_B;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.SCALE;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.SEPARATION;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.TOUCHING;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.TURN_A;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.TURN_B;
+
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
+/**
+ * Pairs of balls and capsules, a pair to a lane. Its twin without the Vector API is {@code
+ * narrowphase.RoundContacts}, with the same operations on each number.
+ */
+final class RoundWide {
+    private static final VectorSpecies<Double> S = DoubleVector.SPECIES_PREFERRED;
+    private static final int LANES = S.length();
+
+    private RoundWide() {}
+
+    /** See {@link RoundBatch#run}. */
+    static void run(double[] t, int count, boolean capsules) {
+        if (capsules) {
+            axes(t, count, TURN_A, HALF_A, AXIS_A);
+            axes(t, count, TURN_B, HALF_B, AXIS_B);
+            segments(t, count);
+        } else {
+            points(t, count);
+        }
+        contacts(t, count);
+    }
+
+    /** The y axis of each orientation, zero for balls. */
+    private static void axes(double[] t, int count, int turn, int half, int axis) {
+        for (int i = 0; i < count; i += LANES) {
+            DoubleVector x = DoubleVector.fromArray(S, t, turn + i);
+            DoubleVector y = DoubleVector.fromArray(S, t, turn + CAPACITY + i);
+            DoubleVector z = DoubleVector.fromArray(S, t, turn + 2 * CAPACITY + i);
+            DoubleVector w = DoubleVector.fromArray(S, t, turn + 3 * CAPACITY + i);
+            DoubleVector xx = x.mul(x);
+            DoubleVector zz = z.mul(z);
+            DoubleVector s =
+                    DoubleVector.broadcast(S, 2).div(xx.add(y.mul(y)).add(zz).add(w.mul(w)));
+            VectorMask<Double> ball =
+                    DoubleVector.fromArray(S, t, half + i).compare(VectorOperators.EQ, 0);
+            s.mul(x.mul(y).sub(z.mul(w))).blend(0, ball).intoArray(t, axis + i);
+            DoubleVector.broadcast(S, 1)
+                    .sub(s.mul(xx.add(zz)))
+                    .blend(0, ball)
+                    .intoArray(t, axis + CAPACITY + i);
+            s.mul(y.mul(z).add(x.mul(w))).blend(0, ball).intoArray(t, axis + 2 * CAPACITY + i);
+        }
+    }
+
+    /** Balls alone: from centre to centre. */
+    private static void points(double[] t, int count) {
+        for (int i = 0; i < count; i += LANES) {
+            for (int k = 0; k < 3 * CAPACITY; k += CAPACITY) {
+                DoubleVector.fromArray(S, t, OFFSET + k + i).intoArray(t, ACROSS + k + i);
+                DoubleVector.zero(S).intoArray(t, AXIS_A + k + i);
+            }
+            DoubleVector.zero(S).intoArray(t, ON_A + i);
+            DoubleVector.zero(S).intoArray(t, ALIGNED + i);
+        }
+    }
+
+    /** The nearest points of two segments, see {@code RoundContacts.segments}. */
+    private static void segments(double[] t, int count) {
+        for (int i = 0; i < count; i += LANES) {
+            DoubleVector ux = DoubleVector.fromArray(S, t, AXIS_A + i);
+            DoubleVector uy = DoubleVector.fromArray(S, t, AXIS_A + CAPACITY + i);
+            DoubleVector uz = DoubleVector.fromArray(S, t, AXIS_A + 2 * CAPACITY + i);
+            DoubleVector vx = DoubleVector.fromArray(S, t, AXIS_B + i);
+            DoubleVector vy = DoubleVector.fromArray(S, t, AXIS_B + CAPACITY + i);
+            DoubleVector vz = DoubleVector.fromArray(S, t, AXIS_B + 2 * CAPACITY + i);
+            DoubleVector dx = DoubleVector.fromArray(S, t, OFFSET + i);
+            DoubleVector dy = DoubleVector.fromArray(S, t, OFFSET + CAPACITY + i);
+            DoubleVector dz = DoubleVector.fromArray(S, t, OFFSET + 2 * CAPACITY + i);
+            DoubleVector h = DoubleVector.fromArray(S, t, HALF_A + i);
+            DoubleVector k = DoubleVector.fromArray(S, t, HALF_B + i);
+            DoubleVector cx = uy.mul(vz).sub(uz.mul(vy));
+            DoubleVector cy = uz.mul(vx).sub(ux.mul(vz));
+            DoubleVector cz = ux.mul(vy).sub(uy.mul(vx));
+            DoubleVector sine = cx.mul(cx).add(cy.mul(cy)).add(cz.mul(cz));
+            DoubleVector du = dx.mul(ux).add(dy.mul(uy)).add(dz.mul(uz));
+            DoubleVector dv = dx.mul(vx).add(dy.mul(vy)).add(dz.mul(vz));
+            DoubleVector uv = ux.mul(vx).add(uy.mul(vy)).add(uz.mul(vz));
+            uv.mul(uv).intoArray(t, ALIGNED + i);
+            DoubleVector inverse = DoubleVector.broadcast(S, 1).div(sine);
+            DoubleVector onV = uv.mul(du).sub(dv).mul(inverse);
+            DoubleVector onU = du.sub(uv.mul(dv)).mul(inverse);
+            DoubleVector f = dx.mul(cx).add(dy.mul(cy)).add(dz.mul(cz)).mul(inverse);
+            VectorMask<Double> within =
+                    onV.abs()
+                            .compare(VectorOperators.LE, k)
+                            .and(onU.abs().compare(VectorOperators.LE, h));
+            // Of a ball only the end that it is competes.
+            VectorMask<Double> ballA = h.compare(VectorOperators.EQ, 0);
+            VectorMask<Double> ballB = k.compare(VectorOperators.EQ, 0);
+            VectorMask<Double> noEndA = ballB;
+            VectorMask<Double> noEndB = ballA.andNot(ballB);
+
+            DoubleVector low = h.neg();
+            DoubleVector e = k.neg();
+            DoubleVector on = du.add(e.mul(uv)).min(h).max(low);
+            DoubleVector x = dx.add(e.mul(vx)).sub(on.mul(ux));
+            DoubleVector y = dy.add(e.mul(vy)).sub(on.mul(uy));
+            DoubleVector z = dz.add(e.mul(vz)).sub(on.mul(uz));
+            DoubleVector best =
+                    x.mul(x).add(y.mul(y)).add(z.mul(z)).blend(Double.MAX_VALUE, noEndB);
+            DoubleVector onA = on;
+
+            on = low.mul(uv).sub(dv).min(k).max(e);
+            DoubleVector px = dx.add(on.mul(vx)).sub(low.mul(ux));
+            DoubleVector py = dy.add(on.mul(vy)).sub(low.mul(uy));
+            DoubleVector pz = dz.add(on.mul(vz)).sub(low.mul(uz));
+            DoubleVector square = px.mul(px).add(py.mul(py)).add(pz.mul(pz));
+            VectorMask<Double> better = square.compare(VectorOperators.LT, best).andNot(noEndA);
+            best = best.blend(square, better);
+            onA = onA.blend(low, better);
+            x = x.blend(px, better);
+            y = y.blend(py, better);
+            z = z.blend(pz, better);
+
+            on = du.add(k.mul(uv)).min(h).max(low);
+            px = dx.add(k.mul(vx)).sub(on.mul(ux));
+            py = dy.add(k.mul(vy)).sub(on.mul(uy));
+            pz = dz.add(k.mul(vz)).sub(on.mul(uz));
+            square = px.mul(px).add(py.mul(py)).add(pz.mul(pz));
+            better = square.compare(VectorOperators.LT, best).andNot(noEndB);
+            best = best.blend(square, better);
+            onA = onA.blend(on, better);
+            x = x.blend(px, better);
+            y = y.blend(py, better);
+            z = z.blend(pz, better);
+
+            on = h.mul(uv).sub(dv).min(k).max(e);
+            px = dx.add(on.mul(vx)).sub(h.mul(ux));
+            py = dy.add(on.mul(vy)).sub(h.mul(uy));
+            pz = dz.add(on.mul(vz)).sub(h.mul(uz));
+            square = px.mul(px).add(py.mul(py)).add(pz.mul(pz));
+            better = square.compare(VectorOperators.LT, best).andNot(noEndA);
+            best = best.blend(square, better);
+            onA = onA.blend(h, better);
+            x = x.blend(px, better);
+            y = y.blend(py, better);
+            z = z.blend(pz, better);
+
+            // Clearly crossing ones need no comparison, nearly parallel ones do.
+            better =
+                    sine.compare(VectorOperators.GT, NEVER)
+                            .and(f.mul(f).mul(sine).compare(VectorOperators.LT, best))
+                            .or(sine.compare(VectorOperators.GT, CROSSING))
+                            .and(within);
+            onA.blend(onU, better).intoArray(t, ON_A + i);
+            x.blend(f.mul(cx), better).intoArray(t, ACROSS + i);
+            y.blend(f.mul(cy), better).intoArray(t, ACROSS + CAPACITY + i);
+            z.blend(f.mul(cz), better).intoArray(t, ACROSS + 2 * CAPACITY + i);
+        }
+    }
+
+    private static void contacts(double[] t, int count) {
+        for (int i = 0; i < count; i += LANES) {
+            DoubleVector x = DoubleVector.fromArray(S, t, ACROSS + i);
+            DoubleVector y = DoubleVector.fromArray(S, t, ACROSS + CAPACITY + i);
+            DoubleVector z = DoubleVector.fromArray(S, t, ACROSS + 2 * CAPACITY + i);
+            DoubleVector radiusA = DoubleVector.fromArray(S, t, RADIUS_A + i);
+            DoubleVector radiusB = DoubleVector.fromArray(S, t, RADIUS_B + i);
+            DoubleVector scale =
+                    radiusA.add(radiusB)
+                            .add(DoubleVector.fromArray(S, t, OFFSET + i).abs())
+                            .add(DoubleVector.fromArray(S, t, OFFSET + CAPACITY + i).abs())
+                            .add(DoubleVector.fromArray(S, t, OFFSET + 2 * CAPACITY + i).abs());
+            scale.intoArray(t, SCALE + i);
+            DoubleVector square = x.mul(x).add(y.mul(y)).add(z.mul(z));
+            VectorMask<Double> good =
+                    square.compare(VectorOperators.GE, LEAST)
+                            .and(square.compare(VectorOperators.LE, MOST))
+                            .and(
+                                    square.compare(
+                                            VectorOperators.GE, scale.mul(TOUCHING).mul(scale)));
+            DoubleVector length = square.sqrt();
+            DoubleVector separation = length.sub(radiusA).sub(radiusB);
+            separation.intoArray(t, SEPARATION + i);
+            VectorMask<Double> apart =
+                    separation.compare(
+                            VectorOperators.GT, DoubleVector.fromArray(S, t, MARGIN + i));
+            VectorMask<Double> lines =
+                    DoubleVector.fromArray(S, t, ALIGNED + i)
+                            .compare(VectorOperators.GE, PARALLEL)
+                            .andNot(apart);
+            DoubleVector.broadcast(S, RoundBatch.ONE_POINT)
+                    .blend(RoundBatch.APART, apart)
+                    .blend(RoundBatch.OTHER, lines.or(good.not()))
+                    .intoArray(t, KIND + i);
+            DoubleVector reach = radiusA.add(separation.mul(0.5));
+            DoubleVector onA = DoubleVector.fromArray(S, t, ON_A + i);
+            DoubleVector nx = x.div(length);
+            DoubleVector ny = y.div(length);
+            DoubleVector nz = z.div(length);
+            nx.intoArray(t, NORMAL + i);
+            ny.intoArray(t, NORMAL + CAPACITY + i);
+            nz.intoArray(t, NORMAL + 2 * CAPACITY + i);
+            onA.mul(DoubleVector.fromArray(S, t, AXIS_A + i))
+                    .add(reach.mul(nx))
+                    .intoArray(t, POINT + i);
+            onA.mul(DoubleVector.fromArray(S, t, AXIS_A + CAPACITY + i))
+                    .add(reach.mul(ny))
+                    .intoArray(t, POINT + CAPACITY + i);
+            onA.mul(DoubleVector.fromArray(S, t, AXIS_A + 2 * CAPACITY + i))
+                    .add(reach.mul(nz))
+                    .intoArray(t, POINT + 2 * CAPACITY + i);
+        }
+    }
+}

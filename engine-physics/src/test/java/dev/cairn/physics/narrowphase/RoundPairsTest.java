@@ -1,0 +1,100 @@
+package dev.cairn.physics.narrowphase;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import dev.cairn.physics.narrowphase.wide.BoxAxes;
+import dev.cairn.physics.narrowphase.wide.RoundBatch;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.SplittableRandom;
+
+/**
+ * A batch of balls and capsules, a pair to a lane, gives the bits of the single path, whichever
+ * kinds share a batch and in whatever pose; what it leaves to the general way is what the single
+ * path leaves.
+ */
+class RoundPairsTest {
+    private static final ShapeKind[] KINDS = {ShapeKind.BALL, ShapeKind.CAPSULE};
+
+    private static Scene scene(SplittableRandom r, boolean balls) {
+        while (true) {
+            ShapeKind a = balls ? ShapeKind.BALL : KINDS[r.nextInt(2)];
+            ShapeKind b = balls ? ShapeKind.BALL : KINDS[r.nextInt(2)];
+            EveryPairTest.Sort sort = EveryPairTest.Sort.values()[r.nextInt(7)];
+            Scene s = sort.scene(r, new ShapeKind.Two(a, b));
+            if (RoundContacts.fits(s.a) && RoundContacts.fits(s.b)) {
+                return s;
+            }
+        }
+    }
+
+    private static void put(RoundPairs batch, int i, Scene s, double margin) {
+        batch.put(i, s.d.x, s.d.y, s.d.z, margin);
+        for (int side = 0; side < 2; side++) {
+            Shape shape = side == 0 ? s.a : s.b;
+            if (shape instanceof Capsule c) {
+                var q = side == 0 ? s.qa : s.qb;
+                batch.capsule(i, side == 1, c, q.x, q.y, q.z, q.w);
+            } else {
+                batch.ball(i, side == 1, (Sphere) shape);
+            }
+        }
+    }
+
+    @Test
+    void aBatchGivesTheBitsOfTheSinglePath() {
+        assumeTrue(BoxAxes.wide(), "no lanes on this machine");
+        SplittableRandom r = new SplittableRandom(81);
+        RoundPairs batch = new RoundPairs();
+        RoundContacts single = new RoundContacts();
+        Manifold one = new Manifold();
+        Manifold two = new Manifold();
+        Scene[] scenes = new Scene[RoundBatch.CAPACITY];
+        int touching = 0;
+        int left = 0;
+        for (int round = 0; round < 1_000; round++) {
+            int count = 1 + r.nextInt(scenes.length);
+            double margin = r.nextInt(3) == 0 ? 1 : .02;
+            for (int i = 0; i < count; i++) {
+                scenes[i] = scene(r, round % 4 == 0);
+                put(batch, i, scenes[i], margin);
+            }
+            batch.run(count);
+            for (int i = 0; i < count; i++) {
+                Scene s = scenes[i];
+                String where = "seed 81 round " + round + " pair " + i + " " + s.a + " " + s.b;
+                boolean done =
+                        single.collide(
+                                s.a, s.b, s.qa.x, s.qa.y, s.qa.z, s.qa.w, s.qb.x, s.qb.y, s.qb.z,
+                                s.qb.w, s.d.x, s.d.y, s.d.z, margin, one);
+                assertEquals(done, batch.take(i, two), where);
+                if (!done) {
+                    left++;
+                    continue;
+                }
+                assertEquals(single.word(), RoundPairs.word(two), where);
+                assertEquals(one.pointCount, two.pointCount, where);
+                assertEquals(one.bound, two.bound, 0.0, where);
+                if (one.pointCount == 0) {
+                    continue;
+                }
+                touching++;
+                assertEquals(one.separation[0], two.separation[0], 0.0, where);
+                assertEquals(one.normalX, two.normalX, 0.0, where);
+                assertEquals(one.normalY, two.normalY, 0.0, where);
+                assertEquals(one.normalZ, two.normalZ, 0.0, where);
+                assertEquals(one.pointX[0], two.pointX[0], 0.0, where);
+                assertEquals(one.pointY[0], two.pointY[0], 0.0, where);
+                assertEquals(one.pointZ[0], two.pointZ[0], 0.0, where);
+                assertEquals(one.feature[0], two.feature[0], where);
+            }
+        }
+        assertTrue(touching > 3_000 && left > 100, touching + " contacts, " + left + " left");
+    }
+}
