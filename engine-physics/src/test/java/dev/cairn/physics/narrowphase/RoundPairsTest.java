@@ -22,11 +22,13 @@ import java.util.SplittableRandom;
 class RoundPairsTest {
     private static final ShapeKind[] KINDS = {ShapeKind.BALL, ShapeKind.CAPSULE};
 
+    private static final EveryPairTest.Sort[] SORTS = EveryPairTest.Sort.values();
+
     private static Scene scene(SplittableRandom r, boolean balls) {
         while (true) {
             ShapeKind a = balls ? ShapeKind.BALL : KINDS[r.nextInt(2)];
             ShapeKind b = balls ? ShapeKind.BALL : KINDS[r.nextInt(2)];
-            EveryPairTest.Sort sort = EveryPairTest.Sort.values()[r.nextInt(7)];
+            EveryPairTest.Sort sort = SORTS[r.nextInt(SORTS.length)];
             Scene s = sort.scene(r, new ShapeKind.Two(a, b));
             if (RoundContacts.fits(s.a) && RoundContacts.fits(s.b)) {
                 return s;
