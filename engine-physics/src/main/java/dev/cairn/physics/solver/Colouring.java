@@ -11,9 +11,10 @@ import java.util.Arrays;
  * own count: they are as exact, only narrow. Contacts without an impulse have colours of their own,
  * before the others: most are gaps, and a whole group of gaps costs little. Contacts with what does
  * not move come last, the n-th of a body in the n-th of their colours: the ground has the last
- * word. The colours are a function of the order of the contacts alone.
+ * word. The colours are a function of the order of the contacts alone. Each batch has its own run
+ * of colours, with the same names in the same order; see {@link Batches}.
  *
- * <p>Source: E. Catto, Box3D's constraint graph (2025), but made anew each tick.
+ * <p>Source: E. Catto, Box3D's constraint graph (2025), but made anew when the contacts change.
  */
 final class Colouring {
     private static final int MASKED = 64;
@@ -23,21 +24,23 @@ final class Colouring {
 
     int[] start = {};
 
+    /** Rows of each colour, padding not counted. */
+    int[] size = {};
+
+    /** The first colour of each batch; one more for the end of the last. */
+    int[] firstColour = new int[2];
+
     private long[] used = {};
     private long[] usedCold = {};
     private int[] next = {};
     private int[] still = {};
 
-    /** By row: its colour among those of its family. */
+    /** By row: its colour, those against what does not move below 0. */
     private int[] colour = {};
 
-    /** Rows of each colour by family: masked, masked and cold, more, against what does not move. */
-    private final int[] masked = new int[MASKED];
+    /** By colour of the batch in work: its rows, then its next place. */
+    private int[] tally = {};
 
-    private final int[] cold = new int[MASKED];
-
-    private int[] more = new int[16];
-    private int[] fixed = new int[16];
     private int moreColours;
     private int fixedColours;
 
@@ -56,10 +59,6 @@ final class Colouring {
         Arrays.fill(usedCold, 0, slots, 0L);
         Arrays.fill(next, 0, slots, 0);
         Arrays.fill(still, 0, slots, 0);
-        Arrays.fill(masked, 0);
-        Arrays.fill(cold, 0);
-        Arrays.fill(more, 0, moreColours, 0);
-        Arrays.fill(fixed, 0, fixedColours, 0);
         moreColours = 0;
         fixedColours = 0;
     }
@@ -73,84 +72,91 @@ final class Colouring {
             taken[a] |= bit;
             taken[b] |= bit;
             int c = Long.numberOfTrailingZeros(bit);
-            colour[m] = isCold ? MASKED + c : c;
-            (isCold ? cold : masked)[c]++;
+            colour[m] = isCold ? c : MASKED + c;
             return;
         }
         int k = Math.max(next[a], next[b]);
         next[a] = k + 1;
         next[b] = k + 1;
-        if (k >= moreColours) {
-            moreColours = k + 1;
-            if (k >= more.length) {
-                more = Arrays.copyOf(more, 2 * k);
-            }
-        }
+        moreColours = Math.max(moreColours, k + 1);
         colour[m] = 2 * MASKED + k;
-        more[k]++;
     }
 
     /** Row {@code m} is a contact of {@code body} with something that does not move. */
     void addFixed(int m, int body) {
         int k = still[body]++;
-        if (k >= fixedColours) {
-            fixedColours = k + 1;
-            if (k >= fixed.length) {
-                fixed = Arrays.copyOf(fixed, 2 * k);
-            }
-        }
+        fixedColours = Math.max(fixedColours, k + 1);
         colour[m] = -1 - k;
-        fixed[k]++;
     }
 
-    /** Gives each row its place, and pads each colour to whole groups. */
-    void finish(ConstraintRows rows) {
-        int most = 2 * MASKED + moreColours + fixedColours + 1;
-        if (start.length < most) {
-            start = new int[2 * most];
+    /** Gives each row its place, and pads each colour of a batch to whole groups. */
+    void finish(ConstraintRows rows, Batches batches) {
+        int names = 2 * MASKED + moreColours + fixedColours;
+        if (tally.length < names) {
+            tally = new int[2 * names];
+        }
+        if (firstColour.length < batches.count + 1) {
+            firstColour = new int[batches.firstRow.length];
         }
         colours = 0;
         int at = 0;
-        for (int k = 0; k < MASKED; k++) {
-            at = open(cold, k, at, rows.lanes);
+        for (int b = 0; b < batches.count; b++) {
+            firstColour[b] = colours;
+            at = place(rows, batches, b, names, at);
         }
-        for (int k = 0; k < MASKED; k++) {
-            at = open(masked, k, at, rows.lanes);
-        }
-        for (int k = 0; k < moreColours; k++) {
-            at = open(more, k, at, rows.lanes);
-        }
-        for (int k = 0; k < fixedColours; k++) {
-            at = open(fixed, k, at, rows.lanes);
-        }
+        firstColour[batches.count] = colours;
+        ensureColours(colours + 1);
         start[colours] = at;
         rows.places = at;
         rows.ensurePlaces(at);
-        for (int m = 0; m < rows.count; m++) {
-            rows.place[m] = take(colour[m]);
-        }
         pad(rows);
     }
 
-    private int take(int c) {
-        if (c < 0) {
-            return fixed[-1 - c]++;
-        }
-        if (c < MASKED) {
-            return masked[c]++;
-        }
-        return c < 2 * MASKED ? cold[c - MASKED]++ : more[c - 2 * MASKED]++;
-    }
-
-    /** Turns the number of rows of a colour into its first place; the end of its padding. */
-    private int open(int[] tally, int k, int at, int lanes) {
-        int n = tally[k];
-        if (n == 0) {
+    /** Gives the rows of a batch their places, from {@code at} on; returns the end. */
+    private int place(ConstraintRows rows, Batches batches, int batch, int names, int at) {
+        int from = batches.firstRow[batch];
+        int to = batches.firstRow[batch + 1];
+        if (from == to) {
             return at;
         }
-        start[colours++] = at;
-        tally[k] = at;
-        return at + (n + lanes - 1) / lanes * lanes;
+        int[] list = batches.byBatch;
+        Arrays.fill(tally, 0, names, 0);
+        int least = names;
+        int most = 0;
+        for (int k = from; k < to; k++) {
+            int c = name(colour[list[k]]);
+            tally[c]++;
+            least = Math.min(least, c);
+            most = Math.max(most, c);
+        }
+        ensureColours(colours + most - least + 2);
+        int end = at;
+        for (int c = least; c <= most; c++) {
+            int n = tally[c];
+            if (n > 0) {
+                start[colours] = end;
+                size[colours++] = n;
+                tally[c] = end;
+                end += (n + rows.lanes - 1) / rows.lanes * rows.lanes;
+            }
+        }
+        for (int k = from; k < to; k++) {
+            int m = list[k];
+            rows.place[m] = tally[name(colour[m])]++;
+        }
+        return end;
+    }
+
+    /** The colour's number among all, in the order of solving. */
+    private int name(int c) {
+        return c >= 0 ? c : 2 * MASKED + moreColours - 1 - c;
+    }
+
+    private void ensureColours(int n) {
+        if (start.length < n) {
+            start = Arrays.copyOf(start, 2 * n);
+            size = Arrays.copyOf(size, 2 * n);
+        }
     }
 
     /** The places that no row takes bind nothing to nothing. */

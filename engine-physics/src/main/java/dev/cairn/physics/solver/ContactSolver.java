@@ -6,10 +6,6 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 
-import org.jspecify.annotations.Nullable;
-
-import java.util.Arrays;
-
 /**
  * Solves one tick of motion and contact: a sub-stepped soft contact solver in double, wide over the
  * contacts of a colour.
@@ -25,26 +21,25 @@ public final class ContactSolver {
     /** With fewer contacts the scalar sweeps are fast enough, and need no warm-up. */
     private static final int WIDE_FROM = 256;
 
-    /**
-     * A point rests while it moves slower than gravity makes a body fall in this share of a tick.
-     */
-    private static final double STILL = 0.125;
+    /** Contacts times ticks after which a smaller scene pays for the wide sweeps' warm-up. */
+    private static final int WORTH_WIDE = 32_768;
 
-    private SolverSettings settings;
     private final Sweeps sweeps;
     private final Sweeps narrow = new ScalarSweeps();
-    private final SolverBodies body = new SolverBodies();
+    private final Passes passes;
+    private final SolverBodies body;
     private final ConstraintRows rows;
+    private final Renewal renewal;
     private final Colouring colouring = new Colouring();
-    private final SubStep sub = new SubStep();
+    private final Batches batches = new Batches();
+    private final Collector collector = new Collector(colouring, batches);
     private final Impacts impacts = new Impacts();
     private final LoadSweep loads = new LoadSweep();
     private final Unloading unloading = new Unloading();
-    private final Renewal renewal = new Renewal();
-    private final double[] gravity = new double[3];
 
     private final BlockJob begin = this::begin;
     private final BlockJob prepare = this::prepare;
+    private final BlockJob findRenewed = this::findRenewed;
     private final BlockJob kick = this::kick;
     private final BlockJob bias = this::bias;
     private final BlockJob drift = this::drift;
@@ -54,33 +49,27 @@ public final class ContactSolver {
     private final BlockJob takeOut = this::takeOut;
     private final BlockJob renewBodies = this::renewBodies;
     private final BlockJob renewRows = this::renewRows;
-    private final BlockJob restoreRows = this::restoreRows;
     private final BlockJob storeBodies = this::storeBodies;
-    private final BlockJob clearRows = this::clearRows;
     private final BlockJob storeRows = this::storeRows;
+    private final BlockJob clearRows = this::clearRows;
+    private final BlockJob batch = this::batch;
 
-    private double step;
-    private boolean stacked;
-    private boolean loaded;
     private boolean renews;
-    private double preloadScale = 1;
-    private double subStep;
+    private boolean unloaded;
     private int substepsBefore;
-    private double impulseScale = 1;
-    private double still;
+    private int contactTicks;
 
-    /** The colour in work: its places. */
+    /** The colour in work in lockstep: its places; and the sub-step. */
     private int from;
 
     private int to;
+    private int substep;
 
     /** The sweeps of this tick, and of the colour in work. */
     private Sweeps chosen = narrow;
 
     private Sweeps sweep = narrow;
     private double[][] scratch = {};
-    private @Nullable BodyStore bodyStore;
-    private @Nullable ContactStore contactStore;
 
     /**
      * A solver; one per world.
@@ -88,9 +77,15 @@ public final class ContactSolver {
      * @param settings the tunables
      */
     public ContactSolver(SolverSettings settings) {
-        this.settings = settings;
-        sweeps = Lanes.sweeps(settings.lanes());
-        rows = new ConstraintRows(sweeps.lanes());
+        this(settings, Lanes.sweeps(settings.lanes()));
+    }
+
+    ContactSolver(SolverSettings settings, Sweeps sweeps) {
+        this.sweeps = sweeps;
+        passes = new Passes(settings, sweeps.lanes());
+        body = passes.body;
+        rows = passes.rows;
+        renewal = passes.renewal;
     }
 
     /**
@@ -99,7 +94,7 @@ public final class ContactSolver {
      * @return as given
      */
     public SolverSettings settings() {
-        return settings;
+        return passes.settings;
     }
 
     /**
@@ -108,7 +103,7 @@ public final class ContactSolver {
      * @param count 1 to 64
      */
     public void setSubsteps(int count) {
-        settings = settings.withSubsteps(count);
+        passes.settings = passes.settings.withSubsteps(count);
     }
 
     /**
@@ -139,128 +134,224 @@ public final class ContactSolver {
             double gravityZ,
             double stepSeconds,
             Jobs jobs) {
-        bodyStore = bodies;
-        contactStore = contacts;
-        gravity[0] = gravityX;
-        gravity[1] = gravityY;
-        gravity[2] = gravityZ;
+        Passes p = passes;
+        SolverSettings settings = p.settings;
+        p.bodies = bodies;
+        p.contacts = contacts;
+        p.gravity[0] = gravityX;
+        p.gravity[1] = gravityY;
+        p.gravity[2] = gravityZ;
         timing(stepSeconds);
-        collect(bodies, contacts);
-        int bodyBlocks = Blocks.count(bodies.slotCount, BODIES_PER_BLOCK);
-        boolean unloaded =
+        body.ensureCapacity(bodies.slotCount);
+        boolean stacked = collector.run(bodies, contacts, rows, body.guide, jobs.workers());
+        p.order = batches.order;
+        unloaded =
                 settings.unloadSweeps() > 0
-                        && unloading.find(bodies, contacts, rows, impulseScale / subStep, weight());
-        loaded =
+                        && unloading.find(
+                                bodies, contacts, rows, p.impulseScale / p.subStep, p.weight());
+        p.loaded =
                 (settings.loadInertia() > 0 || settings.unloadSweeps() > 0)
                         && loads.run(
-                                bodies, contacts, rows, body, gravity, step, settings, stacked);
+                                bodies, contacts, rows, body, p.gravity, p.step, settings, stacked);
         renewal.ensureCapacity(bodies.slotCount);
-        jobs.run(begin, bodyBlocks);
+        run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK), jobs);
         if (rows.count > 0) {
+            renewal.ensurePlaces(rows);
             ensureScratch(jobs.workers());
             choose();
-            colours(prepare, jobs);
-            renews = renewal.list(rows, contacts, bodies, weight());
-            preloadScale = impulseScale;
-            for (int k = 0; k < settings.substeps(); k++) {
-                subStep(bodies, contacts, unloaded && k == 0, bodyBlocks, jobs);
+            if (colouring.firstColour[1] > 0) {
+                lockstep(jobs);
             }
+            run(batch, batches.count - 1, jobs);
         }
-        store(bodies, contacts, bodyBlocks, jobs);
-        bodyStore = null;
-        contactStore = null;
+        run(clearRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK), jobs);
     }
 
-    /** Levers of what turns or passes by, as they are now. */
-    private void renew(int bodyBlocks, Jobs jobs) {
-        jobs.run(keepBodies, bodyBlocks);
-        colours(takeOut, jobs);
-        jobs.run(renewBodies, bodyBlocks);
-        colours(renewRows, jobs);
-        preloadScale = 1;
+    /** One block needs no other worker, and no protocol. */
+    private static void run(BlockJob job, int blocks, Jobs jobs) {
+        if (blocks == 1) {
+            job.run(0, 0);
+        } else {
+            jobs.run(job, blocks);
+        }
     }
 
-    private void keepBodies(int block, int worker) {
-        int end = Blocks.end(block, BODIES_PER_BLOCK, stored(bodyStore).slotCount);
-        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
-            if (body.guide[i] != SolverBodies.FREE) {
-                Motion.keep(stored(bodyStore), body, i);
+    /** Batch 0: colour after colour, all workers at once. */
+    private void lockstep(Jobs jobs) {
+        int bodyBlocks = Blocks.count(batches.firstBody[1], BODIES_PER_BLOCK);
+        int end = colouring.start[colouring.firstColour[1]];
+        colours(prepare, jobs);
+        renews = false;
+        run(findRenewed, Blocks.count(end, ROWS_PER_BLOCK), jobs);
+        for (int k = 0; k < passes.settings.substeps(); k++) {
+            substep = k;
+            if (rows.bouncing > 0
+                    && impacts.run(
+                            rows,
+                            body,
+                            passes.bodies,
+                            passes.contacts,
+                            passes.gravity,
+                            passes.subStep,
+                            passes.settings.restitutionThreshold())) {
+                ScalarSweeps.separations(rows, body.state);
             }
-        }
-    }
-
-    private void takeOut(int block, int worker) {
-        int first = from + Blocks.begin(block, ROWS_PER_BLOCK);
-        int end = from + Blocks.end(block, ROWS_PER_BLOCK, to - from);
-        renewal.unload(rows, body.warm, first, end);
-    }
-
-    private void renewBodies(int block, int worker) {
-        BodyStore b = stored(bodyStore);
-        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
-        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
-            if (body.guide[i] != SolverBodies.FREE) {
-                renewal.body(body, b, i);
+            run(kick, bodyBlocks, jobs);
+            if (unloaded && k == 0) {
+                passes.settle(0, end, scratch[0]);
             }
+            colours(bias, jobs);
+            run(drift, bodyBlocks, jobs);
+            if (renews) {
+                run(keepBodies, bodyBlocks, jobs);
+                colours(takeOut, jobs);
+                run(renewBodies, bodyBlocks, jobs);
+                colours(renewRows, jobs);
+            }
+            colours(relax, jobs);
+            run(finish, bodyBlocks, jobs);
         }
-    }
-
-    private void renewRows(int block, int worker) {
-        int first = from + Blocks.begin(block, ROWS_PER_BLOCK);
-        int end = from + Blocks.end(block, ROWS_PER_BLOCK, to - from);
-        renewal.rows(
-                rows, body, stored(bodyStore), stored(contactStore), sub, preloadScale, first, end);
-    }
-
-    private void restoreRows(int block, int worker) {
-        int first = Blocks.begin(block, ROWS_PER_BLOCK);
-        int end = Blocks.end(block, ROWS_PER_BLOCK, rows.places);
-        renewal.restore(rows, stored(contactStore), first, end);
-    }
-
-    private void subStep(
-            BodyStore bodies, ContactStore contacts, boolean unloaded, int bodyBlocks, Jobs jobs) {
-        if (rows.bouncing > 0
-                && impacts.run(
-                        rows,
-                        body,
-                        bodies,
-                        contacts,
-                        gravity,
-                        subStep,
-                        settings.restitutionThreshold())) {
-            ScalarSweeps.separations(rows, body.state);
-        }
-        jobs.run(kick, bodyBlocks);
-        if (unloaded) {
-            ScalarSweeps.settle(rows, body.state, sub, settings.unloadSweeps(), scratch[0]);
-        }
-        colours(bias, jobs);
-        jobs.run(drift, bodyBlocks);
-        if (renews) {
-            renew(bodyBlocks, jobs);
-        }
-        colours(relax, jobs);
-        jobs.run(finish, bodyBlocks);
+        run(storeBodies, bodyBlocks, jobs);
+        colours(storeRows, jobs);
     }
 
     /** Runs a job over the rows of one colour after the other, in blocks. */
     private void colours(BlockJob job, Jobs jobs) {
-        for (int c = 0; c < colouring.colours; c++) {
+        for (int c = 0; c < colouring.firstColour[1]; c++) {
             from = colouring.start[c];
             to = colouring.start[c + 1];
-            sweep = to - from > rows.lanes ? chosen : narrow;
-            jobs.run(job, Blocks.count(to - from, ROWS_PER_BLOCK));
+            sweep = sweeps(c);
+            run(job, Blocks.count(to - from, ROWS_PER_BLOCK), jobs);
         }
+    }
+
+    /** A colour of one row is swept by the scalar twin. */
+    private Sweeps sweeps(int colour) {
+        return colouring.size[colour] > 1 ? chosen : narrow;
+    }
+
+    /** The whole tick of a batch: its rows stay in the cache, and nobody waits. */
+    private void batch(int block, int worker) {
+        Passes p = passes;
+        double[] own = scratch[worker];
+        int b = block + 1;
+        int first = colouring.firstColour[b];
+        int last = colouring.firstColour[b + 1];
+        int[] start = colouring.start;
+        int head = batches.firstBody[b];
+        int tail = batches.firstBody[b + 1];
+        for (int c = first; c < last; c++) {
+            p.prepare(sweeps(c), start[c], start[c + 1], own);
+        }
+        boolean renewed = p.findRenewed(start[first], start[last]);
+        for (int k = 0; k < p.settings.substeps(); k++) {
+            p.kick(head, tail);
+            if (unloaded && k == 0) {
+                p.settle(start[first], start[last], own);
+            }
+            for (int c = first; c < last; c++) {
+                p.bias(sweeps(c), start[c], start[c + 1], own);
+            }
+            p.drift(head, tail);
+            if (renewed) {
+                p.keep(head, tail);
+                p.takeOut(start[first], start[last]);
+                p.renewBodies(head, tail);
+                p.renewRows(k, start[first], start[last]);
+            }
+            for (int c = first; c < last; c++) {
+                p.relax(sweeps(c), start[c], start[c + 1], own);
+            }
+            p.finish(head, tail);
+        }
+        p.storeBodies(head, tail);
+        p.storeRows(renewed, start[first], start[last]);
+    }
+
+    private void begin(int block, int worker) {
+        int first = Blocks.begin(block, BODIES_PER_BLOCK);
+        passes.begin(first, Blocks.end(block, BODIES_PER_BLOCK, passes.bodies.slotCount));
+    }
+
+    private int rowsFrom(int block) {
+        return from + Blocks.begin(block, ROWS_PER_BLOCK);
+    }
+
+    private int rowsTo(int block) {
+        return from + Blocks.end(block, ROWS_PER_BLOCK, to - from);
+    }
+
+    private int bodiesTo(int block) {
+        return Blocks.end(block, BODIES_PER_BLOCK, batches.firstBody[1]);
+    }
+
+    private void prepare(int block, int worker) {
+        passes.prepare(sweep, rowsFrom(block), rowsTo(block), scratch[worker]);
+    }
+
+    private void findRenewed(int block, int worker) {
+        int end = Blocks.end(block, ROWS_PER_BLOCK, colouring.start[colouring.firstColour[1]]);
+        if (passes.findRenewed(Blocks.begin(block, ROWS_PER_BLOCK), end)) {
+            renews = true; // by whoever finds one
+        }
+    }
+
+    private void bias(int block, int worker) {
+        passes.bias(sweep, rowsFrom(block), rowsTo(block), scratch[worker]);
+    }
+
+    private void relax(int block, int worker) {
+        passes.relax(sweep, rowsFrom(block), rowsTo(block), scratch[worker]);
+    }
+
+    private void takeOut(int block, int worker) {
+        passes.takeOut(rowsFrom(block), rowsTo(block));
+    }
+
+    private void renewRows(int block, int worker) {
+        passes.renewRows(substep, rowsFrom(block), rowsTo(block));
+    }
+
+    private void storeRows(int block, int worker) {
+        passes.storeRows(renews, rowsFrom(block), rowsTo(block));
+    }
+
+    private void kick(int block, int worker) {
+        passes.kick(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
+    }
+
+    private void drift(int block, int worker) {
+        passes.drift(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
+    }
+
+    private void keepBodies(int block, int worker) {
+        passes.keep(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
+    }
+
+    private void renewBodies(int block, int worker) {
+        passes.renewBodies(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
+    }
+
+    private void finish(int block, int worker) {
+        passes.finish(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
+    }
+
+    private void storeBodies(int block, int worker) {
+        passes.storeBodies(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
+    }
+
+    private void clearRows(int block, int worker) {
+        int end = Blocks.end(block, ROWS_PER_BLOCK, passes.contacts.activeCount);
+        passes.clearRows(Blocks.begin(block, ROWS_PER_BLOCK), end);
     }
 
     /** Which sweeps are used has no influence on the result. */
     private void choose() {
         chosen = sweeps;
-        if (settings.lanes() == 0 && sweeps instanceof WideSweeps wide) {
-            if (rows.count < WIDE_FROM) {
-                chosen = narrow;
-            } else if (!wide.isWarm()) {
+        if (passes.settings.lanes() == 0 && sweeps instanceof WideSweeps wide && !wide.isWarm()) {
+            chosen = narrow;
+            contactTicks = Math.min(WORTH_WIDE, contactTicks + rows.count);
+            if (rows.count >= WIDE_FROM || contactTicks == WORTH_WIDE) {
                 wide.begin();
             }
         }
@@ -279,13 +370,14 @@ public final class ContactSolver {
      * Coefficients that depend on the length of the step; the impulses of a sub-step scale with it.
      */
     private void timing(double stepSeconds) {
-        if (stepSeconds == step && settings.substeps() == substepsBefore) {
-            impulseScale = 1;
+        SolverSettings settings = passes.settings;
+        if (stepSeconds == passes.step && settings.substeps() == substepsBefore) {
+            passes.impulseScale = 1;
             return;
         }
         double h = stepSeconds / settings.substeps();
         double longer = (double) substepsBefore / settings.substeps();
-        impulseScale = step == 0 ? 1 : stepSeconds / step * longer;
+        passes.impulseScale = passes.step == 0 ? 1 : stepSeconds / passes.step * longer;
         substepsBefore = settings.substeps();
         double hertz = settings.hertzPerRate() / h;
         Softness soft = Softness.of(hertz, settings.dampingRatio(), h);
@@ -294,62 +386,9 @@ public final class ContactSolver {
                         hertz * settings.staticHertzScale(),
                         settings.dampingRatio() * settings.staticDampingScale(),
                         h);
-        sub.set(h, soft, staticSoft, settings);
-        step = stepSeconds;
-        subStep = h;
-    }
-
-    /**
-     * Lists the contacts that have points, gives them colours, and finds which bodies they bind.
-     */
-    private void collect(BodyStore bodies, ContactStore contacts) {
-        body.ensureCapacity(bodies.slotCount);
-        rows.ensureRows(contacts.activeCount);
-        colouring.begin(bodies.slotCount, contacts.activeCount);
-        int[] guide = body.guide;
-        Arrays.fill(guide, 0, bodies.slotCount, SolverBodies.FREE);
-        int n = 0;
-        int bouncing = 0;
-        stacked = false;
-        for (int i = 0; i < contacts.activeCount; i++) {
-            int c = contacts.active[i];
-            if (contacts.pointCount[c] == 0) {
-                continue;
-            }
-            int a = contacts.bodyA[c];
-            int b = contacts.bodyB[c];
-            rows.source[n] = c;
-            if (bodies.kind[a] != BodyStore.DYNAMIC) {
-                colouring.addFixed(n, b);
-                guide[b] = guide[b] == SolverBodies.FREE ? n : SolverBodies.BOUND;
-            } else if (bodies.kind[b] != BodyStore.DYNAMIC) {
-                colouring.addFixed(n, a);
-                guide[a] = guide[a] == SolverBodies.FREE ? n : SolverBodies.BOUND;
-            } else {
-                colouring.add(n, a, b, isCold(contacts, c));
-                guide[a] = SolverBodies.BOUND;
-                guide[b] = SolverBodies.BOUND;
-                stacked = true;
-            }
-            if (contacts.restitution[c] > 0) {
-                rows.bouncer[bouncing++] = n;
-            }
-            n++;
-        }
-        rows.count = n;
-        rows.bouncing = bouncing;
-        colouring.finish(rows);
-        for (int m = 0; m < n; m++) {
-            int c = rows.source[m];
-            int l = rows.place[m] * ConstraintRows.LINK;
-            int a = contacts.bodyA[c];
-            int b = contacts.bodyB[c];
-            rows.link[l] = bodies.kind[a] == BodyStore.DYNAMIC ? SolverBodies.offset(a) : 0;
-            rows.link[l + 1] = bodies.kind[b] == BodyStore.DYNAMIC ? SolverBodies.offset(b) : 0;
-            rows.link[l + ConstraintRows.COUNT] = contacts.pointCount[c];
-            rows.link[l + ConstraintRows.SOURCE] = c;
-            rows.unloaded[rows.place[m]] = 0;
-        }
+        passes.sub.set(h, soft, staticSoft, settings);
+        passes.step = stepSeconds;
+        passes.subStep = h;
     }
 
     /**
@@ -360,183 +399,17 @@ public final class ContactSolver {
      *     as long as the store had rows
      */
     public void readColours(int[] colourOfContact) {
-        for (int c = 0; c < colouring.colours; c++) {
-            for (int place = colouring.start[c]; place < colouring.start[c + 1]; place++) {
-                int l = place * ConstraintRows.LINK;
-                int row = rows.link[l + ConstraintRows.SOURCE];
-                if (rows.link[l + ConstraintRows.COUNT] > 0 && row < colourOfContact.length) {
-                    colourOfContact[row] = c;
+        for (int b = 0; b < batches.count; b++) {
+            for (int c = colouring.firstColour[b]; c < colouring.firstColour[b + 1]; c++) {
+                for (int place = colouring.start[c]; place < colouring.start[c + 1]; place++) {
+                    int l = place * ConstraintRows.LINK;
+                    int row = rows.link[l + ConstraintRows.SOURCE];
+                    if (rows.link[l + ConstraintRows.COUNT] > 0 && row < colourOfContact.length) {
+                        colourOfContact[row] = c - colouring.firstColour[b];
+                    }
                 }
             }
         }
-    }
-
-    /** Whether a contact had no impulse at the end of the last tick; most such have a gap. */
-    private static boolean isCold(ContactStore c, int row) {
-        int p = ContactStore.POINTS * row;
-        double sum = 0;
-        for (int end = p + c.pointCount[row]; p < end; p++) {
-            sum += c.normalImpulse[p];
-        }
-        return sum == 0;
-    }
-
-    /** Flies the bodies without contacts, loads the others. */
-    private void begin(int block, int worker) {
-        BodyStore b = stored(bodyStore);
-        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
-        double weight = weight();
-        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
-            if (b.kind[i] != BodyStore.DYNAMIC) {
-                continue;
-            }
-            body.axes.update(b, i);
-            if (body.guide[i] == SolverBodies.FREE) {
-                Motion.fly(
-                        b, body, i, gravity[0], gravity[1], gravity[2], step, settings.substeps());
-            } else {
-                renewal.look(b, i, weight);
-                body.loadBound(b, i, loaded ? b.inertiaScale[i] : 1);
-            }
-        }
-    }
-
-    private void prepare(int block, int worker) {
-        int first = from + Blocks.begin(block, ROWS_PER_BLOCK);
-        int end = from + Blocks.end(block, ROWS_PER_BLOCK, to - from);
-        sweep.fill(
-                rows, body, stored(contactStore), sub, impulseScale, first, end, scratch[worker]);
-    }
-
-    private void bias(int block, int worker) {
-        int first = from + Blocks.begin(block, ROWS_PER_BLOCK);
-        int end = from + Blocks.end(block, ROWS_PER_BLOCK, to - from);
-        for (int j = first; j < end; j += ConstraintRows.CHUNK) {
-            int last = Math.min(end, j + ConstraintRows.CHUNK);
-            sweep.bias(rows, body.state, sub, j, last, scratch[worker]);
-        }
-    }
-
-    private void relax(int block, int worker) {
-        int first = from + Blocks.begin(block, ROWS_PER_BLOCK);
-        int end = from + Blocks.end(block, ROWS_PER_BLOCK, to - from);
-        for (int j = first; j < end; j += ConstraintRows.CHUNK) {
-            int last = Math.min(end, j + ConstraintRows.CHUNK);
-            sweep.relax(rows, body.state, sub, j, last, scratch[worker]);
-        }
-    }
-
-    private void kick(int block, int worker) {
-        BodyStore b = stored(bodyStore);
-        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
-        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
-            if (body.guide[i] != SolverBodies.FREE) {
-                Motion.kick(b, body, i, gravity[0], gravity[1], gravity[2], subStep);
-            }
-        }
-    }
-
-    private void drift(int block, int worker) {
-        BodyStore b = stored(bodyStore);
-        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
-        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
-            if (body.guide[i] != SolverBodies.FREE) {
-                Motion.drift(b, body, i, gravity[0], gravity[1], gravity[2], subStep);
-            }
-        }
-    }
-
-    private void finish(int block, int worker) {
-        int end = Blocks.end(block, BODIES_PER_BLOCK, stored(bodyStore).slotCount);
-        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
-            if (body.guide[i] != SolverBodies.FREE) {
-                Motion.keep(stored(bodyStore), body, i);
-                if (body.guide[i] >= 0) {
-                    Motion.glide(body, i, rows, subStep);
-                }
-            }
-        }
-    }
-
-    /** Writes the bodies and the impulses back. */
-    private void store(BodyStore bodies, ContactStore contacts, int bodyBlocks, Jobs jobs) {
-        still = STILL * weight() * step;
-        jobs.run(storeBodies, bodyBlocks);
-        jobs.run(clearRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK));
-        jobs.run(storeRows, Blocks.count(rows.places, ROWS_PER_BLOCK));
-        if (renews) {
-            jobs.run(restoreRows, Blocks.count(rows.places, ROWS_PER_BLOCK));
-            renews = false;
-        }
-        if (settings.unloadSweeps() > 0) {
-            for (int m = 0; m < rows.count; m++) {
-                Unloading.press(bodies, contacts, rows.source[m], 1 / subStep);
-            }
-        }
-    }
-
-    private void storeBodies(int block, int worker) {
-        BodyStore b = stored(bodyStore);
-        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
-        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
-            if (body.guide[i] != SolverBodies.FREE) {
-                body.store(b, i);
-            }
-            b.pressed[i] = 0;
-            b.pressing[i] = 0;
-        }
-    }
-
-    /** Contacts without points have no impulses. */
-    private void clearRows(int block, int worker) {
-        ContactStore c = stored(contactStore);
-        int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
-        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
-            int row = c.active[i];
-            if (c.pointCount[row] == 0) {
-                c.frictionImpulseX[row] = 0;
-                c.frictionImpulseY[row] = 0;
-                c.frictionImpulseZ[row] = 0;
-                c.twistImpulse[row] = 0;
-            }
-        }
-    }
-
-    private void storeRows(int block, int worker) {
-        ContactStore c = stored(contactStore);
-        int end = Blocks.end(block, ROWS_PER_BLOCK, rows.places);
-        for (int j = Blocks.begin(block, ROWS_PER_BLOCK); j < end; j++) {
-            if (rows.link[j * ConstraintRows.LINK + ConstraintRows.COUNT] > 0) {
-                storeRow(c, j, rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE]);
-            }
-        }
-    }
-
-    private void storeRow(ContactStore contacts, int j, int c) {
-        double[] d = rows.row;
-        int lanes = rows.lanes;
-        int o = rows.base(j);
-        contacts.frictionImpulseX[c] = tangent(o, ConstraintRows.LAMBDA, 0);
-        contacts.frictionImpulseY[c] = tangent(o, ConstraintRows.LAMBDA, 1);
-        contacts.frictionImpulseZ[c] = tangent(o, ConstraintRows.LAMBDA, 2);
-        contacts.twistImpulse[c] = d[o + (ConstraintRows.LAMBDA + 2) * lanes];
-        for (int k = 0; k < contacts.pointCount[c]; k++) {
-            int p = ContactStore.POINTS * c + k;
-            int q = ConstraintRows.POINT + k * ConstraintRows.POINT_FIELDS;
-            contacts.normalImpulse[p] = d[o + (q + ConstraintRows.IMPULSE) * lanes];
-            contacts.totalNormalImpulse[p] = d[o + (ConstraintRows.SUM + k) * lanes];
-        }
-        if (settings.offsetGain() > 0) {
-            Offsets.update(rows, body.state, contacts, c, j, sub, settings.offsetGain(), still);
-        }
-    }
-
-    /** World component of a pair of tangent impulses. */
-    private double tangent(int o, int field, int axis) {
-        double[] d = rows.row;
-        int lanes = rows.lanes;
-        return d[o + field * lanes] * d[o + (ConstraintRows.TANGENT1 + axis) * lanes]
-                + d[o + (field + 1) * lanes] * d[o + (ConstraintRows.TANGENT2 + axis) * lanes];
     }
 
     /**
@@ -547,19 +420,6 @@ public final class ContactSolver {
      * @return impulse on B, N s
      */
     double totalFriction(int row, int axis) {
-        return tangent(rows.base(rows.place[row]), ConstraintRows.TOTAL, axis);
-    }
-
-    /** Size of gravity, m/s². */
-    private double weight() {
-        return Math.sqrt(
-                gravity[0] * gravity[0] + gravity[1] * gravity[1] + gravity[2] * gravity[2]);
-    }
-
-    private static <T> T stored(@Nullable T value) {
-        if (value == null) {
-            throw new IllegalStateException("a block of the solver ran outside of step");
-        }
-        return value;
+        return passes.tangent(rows.base(rows.place[row]), ConstraintRows.TOTAL, axis);
     }
 }

@@ -41,11 +41,13 @@ final class Renewal {
     /** Turn since the start as a matrix, 9 to a slot. */
     private double[] turn = {};
 
-    /** By place: 1 + where the row's first levers are kept, or 0. */
-    private int[] renewed = {};
+    /** By place: whether the row is renewed; its first levers are kept. */
+    private boolean[] renewed = {};
 
     private double[] kept = {};
-    private int count;
+
+    /** By slot: whether a row of the body is renewed. */
+    private boolean[] stirred = {};
 
     void ensureCapacity(int slots) {
         if (turns.length < slots) {
@@ -53,6 +55,7 @@ final class Renewal {
             turns = Arrays.copyOf(turns, n);
             start = Arrays.copyOf(start, 4 * n);
             turn = Arrays.copyOf(turn, 9 * n);
+            stirred = Arrays.copyOf(stirred, n);
         }
     }
 
@@ -63,6 +66,7 @@ final class Renewal {
         double z = b.angularVelocityZ[i];
         double far = b.outerRadius[i];
         double slow = SLOW * SLOW * gravity * b.innerRadius[i];
+        stirred[i] = false;
         turns[i] = (x * x + y * y + z * z) * (far * far) > slow;
         if (turns[i]) {
             start[4 * i] = b.orientationX[i];
@@ -72,39 +76,56 @@ final class Renewal {
         }
     }
 
+    void ensurePlaces(ConstraintRows rows) {
+        if (renewed.length < rows.unloaded.length) {
+            // With the rows, so that a scene that gets wilder later allocates nothing.
+            renewed = new boolean[rows.unloaded.length];
+            kept = new double[rows.unloaded.length * KEPT];
+        }
+    }
+
     /**
-     * Lists the rows to renew, in the order of their places.
+     * Finds the rows to renew; ranges of places. Whose row is renewed is written by all alike.
      *
      * @return whether there is one
      */
-    boolean list(ConstraintRows rows, ContactStore c, BodyStore b, double gravity) {
-        count = 0;
-        if (renewed.length < rows.unloaded.length) {
-            // With the rows, so that a scene that gets wilder later allocates nothing.
-            renewed = new int[rows.unloaded.length];
-            kept = new double[rows.unloaded.length * KEPT];
-        }
-        Arrays.fill(renewed, 0, rows.places, 0);
-        for (int m = 0; m < rows.count; m++) {
-            int source = rows.source[m];
+    boolean find(
+            ConstraintRows rows, ContactStore c, BodyStore b, double gravity, int from, int to) {
+        boolean any = false;
+        for (int place = from; place < to; place++) {
+            renewed[place] = false;
+            int l = place * ConstraintRows.LINK;
+            if (rows.link[l + ConstraintRows.COUNT] == 0) {
+                continue;
+            }
+            int source = rows.link[l + ConstraintRows.SOURCE];
             int i = c.bodyA[source];
             int j = c.bodyB[source];
-            boolean moves =
-                    b.kind[i] == BodyStore.DYNAMIC
-                            && b.kind[j] == BodyStore.DYNAMIC
-                            && c.restitution[source] == 0;
-            if ((b.kind[i] == BodyStore.DYNAMIC && turns[i])
-                    || (b.kind[j] == BodyStore.DYNAMIC && turns[j])
-                    || (moves && passes(b, i, j, gravity))) {
-                renewed[rows.place[m]] = ++count;
+            boolean movesA = rows.link[l] != 0;
+            boolean movesB = rows.link[l + 1] != 0;
+            if ((movesA && turns[i])
+                    || (movesB && turns[j])
+                    || (movesA
+                            && movesB
+                            && c.restitution[source] == 0
+                            && passes(b, i, j, gravity))) {
+                renewed[place] = true;
+                any = true;
+                keep(c, source, place);
+                if (movesA) {
+                    stirred[i] = true;
+                }
+                if (movesB) {
+                    stirred[j] = true;
+                }
             }
         }
-        for (int place = 0; count > 0 && place < rows.places; place++) {
-            if (renewed[place] > 0) {
-                keep(c, rows.link[place * ConstraintRows.LINK + ConstraintRows.SOURCE], place);
-            }
-        }
-        return count > 0;
+        return any;
+    }
+
+    /** Whether a row of a body is renewed. */
+    boolean stirs(int slot) {
+        return stirred[slot];
     }
 
     private static boolean passes(BodyStore b, int i, int j, double gravity) {
@@ -116,7 +137,7 @@ final class Renewal {
     }
 
     private void keep(ContactStore c, int source, int place) {
-        int k = (renewed[place] - 1) * KEPT;
+        int k = place * KEPT;
         int first = ContactStore.POINTS * source;
         for (int p = first; p < first + c.pointCount[source]; p++, k += 7) {
             kept[k] = c.anchorAX[p];
@@ -132,7 +153,7 @@ final class Renewal {
     /** Takes the impulses of the rows out of the bodies' warm start; blocks of a colour. */
     void unload(ConstraintRows rows, double[] warm, int from, int to) {
         for (int j = from; j < to; j++) {
-            if (renewed[j] > 0) {
+            if (renewed[j]) {
                 int o = rows.base(j);
                 PrepareRow.addNormals(rows, warm, j, o, -1);
                 if (rows.row[o + ConstraintRows.FRICTION * rows.lanes] > 0) {
@@ -194,10 +215,10 @@ final class Renewal {
     /** Gives the contacts their first levers back. */
     void restore(ConstraintRows rows, ContactStore c, int from, int to) {
         for (int j = from; j < to; j++) {
-            if (renewed[j] == 0) {
+            if (!renewed[j]) {
                 continue;
             }
-            int q = (renewed[j] - 1) * KEPT;
+            int q = j * KEPT;
             int source = rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE];
             int first = ContactStore.POINTS * source;
             for (int p = first; p < first + c.pointCount[source]; p++, q += 7) {
@@ -223,7 +244,7 @@ final class Renewal {
             int from,
             int to) {
         for (int j = from; j < to; j++) {
-            if (renewed[j] > 0) {
+            if (renewed[j]) {
                 int source = rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE];
                 place(rows, s, b, c, j, source);
                 PrepareRow.renew(rows, s, c, j, source, sub, preloadScale);
@@ -245,7 +266,7 @@ final class Renewal {
         double mx = s.state[pb] - s.state[pa];
         double my = s.state[pb + 1] - s.state[pa + 1];
         double mz = s.state[pb + 2] - s.state[pa + 2];
-        int q = (renewed[j] - 1) * KEPT;
+        int q = j * KEPT;
         int first = ContactStore.POINTS * source;
         for (int p = first; p < first + c.pointCount[source]; p++, q += 7) {
             double ax = kept[q];

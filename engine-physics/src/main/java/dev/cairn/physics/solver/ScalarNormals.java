@@ -76,16 +76,44 @@ final class ScalarNormals {
             int sweeps,
             int step,
             double[] st) {
-        enter(d, o, lanes, body, a, b, points, st);
+        if (points == 4) {
+            ScalarFour.enter(d, o, lanes, body, a, b, st);
+        } else {
+            enter(d, o, lanes, body, a, b, points, st);
+        }
         int q = o + (POINT + IMPULSE) * lanes;
         int next = POINT_FIELDS * lanes;
         if (step != LaneKernels.Points.NONE) {
             boolean soft = step == LaneKernels.Points.SOFT;
             boolean begins = soft && d[o + COLD * lanes] > 0;
-            if (!even(d, q, next, points, begins, st) && soft) {
+            boolean any =
+                    points == 4
+                            ? ScalarFour.even(d, q, next, begins, st)
+                            : even(d, q, next, points, begins, st);
+            if (!any && soft) {
                 return false;
             }
         }
+        if (points == 4) {
+            boolean moved = ScalarFour.sweep(d, q, next, sweeps, st);
+            double sum = st[CHANGE] + st[CHANGE + 1] + st[CHANGE + 2] + st[CHANGE + 3];
+            int arms = o + (POINT + ARM_A) * lanes;
+            ScalarFour.write(d, o, arms, lanes, body, a, -1, sum, st);
+            ScalarFour.write(d, o, arms + ARM_B * lanes, lanes, body, b, 1, sum, st);
+            return moved;
+        }
+        boolean moved = sweep(d, q, next, points, sweeps, st);
+        double sum = 0;
+        for (int p = 0; p < points; p++) {
+            st[CHANGE + p] = d[q + p * next] - st[CHANGE + p];
+            sum += st[CHANGE + p];
+        }
+        write(d, o, o + (POINT + ARM_A) * lanes, lanes, body, a, points, -1, sum, st);
+        write(d, o, o + (POINT + ARM_B) * lanes, lanes, body, b, points, 1, sum, st);
+        return moved;
+    }
+
+    private static boolean sweep(double[] d, int q, int next, int points, int sweeps, double[] st) {
         turnIntoGoals(points, st);
         boolean moved = false;
         for (int sweep = 0; sweep < sweeps; sweep++) {
@@ -107,13 +135,6 @@ final class ScalarNormals {
                 break;
             }
         }
-        double sum = 0;
-        for (int p = 0; p < points; p++) {
-            st[CHANGE + p] = d[q + p * next] - st[CHANGE + p];
-            sum += st[CHANGE + p];
-        }
-        write(d, o, o + (POINT + ARM_A) * lanes, lanes, body, a, points, -1, sum, st);
-        write(d, o, o + (POINT + ARM_B) * lanes, lanes, body, b, points, 1, sum, st);
         return moved;
     }
 

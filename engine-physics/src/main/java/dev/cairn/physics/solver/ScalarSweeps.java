@@ -136,12 +136,18 @@ final class ScalarSweeps implements Sweeps {
      * the sweeps only correct the first guess of the sub-step.
      */
     static void settle(
-            ConstraintRows rows, double[] body, SubStep sub, int rounds, double[] scratch) {
+            ConstraintRows rows,
+            double[] body,
+            SubStep sub,
+            int rounds,
+            int from,
+            int to,
+            double[] scratch) {
         double[] d = rows.row;
         int[] link = rows.link;
         int lanes = rows.lanes;
         for (int round = 0; round < rounds; round++) {
-            for (int j = 0; j < rows.places; j++) {
+            for (int j = from; j < to; j++) {
                 if (rows.unloaded[j] == 0) {
                     continue;
                 }

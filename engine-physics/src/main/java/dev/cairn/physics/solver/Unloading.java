@@ -83,14 +83,26 @@ final class Unloading {
         }
     }
 
-    /** Adds what a contact presses with to its bodies. */
-    static void press(BodyStore b, ContactStore c, int row, double perImpulse) {
-        double sum = force(c, row, perImpulse);
-        if (sum > 0) {
-            b.pressed[c.bodyA[row]] += sum;
-            b.pressed[c.bodyB[row]] += sum;
-            b.pressing[c.bodyA[row]]++;
-            b.pressing[c.bodyB[row]]++;
+    /** Adds what the rows press with to the bodies that move; blocks of a colour. */
+    static void press(
+            BodyStore b, ContactStore c, ConstraintRows rows, double perImpulse, int from, int to) {
+        for (int j = from; j < to; j++) {
+            int l = j * ConstraintRows.LINK;
+            if (rows.link[l + ConstraintRows.COUNT] == 0) {
+                continue;
+            }
+            int row = rows.link[l + ConstraintRows.SOURCE];
+            double sum = force(c, row, perImpulse);
+            if (sum > 0) {
+                if (rows.link[l] != 0) {
+                    b.pressed[c.bodyA[row]] += sum;
+                    b.pressing[c.bodyA[row]]++;
+                }
+                if (rows.link[l + 1] != 0) {
+                    b.pressed[c.bodyB[row]] += sum;
+                    b.pressing[c.bodyB[row]]++;
+                }
+            }
         }
     }
 

@@ -30,7 +30,11 @@ final class SolverScene {
     double margin = 0.5;
 
     SolverScene(SolverSettings settings, Jobs jobs) {
-        this.solver = new ContactSolver(settings);
+        this(new ContactSolver(settings), jobs);
+    }
+
+    SolverScene(ContactSolver solver, Jobs jobs) {
+        this.solver = solver;
         this.jobs = jobs;
     }
 

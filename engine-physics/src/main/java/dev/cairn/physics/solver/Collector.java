@@ -1,0 +1,162 @@
+package dev.cairn.physics.solver;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+
+import java.util.Arrays;
+
+/**
+ * Lists the contacts that have points, finds which bodies they bind, and gives them batches,
+ * colours and places.
+ *
+ * <p>Most ticks have the contacts of the tick before: then all of it still holds, and a comparison
+ * is what is paid. So the colours persist, and yet are a function of the present contacts alone.
+ * Simulation thread; allocates only when a store has grown.
+ */
+final class Collector {
+    private final Colouring colouring;
+    private final Batches batches;
+
+    /** By row: the slots of its bodies, -1 for one that does not move; whether it was cold. */
+    private int[] slotA = {};
+
+    private int[] slotB = {};
+    private boolean[] cold = {};
+    private int[] points = {};
+    private int slots;
+    private boolean together;
+    private int workers;
+    private boolean stacked;
+
+    Collector(Colouring colouring, Batches batches) {
+        this.colouring = colouring;
+        this.batches = batches;
+    }
+
+    /**
+     * Brings rows, guides, batches and colours up to date.
+     *
+     * @param guide receives who has contacts, see {@link SolverBodies#guide}
+     * @param workerCount who may work at batches
+     * @return whether any two dynamic bodies touch
+     */
+    boolean run(
+            BodyStore bodies,
+            ContactStore contacts,
+            ConstraintRows rows,
+            int[] guide,
+            int workerCount) {
+        rows.ensureRows(contacts.activeCount);
+        if (slotA.length < rows.source.length) {
+            slotA = Arrays.copyOf(slotA, rows.source.length);
+            slotB = Arrays.copyOf(slotB, rows.source.length);
+            cold = Arrays.copyOf(cold, rows.source.length);
+            points = Arrays.copyOf(points, rows.source.length);
+        }
+        int before = rows.count;
+        boolean same = list(bodies, contacts, rows);
+        same &= rows.count == before && slots == bodies.slotCount;
+        same &= together == rows.bouncing > 0 && workers == workerCount;
+        if (!same) {
+            slots = bodies.slotCount;
+            together = rows.bouncing > 0;
+            workers = workerCount;
+            bind(rows, guide);
+            colour(rows);
+            batches.cut(bodies, contacts, rows, guide, together, workerCount);
+            colouring.finish(rows, batches);
+            link(rows);
+        }
+        return stacked;
+    }
+
+    /** Lists rows and those that bounce; whether all are as they were. */
+    private boolean list(BodyStore bodies, ContactStore contacts, ConstraintRows rows) {
+        byte[] kind = bodies.kind;
+        int n = 0;
+        int bouncing = 0;
+        boolean same = true;
+        for (int i = 0; i < contacts.activeCount; i++) {
+            int c = contacts.active[i];
+            int count = contacts.pointCount[c];
+            if (count == 0) {
+                continue;
+            }
+            int a = contacts.bodyA[c];
+            int b = contacts.bodyB[c];
+            a = kind[a] == BodyStore.DYNAMIC ? a : -1;
+            b = kind[b] == BodyStore.DYNAMIC ? b : -1;
+            boolean isCold = (a | b) >= 0 && isCold(contacts, c, count);
+            if (rows.source[n] != c
+                    || slotA[n] != a
+                    || slotB[n] != b
+                    || cold[n] != isCold
+                    || points[n] != count) {
+                same = false;
+                rows.source[n] = c;
+                slotA[n] = a;
+                slotB[n] = b;
+                cold[n] = isCold;
+                points[n] = count;
+            }
+            if (contacts.restitution[c] > 0) {
+                rows.bouncer[bouncing++] = n;
+            }
+            n++;
+        }
+        rows.count = n;
+        rows.bouncing = bouncing;
+        return same;
+    }
+
+    /** Whether a contact had no impulse at the end of the last tick; most such have a gap. */
+    private static boolean isCold(ContactStore c, int row, int points) {
+        int p = ContactStore.POINTS * row;
+        double sum = 0;
+        for (int end = p + points; p < end; p++) {
+            sum += c.normalImpulse[p];
+        }
+        return sum == 0;
+    }
+
+    private void bind(ConstraintRows rows, int[] guide) {
+        Arrays.fill(guide, 0, slots, SolverBodies.FREE);
+        stacked = false;
+        for (int m = 0; m < rows.count; m++) {
+            int a = slotA[m];
+            int b = slotB[m];
+            if ((a | b) >= 0) {
+                guide[a] = SolverBodies.BOUND;
+                guide[b] = SolverBodies.BOUND;
+                stacked = true;
+            } else {
+                int i = Math.max(a, b);
+                guide[i] = guide[i] == SolverBodies.FREE ? m : SolverBodies.BOUND;
+            }
+        }
+    }
+
+    private void colour(ConstraintRows rows) {
+        colouring.begin(slots, rows.source.length);
+        for (int m = 0; m < rows.count; m++) {
+            int a = slotA[m];
+            int b = slotB[m];
+            if ((a | b) >= 0) {
+                colouring.add(m, a, b, cold[m]);
+            } else {
+                colouring.addFixed(m, Math.max(a, b));
+            }
+        }
+    }
+
+    private void link(ConstraintRows rows) {
+        for (int m = 0; m < rows.count; m++) {
+            int l = rows.place[m] * ConstraintRows.LINK;
+            rows.link[l] = slotA[m] >= 0 ? SolverBodies.offset(slotA[m]) : 0;
+            rows.link[l + 1] = slotB[m] >= 0 ? SolverBodies.offset(slotB[m]) : 0;
+            rows.link[l + ConstraintRows.COUNT] = points[m];
+            rows.link[l + ConstraintRows.SOURCE] = rows.source[m];
+            rows.unloaded[rows.place[m]] = 0;
+        }
+    }
+}

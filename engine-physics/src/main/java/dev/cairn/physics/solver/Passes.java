@@ -1,0 +1,214 @@
+package dev.cairn.physics.solver;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+
+/**
+ * The passes of a tick, each over a range of rows of one colour or over a range of the bodies with
+ * contacts, in the order of {@link Batches#order}. The blocks of a stage in lockstep and the
+ * batches that one worker solves on its own are made of the same passes.
+ *
+ * <p>Any worker; what ranges may run at the same time is the caller's matter. Does not allocate.
+ */
+final class Passes {
+    /**
+     * A point rests while it moves slower than gravity makes a body fall in this share of a tick.
+     */
+    private static final double STILL = 0.125;
+
+    final SolverBodies body = new SolverBodies();
+    final ConstraintRows rows;
+    final SubStep sub = new SubStep();
+    final Renewal renewal = new Renewal();
+    final double[] gravity = new double[3];
+
+    // of the tick in work
+    SolverSettings settings;
+    BodyStore bodies = new BodyStore();
+    ContactStore contacts = new ContactStore();
+    int[] order = {};
+    double step;
+    double subStep;
+
+    /** This sub-step over the last tick's: the scale of the impulses that are kept. */
+    double impulseScale = 1;
+
+    /** Whether bodies have the inertia of their load. */
+    boolean loaded;
+
+    Passes(SolverSettings settings, int lanes) {
+        this.settings = settings;
+        rows = new ConstraintRows(lanes);
+    }
+
+    /** Size of gravity, m/s². */
+    double weight() {
+        return Math.sqrt(
+                gravity[0] * gravity[0] + gravity[1] * gravity[1] + gravity[2] * gravity[2]);
+    }
+
+    /** By slot, all of them: flies the bodies without contacts, loads the others. */
+    void begin(int from, int to) {
+        BodyStore b = bodies;
+        double weight = weight();
+        for (int i = from; i < to; i++) {
+            b.pressed[i] = 0;
+            b.pressing[i] = 0;
+            if (b.kind[i] != BodyStore.DYNAMIC) {
+                continue;
+            }
+            body.axes.update(b, i);
+            if (body.guide[i] == SolverBodies.FREE) {
+                Motion.fly(
+                        b, body, i, gravity[0], gravity[1], gravity[2], step, settings.substeps());
+            } else {
+                renewal.look(b, i, weight);
+                body.loadBound(b, i, loaded ? b.inertiaScale[i] : 1);
+            }
+        }
+    }
+
+    void prepare(Sweeps sweeps, int from, int to, double[] scratch) {
+        sweeps.fill(rows, body, contacts, sub, impulseScale, from, to, scratch);
+    }
+
+    /** Finds the rows whose levers are renewed in each sub-step; whether there is one. */
+    boolean findRenewed(int from, int to) {
+        return renewal.find(rows, contacts, bodies, weight(), from, to);
+    }
+
+    void kick(int from, int to) {
+        for (int k = from; k < to; k++) {
+            Motion.kick(bodies, body, order[k], gravity[0], gravity[1], gravity[2], subStep);
+        }
+    }
+
+    /** Corrects the warm start of rows that have lost a load. */
+    void settle(int from, int to, double[] scratch) {
+        ScalarSweeps.settle(rows, body.state, sub, settings.unloadSweeps(), from, to, scratch);
+    }
+
+    void bias(Sweeps sweeps, int from, int to, double[] scratch) {
+        for (int j = from; j < to; j += ConstraintRows.CHUNK) {
+            int last = Math.min(to, j + ConstraintRows.CHUNK);
+            sweeps.bias(rows, body.state, sub, j, last, scratch);
+        }
+    }
+
+    void drift(int from, int to) {
+        for (int k = from; k < to; k++) {
+            Motion.drift(bodies, body, order[k], gravity[0], gravity[1], gravity[2], subStep);
+        }
+    }
+
+    /** What the bias pass did is part of the warm start, before levers change. */
+    void keep(int from, int to) {
+        for (int k = from; k < to; k++) {
+            if (renewal.stirs(order[k])) {
+                Motion.keep(bodies, body, order[k]);
+            }
+        }
+    }
+
+    void takeOut(int from, int to) {
+        renewal.unload(rows, body.warm, from, to);
+    }
+
+    void renewBodies(int from, int to) {
+        for (int k = from; k < to; k++) {
+            if (renewal.stirs(order[k])) {
+                renewal.body(body, bodies, order[k]);
+            }
+        }
+    }
+
+    /**
+     * Fills the rows anew that are renewed.
+     *
+     * @param index of the sub-step; the first one scales what the contacts know
+     */
+    void renewRows(int index, int from, int to) {
+        double scale = index == 0 ? impulseScale : 1;
+        renewal.rows(rows, body, bodies, contacts, sub, scale, from, to);
+    }
+
+    void relax(Sweeps sweeps, int from, int to, double[] scratch) {
+        for (int j = from; j < to; j += ConstraintRows.CHUNK) {
+            int last = Math.min(to, j + ConstraintRows.CHUNK);
+            sweeps.relax(rows, body.state, sub, j, last, scratch);
+        }
+    }
+
+    void finish(int from, int to) {
+        for (int k = from; k < to; k++) {
+            int i = order[k];
+            Motion.keep(bodies, body, i);
+            if (body.guide[i] >= 0) {
+                Motion.glide(body, i, rows, subStep);
+            }
+        }
+    }
+
+    void storeBodies(int from, int to) {
+        for (int k = from; k < to; k++) {
+            body.store(bodies, order[k]);
+        }
+    }
+
+    /** Writes the impulses of the rows back, and tells their bodies what presses on them. */
+    void storeRows(boolean renewed, int from, int to) {
+        double still = STILL * weight() * step;
+        for (int j = from; j < to; j++) {
+            if (rows.link[j * ConstraintRows.LINK + ConstraintRows.COUNT] > 0) {
+                storeRow(j, rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE], still);
+            }
+        }
+        if (renewed) {
+            renewal.restore(rows, contacts, from, to);
+        }
+        if (settings.unloadSweeps() > 0) {
+            Unloading.press(bodies, contacts, rows, 1 / subStep, from, to);
+        }
+    }
+
+    private void storeRow(int j, int c, double still) {
+        double[] d = rows.row;
+        int lanes = rows.lanes;
+        int o = rows.base(j);
+        contacts.frictionImpulseX[c] = tangent(o, ConstraintRows.LAMBDA, 0);
+        contacts.frictionImpulseY[c] = tangent(o, ConstraintRows.LAMBDA, 1);
+        contacts.frictionImpulseZ[c] = tangent(o, ConstraintRows.LAMBDA, 2);
+        contacts.twistImpulse[c] = d[o + (ConstraintRows.LAMBDA + 2) * lanes];
+        for (int k = 0; k < contacts.pointCount[c]; k++) {
+            int p = ContactStore.POINTS * c + k;
+            int q = ConstraintRows.POINT + k * ConstraintRows.POINT_FIELDS;
+            contacts.normalImpulse[p] = d[o + (q + ConstraintRows.IMPULSE) * lanes];
+            contacts.totalNormalImpulse[p] = d[o + (ConstraintRows.SUM + k) * lanes];
+        }
+        if (settings.offsetGain() > 0) {
+            Offsets.update(rows, body.state, contacts, c, j, sub, settings.offsetGain(), still);
+        }
+    }
+
+    /** World component of a pair of tangent impulses. */
+    double tangent(int o, int field, int axis) {
+        double[] d = rows.row;
+        int lanes = rows.lanes;
+        return d[o + field * lanes] * d[o + (ConstraintRows.TANGENT1 + axis) * lanes]
+                + d[o + (field + 1) * lanes] * d[o + (ConstraintRows.TANGENT2 + axis) * lanes];
+    }
+
+    /** Contacts without points have no impulses; a range of the active ones. */
+    void clearRows(int from, int to) {
+        ContactStore c = contacts;
+        for (int i = from; i < to; i++) {
+            int row = c.active[i];
+            if (c.pointCount[row] == 0) {
+                c.frictionImpulseX[row] = 0;
+                c.frictionImpulseY[row] = 0;
+                c.frictionImpulseZ[row] = 0;
+                c.twistImpulse[row] = 0;
+            }
+        }
+    }
+}

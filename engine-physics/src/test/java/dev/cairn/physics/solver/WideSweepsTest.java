@@ -1,0 +1,123 @@
+package dev.cairn.physics.solver;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.internal.ContactStore;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.logging.Handler;
+import java.util.logging.Level;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
+
+/** Wide kernels that are no faster than scalar code are left alone: a warning, the same bits. */
+class WideSweepsTest {
+    private static final String NAME = "dev.cairn.physics";
+
+    /** Wide sweeps of a machine that is bad at them: they do everything twice. */
+    private static final class Slow implements Sweeps {
+        private final Sweeps scalar = new ScalarSweeps();
+
+        @Override
+        public int lanes() {
+            return 4;
+        }
+
+        @Override
+        public void fill(
+                ConstraintRows rows,
+                SolverBodies bodies,
+                ContactStore contacts,
+                SubStep sub,
+                double scale,
+                int from,
+                int to,
+                double[] scratch) {
+            scalar.fill(rows, bodies, contacts, sub, scale, from, to, scratch);
+            scalar.fill(rows, bodies, contacts, sub, scale, from, to, scratch);
+        }
+
+        @Override
+        public void bias(
+                ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] st) {
+            scalar.bias(rows, body, sub, from, to, st);
+            scalar.bias(rows, body, sub, from, to, st);
+        }
+
+        @Override
+        public void relax(
+                ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] st) {
+            scalar.relax(rows, body, sub, from, to, st);
+            scalar.relax(rows, body, sub, from, to, st);
+        }
+    }
+
+    private static double[] columns(Sweeps sweeps, int lanes) {
+        SolverSettings settings = SolverSettings.DEFAULT.withLanes(lanes);
+        try (Jobs jobs = Jobs.of(1)) {
+            SolverScene s = new SolverScene(new ContactSolver(settings, sweeps), jobs);
+            int plane = s.fixed();
+            for (int column = 0; column < 5; column++) {
+                int below = s.box(1, 0.5, 0.5, 0.5, 2 * column, 0.5, 0);
+                s.boxOnPlane(plane, below, 0, 1, 0, 0, 0.5, 0);
+                int above = s.box(1, 0.5, 0.5, 0.5, 2 * column + 0.2, 1.55, 0);
+                s.velocity(above, 0.5, 0, 0.1 * column);
+                s.boxOnBox(below, above, 0.5, 0);
+            }
+            s.run(1);
+            int n = s.bodies.slotCount;
+            double[] all = new double[4 * n];
+            System.arraycopy(s.bodies.positionX, 0, all, 0, n);
+            System.arraycopy(s.bodies.positionY, 0, all, n, n);
+            System.arraycopy(s.bodies.velocityX, 0, all, 2 * n, n);
+            System.arraycopy(s.bodies.angularVelocityZ, 0, all, 3 * n, n);
+            return all;
+        }
+    }
+
+    @Test
+    void slowKernelsAreLeftAlone() throws InterruptedException {
+        List<LogRecord> records = new CopyOnWriteArrayList<>();
+        Handler handler =
+                new Handler() {
+                    @Override
+                    public void publish(LogRecord record) {
+                        records.add(record);
+                    }
+
+                    @Override
+                    public void flush() {}
+
+                    @Override
+                    public void close() {}
+                };
+        Logger logger = Logger.getLogger(NAME);
+        logger.addHandler(handler);
+        WideSweeps wide = new WideSweeps(new Slow());
+        try {
+            wide.begin();
+            for (Thread thread : Thread.getAllStackTraces().keySet()) {
+                if (thread.getName().equals("cairn-warm-up")) {
+                    thread.join();
+                }
+            }
+        } finally {
+            logger.removeHandler(handler);
+        }
+        assertFalse(wide.isWarm());
+        assertEquals(1, records.size(), "one warning and nothing else");
+        assertEquals(Level.WARNING, records.getFirst().getLevel());
+        assertTrue(records.getFirst().getMessage().contains("stays scalar"));
+        double[] scalar = columns(new ScalarSweeps(), 1);
+        assertArrayEquals(scalar, columns(wide, 4), 0.0, "asked for, but not warm");
+        assertArrayEquals(scalar, columns(wide, 0), 0.0, "left to the machine");
+        assertArrayEquals(scalar, columns(Lanes.sweeps(4), 4), 0.0, "real ones");
+    }
+}
