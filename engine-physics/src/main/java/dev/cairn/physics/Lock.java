@@ -12,23 +12,29 @@ package dev.cairn.physics;
  */
 public enum Lock {
     /** No movement along x. */
-    MOVE_X,
+    MOVE_X(0),
     /** No movement along y. */
-    MOVE_Y,
+    MOVE_Y(1),
     /** No movement along z. */
-    MOVE_Z,
+    MOVE_Z(2),
     /** No turn about x. */
-    TURN_X,
+    TURN_X(3),
     /** No turn about y. */
-    TURN_Y,
+    TURN_Y(4),
     /** No turn about z. */
-    TURN_Z;
+    TURN_Z(5);
+
+    private final int bit;
+
+    Lock(int bit) {
+        this.bit = bit;
+    }
 
     static int bits(Lock... locks) {
         Checks.notNull("locks", locks);
         int bits = 0;
         for (Lock lock : locks) {
-            bits |= 1 << Checks.notNull("lock", lock).ordinal();
+            bits |= 1 << Checks.notNull("lock", lock).bit;
         }
         return bits;
     }
