@@ -39,6 +39,7 @@ final class AccuracyTest {
                 "B5",
                 "B6",
                 "B7",
+                "B8",
                 "B9",
                 "B10",
                 "B13",

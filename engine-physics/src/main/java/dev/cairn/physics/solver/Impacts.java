@@ -20,6 +20,8 @@ import static dev.cairn.physics.solver.ConstraintRows.TOTAL;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 
+import java.util.Arrays;
+
 /**
  * Impacts that bounce, before the contacts of a sub-step are solved.
  *
@@ -54,6 +56,13 @@ final class Impacts {
     private static final double SOON = 1e-9;
 
     private final double[] acceleration = new double[6];
+    private final BallImpacts balls = new BallImpacts(this);
+
+    /** By slot: time of the body's last impact in this sub-step, s. */
+    private double[] since = {};
+
+    /** Velocities of both bodies before the impact. */
+    private final double[] before = new double[12];
 
     /** The wanted speeds after the impact; NaN for points that do not touch then. */
     private final double[] goal = new double[ContactStore.POINTS];
@@ -90,6 +99,11 @@ final class Impacts {
         d = rows.row;
         body = bodies.state;
         lanes = rows.lanes;
+        balls.begin(constraintRows, solverBodies, bodyStore, contacts, g, h, threshold);
+        if (since.length < bodyStore.slotCount) {
+            since = new double[bodyStore.kind.length];
+        }
+        Arrays.fill(since, 0, bodyStore.slotCount, 0.0);
         int n = rows.bouncing;
         boolean any = false;
         boolean again = n > 0;
@@ -98,8 +112,12 @@ final class Impacts {
             again = false;
             for (int k = 0; k < n; k++) {
                 int row = rows.bouncer[k];
-                open(row);
-                again |= impact(contacts.restitution[rows.source[row]], g, h, threshold);
+                if (balls.isPair(row)) {
+                    again |= balls.visit(k);
+                } else {
+                    open(row);
+                    again |= impact(contacts.restitution[rows.source[row]], g, h, threshold);
+                }
             }
             any |= again;
         }
@@ -119,8 +137,8 @@ final class Impacts {
     }
 
     private boolean impact(double restitution, double[] g, double h, double threshold) {
-        accelerate(a, g, 0);
-        accelerate(b, g, 3);
+        accelerate(a, g, acceleration, 0);
+        accelerate(b, g, acceleration, 3);
         double[] f = acceleration;
         double an =
                 d[o] * (f[3] - f[0])
@@ -177,7 +195,7 @@ final class Impacts {
     /**
      * Acceleration of a body between impacts: its own when it flies, none while contacts carry it.
      */
-    private void accelerate(int at, double[] g, int out) {
+    void accelerate(int at, double[] g, double[] destination, int out) {
         double m = 0;
         double k = 0;
         if (body[at + SolverBodies.MASS] > 0 && body[at + SolverBodies.LOADED] == 0) {
@@ -186,9 +204,9 @@ final class Impacts {
         }
         int slot = Math.max(0, SolverBodies.slot(at));
         k *= store.gravityScale[slot];
-        acceleration[out] = k * g[0] + m * store.forceX[slot];
-        acceleration[out + 1] = k * g[1] + m * store.forceY[slot];
-        acceleration[out + 2] = k * g[2] + m * store.forceZ[slot];
+        destination[out] = k * g[0] + m * store.forceX[slot];
+        destination[out + 1] = k * g[1] + m * store.forceY[slot];
+        destination[out + 2] = k * g[2] + m * store.forceZ[slot];
     }
 
     /**
@@ -196,18 +214,8 @@ final class Impacts {
      * the shift of the start. The contact starts the sub-step without impulses.
      */
     private void strike(double time, double early) {
-        double ax = body[a];
-        double ay = body[a + 1];
-        double az = body[a + 2];
-        double au = body[a + 3];
-        double av = body[a + 4];
-        double aw = body[a + 5];
-        double bx = body[b];
-        double by = body[b + 1];
-        double bz = body[b + 2];
-        double bu = body[b + 3];
-        double bv = body[b + 4];
-        double bw = body[b + 5];
+        System.arraycopy(body, a, before, 0, 6);
+        System.arraycopy(body, b, before, 6, 6);
         PrepareRow.addNormals(rows, bodies.warm, place, o, -1);
         PrepareRow.addFriction(rows, bodies.warm, place, o, -1);
         for (int p = 0; p < points; p++) {
@@ -233,8 +241,8 @@ final class Impacts {
         }
         Restraint.lock(store, bodies.state, a);
         Restraint.lock(store, bodies.state, b);
-        shift(a, ax, ay, az, au, av, aw, time);
-        shift(b, bx, by, bz, bu, bv, bw, time);
+        shift(a, before, 0, time);
+        shift(b, before, 6, time);
     }
 
     /**
@@ -313,19 +321,26 @@ final class Impacts {
         }
     }
 
-    /** Moves the start of a body's path back by {@code time} times its change of velocity. */
-    private void shift(
-            int at, double x, double y, double z, double u, double v, double w, double time) {
-        if (!(time > 0) || at == 0) {
+    /**
+     * Moves the start of a body's path back by {@code time} times its change of velocity.
+     *
+     * @param old holds the velocities before, at {@code q}
+     */
+    void shift(int at, double[] old, int q, double time) {
+        if (at == 0) {
+            return;
+        }
+        since[SolverBodies.slot(at)] = time;
+        if (!(time > 0)) {
             return;
         }
         int p = at + SolverBodies.P;
-        double tu = -time * (body[at + 3] - u);
-        double tv = -time * (body[at + 4] - v);
-        double tw = -time * (body[at + 5] - w);
-        body[p] -= time * (body[at] - x);
-        body[p + 1] -= time * (body[at + 1] - y);
-        body[p + 2] -= time * (body[at + 2] - z);
+        double tu = -time * (body[at + 3] - old[q + 3]);
+        double tv = -time * (body[at + 4] - old[q + 4]);
+        double tw = -time * (body[at + 5] - old[q + 5]);
+        body[p] -= time * (body[at] - old[q]);
+        body[p + 1] -= time * (body[at + 1] - old[q + 1]);
+        body[p + 2] -= time * (body[at + 2] - old[q + 2]);
         body[p + 3] += tu;
         body[p + 4] += tv;
         body[p + 5] += tw;
@@ -337,6 +352,11 @@ final class Impacts {
                 r[k] * tu + r[k + 1] * tv + r[k + 2] * tw,
                 r[k + 3] * tu + r[k + 4] * tv + r[k + 5] * tw,
                 r[k + 6] * tu + r[k + 7] * tv + r[k + 8] * tw);
+    }
+
+    /** Time of the last impact of the body at {@code at} in this sub-step; 0 if there was none. */
+    double since(int at) {
+        return at == 0 ? 0 : since[SolverBodies.slot(at)];
     }
 
     private double gap(int p) {

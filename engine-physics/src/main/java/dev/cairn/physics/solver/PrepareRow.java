@@ -171,6 +171,35 @@ final class PrepareRow implements RowFiller {
         }
     }
 
+    /** Turns the row of two balls, which holds no impulses, to the contact's normal and anchors. */
+    static void aim(ConstraintRows rows, SolverBodies bodies, ContactStore c, int j, int source) {
+        double[] d = rows.row;
+        int lanes = rows.lanes;
+        int o = rows.base(j);
+        double nx = c.normalX[source];
+        double ny = c.normalY[source];
+        double nz = c.normalZ[source];
+        put(d, o, lanes, nx, ny, nz);
+        // a ball's arm is parallel to the normal
+        clear(d, o, lanes, POINT + ARM_A, POINT + ARM_A + 6);
+        if (d[o + FRICTION * lanes] > 0) {
+            tangents(d, o, lanes, nx, ny, nz);
+            int p = ContactStore.POINTS * source;
+            block(
+                    rows,
+                    bodies,
+                    j,
+                    o,
+                    c.anchorAX[p],
+                    c.anchorAY[p],
+                    c.anchorAZ[p],
+                    c.anchorBX[p],
+                    c.anchorBY[p],
+                    c.anchorBZ[p],
+                    false);
+        }
+    }
+
     /** Zeros leave positive: what a lane has to add nothing of could still turn a -0. */
     private static void positive(double[] warm, int body) {
         int i = body >> 1;

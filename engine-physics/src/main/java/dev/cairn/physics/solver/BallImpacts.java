@@ -1,0 +1,488 @@
+package dev.cairn.physics.solver;
+
+import static dev.cairn.physics.solver.ConstraintRows.FRICTION;
+import static dev.cairn.physics.solver.ConstraintRows.GAP;
+import static dev.cairn.physics.solver.ConstraintRows.IMPULSE;
+import static dev.cairn.physics.solver.ConstraintRows.LAMBDA;
+import static dev.cairn.physics.solver.ConstraintRows.LINK;
+import static dev.cairn.physics.solver.ConstraintRows.MASS_A;
+import static dev.cairn.physics.solver.ConstraintRows.MASS_B;
+import static dev.cairn.physics.solver.ConstraintRows.POINT;
+import static dev.cairn.physics.solver.ConstraintRows.SUM;
+import static dev.cairn.physics.solver.ConstraintRows.TOTAL;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.shape.Sphere;
+
+import java.util.Arrays;
+
+/**
+ * Impacts of ball on ball, as of billiard balls: at the time when their distance is the sum of
+ * their radii, along the line between their centres then.
+ *
+ * <p>The general way of {@link Impacts} keeps the normal of the tick's start. Two balls that meet
+ * off centre turn about each other while they approach, so that normal is a little wrong, and an
+ * impulse along it, at two points that are not one, makes angular momentum. Here the relative path
+ * {@code p + v t + a t²/2} is followed to {@code |..| = R}, and the row is aimed along it.
+ *
+ * <p>Balls that meet at the same time, as a cue ball meets two that touch, are struck together:
+ * Newton's law for each pair, {@code v'_i >= -e v_i, l_i >= 0}, by steps that all pairs take at
+ * once, so that what is symmetric stays symmetric. Pairs that pass each other without meeting get a
+ * gap that the contact solver will not foresee to close.
+ */
+final class BallImpacts {
+    private static final int SWEEPS = 400;
+    private static final int NEWTON_STEPS = 20;
+
+    /** Share of a sub-step, and of a gap, that is rounding. */
+    private static final double SOON = 1e-9;
+
+    private final Impacts impacts;
+    private final double[] acceleration = new double[6];
+
+    /** The pairs that are struck together, by index among the bouncing rows. */
+    private int[] pair = new int[8];
+
+    /** Of each: normal at the impact, and gap along it at the tick's start. */
+    private double[] normal = new double[24];
+
+    private double[] gap = new double[8];
+
+    /**
+     * Of each: closing speed to reach, less what acceleration adds until the impact; impulse; and
+     * change of the impulse in this sweep.
+     */
+    private double[] goal = new double[8];
+
+    private double[] impulse = new double[8];
+    private double[] change = new double[8];
+
+    /** Velocities of both bodies before the impact, 12 to a pair. */
+    private double[] before = new double[96];
+
+    private int count;
+
+    // the step in work
+    private ConstraintRows rows = new ConstraintRows(1);
+    private SolverBodies bodies = new SolverBodies();
+    private BodyStore store = new BodyStore();
+    private ContactStore contacts = new ContactStore();
+    private double[] g = {};
+    private double h;
+    private double threshold;
+
+    BallImpacts(Impacts impacts) {
+        this.impacts = impacts;
+    }
+
+    void begin(
+            ConstraintRows constraintRows,
+            SolverBodies solverBodies,
+            BodyStore bodyStore,
+            ContactStore contactStore,
+            double[] gravity,
+            double subStep,
+            double restitutionThreshold) {
+        rows = constraintRows;
+        bodies = solverBodies;
+        store = bodyStore;
+        contacts = contactStore;
+        g = gravity;
+        h = subStep;
+        threshold = restitutionThreshold;
+    }
+
+    /** Whether a bouncing row is one of two balls. */
+    boolean isPair(int row) {
+        int source = rows.source[row];
+        return store.shape[contacts.bodyA[source]] instanceof Sphere
+                && store.shape[contacts.bodyB[source]] instanceof Sphere;
+    }
+
+    /**
+     * Handles the impact of a pair, and those of later ones that meet a body of it at the same
+     * time.
+     *
+     * @param k index among the bouncing rows
+     * @return whether there was one
+     */
+    boolean visit(int k) {
+        double time = timeOfImpact(rows.bouncer[k]);
+        if (time == Double.POSITIVE_INFINITY) {
+            return false;
+        }
+        count = 0;
+        take(k, time);
+        for (int i = 0; i < count; i++) {
+            for (int other = k + 1; other < rows.bouncing; other++) {
+                if (touches(pair[i], other)
+                        && isNew(other)
+                        && isPair(rows.bouncer[other])
+                        && Math.abs(timeOfImpact(rows.bouncer[other]) - time) <= SOON * h) {
+                    take(other, time);
+                }
+            }
+        }
+        strike(time);
+        return true;
+    }
+
+    private boolean isNew(int k) {
+        for (int i = 0; i < count; i++) {
+            if (pair[i] == k) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean touches(int k, int other) {
+        int i = rows.place[rows.bouncer[k]] * LINK;
+        int j = rows.place[rows.bouncer[other]] * LINK;
+        int a = rows.link[i];
+        int b = rows.link[i + 1];
+        int c = rows.link[j];
+        int d = rows.link[j + 1];
+        return (a != 0 && (a == c || a == d)) || (b != 0 && (b == c || b == d));
+    }
+
+    /**
+     * Time at which the balls of a row meet within the sub-step, faster than the threshold;
+     * infinite where they do not.
+     */
+    private double timeOfImpact(int row) {
+        int source = rows.source[row];
+        int a = contacts.bodyA[source];
+        int b = contacts.bodyB[source];
+        int l = rows.place[row] * LINK;
+        double[] s = bodies.state;
+        int i = rows.link[l];
+        int j = rows.link[l + 1];
+        impacts.accelerate(i, g, acceleration, 0);
+        impacts.accelerate(j, g, acceleration, 3);
+        double px = distance(store.positionX[a], store.positionX[b], i, j, 0);
+        double py = distance(store.positionY[a], store.positionY[b], i, j, 1);
+        double pz = distance(store.positionZ[a], store.positionZ[b], i, j, 2);
+        double vx = s[j] - s[i];
+        double vy = s[j + 1] - s[i + 1];
+        double vz = s[j + 2] - s[i + 2];
+        double ax = acceleration[3] - acceleration[0];
+        double ay = acceleration[4] - acceleration[1];
+        double az = acceleration[5] - acceleration[2];
+        double far = store.innerRadius[a] + store.innerRadius[b];
+        // what lies before their last impacts is no part of their paths
+        double since = Math.max(impacts.since(i), impacts.since(j));
+        px += since * (vx + 0.5 * since * ax);
+        py += since * (vy + 0.5 * since * ay);
+        pz += since * (vz + 0.5 * since * az);
+        vx += since * ax;
+        vy += since * ay;
+        vz += since * az;
+        double closing = px * vx + py * vy + pz * vz;
+        double length = Math.sqrt(px * px + py * py + pz * pz);
+        if (length <= far) {
+            return closing < -threshold * length ? since : missed(row, length - far, since);
+        }
+        // |p + v t|² = R² first, then Newton's method with the acceleration
+        double vv = vx * vx + vy * vy + vz * vz;
+        double square = closing * closing - vv * (length - far) * (length + far);
+        double t = 0;
+        if (closing < 0 && square > 0) {
+            t = (length - far) * (length + far) / (Math.sqrt(square) - closing);
+        } else if (ax == 0 && ay == 0 && az == 0) {
+            return missed(row, length - far, since);
+        }
+        double speed = 0;
+        double last = Double.POSITIVE_INFINITY;
+        for (int n = 0; n < NEWTON_STEPS && Math.abs(last) > 1e-16 * h; n++) {
+            double x = px + t * (vx + 0.5 * t * ax);
+            double y = py + t * (vy + 0.5 * t * ay);
+            double z = pz + t * (vz + 0.5 * t * az);
+            double r = Math.sqrt(x * x + y * y + z * z);
+            speed = (x * (vx + t * ax) + y * (vy + t * ay) + z * (vz + t * az)) / r;
+            last = (far - r) / speed;
+            if (!(speed < 0) || !(Math.abs(t + last) <= 2 * h)) {
+                return missed(row, length - far, since);
+            }
+            t += last;
+        }
+        if (!(since + t <= h)) {
+            return missed(row, length - far, since);
+        }
+        if (speed < -threshold) {
+            return since + Math.max(0, t);
+        }
+        separate(row, -(since + t) * alongNormal(row));
+        return Double.POSITIVE_INFINITY;
+    }
+
+    private double distance(double from, double to, int i, int j, int axis) {
+        int p = SolverBodies.P + axis;
+        return to - from + (bodies.state[j + p] - bodies.state[i + p]);
+    }
+
+    /**
+     * Makes the separation of a pair that does not meet as large as it is, and so large that its
+     * speed along the row's normal leaves it open: the balls are further apart than along a normal
+     * that has aged.
+     *
+     * @param gap distance of the surfaces at {@code since}
+     */
+    private double missed(int row, double gap, double since) {
+        double speed = alongNormal(row);
+        double open = Math.max(gap - since * speed, -h * speed * (1 + SOON));
+        if (separation(row) < open) {
+            separate(row, open);
+        }
+        return Double.POSITIVE_INFINITY;
+    }
+
+    /** Speed of separation along the row's normal at the end of the sub-step. */
+    private double alongNormal(int row) {
+        int place = rows.place[row];
+        int o = rows.base(place);
+        double[] s = bodies.state;
+        int i = rows.link[place * LINK];
+        int j = rows.link[place * LINK + 1];
+        double speed = 0;
+        for (int k = 0; k < 3; k++) {
+            double v = s[j + k] - s[i + k] + h * (acceleration[3 + k] - acceleration[k]);
+            speed += rows.row[o + k * rows.lanes] * v;
+        }
+        return speed;
+    }
+
+    /** Separation of a row along its normal at the start of the sub-step. */
+    private double separation(int row) {
+        int place = rows.place[row];
+        int o = rows.base(place);
+        double[] s = bodies.state;
+        int i = rows.link[place * LINK] + SolverBodies.P;
+        int j = rows.link[place * LINK + 1] + SolverBodies.P;
+        double sum = rows.row[o + GAP * rows.lanes];
+        for (int k = 0; k < 3; k++) {
+            sum += rows.row[o + k * rows.lanes] * (s[j + k] - s[i + k]);
+        }
+        return sum;
+    }
+
+    private void separate(int row, double value) {
+        int o = rows.base(rows.place[row]);
+        rows.row[o + GAP * rows.lanes] += value - separation(row);
+        rows.row[o + (POINT + ConstraintRows.SEPARATION) * rows.lanes] = value;
+    }
+
+    /** Adds a pair to those that are struck: its normal, its goal, its impulses of before. */
+    private void take(int k, double time) {
+        if (count == pair.length) {
+            int n = 2 * count;
+            pair = Arrays.copyOf(pair, n);
+            normal = Arrays.copyOf(normal, 3 * n);
+            gap = Arrays.copyOf(gap, n);
+            goal = Arrays.copyOf(goal, n);
+            impulse = Arrays.copyOf(impulse, n);
+            change = Arrays.copyOf(change, n);
+            before = Arrays.copyOf(before, 12 * n);
+        }
+        int row = rows.bouncer[k];
+        int source = rows.source[row];
+        int l = rows.place[row] * LINK;
+        int i = rows.link[l];
+        int j = rows.link[l + 1];
+        double[] s = bodies.state;
+        int a = contacts.bodyA[source];
+        int b = contacts.bodyB[source];
+        impacts.accelerate(i, g, acceleration, 0);
+        impacts.accelerate(j, g, acceleration, 3);
+        double px = distance(store.positionX[a], store.positionX[b], i, j, 0);
+        double py = distance(store.positionY[a], store.positionY[b], i, j, 1);
+        double pz = distance(store.positionZ[a], store.positionZ[b], i, j, 2);
+        double ax = acceleration[3] - acceleration[0];
+        double ay = acceleration[4] - acceleration[1];
+        double az = acceleration[5] - acceleration[2];
+        double mx = time * (s[j] - s[i] + 0.5 * time * ax);
+        double my = time * (s[j + 1] - s[i + 1] + 0.5 * time * ay);
+        double mz = time * (s[j + 2] - s[i + 2] + 0.5 * time * az);
+        px += mx;
+        py += my;
+        pz += mz;
+        // the impulses of a tick are reported along one normal: who has pressed in it keeps its own
+        double[] d = rows.row;
+        int o = rows.base(rows.place[row]);
+        int lanes = rows.lanes;
+        if (d[o + SUM * lanes] == 0) {
+            double inverse = 1 / Math.sqrt(px * px + py * py + pz * pz);
+            px *= inverse;
+            py *= inverse;
+            pz *= inverse;
+        } else {
+            px = d[o];
+            py = d[o + lanes];
+            pz = d[o + 2 * lanes];
+        }
+        normal[3 * count] = px;
+        normal[3 * count + 1] = py;
+        normal[3 * count + 2] = pz;
+        int p = SolverBodies.P;
+        gap[count] =
+                -(px * (s[j + p] - s[i + p] + mx)
+                        + py * (s[j + p + 1] - s[i + p + 1] + my)
+                        + pz * (s[j + p + 2] - s[i + p + 2] + mz));
+        double early = time * (px * ax + py * ay + pz * az);
+        double speed = px * (s[j] - s[i]) + py * (s[j + 1] - s[i + 1]) + pz * (s[j + 2] - s[i + 2]);
+        goal[count] = -contacts.restitution[source] * Math.min(0, speed + early) - early;
+        impulse[count] = 0;
+        pair[count++] = k;
+    }
+
+    private void strike(double time) {
+        double[] s = bodies.state;
+        for (int n = 0; n < count; n++) {
+            int l = rows.place[rows.bouncer[pair[n]]] * LINK;
+            System.arraycopy(s, rows.link[l], before, 12 * n, 6);
+            System.arraycopy(s, rows.link[l + 1], before, 12 * n + 6, 6);
+            aim(n);
+        }
+        solve();
+        for (int n = 0; n < count; n++) {
+            rub(n);
+        }
+        for (int n = 0; n < count; n++) {
+            int l = rows.place[rows.bouncer[pair[n]]] * LINK;
+            for (int side = 0; side < 2; side++) {
+                int at = rows.link[l + side];
+                if (isFirst(n, side, at)) {
+                    Restraint.lock(store, s, at);
+                    impacts.shift(at, before, 12 * n + 6 * side, time);
+                }
+            }
+        }
+    }
+
+    /** Whether a body of the struck pairs is met for the first time. */
+    private boolean isFirst(int n, int side, int at) {
+        for (int m = 0; m <= n; m++) {
+            int l = rows.place[rows.bouncer[pair[m]]] * LINK;
+            for (int other = 0; other < (m < n ? 2 : side); other++) {
+                if (rows.link[l + other] == at) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** Turns a row to the normal of the impact; its impulses so far leave the warm start. */
+    private void aim(int n) {
+        int row = rows.bouncer[pair[n]];
+        int source = rows.source[row];
+        int place = rows.place[row];
+        int o = rows.base(place);
+        int lanes = rows.lanes;
+        double[] d = rows.row;
+        PrepareRow.addNormals(rows, bodies.warm, place, o, -1);
+        PrepareRow.addFriction(rows, bodies.warm, place, o, -1);
+        d[o + (POINT + IMPULSE) * lanes] = 0;
+        for (int k = 0; k < 3; k++) {
+            d[o + (LAMBDA + k) * lanes] = 0;
+        }
+        d[o + GAP * lanes] = gap[n];
+        int p = ContactStore.POINTS * source;
+        contacts.separation[p] = gap[n];
+        double x = normal[3 * n];
+        double y = normal[3 * n + 1];
+        double z = normal[3 * n + 2];
+        contacts.normalX[source] = x;
+        contacts.normalY[source] = y;
+        contacts.normalZ[source] = z;
+        double ra = store.innerRadius[contacts.bodyA[source]];
+        double rb = store.innerRadius[contacts.bodyB[source]];
+        contacts.anchorAX[p] = ra * x;
+        contacts.anchorAY[p] = ra * y;
+        contacts.anchorAZ[p] = ra * z;
+        contacts.anchorBX[p] = -rb * x;
+        contacts.anchorBY[p] = -rb * y;
+        contacts.anchorBZ[p] = -rb * z;
+        PrepareRow.aim(rows, bodies, contacts, place, source);
+    }
+
+    /** {@code v_i >= goal_i, l_i >= 0}, complementary: one pair at once, more by common steps. */
+    private void solve() {
+        double[] s = bodies.state;
+        double[] d = rows.row;
+        int most = 1;
+        for (int n = 0; n < count; n++) {
+            int neighbours = 1;
+            for (int m = 0; m < count; m++) {
+                neighbours += m != n && touches(pair[n], pair[m]) ? 1 : 0;
+            }
+            most = Math.max(most, neighbours);
+        }
+        for (int sweep = 0; sweep < (most == 1 ? 1 : SWEEPS); sweep++) {
+            double largest = 0;
+            double sum = 0;
+            for (int n = 0; n < count; n++) {
+                int place = rows.place[rows.bouncer[pair[n]]];
+                int o = rows.base(place);
+                int i = rows.link[place * LINK];
+                int j = rows.link[place * LINK + 1];
+                double v =
+                        normal[3 * n] * (s[j] - s[i])
+                                + normal[3 * n + 1] * (s[j + 1] - s[i + 1])
+                                + normal[3 * n + 2] * (s[j + 2] - s[i + 2]);
+                double w = most * (d[o + MASS_A * rows.lanes] + d[o + MASS_B * rows.lanes]);
+                change[n] = Math.max(0, impulse[n] + (goal[n] - v) / w) - impulse[n];
+                impulse[n] += change[n];
+                largest = Math.max(largest, Math.abs(change[n]));
+                sum += impulse[n];
+            }
+            for (int n = 0; n < count; n++) {
+                push(n, change[n]);
+            }
+            if (largest <= 1e-16 * sum) {
+                return;
+            }
+        }
+    }
+
+    private void push(int n, double l) {
+        double[] s = bodies.state;
+        double[] d = rows.row;
+        int place = rows.place[rows.bouncer[pair[n]]];
+        int o = rows.base(place);
+        int i = rows.link[place * LINK];
+        int j = rows.link[place * LINK + 1];
+        double a = l * d[o + MASS_A * rows.lanes];
+        double b = l * d[o + MASS_B * rows.lanes];
+        for (int c = 0; c < 3; c++) {
+            double x = normal[3 * n + c];
+            if (i != 0) {
+                s[i + c] -= a * x;
+            }
+            if (j != 0) {
+                s[j + c] += b * x;
+            }
+        }
+    }
+
+    /** Friction of a pair, bounded by its impulse, and its totals. */
+    private void rub(int n) {
+        int place = rows.place[rows.bouncer[pair[n]]];
+        int o = rows.base(place);
+        int lanes = rows.lanes;
+        double[] d = rows.row;
+        d[o + SUM * lanes] += impulse[n];
+        if (d[o + FRICTION * lanes] > 0) {
+            int i = rows.link[place * LINK];
+            int j = rows.link[place * LINK + 1];
+            d[o + (POINT + IMPULSE) * lanes] = impulse[n];
+            ScalarFriction.rub(d, o, lanes, bodies.state, i, j, 1);
+            for (int k = 0; k < 3; k++) {
+                d[o + (TOTAL + k) * lanes] += d[o + (LAMBDA + k) * lanes];
+                d[o + (LAMBDA + k) * lanes] = 0;
+            }
+            d[o + (POINT + IMPULSE) * lanes] = 0;
+        }
+    }
+}
