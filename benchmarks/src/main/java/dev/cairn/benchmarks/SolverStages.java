@@ -109,6 +109,9 @@ public class SolverStages {
         /** Bodies, impulses and offsets written back. */
         public double storeMicros;
 
+        /** Islands that are small enough to stay in the cache, each through all stages at once. */
+        public double batchMicros;
+
         /** The solver as a whole, by the world's own profile. */
         public double solverMicros;
 
@@ -142,17 +145,21 @@ public class SolverStages {
             unloadMicros = mean(clock.nanosBefore("bias"));
             biasMicros = mean(clock.nanos("bias"));
             driftMicros = mean(clock.nanosBefore("drift") + clock.nanos("drift"));
-            renewMicros = mean(clock.nanos("keepBodies", "takeOut", "renewBodies", "renewRows"));
+            renewMicros =
+                    mean(
+                            clock.nanos(
+                                    "findRenewed",
+                                    "keepBodies",
+                                    "takeOut",
+                                    "renewBodies",
+                                    "renewRows"));
             relaxMicros = mean(clock.nanosBefore("relax") + clock.nanos("relax"));
             finishMicros = mean(clock.nanosBefore("finish") + clock.nanos("finish"));
             storeMicros =
                     mean(
                             clock.nanosBefore("storeBodies")
-                                    + clock.nanos(
-                                            "storeBodies",
-                                            "clearRows",
-                                            "storeRows",
-                                            "restoreRows"));
+                                    + clock.nanos("storeBodies", "clearRows", "storeRows"));
+            batchMicros = mean(clock.nanosBefore("batch") + clock.nanos("batch"));
             // All that is left is serial: before the first job, and after the last one.
             beginMicros =
                     solverMicros
@@ -165,7 +172,8 @@ public class SolverStages {
                             - renewMicros
                             - relaxMicros
                             - finishMicros
-                            - storeMicros;
+                            - storeMicros
+                            - batchMicros;
             world.profile().disable();
         }
 
