@@ -50,26 +50,47 @@ class LiveChangeTest {
         }
     }
 
-    /** Warm impulses carry over: the weight is still carried in the tick after the change. */
+    /**
+     * Warm impulses carry over: the weight is still carried in the tick after the change, so no box
+     * falls. What moves the boxes is the sag. A soft contact is overdamped: of an overlap s it
+     * leaves {@code s exp(-r t)} and so parts at {@code s r exp(-r t)}, with {@code r = w / (2 zeta
+     * + h w), w = 2 pi hertz} (Catto, Solver2D). More sub-steps are stiffer contacts: from 4 to 16
+     * the top of the stack, 1.7 mm low, is pushed out at up to {@code s r exp(-r tick)} = 34 mm/s;
+     * 21 mm/s are seen, 20 to 29 mm/s with the boxes up to 5 cm aside (20 seeds), since the lowest
+     * contacts are twice as stiff and are done sooner. All else stays below 20 mm/s: mostly the
+     * stack that starts without impulses, an eighth of a tick of free fall.
+     */
     @Test
     void aStackStandsThroughChangesOfItsSubSteps() {
         try (PhysicsWorld world = world(1, 4)) {
             List<BodyRef> boxes = stack(world);
             int[] counts = {4, 16, 2, 8, 1, 4};
             for (int count : counts) {
+                double sag = Math.abs(5.5 - boxes.get(5).position().y);
+                double bound = Math.max(0.02, sag * partingRate(world.settings(), count));
                 world.setSubsteps(count);
                 for (int i = 0; i < 60; i++) {
                     world.step(STEP);
                     for (BodyRef box : boxes) {
                         double speed = box.velocity().length();
-                        // A tick of free fall is 0.16 m/s; stiffer contacts push the sag out.
-                        assertTrue(speed < 0.05, count + " sub-steps, tick " + i + ": " + speed);
+                        String where = "%d sub-steps, tick %d: %.4f m/s, bound %.4f";
+                        assertTrue(speed < bound, where.formatted(count, i, speed, bound));
                     }
                 }
             }
             // The sixth box is 5.5 m up; soft contacts sag by parts of a millimetre.
-            assertEquals(5.5, boxes.get(5).position().y, 0.01);
+            assertEquals(5.5, boxes.get(5).position().y, 0.001);
         }
+    }
+
+    /**
+     * r exp(-r tick), 1/s: the speed of a contact after a tick, for an overlap of 1 m before it.
+     */
+    private static double partingRate(PhysicsSettings settings, int substeps) {
+        double h = STEP / substeps;
+        double w = 2 * Math.PI * settings.contactStiffness() / h;
+        double rate = w / (2 * settings.contactDampingRatio() + h * w);
+        return rate * Math.exp(-rate * STEP);
     }
 
     @Test

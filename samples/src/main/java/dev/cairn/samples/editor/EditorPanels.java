@@ -9,8 +9,10 @@ import dev.cairn.render.input.MouseButton;
 import dev.cairn.render.input.Pointer;
 import dev.cairn.render.ui.TextBuffer;
 import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.scenefile.BodyKind;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
+import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 import dev.cairn.samples.scenefile.Turn;
 import dev.cairn.samples.scenefile.Xyz;
 
@@ -38,6 +40,10 @@ public final class EditorPanels {
     private static final int REST_FRAMES = 30;
 
     private static final double RAISE = 0.1;
+
+    /** As wide as the cube that stands in for any mesh. */
+    private static final EntitySpec ANY_MESH =
+            EntitySpec.of("mesh", BodyKind.DYNAMIC, new MeshShape("any.obj"));
 
     /** The edges of a box, as pairs of corners; see {@link Sizes#corners}. */
     private static final int[] EDGES = {
@@ -259,15 +265,14 @@ public final class EditorPanels {
             Supply.Item item = Supply.ITEMS.get(i);
             if (ui.button(item.name())) {
                 EntitySpec made = EntitySpec.of(item.name(), item.body(), item.shape());
-                editor.place(
-                        made.at(ahead(view, -Sizes.of(made).low().y()), Turn.NONE)
-                                .withName(item.name()));
+                Xyz at = free(view, made, -Sizes.of(made).low().y());
+                editor.place(made.at(at, Turn.NONE).withName(item.name()));
             }
         }
         meshName = ui.textField("mesh (.obj)", meshName);
         ui.columns(1);
         if (ui.button("Place mesh")) {
-            editor.placeMesh(meshName, ahead(view, 1));
+            editor.placeMesh(meshName, free(view, ANY_MESH, 1));
         }
         snaps = ui.checkbox("snap to a grid of 0.25 m", snaps);
     }
@@ -344,6 +349,17 @@ public final class EditorPanels {
                 GroundDrag.snap(eye.x + t * along.x, grid),
                 Math.rint(height * 1e6) / 1e6,
                 GroundDrag.snap(eye.z + t * along.z, grid));
+    }
+
+    /** In the middle of the picture, so high over the ground, beside what stands there. */
+    private Xyz free(View view, EntitySpec made, double height) {
+        Vector3d along = view.camera().forward(new Vector3d());
+        return FreePlace.near(
+                made,
+                ahead(view, height),
+                editor.scene().entities(),
+                Math.abs(along.z) >= Math.abs(along.x),
+                snaps ? 0.25 : 0);
     }
 
     private void keepView(Camera camera) {

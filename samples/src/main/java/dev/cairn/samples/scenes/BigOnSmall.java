@@ -49,7 +49,7 @@ public final class BigOnSmall {
                         Box.cube(0.5 * size),
                         Palette.STONE,
                         Body.dynamic().at(0, 1 + 0.5 * size + scene.get("drop"), 0));
-        scene.view(new SceneBuilder.View(0.35 * size, 0.12 * size, 1.9 * size, 0, 0.4 * size, 0));
+        scene.view(new SceneBuilder.View(0.35 * size, 0.05 * size, 2.2 * size, 0, 0.42 * size, 0));
         Ramp.Metric deepest = new Ramp.Metric();
         scene.afterTick((tick, seconds) -> deepest.raise(1 + 0.5 * size - big.position().y));
         scene.error("sagMetres", () -> 1 + 0.5 * size - big.position().y);

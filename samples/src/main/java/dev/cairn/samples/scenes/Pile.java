@@ -143,8 +143,12 @@ public final class Pile {
                 count++;
             }
         }
+        // The near corner of a wide heap and the upper layers of a high one just fit the picture.
+        double middle = 0.4 * layers * pitch;
+        double reach = 1.5 * pit + layers * pitch;
         scene.view(
-                new SceneBuilder.View(1.6 * pit, high + 2 * pit, 2.6 * pit + high, 0, high / 4, 0));
+                new SceneBuilder.View(
+                        0.45 * reach, middle + 0.55 * reach, 0.7 * reach, 0, middle, 0));
     }
 
     /** A floor and four walls, inner half width `half`; only the floor is drawn. */

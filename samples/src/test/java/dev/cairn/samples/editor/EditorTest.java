@@ -90,6 +90,22 @@ class EditorTest {
         assertSame(editor.scene(), shown);
     }
 
+    /** Unit boxes with 0.1 m between: 1.1 m apart, then the next multiple of 0.25 m. */
+    @Test
+    void newThingsStandBesideWhatIsThereOrOnTop() {
+        Xyz wanted = new Xyz(0, 0.5, 0);
+        for (double x : new double[] {0, 1.25, -1.25, 2.5, -2.5, 3.75}) {
+            Xyz free = FreePlace.near(box("box"), wanted, editor.scene().entities(), true, 0.25);
+            assertEquals(new Xyz(x, 0.5, 0), free);
+            editor.place(box("box").at(free, Turn.NONE));
+        }
+        Xyz deep = FreePlace.near(box("box"), wanted, editor.scene().entities(), false, 0);
+        assertEquals(new Xyz(0, 0.5, 1.1), deep);
+        // The floor is 40 m wide; a box that is half in it goes up, not to its edge.
+        Xyz top = FreePlace.near(box("box"), new Xyz(9, 0, 9), editor.scene().entities(), true, 0);
+        assertEquals(new Xyz(9, 0.5, 9), top);
+    }
+
     @Test
     void playingGoesBackToWhatWasEdited() {
         editor.place(box("crate"));

@@ -8,7 +8,6 @@ import org.jspecify.annotations.Nullable;
 import org.lwjgl.nuklear.NkColor;
 import org.lwjgl.nuklear.NkContext;
 import org.lwjgl.nuklear.NkRect;
-import org.lwjgl.nuklear.NkStyleItem;
 import org.lwjgl.nuklear.NkVec2;
 import org.lwjgl.system.MemoryUtil;
 
@@ -32,6 +31,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private final double scale;
     private final UiFont font;
     private final UiPainter painter;
+    private final UiCross cross;
     private final ByteBuffer memory = MemoryUtil.memAlignedAlloc(64, MEMORY_BYTES);
     private final long edited = MemoryUtil.nmemAllocChecked(TEXT_BYTES);
     private final NkContext context = NkContext.calloc();
@@ -39,8 +39,6 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private final NkVec2 vector = NkVec2.calloc();
     private final NkColor first = NkColor.calloc();
     private final NkColor second = NkColor.calloc();
-    private final NkStyleItem background = context.style().window().fixed_background();
-    private final NkStyleItem savedBackground = NkStyleItem.calloc();
     private final NativeText letters = new NativeText();
 
     /** Room for a number that Nuklear changes; an array on the heap would be wrapped each time. */
@@ -77,6 +75,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
         painter = new UiPainter(font);
         nk_init_fixed(context, memory, font.regular());
         UiStyle.apply(context, scale);
+        cross = new UiCross(context, scale);
     }
 
     /**
@@ -456,33 +455,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     @Override
     public void cross(double x, double y, int rgb) {
-        place(x - 12, y - 12, 24, 24);
-        UiStyle.set(first, 0);
-        savedBackground.set(background);
-        nk_style_item_color(first, background);
-        if (nnk_begin(
-                context.address(),
-                letters.of("cross"),
-                rect.address(),
-                NK_WINDOW_NO_INPUT | NK_WINDOW_BACKGROUND | NK_WINDOW_NO_SCROLLBAR)) {
-            UiStyle.set(second, 0xD0000000 | rgb);
-            float cx = px(x);
-            float cy = px(y);
-            float arm = px(8);
-            float gap = px(2);
-            stroke(cx - arm, cy, cx - gap, cy);
-            stroke(cx + gap, cy, cx + arm, cy);
-            stroke(cx, cy - arm, cx, cy - gap);
-            stroke(cx, cy + gap, cx, cy + arm);
-        }
-        nk_end(context);
-        background.set(savedBackground);
-    }
-
-    /** By address: an object that wraps the canvas would be garbage of every frame. */
-    private void stroke(float ax, float ay, float bx, float by) {
-        nnk_stroke_line(
-                nnk_window_get_canvas(context.address()), ax, ay, bx, by, px(2), second.address());
+        cross.draw(x, y, rgb);
     }
 
     @Override
@@ -500,7 +473,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
         vector.free();
         first.free();
         second.free();
-        savedBackground.free();
+        cross.close();
         letters.close();
         MemoryUtil.nmemFree(numbers);
         for (long[] state : sections.values()) {

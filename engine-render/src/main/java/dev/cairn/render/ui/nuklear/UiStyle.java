@@ -12,7 +12,7 @@ import org.lwjgl.nuklear.NkStyleWindow;
 import org.lwjgl.nuklear.NkVec2;
 import org.lwjgl.system.MemoryStack;
 
-/** The look: dark glass, one accent, round corners, room to breathe. Colours are 0xAARRGGBB. */
+/** The look: dark glass, one accent, round buttons, room to breathe. Colours are 0xAARRGGBB. */
 final class UiStyle {
     static final int TEXT = 0xFFE8EAED;
     static final int DIM = 0xFF9AA4B2;
@@ -92,7 +92,8 @@ final class UiStyle {
     }
 
     private static void window(NkStyleWindow window, double scale) {
-        window.rounding((float) (6 * scale)).border((float) scale);
+        // Nuklear draws the title bar square: round corners below it would show the scene between.
+        window.rounding(0).border((float) scale);
         window.padding(at -> size(at, 10 * scale, 8 * scale));
         window.spacing(at -> size(at, 6 * scale, 5 * scale));
         window.scrollbar_size(at -> size(at, 8 * scale, 8 * scale));
