@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit;
 
 /** Starts a program in a JVM of their own, with this JVM's class path and Java. */
 final class Jvm {
-    private static final long LIMIT_SECONDS = 180;
+    private static final long LIMIT_SECONDS = 900;
 
     private Jvm() {}
 
