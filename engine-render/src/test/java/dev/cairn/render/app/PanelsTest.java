@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.gl.GlObjects;
+import dev.cairn.render.input.MouseButton;
 import dev.cairn.render.mesh.Meshes;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.ui.TextBuffer;
@@ -154,6 +155,37 @@ class PanelsTest extends Drawing {
             i--;
         }
         return i;
+    }
+
+    /** A frame may be so slow that the cursor is elsewhere when it sees the click. */
+    @Test
+    void aClickActsWhereItWasMade() {
+        try (NuklearUi ui = new NuklearUi(1)) {
+            double[] value = {1, 1};
+            Consumer<Ui> sliders =
+                    to -> {
+                        to.panel("A", 5, 5, 300, 170);
+                        value[0] = to.slider("upper", value[0], 0, 2, 0, "");
+                        value[1] = to.slider("lower", value[1], 0, 2, 0, "");
+                        to.endPanel();
+                    };
+            panels(ui, sliders);
+            double[] upper = ui.boundsOf("upper");
+            double[] lower = ui.boundsOf("lower");
+            double y = upper[1] + upper[3] / 2;
+            double right = upper[0] + upper[2];
+            ui.input().begin();
+            ui.input().moved(right, y);
+            ui.input().button(MouseButton.LEFT, right, y, true);
+            ui.input().button(MouseButton.LEFT, right, y, false);
+            ui.input().moved(lower[0], lower[1] + lower[3] / 2);
+            ui.input().end();
+            ui.begin(WIDTH, HEIGHT);
+            sliders.accept(ui);
+            view.paint(ui);
+            panels(ui, sliders);
+            assertArrayEquals(new double[] {2, 1}, value);
+        }
     }
 
     @Test

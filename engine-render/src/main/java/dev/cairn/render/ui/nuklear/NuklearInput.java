@@ -13,6 +13,13 @@ public final class NuklearInput {
     private final NkContext context;
     private final NkVec2 vector;
     private double cursorX;
+
+    /** Whether a button was pressed or let go in this frame, and the cursor went on after that. */
+    private boolean clicked;
+
+    private boolean wentOn;
+    private double laterX;
+    private double laterY;
     private boolean leftDown;
     private boolean leftPressed;
 
@@ -24,7 +31,12 @@ public final class NuklearInput {
     /** Begins to take events. */
     public void begin() {
         leftPressed = false;
+        clicked = false;
         nk_input_begin(context);
+        if (wentOn) {
+            wentOn = false;
+            moved(laterX, laterY);
+        }
     }
 
     /** Ends to take events. */
@@ -33,12 +45,19 @@ public final class NuklearInput {
     }
 
     /**
-     * The cursor moved.
+     * The cursor moved. After a click in the same frame this waits for the next one, since Nuklear
+     * knows one place a frame: else a quick click in a slow frame would hit what lies elsewhere.
      *
      * @param x real pixels from the left
      * @param y real pixels from above
      */
     public void moved(double x, double y) {
+        if (clicked) {
+            wentOn = true;
+            laterX = x;
+            laterY = y;
+            return;
+        }
         cursorX = x;
         nk_input_motion(context, (int) x, (int) y);
     }
@@ -57,6 +76,7 @@ public final class NuklearInput {
             leftDown = down;
             leftPressed |= down;
         }
+        clicked = true;
         int code =
                 switch (which) {
                     case LEFT -> NK_BUTTON_LEFT;
