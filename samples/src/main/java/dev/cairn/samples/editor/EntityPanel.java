@@ -31,6 +31,7 @@ final class EntityPanel {
     private static final List<String> TEXTURE_NAMES =
             List.of("of the shape", "plain", "grid", "panel", "beach ball", "a file");
     private static final int FROM_FILE = 5;
+    private static final int ROWS_BELOW = 6;
 
     private final Editor editor;
     private final Fields fields = new Fields();
@@ -77,6 +78,10 @@ final class EntityPanel {
             substance(ui, entity);
             motion(ui, entity);
             driven.draw(ui, entity);
+            // So that the list of choices above can be scrolled to where it fits the window.
+            for (int i = 0; i < ROWS_BELOW; i++) {
+                ui.label("");
+            }
         }
         ui.endPanel();
     }
@@ -178,7 +183,8 @@ final class EntityPanel {
     }
 
     private static double degrees(Ui ui, String label, double radians, double most, String hint) {
-        double before = Math.toDegrees(radians);
+        // A turn about two axes leaves rounding in the third, which is not worth to be read.
+        double before = Math.rint(Math.toDegrees(radians) * 1e9) / 1e9;
         double after = ui.slider(label, before, -most, most, 1, hint);
         return after == before ? radians : Math.toRadians(after);
     }

@@ -345,10 +345,12 @@ public final class NuklearUi implements Ui, AutoCloseable {
     public int choice(String label, List<String> options, int selected) {
         row(ROW, 2, choiceColumns);
         write(label, NK_TEXT_LEFT);
-        double width = remember(label)[2];
+        double[] at = remember(label);
         int chosen = selected;
-        double height = Math.min(12 + (ROW + 4) * options.size(), 320);
-        vector.set(px(width), px(height));
+        // Down to the lower edge of the picture, and scrolled if that is too near.
+        double below = height() - at[1] - at[3] - 8;
+        double wanted = Math.min(12 + (ROW + 4) * options.size(), 320);
+        vector.set(px(at[2]), px(Math.max(Math.min(wanted, below), 3 * ROW)));
         if (nnk_combo_begin_label(
                 context.address(), letters.of(options.get(selected)), vector.address())) {
             nk_layout_row_dynamic(context, px(ROW), 1);
