@@ -2,7 +2,7 @@ package dev.cairn.core.ecs;
 
 import static dev.cairn.core.ecs.Fixtures.*;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 
@@ -16,6 +16,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 
 /** A steady tick, its snapshot included, allocates nothing, on no thread. */
@@ -66,14 +69,24 @@ class AllocationTest {
             SnapshotExchange exchange = new SnapshotExchange();
             long[] ids = threads(jobs);
             run(world, exchange, 1500);
-            long[] first = THREADS.getThreadAllocatedBytes(ids);
-            long[] before = THREADS.getThreadAllocatedBytes(ids);
-            run(world, exchange, 1000);
-            long[] after = THREADS.getThreadAllocatedBytes(ids);
-            assertEquals(before[0] - first[0], after[0] - before[0], "simulation thread");
-            for (int worker = 1; worker < workers; worker++) {
-                assertEquals(0, after[worker] - before[worker], "helper " + worker);
+            // When a thread asks for a compilation, HotSpot may resolve string constants of the
+            // method's class on it, once: a thousand ticks with such a moment tell nothing.
+            List<String> seen = new ArrayList<>();
+            boolean quiet = false;
+            for (int thousand = 0; !quiet && thousand < 5; thousand++) {
+                long[] first = THREADS.getThreadAllocatedBytes(ids);
+                long[] before = THREADS.getThreadAllocatedBytes(ids);
+                run(world, exchange, 1000);
+                long[] after = THREADS.getThreadAllocatedBytes(ids);
+                long[] bytes = new long[workers];
+                for (int worker = 0; worker < workers; worker++) {
+                    bytes[worker] = after[worker] - before[worker];
+                }
+                bytes[0] -= before[0] - first[0];
+                quiet = Arrays.stream(bytes).allMatch(b -> b == 0);
+                seen.add(Arrays.toString(bytes));
             }
+            assertTrue(quiet, "bytes by worker in each thousand ticks: " + seen);
         }
     }
 
