@@ -4,11 +4,12 @@ package dev.cairn.physics;
  * A degree of freedom that a body can be without, in world axes: {@link Body#lock}, {@link
  * BodyRef#setLocks}.
  *
- * <p>Along and about a locked axis nothing moves the body, to the bit. Turning: the body's inertia
- * is that of the axes that are left, so contacts and torques answer exactly; with two axes left the
- * gyroscopic torque is left out. Moving: a lock takes its part of the velocity after each pass of
- * the solver, which is exact where contact normals lie along free axes, as in a plane world ({@link
- * #MOVE_Z}, {@link #TURN_X}, {@link #TURN_Y}), and else is approached from sub-step to sub-step.
+ * <p>Along a locked axis the body does not move, to the bit; about one its angular velocity is 0
+ * after a step. Turning: the body's inertia is that of the axes that are left, so contacts and
+ * torques answer exactly; with two axes left the gyroscopic torque is left out. Moving: a lock
+ * takes its part of the velocity after each pass of the solver, which is exact where contact
+ * normals lie along free axes, as in a plane world ({@link #MOVE_Z}, {@link #TURN_X}, {@link
+ * #TURN_Y}), and else is approached from sub-step to sub-step.
  */
 public enum Lock {
     /** No movement along x. */

@@ -55,9 +55,12 @@ class RestraintTest {
                                     .gravityScale(0.5)
                                     .at(0, 0.5, 0));
             run(world, 120);
-            cube.applyForce(0, 0.5 * 2 * G + 0.01, 0);
-            world.step(TICK);
-            assertTrue(cube.velocity().y > 0, "a hundredth more than its weight lifts it");
+            for (int tick = 0; tick < 30; tick++) {
+                cube.applyForce(0, 0.5 * 2 * G + 1, 0);
+                world.step(TICK);
+            }
+            // 1 N more than its weight lifts 2 kg at 0.5 m/s²
+            assertEquals(0.25, cube.velocity().y, 1e-6);
         }
     }
 
@@ -273,6 +276,21 @@ class RestraintTest {
             ball.setSpeedLimit(Double.POSITIVE_INFINITY);
             run(world, 60);
             assertTrue(ball.velocity().length() > 14);
+        }
+    }
+
+    @Test
+    void aLimitHoldsForABodyOnTheGroundToo() {
+        try (PhysicsWorld world = world(G)) {
+            world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0));
+            BodyRef cube =
+                    world.add(Body.dynamic().shape(Box.cube(0.5)).speedLimit(2).at(0, 0.5, 0));
+            for (int tick = 0; tick < 120; tick++) {
+                cube.applyForce(20 * cube.mass(), 0, 0);
+                world.step(TICK);
+                assertTrue(cube.velocity().length() <= 2 * (1 + 1e-15), "tick " + tick);
+            }
+            assertEquals(2, cube.velocity().x, 1e-9, "pulled by more than friction holds");
         }
     }
 
