@@ -30,6 +30,9 @@ final class Axes {
      */
     double separationRaw, rawX, rawY, rawZ;
 
+    /** See {@link Safeguard}. */
+    boolean features = true;
+
     private final int[] nearA = new int[NEAREST_EDGES], nearB = new int[NEAREST_EDGES];
     private final double[] cosine = new double[NEAREST_EDGES];
     double cx, cy, cz;
@@ -233,6 +236,14 @@ final class Axes {
                 (p.px - p.a.vertexX(va)) * x
                         + (p.py - p.a.vertexY(va)) * y
                         + (p.pz - p.a.vertexZ(va)) * z;
+        if (!features) {
+            faceA = faceToward(p.a, va, x, y, z);
+            faceB = faceToward(p.b, vb, -bx, -by, -bz);
+            separationA = separationRaw;
+            separationB = separationRaw;
+            separationEdge = NEVER;
+            return;
+        }
         snapEdges(p, va, vb, bx, by, bz);
         boolean edges = separationEdge > NEVER;
         faceA = edges ? faceAtEdge(p.a, edgeA, x, y, z) : faceToward(p.a, va, x, y, z);

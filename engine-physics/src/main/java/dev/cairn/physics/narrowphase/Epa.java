@@ -33,6 +33,9 @@ final class Epa {
 
     double relativeTolerance = TOLERANCE;
 
+    /** See {@link Safeguard}. */
+    boolean knownPoints = true, independentStart = true, oneLoop = true, shortestSide = true;
+
     /** Of the depth: a gap that matters for shallow overlaps, where the tolerance is more. */
     double share = Double.MAX_VALUE;
 
@@ -98,7 +101,7 @@ final class Epa {
                 capped = true;
                 return;
             }
-            boolean last = known(w);
+            boolean last = knownPoints && known(w);
             if (last || !expand(near, w, 0x1p-48 * pair.scale)) {
                 // A face of the difference itself, or a sliver: the reach is its distance, its
                 // plane had lost digits.
@@ -193,15 +196,7 @@ final class Epa {
         for (int i = 0; i < use; i++) {
             put(pair, gjk.ia[i], gjk.ib[i]);
         }
-        if (use == 4 && Math.abs(volume()) <= 0x1p-20 * pair.inner * area2()) {
-            use = 3;
-        }
-        if (use >= 3 && area2() <= 0x1p-20 * pair.inner * length01()) {
-            use = 2;
-        }
-        if (use >= 2 && length01() <= 0x1p-20 * pair.inner) {
-            use = 1;
-        }
+        use = independentStart ? independent(pair, use) : use;
         points = use;
         if (use < 2) {
             secondPoint(pair);
@@ -223,6 +218,21 @@ final class Epa {
         link(1, 0, 3, 2);
         link(2, 0, 1, 3);
         link(3, 0, 2, 1);
+    }
+
+    /** How many of the first points span something, up to rounding. */
+    private int independent(Pair pair, int count) {
+        int use = count;
+        if (use == 4 && Math.abs(volume()) <= 0x1p-20 * pair.inner * area2()) {
+            use = 3;
+        }
+        if (use >= 3 && area2() <= 0x1p-20 * pair.inner * length01()) {
+            use = 2;
+        }
+        if (use >= 2 && length01() <= 0x1p-20 * pair.inner) {
+            use = 1;
+        }
+        return use;
     }
 
     private void link(int f, int t0, int t1, int t2) {
@@ -333,13 +343,17 @@ final class Epa {
         int p = Math.min(a, Math.min(b, c));
         int r = Math.max(a, Math.max(b, c));
         int q = a + b + c - p - r;
-        double pq = square(p, q);
-        double qr = square(q, r);
-        double rp = square(r, p);
-        boolean first = pq <= qr && pq <= rp;
-        boolean second = !first && qr <= rp;
-        int i = first ? p : second ? q : r;
-        int j = first ? q : second ? r : p;
+        int i = p;
+        int j = q;
+        if (shortestSide) {
+            double pq = square(p, q);
+            double qr = square(q, r);
+            double rp = square(r, p);
+            boolean first = pq <= qr && pq <= rp;
+            boolean second = !first && qr <= rp;
+            i = first ? p : second ? q : r;
+            j = first ? q : second ? r : p;
+        }
         int k = p + q + r - i - j;
         boolean even = (i == a && j == b) || (i == b && j == c) || (i == c && j == a);
         double ex = x[j] - x[i];
@@ -395,7 +409,7 @@ final class Epa {
         for (int i = 0; i < removedCount; i++) {
             rim(removed[i]);
         }
-        if (!oneLoop() || rimCount > freeCount + removedCount + MAX_FACES - faces) {
+        if ((oneLoop && !oneLoop()) || rimCount > freeCount + removedCount + MAX_FACES - faces) {
             return false;
         }
         for (int i = 0; i < removedCount; i++) {

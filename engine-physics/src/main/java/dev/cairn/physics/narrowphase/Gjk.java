@@ -25,6 +25,9 @@ final class Gjk {
 
     double tolerance = TOLERANCE;
 
+    /** See {@link Safeguard}. */
+    boolean knownPoints = true;
+
     final double[] wx = new double[4], wy = new double[4], wz = new double[4];
     final int[] ia = new int[4], ib = new int[4];
 
@@ -155,7 +158,7 @@ final class Gjk {
             beyond = true;
             return true;
         }
-        if (square - along <= tolerance * square || known(at)) {
+        if (square - along <= tolerance * square || (knownPoints && known(at))) {
             return true;
         }
         bestSquare = Double.MAX_VALUE;

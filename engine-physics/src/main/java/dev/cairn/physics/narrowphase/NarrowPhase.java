@@ -84,6 +84,17 @@ public final class NarrowPhase {
     }
 
     /**
+     * Creates the scratch of one worker that does without a safeguard, to see what that costs.
+     *
+     * @param method how axes are found
+     * @param without what is left out; results may be wrong
+     */
+    public NarrowPhase(Method method, Safeguard without) {
+        this(method);
+        without.leaveOut(gjk, epa, axes, polyhedra);
+    }
+
+    /**
      * Whether the last call met an iteration cap.
      *
      * @return true when a better axis may exist

@@ -22,8 +22,11 @@ final class Polyhedra {
     private final Gjk gjk;
     private final Axes axes;
     private final ContactPoints points;
-    private final WarmContact warm;
-    private final PolyhedronAxis search;
+    final WarmContact warm;
+    final PolyhedronAxis search;
+
+    /** See {@link Safeguard}. */
+    boolean calmFace = true, depthOfPoints = true;
 
     /** GJK has run for this pair. */
     private boolean iterated;
@@ -114,7 +117,7 @@ final class Polyhedra {
         }
         long before = cache >>> 62;
         boolean flip = chooseFace(cache, CALM * pair.inner);
-        if (crosses(flip, best, before == EDGES)) {
+        if (depthOfPoints && crosses(flip, best, before == EDGES)) {
             out.pointCount = 0;
             out.patch = 0;
             pointContact(margin, best, out);
@@ -131,7 +134,7 @@ final class Polyhedra {
             points.face(flip, margin, CALM * pair.inner, (int) cache, out);
         }
         long kind = flip ? FACE_B : FACE_A;
-        if (out.pointCount == 0 || strays(out, flip, best, before == EDGES)) {
+        if (out.pointCount == 0 || (depthOfPoints && strays(out, flip, best, before == EDGES))) {
             kind = EDGES;
             out.pointCount = 0;
             out.patch = 0;
@@ -161,14 +164,14 @@ final class Polyhedra {
         long before = cache >>> 62;
         int last = (int) (cache >>> 47) & 0x7FFF;
         double enough = Math.max(axes.separationA, axes.separationB) - calm;
-        if (before == FACE_A && last != axes.faceA && last < pair.a.faceCount()) {
+        if (calmFace && before == FACE_A && last != axes.faceA && last < pair.a.faceCount()) {
             double s = separationA(last, cache);
             if (s >= enough) {
                 axes.faceA = last;
                 axes.separationA = s;
             }
         }
-        if (before == FACE_B && last != axes.faceB && last < pair.b.faceCount()) {
+        if (calmFace && before == FACE_B && last != axes.faceB && last < pair.b.faceCount()) {
             double s = separationB(last, cache);
             if (s >= enough) {
                 axes.faceB = last;

@@ -23,6 +23,9 @@ final class PolyhedronAxis {
     /** The vertices that are nearest, for the next distance of the pair; 0 when it is not apart. */
     long word;
 
+    /** See {@link Safeguard}. */
+    boolean otherAxes = true;
+
     private final Pair pair;
     private final Gjk gjk;
     private final Epa epa;
@@ -143,7 +146,7 @@ final class PolyhedronAxis {
         int best = 0;
         int count = 1;
         double most = axes.best();
-        while (3 * count < tried.length && epa.another(tried, count, SAME_AXIS)) {
+        while (otherAxes && 3 * count < tried.length && epa.another(tried, count, SAME_AXIS)) {
             axes.snap(pair, tried[3 * count], tried[3 * count + 1], tried[3 * count + 2]);
             if (axes.best() > most) {
                 most = axes.best();

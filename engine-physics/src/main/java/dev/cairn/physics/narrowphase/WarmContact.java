@@ -41,6 +41,9 @@ final class WarmContact {
     private final Axes axes;
     private final ContactPoints points;
 
+    /** See {@link Safeguard}. */
+    boolean secondBound = true;
+
     /** The contact of the last {@link #collide} is complete. */
     boolean done;
 
@@ -163,13 +166,13 @@ final class WarmContact {
             return 0;
         }
         double least = Polyhedra.deepest(out);
-        double upper = upper(flip, at);
-        if (least - s <= calm && !settled(s, least, upper, calm)) {
+        double upper = secondBound ? upper(flip, at) : s;
+        if (secondBound && least - s <= calm && !settled(s, least, upper, calm)) {
             Clipper c = points.clipper;
             Polyhedron reference = flip ? pair.b : pair.a;
             upper = Math.min(upper, -within(reference, c.x[deepest], c.y[deepest], c.z[deepest]));
         }
-        if (!settled(s, least, upper, calm)) {
+        if (secondBound && !settled(s, least, upper, calm)) {
             return other(flip, least - s <= calm, margin, cache, out);
         }
         done = true;
@@ -334,7 +337,7 @@ final class WarmContact {
             return;
         }
         double enough = EDGE_GAP * CALM * p.inner - EDGE_SHARE * Math.min(s, 0);
-        double upper = upperOfEdges(s, enough);
+        double upper = secondBound ? upperOfEdges(s, enough) : s;
         if (upper - s <= enough) {
             certain = true;
             gap = upper - s;
