@@ -293,7 +293,7 @@ final class Axes {
 
     /**
      * Of the faces at a vertex, the one whose normal is nearest to a direction; ties go to the
-     * lowest spoke.
+     * lowest.
      */
     static int faceToward(Polyhedron h, int vertex, double x, double y, double z) {
         int best = -1;
@@ -301,7 +301,7 @@ final class Axes {
         for (int s = h.spokeBegin(vertex); s < h.spokeBegin(vertex + 1); s++) {
             int f = h.spokeFace(s);
             double dot = h.normalX(f) * x + h.normalY(f) * y + h.normalZ(f) * z;
-            if (dot > most) {
+            if (dot > most || (dot == most && f < best)) {
                 most = dot;
                 best = f;
             }

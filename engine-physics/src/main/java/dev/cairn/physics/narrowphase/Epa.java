@@ -125,7 +125,7 @@ final class Epa {
         double least = depth + noise;
         int best = -1;
         for (int f = 0; f < faces; f++) {
-            if (alive[f] && offset[f] < least) {
+            if (alive[f] && (offset[f] < least || (offset[f] == least && older(f, best)))) {
                 double nearby = -1;
                 for (int i = 0; i < 3 * count; i += 3) {
                     double dot = nx[f] * tried[i] + ny[f] * tried[i + 1] + nz[f] * tried[i + 2];
@@ -149,12 +149,29 @@ final class Epa {
         int best = -1;
         double least = Double.POSITIVE_INFINITY;
         for (int f = 0; f < faces; f++) {
-            if (alive[f] && offset[f] < least) {
+            if (alive[f] && (offset[f] < least || (offset[f] == least && older(f, best)))) {
                 least = offset[f];
                 best = f;
             }
         }
         return Math.max(best, 0);
+    }
+
+    /**
+     * Whether a face is the first of two that are equally near: by the age of its corners, which in
+     * the mirror image is the same, while the places of faces are not.
+     */
+    private boolean older(int f, int than) {
+        return than >= 0 && age(f) < age(than);
+    }
+
+    private int age(int f) {
+        int a = corner[3 * f];
+        int b = corner[3 * f + 1];
+        int c = corner[3 * f + 2];
+        int least = Math.min(a, Math.min(b, c));
+        int most = Math.max(a, Math.max(b, c));
+        return (least << 16) + ((a + b + c - least - most) << 8) + most;
     }
 
     private int add(Pair pair, double dx, double dy, double dz) {
@@ -272,14 +289,25 @@ final class Epa {
         return normalX() * (x[3] - x[0]) + normalY() * (y[3] - y[0]) + normalZ() * (z[3] - z[0]);
     }
 
+    /**
+     * 1 when a direction leads from the first point back towards the origin, else -1: of two
+     * opposite ones the mirror image then tries the image of the same one first.
+     */
+    private double back(double dx, double dy, double dz) {
+        return dx * x[0] + dy * y[0] + dz * z[0] <= 0 ? 1 : -1;
+    }
+
     private void secondPoint(Pair pair) {
         double best = -1;
         int bestA = 0;
         int bestB = 0;
         for (int i = 0; i < 6; i++) {
-            double s = (i & 1) == 0 ? 1 : -1;
+            double sx = i < 2 ? 1 : 0;
+            double sy = i >= 2 && i < 4 ? 1 : 0;
+            double sz = i >= 4 ? 1 : 0;
+            double s = (i & 1) == 0 ? back(sx, sy, sz) : -back(sx, sy, sz);
             points = 1;
-            add(pair, i < 2 ? s : 0, i >= 2 && i < 4 ? s : 0, i >= 4 ? s : 0);
+            add(pair, s * sx, s * sy, s * sz);
             double length = length01();
             if (length > best) {
                 best = length;
@@ -299,12 +327,12 @@ final class Epa {
         int bestA = 0;
         int bestB = 0;
         for (int i = 0; i < 6; i++) {
-            double s = (i & 1) == 0 ? 1 : -1;
+            double px = i < 2 ? 0 : i < 4 ? -ez : ey;
+            double py = i < 2 ? ez : i < 4 ? 0 : -ex;
+            double pz = i < 2 ? -ey : i < 4 ? ex : 0;
+            double s = (i & 1) == 0 ? back(px, py, pz) : -back(px, py, pz);
             points = 2;
-            double px = i < 2 ? 0 : i < 4 ? -s * ez : s * ey;
-            double py = i < 2 ? s * ez : i < 4 ? 0 : -s * ex;
-            double pz = i < 2 ? -s * ey : i < 4 ? s * ex : 0;
-            add(pair, px, py, pz);
+            add(pair, s * px, s * py, s * pz);
             double area = area2();
             if (area > best) {
                 best = area;
@@ -317,9 +345,13 @@ final class Epa {
     }
 
     private void fourthPoint(Pair pair) {
-        double ax = normalX();
-        double ay = normalY();
-        double az = normalZ();
+        double nX = normalX();
+        double nY = normalY();
+        double nZ = normalZ();
+        double s = back(nX, nY, nZ);
+        double ax = s * nX;
+        double ay = s * nY;
+        double az = s * nZ;
         points = 3;
         add(pair, ax, ay, az);
         double up = Math.abs(volume());

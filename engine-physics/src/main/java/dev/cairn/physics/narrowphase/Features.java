@@ -118,7 +118,7 @@ final class Features {
         ax = 0;
         ay = 1;
         az = 0;
-        int v = h.support(x, y, z);
+        int v = support(h, x, y, z);
         int face = Axes.faceToward(h, v, x, y, z);
         double fx = h.normalX(face);
         double fy = h.normalY(face);
@@ -145,15 +145,33 @@ final class Features {
             } else {
                 line(ex, ey, ez, 0);
             }
-            vertex(lines - 1, h, v);
+            // The middle, for of an edge that lies right across both ends are as good.
+            turned(
+                    lines - 1,
+                    0.5 * (h.vertexX(from) + h.vertexX(to)),
+                    0.5 * (h.vertexY(from) + h.vertexY(to)),
+                    0.5 * (h.vertexZ(from) + h.vertexZ(to)));
         }
     }
 
     private void vertex(int at, Polyhedron h, int v) {
+        turned(at, h.vertexX(v), h.vertexY(v), h.vertexZ(v));
+    }
+
+    /** The support vertex; towards the other shape where the direction does not tell. */
+    private int support(Polyhedron h, double x, double y, double z) {
+        if (x != 0 && y != 0 && z != 0) {
+            return h.support(x, y, z);
+        }
+        Pair p = pair;
+        double ox = flip ? -(p.r00 * p.dx + p.r10 * p.dy + p.r20 * p.dz) : p.dx;
+        double oy = flip ? -(p.r01 * p.dx + p.r11 * p.dy + p.r21 * p.dz) : p.dy;
+        double oz = flip ? -(p.r02 * p.dx + p.r12 * p.dy + p.r22 * p.dz) : p.dz;
+        return h.support(x, y, z, ox, oy, oz);
+    }
+
+    private void turned(int at, double x, double y, double z) {
         radius[at] = 0;
-        double x = h.vertexX(v);
-        double y = h.vertexY(v);
-        double z = h.vertexZ(v);
         if (flip) {
             place(at, turnX(x, y, z), turnY(x, y, z), turnZ(x, y, z));
         } else {

@@ -33,21 +33,60 @@ final class FaceMerger {
             merger.grow(tolerance);
             int[][] loops = merger.faces();
             if (loops != null) {
-                return loops;
+                return ordered(loops);
             }
         }
         int[][] triangles = new int[hull.triangles][];
         for (int t = 0; t < triangles.length; t++) {
             triangles[t] = Arrays.copyOfRange(hull.corner, 3 * t, 3 * t + 3);
         }
-        return triangles;
+        return ordered(triangles);
+    }
+
+    /**
+     * Loops from their lowest corner on, and in an order that does not depend on how they were
+     * found nor on which way round they go: a mirror image then has them in the same order.
+     */
+    private static int[][] ordered(int[][] loops) {
+        for (int[] loop : loops) {
+            int[] from = loop.clone();
+            int low = 0;
+            for (int i = 1; i < from.length; i++) {
+                low = from[i] < from[low] ? i : low;
+            }
+            for (int i = 0; i < from.length; i++) {
+                loop[i] = from[(low + i) % from.length];
+            }
+        }
+        Arrays.sort(loops, FaceMerger::compare);
+        return loops;
+    }
+
+    /** By the lowest corner and its two neighbours, which no two faces share. */
+    private static int compare(int[] a, int[] b) {
+        int byLowest = Integer.compare(a[0], b[0]);
+        if (byLowest != 0) {
+            return byLowest;
+        }
+        int endA = a[a.length - 1];
+        int endB = b[b.length - 1];
+        int byNear = Integer.compare(Math.min(a[1], endA), Math.min(b[1], endB));
+        return byNear != 0 ? byNear : Integer.compare(Math.max(a[1], endA), Math.max(b[1], endB));
+    }
+
+    /** The lowest corner of a triangle comes first; then the others, as they go round. */
+    private int corner(int t, int k) {
+        int[] c = hull.corner;
+        int low = c[3 * t] < c[3 * t + 1] ? 0 : 1;
+        low = c[3 * t + 2] < c[3 * t + low] ? 2 : low;
+        return c[3 * t + (low + k) % 3];
     }
 
     private double[] normal(int t) {
         double[] p = hull.p;
-        int a = 3 * hull.corner[3 * t];
-        int b = 3 * hull.corner[3 * t + 1];
-        int c = 3 * hull.corner[3 * t + 2];
+        int a = 3 * corner(t, 0);
+        int b = 3 * corner(t, 1);
+        int c = 3 * corner(t, 2);
         double ux = p[b] - p[a];
         double uy = p[b + 1] - p[a + 1];
         double uz = p[b + 2] - p[a + 2];
@@ -58,6 +97,12 @@ final class FaceMerger {
         double ny = uz * vx - ux * vz;
         double nz = ux * vy - uy * vx;
         return new double[] {nx, ny, nz, Math.sqrt(nx * nx + ny * ny + nz * nz)};
+    }
+
+    private int compare(int s, int t) {
+        return compare(
+                new int[] {corner(s, 0), corner(s, 1), corner(s, 2)},
+                new int[] {corner(t, 0), corner(t, 1), corner(t, 2)});
     }
 
     private void grow(double tolerance) {
@@ -71,7 +116,7 @@ final class FaceMerger {
                         .boxed()
                         .sorted((s, t) -> {
                             int byArea = Double.compare(normals[t][3], normals[s][3]);
-                            return byArea != 0 ? byArea : Integer.compare(s, t);
+                            return byArea != 0 ? byArea : compare(s, t);
                         })
                         .mapToInt(Integer::intValue)
                         .toArray();
@@ -98,7 +143,7 @@ final class FaceMerger {
 
     private boolean fits(double[] normal, int seed, int t, double tolerance) {
         double[] p = hull.p;
-        int a = 3 * hull.corner[3 * seed];
+        int a = 3 * corner(seed, 0);
         for (int k = 0; k < 3; k++) {
             int v = 3 * hull.corner[3 * t + k];
             double d =

@@ -26,8 +26,8 @@ final class FacePlanes {
     }
 
     /**
-     * Planes by Newell's sums, which are exact for blocks; offsets touch the outermost corner of
-     * the face.
+     * Planes by Newell's sums, which are exact for blocks, added up in both directions round the
+     * face, so that a mirror image has the mirrored bits; offsets touch the outermost corner.
      */
     private void planes(double[] x, double[] y, double[] z, Topology t) {
         int[] faceBegin = t.faceBegin;
@@ -39,19 +39,21 @@ final class FacePlanes {
             double nx = 0;
             double ny = 0;
             double nz = 0;
+            double mx = 0;
+            double my = 0;
+            double mz = 0;
             for (int s = begin + 1; s + 1 < end; s++) {
-                int a = slotVertex[s];
-                int b = slotVertex[s + 1];
-                double ax = x[a] - x[origin];
-                double ay = y[a] - y[origin];
-                double az = z[a] - z[origin];
-                double bx = x[b] - x[origin];
-                double by = y[b] - y[origin];
-                double bz = z[b] - z[origin];
-                nx += ay * bz - az * by;
-                ny += az * bx - ax * bz;
-                nz += ax * by - ay * bx;
+                nx += crossX(y, z, origin, slotVertex[s], slotVertex[s + 1]);
+                ny += crossX(z, x, origin, slotVertex[s], slotVertex[s + 1]);
+                nz += crossX(x, y, origin, slotVertex[s], slotVertex[s + 1]);
+                int back = begin + end - s - 1;
+                mx += crossX(y, z, origin, slotVertex[back], slotVertex[back + 1]);
+                my += crossX(z, x, origin, slotVertex[back], slotVertex[back + 1]);
+                mz += crossX(x, y, origin, slotVertex[back], slotVertex[back + 1]);
             }
+            nx += mx;
+            ny += my;
+            nz += mz;
             double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
             nx /= length;
             ny /= length;
@@ -76,9 +78,14 @@ final class FacePlanes {
             for (int s = begin; s < end; s++) {
                 int a = slotVertex[s];
                 int b = slotVertex[s + 1 == end ? begin : s + 1];
-                side(s, x[a], y[a], z[a], x[b] - x[a], y[b] - y[a], z[b] - z[a], nx, ny, nz);
+                side(s, x[a], y[a], z[a], x[b], y[b], z[b], nx, ny, nz);
             }
         }
+    }
+
+    /** A component of (a - o) x (b - o), from the two coordinates after it. */
+    private static double crossX(double[] y, double[] z, int o, int a, int b) {
+        return (y[a] - y[o]) * (z[b] - z[o]) - (z[a] - z[o]) * (y[b] - y[o]);
     }
 
     private void side(
@@ -86,12 +93,15 @@ final class FacePlanes {
             double ax,
             double ay,
             double az,
-            double ex,
-            double ey,
-            double ez,
+            double bx,
+            double by,
+            double bz,
             double nx,
             double ny,
             double nz) {
+        double ex = bx - ax;
+        double ey = by - ay;
+        double ez = bz - az;
         double sx = ey * nz - ez * ny;
         double sy = ez * nx - ex * nz;
         double sz = ex * ny - ey * nx;
@@ -99,6 +109,8 @@ final class FacePlanes {
         sideX[slot] = sx / length;
         sideY[slot] = sy / length;
         sideZ[slot] = sz / length;
-        sideOffset[slot] = sideX[slot] * ax + sideY[slot] * ay + sideZ[slot] * az;
+        double begin = sideX[slot] * ax + sideY[slot] * ay + sideZ[slot] * az;
+        double end = sideX[slot] * bx + sideY[slot] * by + sideZ[slot] * bz;
+        sideOffset[slot] = Math.max(begin, end);
     }
 }

@@ -438,6 +438,24 @@ public final class Polyhedron {
         return vertexCount() > SCANNED ? climb(dx, dy, dz, hint) : support(dx, dy, dz);
     }
 
+    /**
+     * As {@link #support(double, double, double)}, but of a block a second direction tells the side
+     * where the first is zero: in a mirror image as well.
+     *
+     * @param dx direction in shape axes, any length
+     * @param dy direction
+     * @param dz direction
+     * @param ex second direction
+     * @param ey second direction
+     * @param ez second direction
+     * @return the vertex
+     */
+    public int support(double dx, double dy, double dz, double ex, double ey, double ez) {
+        return block
+                ? support(dx != 0 ? dx : ex, dy != 0 ? dy : ey, dz != 0 ? dz : ez)
+                : support(dx, dy, dz);
+    }
+
     private double along(int v, double dx, double dy, double dz) {
         return vertex[4 * v] * dx + vertex[4 * v + 1] * dy + vertex[4 * v + 2] * dz;
     }
@@ -471,7 +489,7 @@ public final class Polyhedron {
             for (int s = spokeBegin[at]; s < spokeBegin[at + 1]; s++) {
                 int v = spokeVertex[s];
                 double dot = along(v, dx, dy, dz);
-                if (dot > bestDot) {
+                if (dot > bestDot || (dot == bestDot && best != at && v < best)) {
                     bestDot = dot;
                     best = v;
                 }

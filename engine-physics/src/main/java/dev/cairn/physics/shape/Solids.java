@@ -72,13 +72,20 @@ final class Solids {
 
     /**
      * Six times the volume, 24 times the first moments, 60 and 120 times the second moments about a
-     * point.
+     * point. Each face is added up in both directions, so that a mirror image has the same bits.
      */
     private static double[] sums(double[] p, int[][] loops, double ox, double oy, double oz) {
         double[] sum = new double[10];
         for (int[] loop : loops) {
+            double[] there = new double[10];
+            double[] back = new double[10];
             for (int i = 1; i + 1 < loop.length; i++) {
-                add(sum, p, 3 * loop[0], 3 * loop[i], 3 * loop[i + 1], ox, oy, oz);
+                int j = loop.length - 1 - i;
+                add(there, p, 3 * loop[0], 3 * loop[i], 3 * loop[i + 1], ox, oy, oz);
+                add(back, p, 3 * loop[0], 3 * loop[j], 3 * loop[j + 1], ox, oy, oz);
+            }
+            for (int k = 0; k < sum.length; k++) {
+                sum[k] += 0.5 * (there[k] + back[k]);
             }
         }
         return sum;
@@ -96,18 +103,18 @@ final class Solids {
         double cy = p[c + 1] - oy;
         double cz = p[c + 2] - oz;
         double det = ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
-        double sx = ax + bx + cx;
-        double sy = ay + by + cy;
-        double sz = az + bz + cz;
+        double sx = ax + (bx + cx);
+        double sy = ay + (by + cy);
+        double sz = az + (bz + cz);
         sum[0] += det;
         sum[1] += det * sx;
         sum[2] += det * sy;
         sum[3] += det * sz;
-        sum[4] += det * (ax * ax + bx * bx + cx * cx + sx * sx) / 2;
-        sum[5] += det * (ay * ay + by * by + cy * cy + sy * sy) / 2;
-        sum[6] += det * (az * az + bz * bz + cz * cz + sz * sz) / 2;
-        sum[7] += det * (ax * ay + bx * by + cx * cy + sx * sy);
-        sum[8] += det * (ax * az + bx * bz + cx * cz + sx * sz);
-        sum[9] += det * (ay * az + by * bz + cy * cz + sy * sz);
+        sum[4] += det * (ax * ax + (bx * bx + cx * cx) + sx * sx) / 2;
+        sum[5] += det * (ay * ay + (by * by + cy * cy) + sy * sy) / 2;
+        sum[6] += det * (az * az + (bz * bz + cz * cz) + sz * sz) / 2;
+        sum[7] += det * (ax * ay + (bx * by + cx * cy) + sx * sy);
+        sum[8] += det * (ax * az + (bx * bz + cx * cz) + sx * sz);
+        sum[9] += det * (ay * az + (by * bz + cy * cz) + sy * sz);
     }
 }

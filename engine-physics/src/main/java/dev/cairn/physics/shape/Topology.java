@@ -41,7 +41,7 @@ final class Topology {
 
     /**
      * Numbers the edges in order of their end points and lists the spokes of each vertex in order
-     * of slots.
+     * of edges: a mirror image has the same.
      */
     private void edges(int vertices) {
         int slots = slotVertex.length;
@@ -63,10 +63,12 @@ final class Topology {
             if (keys[i] >>> 20 != keys[i + 1] >>> 20 || slotVertex[s] == slotVertex[twin]) {
                 throw new IllegalStateException("face loops do not close: " + slots + " slots");
             }
-            edgeFrom[i / 2] = slotVertex[s];
-            edgeTo[i / 2] = slotVertex[twin];
-            edgeLeft[i / 2] = slotFace[s];
-            edgeRight[i / 2] = slotFace[twin];
+            // From the lower end to the higher, in a mirror image too.
+            boolean up = slotVertex[s] < slotVertex[twin];
+            edgeFrom[i / 2] = slotVertex[up ? s : twin];
+            edgeTo[i / 2] = slotVertex[up ? twin : s];
+            edgeLeft[i / 2] = slotFace[up ? s : twin];
+            edgeRight[i / 2] = slotFace[up ? twin : s];
             slotEdge[s] = i / 2;
             slotEdge[twin] = i / 2;
         }
@@ -74,7 +76,8 @@ final class Topology {
             spokeBegin[v + 1] += spokeBegin[v];
         }
         int[] cursor = Arrays.copyOf(spokeBegin, vertices);
-        for (int s = 0; s < slots; s++) {
+        for (long key : keys) {
+            int s = (int) (key & 0xFFFFF);
             int spoke = cursor[slotVertex[s]]++;
             spokeVertex[spoke] = slotVertex[next(s, slotFace[s])];
             spokeEdge[spoke] = slotEdge[s];
