@@ -250,6 +250,12 @@ final class Axes {
         separationA = p.faceSeparationA(faceA);
         faceB = edges ? faceAtEdge(p.b, edgeB, -bx, -by, -bz) : faceToward(p.b, vb, -bx, -by, -bz);
         separationB = p.faceSeparationB(faceB);
+        // What a feature tells does not depend on how the search came to it; the axis as it came
+        // from there does, in the last bits.
+        double most = Math.max(separationEdge, Math.max(separationA, separationB));
+        if (separationRaw <= most + 0x1p-50 * p.scale) {
+            separationRaw = most;
+        }
     }
 
     /** The same where the edges that the axis belongs to are known. */

@@ -20,6 +20,12 @@ final class Gjk {
     /** Of the pair's scale: nearer than rounding can tell, {@link Epa} decides. */
     static final double TOUCHING = 0x1p-42;
 
+    /** Of the pair's scale, and of the distance: a gap between the bounds that is no rounding. */
+    private static final double STALLED = 0x1p-40, STALLED_PART = 0x1p-20;
+
+    /** How often the search starts again from where it stalled. */
+    private static final int AGAIN = 3;
+
     /** These two may be coarser where time is weighed against error. */
     int cap = CAP;
 
@@ -62,6 +68,28 @@ final class Gjk {
      * {@code limit}.
      */
     void run(Pair pair, double sx, double sy, double sz, double limit) {
+        once(pair, sx, sy, sz, limit);
+        int steps = iterations;
+        for (int i = 0; i < AGAIN && stalled(pair); i++) {
+            once(pair, vx, vy, vz, limit);
+            steps += iterations;
+        }
+        iterations = steps;
+    }
+
+    /**
+     * The bounds do not meet: the simplex became a sliver, whose plane has lost its digits. From
+     * the direction found so far other points come first.
+     */
+    private boolean stalled(Pair pair) {
+        boolean round = pair.roundA || pair.roundB;
+        double gap = distance - lower;
+        return !(overlap || beyond || capped || round || tolerance > TOLERANCE)
+                && gap > STALLED * pair.scale
+                && gap > STALLED_PART * distance;
+    }
+
+    private void once(Pair pair, double sx, double sy, double sz, double limit) {
         overlap = false;
         beyond = false;
         capped = false;
@@ -78,7 +106,8 @@ final class Gjk {
 
     /**
      * Runs from the simplex of another run, as {@link #word} told it; false when the word does not
-     * name vertices of this pair. A simplex of another pose costs time, never correctness.
+     * name vertices of this pair, or lead nowhere. A simplex of another pose costs time, never
+     * correctness.
      */
     boolean runFrom(long word, Pair pair, double limit) {
         int points = (int) (word >>> 62);
@@ -108,7 +137,7 @@ final class Gjk {
         }
         take();
         loop(pair, limit);
-        return true;
+        return !stalled(pair);
     }
 
     /**

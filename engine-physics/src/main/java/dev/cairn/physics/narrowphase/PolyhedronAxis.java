@@ -33,6 +33,7 @@ final class PolyhedronAxis {
     private final ContactPoints points;
     private final boolean fifteen;
     private final Refine refine = new Refine();
+    private final NearestFeatures nearest = new NearestFeatures();
     private final double[] tried = new double[3 * 16];
 
     PolyhedronAxis(Pair pair, Gjk gjk, Epa epa, Axes axes, ContactPoints points, boolean fifteen) {
@@ -85,6 +86,13 @@ final class PolyhedronAxis {
             if (!gjk.runFrom(cache, pair, Double.MAX_VALUE)) {
                 gjk.run(pair, pair.dx, pair.dy, pair.dz, Double.MAX_VALUE);
             }
+        }
+        return distanceAfterRun(general || cache != 0);
+    }
+
+    /** The same after GJK has run from anywhere, or has not. */
+    double distanceAfterRun(boolean ran) {
+        if (ran) {
             if (!gjk.overlap && !gjk.capped && gjk.distance > NEAR * pair.scale) {
                 return apart();
             }
@@ -110,8 +118,9 @@ final class PolyhedronAxis {
 
     private double apart() {
         word = gjk.word();
-        points.setAxis(gjk.vx / gjk.distance, gjk.vy / gjk.distance, gjk.vz / gjk.distance);
-        return gjk.distance;
+        nearest.measure(pair, gjk);
+        points.setAxis(nearest.axisX, nearest.axisY, nearest.axisZ);
+        return nearest.distance;
     }
 
     /**

@@ -392,15 +392,19 @@ class G01To09Test {
         }
     }
 
-    /** Any start, any word and any history: the same depth as from cold. */
+    /** Any start and any simplex: the depth and the distance are those from cold, to the bit. */
     @Test
     void g9WhateverItStartsFromTheDepthIsTheSame() {
         SplittableRandom r = new SplittableRandom(309);
         Pair p = new Pair();
         Gjk gjk = new Gjk();
-        Epa epa = new Epa();
         Axes axes = new Axes();
+        ContactPoints points = new ContactPoints(p, axes, gjk);
+        PolyhedronAxis search = new PolyhedronAxis(p, gjk, new Epa(), axes, points, false);
+        NarrowPhase general = new NarrowPhase(NarrowPhase.Method.GENERAL);
+        NarrowPhase special = new NarrowPhase();
         double nan = Double.NaN;
+        int overlaps = 0;
         for (int i = 0; i < 2_000; i++) {
             Scene s =
                     i % 2 == 0
@@ -422,21 +426,31 @@ class G01To09Test {
                 {any.x, any.y, any.z},
                 {Double.POSITIVE_INFINITY, 0, 0}
             };
-            double cold = 0;
-            for (int k = 0; k < starts.length; k++) {
-                double[] start = starts[k];
+            double cold = s.distance(general);
+            overlaps += cold < 0 ? 1 : 0;
+            for (double[] start : starts) {
                 gjk.run(p, start[0], start[1], start[2], Double.MAX_VALUE);
-                double d = gjk.distance;
-                if (gjk.overlap) {
-                    epa.run(p, gjk);
-                    axes.snap(p, epa.axisX, epa.axisY, epa.axisZ);
-                    d = axes.best();
-                }
-                cold = k == 0 ? d : cold;
+                search.general = true;
+                double d = search.distanceAfterRun(true);
                 String where = "seed 309 pose " + i + " start " + Arrays.toString(start);
-                assertEquals(cold, d, (cold < 0 ? 2 : 16) * Math.ulp(s.size()), where);
+                assertEquals(cold, d, 0.0, where);
+            }
+            double fifteen = s.distance(special);
+            for (int k = 0; k < 10; k++) {
+                // Stale vertices, the same one again and again, some on a line or in a plane.
+                long word = r.nextLong() & (k % 2 == 0 ? 0xC01C_0701_C070_1C07L : -1L);
+                String where = "seed 309 pose " + i + " word " + Long.toHexString(word);
+                assertEquals(cold, distance(s, general, word), 0.0, where);
+                assertEquals(fifteen, distance(s, special, word), 0.0, where);
             }
         }
+        assertTrue(overlaps > 500 && overlaps < 1_500, "overlaps " + overlaps);
+    }
+
+    private static double distance(Scene s, NarrowPhase n, long word) {
+        return n.distance(
+                s.a, s.b, s.qa.x, s.qa.y, s.qa.z, s.qa.w, s.qb.x, s.qb.y, s.qb.z, s.qb.w, s.d.x,
+                s.d.y, s.d.z, word);
     }
 
     @ParameterizedTest
