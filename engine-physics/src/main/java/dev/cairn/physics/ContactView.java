@@ -84,7 +84,7 @@ final class ContactView implements Contacts {
     public Vector3d normal(int contact, Vector3d destination) {
         int row = row(contact);
         return Checks.notNull("destination", destination)
-                .set(rows.normalX[row], rows.normalY[row], rows.normalZ[row]);
+                .set(rows.normalX(row), rows.normalY(row), rows.normalZ(row));
     }
 
     @Override
@@ -94,9 +94,9 @@ final class ContactView implements Contacts {
         BodyStore b = table.bodies;
         return Checks.notNull("destination", destination)
                 .set(
-                        b.positionX[a] + rows.anchorAX[at],
-                        b.positionY[a] + rows.anchorAY[at],
-                        b.positionZ[a] + rows.anchorAZ[at]);
+                        b.positionX[a] + rows.anchorAX(at),
+                        b.positionY[a] + rows.anchorAY(at),
+                        b.positionZ[a] + rows.anchorAZ(at));
     }
 
     @Override

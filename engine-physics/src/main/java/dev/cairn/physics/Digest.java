@@ -50,10 +50,10 @@ final class Digest {
         long h = mix(start, (long) c.bodyA[row] << 32 | c.bodyB[row]);
         h = mix(h, c.pointCount[row]);
         h = mix(h, c.touching[row]);
-        h = mix(h, c.frictionImpulseX[row]);
-        h = mix(h, c.frictionImpulseY[row]);
-        h = mix(h, c.frictionImpulseZ[row]);
-        h = mix(h, c.twistImpulse[row]);
+        h = mix(h, c.frictionImpulseX(row));
+        h = mix(h, c.frictionImpulseY(row));
+        h = mix(h, c.frictionImpulseZ(row));
+        h = mix(h, c.twistImpulse(row));
         int first = ContactStore.POINTS * row;
         for (int p = first; p < first + c.pointCount[row]; p++) {
             h = mix(h, c.feature[p]);

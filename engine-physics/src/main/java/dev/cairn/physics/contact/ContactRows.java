@@ -191,10 +191,8 @@ public final class ContactRows {
         c.bodyB[to] = c.bodyB[from];
         c.pointCount[to] = c.pointCount[from];
         c.patch[to] = c.patch[from];
-        c.normalX[to] = c.normalX[from];
-        c.normalY[to] = c.normalY[from];
-        c.normalZ[to] = c.normalZ[from];
-        c.friction[to] = c.friction[from];
+        System.arraycopy(
+                c.head, ContactStore.head(from), c.head, ContactStore.head(to), ContactStore.HEAD);
         c.restitution[to] = c.restitution[from];
         c.touching[to] = c.touching[from];
         c.cache[to] = c.cache[from];
@@ -203,21 +201,17 @@ public final class ContactRows {
             int k = ContactStore.KEPT;
             System.arraycopy(c.kept, k * from, c.kept, k * to, k);
         }
-        c.frictionImpulseX[to] = c.frictionImpulseX[from];
-        c.frictionImpulseY[to] = c.frictionImpulseY[from];
-        c.frictionImpulseZ[to] = c.frictionImpulseZ[from];
-        c.twistImpulse[to] = c.twistImpulse[from];
         int m = ContactStore.POINTS;
+        System.arraycopy(
+                c.anchors,
+                ContactStore.anchor(m * from),
+                c.anchors,
+                ContactStore.anchor(m * to),
+                ContactStore.ANCHORS * c.pointCount[from]);
         for (int p = 0; p < c.pointCount[from]; p++) {
             c.feature[m * to + p] = c.feature[m * from + p];
             c.normalImpulse[m * to + p] = c.normalImpulse[m * from + p];
             c.preload[m * to + p] = c.preload[m * from + p];
-            c.anchorAX[m * to + p] = c.anchorAX[m * from + p];
-            c.anchorAY[m * to + p] = c.anchorAY[m * from + p];
-            c.anchorAZ[m * to + p] = c.anchorAZ[m * from + p];
-            c.anchorBX[m * to + p] = c.anchorBX[m * from + p];
-            c.anchorBY[m * to + p] = c.anchorBY[m * from + p];
-            c.anchorBZ[m * to + p] = c.anchorBZ[m * from + p];
             c.separation[m * to + p] = c.separation[m * from + p];
             c.totalNormalImpulse[m * to + p] = c.totalNormalImpulse[m * from + p];
         }
@@ -245,15 +239,12 @@ public final class ContactRows {
             c.bodyA[row] = a;
             c.bodyB[row] = b;
             c.pointCount[row] = 0;
-            c.friction[row] = Math.sqrt(bodies.friction[a] * bodies.friction[b]);
+            c.setFriction(row, Math.sqrt(bodies.friction[a] * bodies.friction[b]));
             c.restitution[row] = Math.max(bodies.restitution[a], bodies.restitution[b]);
             c.touching[row] = 0;
             c.cache[row] = 0;
             c.keeps[row] = false;
-            c.frictionImpulseX[row] = 0;
-            c.frictionImpulseY[row] = 0;
-            c.frictionImpulseZ[row] = 0;
-            c.twistImpulse[row] = 0;
+            c.setFrictionImpulse(row, 0, 0, 0, 0);
         }
     }
 
@@ -268,10 +259,7 @@ public final class ContactRows {
             if (c.bodyA[row] != slot && c.bodyB[row] != slot) {
                 continue;
             }
-            c.frictionImpulseX[row] = 0;
-            c.frictionImpulseY[row] = 0;
-            c.frictionImpulseZ[row] = 0;
-            c.twistImpulse[row] = 0;
+            c.setFrictionImpulse(row, 0, 0, 0, 0);
             Arrays.fill(
                     c.normalImpulse,
                     ContactStore.POINTS * row,

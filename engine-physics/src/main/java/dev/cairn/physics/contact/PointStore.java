@@ -28,9 +28,7 @@ final class PointStore {
         ContactStore c = contacts;
         int points = m.pointCount;
         int before = c.pointCount[row];
-        c.normalX[row] = m.normalX;
-        c.normalY[row] = m.normalY;
-        c.normalZ[row] = m.normalZ;
+        c.setNormal(row, m.normalX, m.normalY, m.normalZ);
         if (points != before || !sameNames(row, m)) {
             match(row, m, own);
         }
@@ -58,12 +56,14 @@ final class PointStore {
         c.patch[row] = m.patch;
         int at = ContactStore.POINTS * row;
         for (int p = 0; p < m.pointCount; p++, at++) {
-            c.anchorAX[at] = m.pointX[p];
-            c.anchorAY[at] = m.pointY[p];
-            c.anchorAZ[at] = m.pointZ[p];
-            c.anchorBX[at] = m.pointX[p] - dx;
-            c.anchorBY[at] = m.pointY[p] - dy;
-            c.anchorBZ[at] = m.pointZ[p] - dz;
+            c.setAnchors(
+                    at,
+                    m.pointX[p],
+                    m.pointY[p],
+                    m.pointZ[p],
+                    m.pointX[p] - dx,
+                    m.pointY[p] - dy,
+                    m.pointZ[p] - dz);
             c.separation[at] = m.separation[p];
             c.totalNormalImpulse[at] = 0;
         }
@@ -105,10 +105,7 @@ final class PointStore {
             }
         }
         if (!persists) {
-            c.frictionImpulseX[row] = 0;
-            c.frictionImpulseY[row] = 0;
-            c.frictionImpulseZ[row] = 0;
-            c.twistImpulse[row] = 0;
+            c.setFrictionImpulse(row, 0, 0, 0, 0);
         }
     }
 
@@ -159,9 +156,9 @@ final class PointStore {
                 feature[p] = c.feature[first + p];
                 impulse[p] = c.normalImpulse[first + p];
                 preload[p] = c.preload[first + p];
-                x[p] = c.anchorAX[first + p];
-                y[p] = c.anchorAY[first + p];
-                z[p] = c.anchorAZ[first + p];
+                x[p] = c.anchorAX(first + p);
+                y[p] = c.anchorAY(first + p);
+                z[p] = c.anchorAZ(first + p);
             }
         }
     }

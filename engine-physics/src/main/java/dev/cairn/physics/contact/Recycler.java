@@ -132,9 +132,7 @@ final class Recycler {
             ny = sign * (2 * (ry * rz - rw * rx));
             nz = sign * (1 - 2 * (rx * rx + ry * ry));
         }
-        c.normalX[row] = flip ? -nx : nx;
-        c.normalY[row] = flip ? -ny : ny;
-        c.normalZ[row] = flip ? -nz : nz;
+        c.setNormal(row, flip ? -nx : nx, flip ? -ny : ny, flip ? -nz : nz);
         // A point that leaves the margin is a matter for the narrow phase, which writes all anew.
         return points(row, flip, ix, iy, iz, iw, ex, ey, ez, nx, ny, nz) <= margin;
     }
@@ -167,14 +165,13 @@ final class Recycler {
         double before = ex * nx + ey * ny + ez * nz - k[at + OFFSET];
         int to = ContactStore.POINTS * row;
         int end = to + c.pointCount[row];
-        double[] incidentX = flip ? c.anchorAX : c.anchorBX;
-        double[] incidentY = flip ? c.anchorAY : c.anchorBY;
-        double[] incidentZ = flip ? c.anchorAZ : c.anchorBZ;
-        double[] referenceX = flip ? c.anchorBX : c.anchorAX;
-        double[] referenceY = flip ? c.anchorBY : c.anchorAY;
-        double[] referenceZ = flip ? c.anchorBZ : c.anchorAZ;
+        double[] anchors = c.anchors;
+        int incident = ContactStore.anchor(to) + (flip ? 0 : 3);
+        int reference = ContactStore.anchor(to) + (flip ? 3 : 0);
         double farthest = -Double.MAX_VALUE;
-        for (int p = at + POINT; to < end; to++, p += 3) {
+        for (int p = at + POINT;
+                to < end;
+                to++, p += 3, incident += ContactStore.ANCHORS, reference += ContactStore.ANCHORS) {
             double x = m00 * k[p] + m01 * k[p + 1] + m02 * k[p + 2];
             double y = m10 * k[p] + m11 * k[p + 1] + m12 * k[p + 2];
             double z = m20 * k[p] + m21 * k[p + 1] + m22 * k[p + 2];
@@ -185,12 +182,12 @@ final class Recycler {
             x -= half * nx;
             y -= half * ny;
             z -= half * nz;
-            incidentX[to] = x;
-            incidentY[to] = y;
-            incidentZ[to] = z;
-            referenceX[to] = x + ex;
-            referenceY[to] = y + ey;
-            referenceZ[to] = z + ez;
+            anchors[incident] = x;
+            anchors[incident + 1] = y;
+            anchors[incident + 2] = z;
+            anchors[reference] = x + ex;
+            anchors[reference + 1] = y + ey;
+            anchors[reference + 2] = z + ez;
             c.separation[to] = separation;
             c.totalNormalImpulse[to] = 0;
         }

@@ -19,6 +19,24 @@ public final class ContactStore {
     /** Points per row. */
     public static final int POINTS = 4;
 
+    /** Numbers per point in {@link #anchors}. */
+    public static final int ANCHORS = 6;
+
+    /** Numbers per row in {@link #head}: normal, then these. */
+    public static final int HEAD = 8;
+
+    /** Of a row's head: the Coulomb coefficient. */
+    public static final int FRICTION = 3;
+
+    /** Of a row's head: the friction impulse. */
+    public static final int RUB = 4;
+
+    /** Of a row's head: the twist impulse. */
+    public static final int TWIST = 7;
+
+    /** Behind the 16 bytes of an array's header this is a whole cache line. */
+    private static final int START = 6;
+
     /** Numbers per row in {@link #kept}. */
     public static final int KEPT = 24;
 
@@ -46,11 +64,13 @@ public final class ContactStore {
      */
     public double[] patch = {};
 
-    /** Unit normal from A to B, world. */
-    public double[] normalX = {}, normalY = {}, normalZ = {};
-
-    /** Mixed Coulomb coefficient. */
-    public double[] friction = {};
+    /**
+     * What the solver reads of a row beside its points, in one cache line: the unit normal from A
+     * to B in world axes; the mixed Coulomb coefficient; the friction impulse at the patch centre
+     * in world axes, N s over the last sub-step, and the twist impulse about the normal, N m s over
+     * the last sub-step, both warm start. Row c begins at {@link #head}.
+     */
+    public double[] head = {};
 
     /** Mixed coefficient of restitution, 0..1. */
     public double[] restitution = {};
@@ -70,20 +90,11 @@ public final class ContactStore {
     public double[] kept = {};
 
     /**
-     * Friction impulse at the patch centre in world axes, N s over the last sub-step; warm start.
+     * Per point: contact point relative to A's, then to B's centre of mass, world axes, m. Point p
+     * begins at {@link #anchor}: those of a row are three cache lines, where in columns of their
+     * own they would be six.
      */
-    public double[] frictionImpulseX = {}, frictionImpulseY = {}, frictionImpulseZ = {};
-
-    /** Twist impulse about the normal, N m s over the last sub-step; warm start. */
-    public double[] twistImpulse = {};
-
-    /** Per point: contact point relative to A's and B's centres of mass, world axes, m. */
-    public double[] anchorAX = {},
-            anchorAY = {},
-            anchorAZ = {},
-            anchorBX = {},
-            anchorBY = {},
-            anchorBZ = {};
+    public double[] anchors = {};
 
     /**
      * Per point: signed distance of the surfaces along the normal, m; negative when they overlap.
@@ -110,6 +121,120 @@ public final class ContactStore {
      */
     public double[] totalNormalImpulse = {};
 
+    /** Where a row begins in {@link #head}: at a cache line, if the array does. */
+    public static int head(int row) {
+        return START + HEAD * row;
+    }
+
+    /** Where a point begins in {@link #anchors}; the first of a row at a cache line, as there. */
+    public static int anchor(int point) {
+        return START + ANCHORS * point;
+    }
+
+    /** Unit normal from A to B, world: x. */
+    public double normalX(int row) {
+        return head[head(row)];
+    }
+
+    /** Unit normal from A to B, world: y. */
+    public double normalY(int row) {
+        return head[head(row) + 1];
+    }
+
+    /** Unit normal from A to B, world: z. */
+    public double normalZ(int row) {
+        return head[head(row) + 2];
+    }
+
+    /** Mixed Coulomb coefficient. */
+    public double friction(int row) {
+        return head[head(row) + FRICTION];
+    }
+
+    /** Friction impulse at the patch centre, world: x, N s over the last sub-step. */
+    public double frictionImpulseX(int row) {
+        return head[head(row) + RUB];
+    }
+
+    /** Friction impulse at the patch centre, world: y, N s over the last sub-step. */
+    public double frictionImpulseY(int row) {
+        return head[head(row) + RUB + 1];
+    }
+
+    /** Friction impulse at the patch centre, world: z, N s over the last sub-step. */
+    public double frictionImpulseZ(int row) {
+        return head[head(row) + RUB + 2];
+    }
+
+    /** Twist impulse about the normal, N m s over the last sub-step. */
+    public double twistImpulse(int row) {
+        return head[head(row) + TWIST];
+    }
+
+    /** A point from A's centre of mass, world: x, m. */
+    public double anchorAX(int point) {
+        return anchors[anchor(point)];
+    }
+
+    /** A point from A's centre of mass, world: y, m. */
+    public double anchorAY(int point) {
+        return anchors[anchor(point) + 1];
+    }
+
+    /** A point from A's centre of mass, world: z, m. */
+    public double anchorAZ(int point) {
+        return anchors[anchor(point) + 2];
+    }
+
+    /** A point from B's centre of mass, world: x, m. */
+    public double anchorBX(int point) {
+        return anchors[anchor(point) + 3];
+    }
+
+    /** A point from B's centre of mass, world: y, m. */
+    public double anchorBY(int point) {
+        return anchors[anchor(point) + 4];
+    }
+
+    /** A point from B's centre of mass, world: z, m. */
+    public double anchorBZ(int point) {
+        return anchors[anchor(point) + 5];
+    }
+
+    /** Sets the unit normal of a row. */
+    public void setNormal(int row, double x, double y, double z) {
+        int i = head(row);
+        head[i] = x;
+        head[i + 1] = y;
+        head[i + 2] = z;
+    }
+
+    /** Sets the Coulomb coefficient of a row. */
+    public void setFriction(int row, double coefficient) {
+        head[head(row) + FRICTION] = coefficient;
+    }
+
+    /** Sets the friction impulse of a row, N s, and its twist, N m s. */
+    public void setFrictionImpulse(int row, double x, double y, double z, double twist) {
+        int i = head(row);
+        head[i + RUB] = x;
+        head[i + RUB + 1] = y;
+        head[i + RUB + 2] = z;
+        head[i + TWIST] = twist;
+    }
+
+    /** Sets where a point is from A and from B, m. */
+    public void setAnchors(
+            int point, double ax, double ay, double az, double bx, double by, double bz) {
+        int i = anchor(point);
+        anchors[i] = ax;
+        anchors[i + 1] = ay;
+        anchors[i + 2] = az;
+        anchors[i + 3] = bx;
+        anchors[i + 4] = by;
+        anchors[i + 5] = bz;
+    }
+
     /** Makes every row take part. */
     public void activateAll() {
         for (int row = 0; row < count; row++) {
@@ -134,25 +259,13 @@ public final class ContactStore {
         bodyB = Arrays.copyOf(bodyB, n);
         pointCount = Arrays.copyOf(pointCount, n);
         patch = Arrays.copyOf(patch, n);
-        normalX = Arrays.copyOf(normalX, n);
-        normalY = Arrays.copyOf(normalY, n);
-        normalZ = Arrays.copyOf(normalZ, n);
-        friction = Arrays.copyOf(friction, n);
+        head = Arrays.copyOf(head, head(n));
         restitution = Arrays.copyOf(restitution, n);
         touching = Arrays.copyOf(touching, n);
         cache = Arrays.copyOf(cache, n);
         keeps = Arrays.copyOf(keeps, n);
         kept = Arrays.copyOf(kept, n * KEPT);
-        frictionImpulseX = Arrays.copyOf(frictionImpulseX, n);
-        frictionImpulseY = Arrays.copyOf(frictionImpulseY, n);
-        frictionImpulseZ = Arrays.copyOf(frictionImpulseZ, n);
-        twistImpulse = Arrays.copyOf(twistImpulse, n);
-        anchorAX = Arrays.copyOf(anchorAX, m);
-        anchorAY = Arrays.copyOf(anchorAY, m);
-        anchorAZ = Arrays.copyOf(anchorAZ, m);
-        anchorBX = Arrays.copyOf(anchorBX, m);
-        anchorBY = Arrays.copyOf(anchorBY, m);
-        anchorBZ = Arrays.copyOf(anchorBZ, m);
+        anchors = Arrays.copyOf(anchors, anchor(m));
         separation = Arrays.copyOf(separation, m);
         feature = Arrays.copyOf(feature, m);
         normalImpulse = Arrays.copyOf(normalImpulse, m);

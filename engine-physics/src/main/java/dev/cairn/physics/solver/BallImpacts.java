@@ -393,17 +393,10 @@ final class BallImpacts {
         double x = normal[3 * n];
         double y = normal[3 * n + 1];
         double z = normal[3 * n + 2];
-        contacts.normalX[source] = x;
-        contacts.normalY[source] = y;
-        contacts.normalZ[source] = z;
+        contacts.setNormal(source, x, y, z);
         double ra = store.innerRadius[contacts.bodyA[source]];
         double rb = store.innerRadius[contacts.bodyB[source]];
-        contacts.anchorAX[p] = ra * x;
-        contacts.anchorAY[p] = ra * y;
-        contacts.anchorAZ[p] = ra * z;
-        contacts.anchorBX[p] = -rb * x;
-        contacts.anchorBY[p] = -rb * y;
-        contacts.anchorBZ[p] = -rb * z;
+        contacts.setAnchors(p, ra * x, ra * y, ra * z, -rb * x, -rb * y, -rb * z);
         PrepareRow.aim(rows, bodies, contacts, place, source);
     }
 

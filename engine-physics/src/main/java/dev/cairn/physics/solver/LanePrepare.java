@@ -111,7 +111,7 @@ final class LanePrepare implements RowFiller {
                 }
                 int source = rows.link[(j + l) * LINK + SOURCE];
                 n = Math.max(n, count);
-                rough |= contacts.friction[source] > 0;
+                rough |= contacts.friction(source) > 0;
                 stage(rows, bodies, contacts, sub, j + l, source, scratch, l);
             }
             n = n == 3 ? 4 : n; // the kernels sweep one, two or four points
@@ -153,14 +153,14 @@ final class LanePrepare implements RowFiller {
         double ma = bodies.state[a + SolverBodies.MASS];
         double mb = bodies.state[b + SolverBodies.MASS];
         boolean fixed = ma == 0 || mb == 0;
-        st[l] = c.normalX[source];
-        st[L + l] = c.normalY[source];
-        st[2 * L + l] = c.normalZ[source];
+        st[l] = c.normalX(source);
+        st[L + l] = c.normalY(source);
+        st[2 * L + l] = c.normalZ(source);
         st[INVERSE_A * L + l] = ma;
         st[INVERSE_B * L + l] = mb;
         st[FIXED * L + l] = fixed ? 1 : 0;
         st[STIFFNESS * L + l] = sub.stiffness(fixed);
-        st[MU * L + l] = c.friction[source];
+        st[MU * L + l] = c.friction(source);
         st[POINTS * L + l] = c.pointCount[source];
         st[SHARE * L + l] = PrepareRow.share(c, source);
         copy(bodies.root, (a >> 4) * SolverBodies.ROOT, 9, st, ROOT_A * L + l);
@@ -174,20 +174,15 @@ final class LanePrepare implements RowFiller {
             boolean there = i < c.pointCount[source];
             int p = there ? first + i : first;
             int q = (STAGED + i * STAGED_FIELDS) * L + l;
-            st[q] = c.anchorAX[p];
-            st[q + L] = c.anchorAY[p];
-            st[q + 2 * L] = c.anchorAZ[p];
-            st[q + 3 * L] = c.anchorBX[p];
-            st[q + 4 * L] = c.anchorBY[p];
-            st[q + 5 * L] = c.anchorBZ[p];
+            copy(c.anchors, ContactStore.anchor(p), ContactStore.ANCHORS, st, q);
             st[q + 6 * L] = there ? c.separation[p] : 0;
             st[q + 7 * L] = there ? c.normalImpulse[p] : 0;
             st[q + 8 * L] = there && !unloaded ? c.preload[p] : 0;
         }
-        st[OLD * L + l] = c.frictionImpulseX[source];
-        st[(OLD + 1) * L + l] = c.frictionImpulseY[source];
-        st[(OLD + 2) * L + l] = c.frictionImpulseZ[source];
-        st[(OLD + 3) * L + l] = c.twistImpulse[source];
+        st[OLD * L + l] = c.frictionImpulseX(source);
+        st[(OLD + 1) * L + l] = c.frictionImpulseY(source);
+        st[(OLD + 2) * L + l] = c.frictionImpulseZ(source);
+        st[(OLD + 3) * L + l] = c.twistImpulse(source);
     }
 
     private static void copy(double[] from, int i, int n, double[] st, int o) {

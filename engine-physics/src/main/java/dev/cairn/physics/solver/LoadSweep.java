@@ -241,25 +241,25 @@ final class LoadSweep {
         double x =
                 s.velocityX[b]
                         - s.velocityX[a]
-                        + s.angularVelocityY[b] * c.anchorBZ[p]
-                        - s.angularVelocityZ[b] * c.anchorBY[p]
-                        - s.angularVelocityY[a] * c.anchorAZ[p]
-                        + s.angularVelocityZ[a] * c.anchorAY[p];
+                        + s.angularVelocityY[b] * c.anchorBZ(p)
+                        - s.angularVelocityZ[b] * c.anchorBY(p)
+                        - s.angularVelocityY[a] * c.anchorAZ(p)
+                        + s.angularVelocityZ[a] * c.anchorAY(p);
         double y =
                 s.velocityY[b]
                         - s.velocityY[a]
-                        + s.angularVelocityZ[b] * c.anchorBX[p]
-                        - s.angularVelocityX[b] * c.anchorBZ[p]
-                        - s.angularVelocityZ[a] * c.anchorAX[p]
-                        + s.angularVelocityX[a] * c.anchorAZ[p];
+                        + s.angularVelocityZ[b] * c.anchorBX(p)
+                        - s.angularVelocityX[b] * c.anchorBZ(p)
+                        - s.angularVelocityZ[a] * c.anchorAX(p)
+                        + s.angularVelocityX[a] * c.anchorAZ(p);
         double z =
                 s.velocityZ[b]
                         - s.velocityZ[a]
-                        + s.angularVelocityX[b] * c.anchorBY[p]
-                        - s.angularVelocityY[b] * c.anchorBX[p]
-                        - s.angularVelocityX[a] * c.anchorAY[p]
-                        + s.angularVelocityY[a] * c.anchorAX[p];
-        double vn = x * c.normalX[source] + y * c.normalY[source] + z * c.normalZ[source];
+                        + s.angularVelocityX[b] * c.anchorBY(p)
+                        - s.angularVelocityY[b] * c.anchorBX(p)
+                        - s.angularVelocityX[a] * c.anchorAY(p)
+                        + s.angularVelocityY[a] * c.anchorAX(p);
+        double vn = x * c.normalX(source) + y * c.normalY(source) + z * c.normalZ(source);
         if (vn < -HIT * unit && c.separation[p] + vn * step < 0) {
             return true;
         }
@@ -319,9 +319,9 @@ final class LoadSweep {
     private int carried(int m) {
         int source = rows.source[m];
         double up =
-                upX * contacts.normalX[source]
-                        + upY * contacts.normalY[source]
-                        + upZ * contacts.normalZ[source];
+                upX * contacts.normalX(source)
+                        + upY * contacts.normalY(source)
+                        + upZ * contacts.normalZ(source);
         if (Math.abs(up) <= CARRIES) {
             return -1;
         }

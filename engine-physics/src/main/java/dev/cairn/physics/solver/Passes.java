@@ -175,10 +175,12 @@ final class Passes {
         double[] d = rows.row;
         int lanes = rows.lanes;
         int o = rows.base(j);
-        contacts.frictionImpulseX[c] = tangent(o, ConstraintRows.LAMBDA, 0);
-        contacts.frictionImpulseY[c] = tangent(o, ConstraintRows.LAMBDA, 1);
-        contacts.frictionImpulseZ[c] = tangent(o, ConstraintRows.LAMBDA, 2);
-        contacts.twistImpulse[c] = d[o + (ConstraintRows.LAMBDA + 2) * lanes];
+        contacts.setFrictionImpulse(
+                c,
+                tangent(o, ConstraintRows.LAMBDA, 0),
+                tangent(o, ConstraintRows.LAMBDA, 1),
+                tangent(o, ConstraintRows.LAMBDA, 2),
+                d[o + (ConstraintRows.LAMBDA + 2) * lanes]);
         for (int k = 0; k < contacts.pointCount[c]; k++) {
             int p = ContactStore.POINTS * c + k;
             int q = ConstraintRows.POINT + k * ConstraintRows.POINT_FIELDS;
@@ -204,10 +206,7 @@ final class Passes {
         for (int i = from; i < to; i++) {
             int row = c.active[i];
             if (c.pointCount[row] == 0) {
-                c.frictionImpulseX[row] = 0;
-                c.frictionImpulseY[row] = 0;
-                c.frictionImpulseZ[row] = 0;
-                c.twistImpulse[row] = 0;
+                c.setFrictionImpulse(row, 0, 0, 0, 0);
             }
         }
     }

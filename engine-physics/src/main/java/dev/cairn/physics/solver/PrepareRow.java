@@ -76,7 +76,7 @@ final class PrepareRow implements RowFiller {
                 }
                 int source = rows.link[j * LINK + ConstraintRows.SOURCE];
                 most = Math.max(most, n);
-                rough |= c.friction[source] > 0;
+                rough |= c.friction(source) > 0;
                 row(rows, bodies, c, j, o, source, sub, scale);
             }
             rows.points[group / lanes] = most == 3 ? 4 : most;
@@ -106,18 +106,18 @@ final class PrepareRow implements RowFiller {
         double ma = bodies.state[a + SolverBodies.MASS];
         double mb = bodies.state[b + SolverBodies.MASS];
         boolean fixed = ma == 0 || mb == 0;
-        double nx = c.normalX[source];
-        double ny = c.normalY[source];
-        double nz = c.normalZ[source];
+        double nx = c.normalX(source);
+        double ny = c.normalY(source);
+        double nz = c.normalZ(source);
         d[o] = nx;
         d[o + lanes] = ny;
         d[o + 2 * lanes] = nz;
         d[o + MASS_A * lanes] = ma;
         d[o + MASS_B * lanes] = mb;
-        d[o + FRICTION * lanes] = c.friction[source];
+        d[o + FRICTION * lanes] = c.friction(source);
         tangents(d, o, lanes, nx, ny, nz);
         points(rows, bodies, c, j, o, source, sub.stiffness(fixed), scale);
-        if (c.friction[source] > 0) {
+        if (c.friction(source) > 0) {
             friction(rows, bodies, c, j, o, source, fixed, scale);
         } else {
             clear(d, o, lanes, REACH, REACH + 4);
@@ -156,15 +156,12 @@ final class PrepareRow implements RowFiller {
             c.totalNormalImpulse[first + i] = d[o + (SUM + i) * lanes];
             c.preload[first + i] *= preloadScale;
         }
-        c.frictionImpulseX[source] = 0;
-        c.frictionImpulseY[source] = 0;
-        c.frictionImpulseZ[source] = 0;
-        c.twistImpulse[source] = 0;
+        c.setFrictionImpulse(source, 0, 0, 0, 0);
         row(rows, bodies, c, j, o, source, sub, 1);
         for (int i = 0; i < c.pointCount[source]; i++) {
             d[o + (SUM + i) * lanes] = c.totalNormalImpulse[first + i];
         }
-        if (c.friction[source] > 0) {
+        if (c.friction(source) > 0) {
             put(d, l, lanes, f1, f2, d[o + TWIST_MASS * lanes] > 0 ? f3 : 0);
             put(d, o + TOTAL * lanes, lanes, t1, t2, t3);
             addFriction(rows, bodies.warm, j, o, 1);
@@ -176,9 +173,9 @@ final class PrepareRow implements RowFiller {
         double[] d = rows.row;
         int lanes = rows.lanes;
         int o = rows.base(j);
-        double nx = c.normalX[source];
-        double ny = c.normalY[source];
-        double nz = c.normalZ[source];
+        double nx = c.normalX(source);
+        double ny = c.normalY(source);
+        double nz = c.normalZ(source);
         put(d, o, lanes, nx, ny, nz);
         // a ball's arm is parallel to the normal
         clear(d, o, lanes, POINT + ARM_A, POINT + ARM_A + 6);
@@ -190,12 +187,12 @@ final class PrepareRow implements RowFiller {
                     bodies,
                     j,
                     o,
-                    c.anchorAX[p],
-                    c.anchorAY[p],
-                    c.anchorAZ[p],
-                    c.anchorBX[p],
-                    c.anchorBY[p],
-                    c.anchorBZ[p],
+                    c.anchorAX(p),
+                    c.anchorAY(p),
+                    c.anchorAZ(p),
+                    c.anchorBX(p),
+                    c.anchorBY(p),
+                    c.anchorBZ(p),
                     false);
         }
     }
@@ -268,9 +265,9 @@ final class PrepareRow implements RowFiller {
                                     d,
                                     q + ARM_A * lanes,
                                     lanes,
-                                    c.anchorAX[p],
-                                    c.anchorAY[p],
-                                    c.anchorAZ[p],
+                                    c.anchorAX(p),
+                                    c.anchorAY(p),
+                                    c.anchorAZ(p),
                                     nx,
                                     ny,
                                     nz)
@@ -280,9 +277,9 @@ final class PrepareRow implements RowFiller {
                                     d,
                                     q + ARM_B * lanes,
                                     lanes,
-                                    c.anchorBX[p],
-                                    c.anchorBY[p],
-                                    c.anchorBZ[p],
+                                    c.anchorBX(p),
+                                    c.anchorBY(p),
+                                    c.anchorBZ(p),
                                     nx,
                                     ny,
                                     nz);
@@ -334,9 +331,9 @@ final class PrepareRow implements RowFiller {
         // their friction makes no angular momentum.
         double spread = 0;
         for (int p = first + 1; p < first + n; p++) {
-            double x = c.anchorAX[p] - c.anchorAX[first];
-            double y = c.anchorAY[p] - c.anchorAY[first];
-            double z = c.anchorAZ[p] - c.anchorAZ[first];
+            double x = c.anchorAX(p) - c.anchorAX(first);
+            double y = c.anchorAY(p) - c.anchorAY(first);
+            double z = c.anchorAZ(p) - c.anchorAZ(first);
             spread = Math.max(spread, x * x + y * y + z * z);
         }
         double fade = FADE * Math.sqrt(spread);
@@ -354,12 +351,12 @@ final class PrepareRow implements RowFiller {
             double w = gap <= fade || fade == 0 ? 1 : Math.max(2 - gap / fade, 1e-10);
             sum += w;
             shift += w * (0.5 * (fixed ? gap : 0));
-            ax += w * c.anchorAX[p];
-            ay += w * c.anchorAY[p];
-            az += w * c.anchorAZ[p];
-            bx += w * c.anchorBX[p];
-            by += w * c.anchorBY[p];
-            bz += w * c.anchorBZ[p];
+            ax += w * c.anchorAX(p);
+            ay += w * c.anchorAY(p);
+            az += w * c.anchorAZ(p);
+            bx += w * c.anchorBX(p);
+            by += w * c.anchorBY(p);
+            bz += w * c.anchorBZ(p);
         }
         double k = 1 / sum;
         shift *= k;
@@ -371,9 +368,9 @@ final class PrepareRow implements RowFiller {
         bz = bz * k + shift * nz;
         double share = share(c, source);
         for (int i = 0; i < ContactStore.POINTS; i++) {
-            double x = c.anchorAX[first + i] - ax;
-            double y = c.anchorAY[first + i] - ay;
-            double z = c.anchorAZ[first + i] - az;
+            double x = c.anchorAX(first + i) - ax;
+            double y = c.anchorAY(first + i) - ay;
+            double z = c.anchorAZ(first + i) - az;
             double far = i < n ? Math.sqrt(x * x + y * y + z * z) : 0;
             d[o + (REACH + i) * lanes] = far * share;
         }
@@ -453,16 +450,16 @@ final class PrepareRow implements RowFiller {
         int lanes = rows.lanes;
         int t1 = o + TANGENT1 * lanes;
         int t2 = o + TANGENT2 * lanes;
-        double x = c.frictionImpulseX[source] * scale;
-        double y = c.frictionImpulseY[source] * scale;
-        double z = c.frictionImpulseZ[source] * scale;
+        double x = c.frictionImpulseX(source) * scale;
+        double y = c.frictionImpulseY(source) * scale;
+        double z = c.frictionImpulseZ(source) * scale;
         put(
                 d,
                 o + LAMBDA * lanes,
                 lanes,
                 x * d[t1] + y * d[t1 + lanes] + z * d[t1 + 2 * lanes] + 0.0,
                 x * d[t2] + y * d[t2 + lanes] + z * d[t2 + 2 * lanes] + 0.0,
-                d[o + TWIST_MASS * lanes] > 0 ? c.twistImpulse[source] * scale + 0.0 : 0);
+                d[o + TWIST_MASS * lanes] > 0 ? c.twistImpulse(source) * scale + 0.0 : 0);
         put(d, o + TOTAL * lanes, lanes, 0, 0, 0);
         addFriction(rows, bodies.warm, j, o, 1);
     }

@@ -140,12 +140,12 @@ final class Renewal {
         int k = place * KEPT;
         int first = ContactStore.POINTS * source;
         for (int p = first; p < first + c.pointCount[source]; p++, k += 7) {
-            kept[k] = c.anchorAX[p];
-            kept[k + 1] = c.anchorAY[p];
-            kept[k + 2] = c.anchorAZ[p];
-            kept[k + 3] = c.anchorBX[p];
-            kept[k + 4] = c.anchorBY[p];
-            kept[k + 5] = c.anchorBZ[p];
+            kept[k] = c.anchorAX(p);
+            kept[k + 1] = c.anchorAY(p);
+            kept[k + 2] = c.anchorAZ(p);
+            kept[k + 3] = c.anchorBX(p);
+            kept[k + 4] = c.anchorBY(p);
+            kept[k + 5] = c.anchorBZ(p);
             kept[k + 6] = c.separation[p];
         }
     }
@@ -222,12 +222,14 @@ final class Renewal {
             int source = rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE];
             int first = ContactStore.POINTS * source;
             for (int p = first; p < first + c.pointCount[source]; p++, q += 7) {
-                c.anchorAX[p] = kept[q];
-                c.anchorAY[p] = kept[q + 1];
-                c.anchorAZ[p] = kept[q + 2];
-                c.anchorBX[p] = kept[q + 3];
-                c.anchorBY[p] = kept[q + 4];
-                c.anchorBZ[p] = kept[q + 5];
+                c.setAnchors(
+                        p,
+                        kept[q],
+                        kept[q + 1],
+                        kept[q + 2],
+                        kept[q + 3],
+                        kept[q + 4],
+                        kept[q + 5]);
                 c.separation[p] = kept[q + 6];
             }
         }
@@ -298,18 +300,13 @@ final class Renewal {
             double dz = (bz - kept[q + 5]) - (az - kept[q + 2]);
             c.separation[p] =
                     kept[q + 6]
-                            + (dx * c.normalX[source]
-                                    + dy * c.normalY[source]
-                                    + dz * c.normalZ[source]);
+                            + (dx * c.normalX(source)
+                                    + dy * c.normalY(source)
+                                    + dz * c.normalZ(source));
             dx = half * (dx + mx);
             dy = half * (dy + my);
             dz = half * (dz + mz);
-            c.anchorAX[p] = ax + dx;
-            c.anchorAY[p] = ay + dy;
-            c.anchorAZ[p] = az + dz;
-            c.anchorBX[p] = bx - dx;
-            c.anchorBY[p] = by - dy;
-            c.anchorBZ[p] = bz - dz;
+            c.setAnchors(p, ax + dx, ay + dy, az + dz, bx - dx, by - dy, bz - dz);
         }
     }
 }

@@ -142,20 +142,7 @@ final class WideSweeps implements Sweeps {
         random(random, bodies.warm, 0.01);
         Arrays.fill(bodies.state, 0, SolverBodies.STRIDE, 0.0);
         for (double[] column :
-                new double[][] {
-                    c.normalX,
-                    c.normalY,
-                    c.normalZ,
-                    c.anchorAX,
-                    c.anchorAY,
-                    c.anchorAZ,
-                    c.anchorBX,
-                    c.anchorBY,
-                    c.anchorBZ,
-                    c.separation,
-                    c.normalImpulse,
-                    c.preload
-                }) {
+                new double[][] {c.head, c.anchors, c.separation, c.normalImpulse, c.preload}) {
             random(random, column, 1);
         }
         for (int j = 0; j < n; j++) {
@@ -166,7 +153,7 @@ final class WideSweeps implements Sweeps {
             rows.link[l + ConstraintRows.SOURCE] = j;
             c.pointCount[j] = 1 + (round + j / 8) % 4;
             rows.link[l + ConstraintRows.COUNT] = pads ? 0 : c.pointCount[j];
-            c.friction[j] = (round + j / 8) % 16 == 0 ? 0 : 0.5;
+            c.setFriction(j, (round + j / 8) % 16 == 0 ? 0 : 0.5);
             boolean cold = round % 4 == 3 && j % 5 == 0;
             for (int p = ContactStore.POINTS * j; p < ContactStore.POINTS * (j + 1); p++) {
                 c.normalImpulse[p] = cold ? 0 : Math.abs(c.normalImpulse[p]);

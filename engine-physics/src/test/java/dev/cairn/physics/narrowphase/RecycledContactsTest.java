@@ -213,7 +213,7 @@ class RecycledContactsTest {
 
     /** Sine of the angle between the normal and that of the nearest face of either shape. */
     private double crossesNoFace(Scene s) {
-        Vector3d n = new Vector3d(rows.normalX[0], rows.normalY[0], rows.normalZ[0]);
+        Vector3d n = new Vector3d(rows.normalX(0), rows.normalY(0), rows.normalZ(0));
         double best = 1;
         for (int side = 0; side < 2; side++) {
             Shape shape = side == 0 ? s.a : s.b;
@@ -230,7 +230,7 @@ class RecycledContactsTest {
 
     /** A column of one of the rotations, as the present poses have it. */
     private boolean normalIsOfAFace(Scene s, String where) {
-        Vector3d n = new Vector3d(rows.normalX[0], rows.normalY[0], rows.normalZ[0]);
+        Vector3d n = new Vector3d(rows.normalX(0), rows.normalY(0), rows.normalZ(0));
         assertEquals(1, n.length(), 4e-15, where);
         double best = 1;
         for (int k = 0; k < 3; k++) {
@@ -250,8 +250,8 @@ class RecycledContactsTest {
             Scene s = stacked(r, 0);
             begin(s);
             double before = rows.separation[0];
-            Vector3d n = new Vector3d(rows.normalX[0], rows.normalY[0], rows.normalZ[0]);
-            Vector3d at = new Vector3d(rows.anchorAX[0], rows.anchorAY[0], rows.anchorAZ[0]);
+            Vector3d n = new Vector3d(rows.normalX(0), rows.normalY(0), rows.normalZ(0));
+            Vector3d at = new Vector3d(rows.anchorAX(0), rows.anchorAY(0), rows.anchorAZ(0));
             double step = .3 * SHARE * inner(s) * (2 * r.nextDouble() - 1);
             s.d.fma(step, n);
             if (rows.pointCount[0] == 0 || !recycled(s)) {
@@ -261,14 +261,14 @@ class RecycledContactsTest {
             String where = "seed 32 trial " + trial;
             // Midway between a face that moved and one that did not.
             at.fma(step / 2, n);
-            assertEquals(at.x, rows.anchorAX[0], 1e-14 * s.size(), where);
-            assertEquals(at.y, rows.anchorAY[0], 1e-14 * s.size(), where);
-            assertEquals(at.z, rows.anchorAZ[0], 1e-14 * s.size(), where);
+            assertEquals(at.x, rows.anchorAX(0), 1e-14 * s.size(), where);
+            assertEquals(at.y, rows.anchorAY(0), 1e-14 * s.size(), where);
+            assertEquals(at.z, rows.anchorAZ(0), 1e-14 * s.size(), where);
             for (int p = 0; p < rows.pointCount[0]; p++) {
                 assertEquals(before + step, rows.separation[p], 1e-14 * s.size(), where);
-                assertEquals(rows.anchorAX[p], rows.anchorBX[p] + s.d.x, 1e-15 * s.size(), where);
-                assertEquals(rows.anchorAY[p], rows.anchorBY[p] + s.d.y, 1e-15 * s.size(), where);
-                assertEquals(rows.anchorAZ[p], rows.anchorBZ[p] + s.d.z, 1e-15 * s.size(), where);
+                assertEquals(rows.anchorAX(p), rows.anchorBX(p) + s.d.x, 1e-15 * s.size(), where);
+                assertEquals(rows.anchorAY(p), rows.anchorBY(p) + s.d.y, 1e-15 * s.size(), where);
+                assertEquals(rows.anchorAZ(p), rows.anchorBZ(p) + s.d.z, 1e-15 * s.size(), where);
             }
         }
         assertTrue(kept > 1500, "only " + kept + " were kept");
@@ -302,8 +302,8 @@ class RecycledContactsTest {
             double high = -1;
             double low = 1;
             for (int p = 0; p < rows.pointCount[0]; p++) {
-                high = Math.max(high, rows.anchorAX[p]);
-                low = Math.min(low, rows.anchorAX[p]);
+                high = Math.max(high, rows.anchorAX(p));
+                low = Math.min(low, rows.anchorAX(p));
             }
             String where = "B at " + s.d.x + " m";
             assertEquals(4, rows.pointCount[0], where);

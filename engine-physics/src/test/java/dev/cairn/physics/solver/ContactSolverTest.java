@@ -216,7 +216,7 @@ class ContactSolverTest {
                         normal += s.contacts.totalNormalImpulse[4 * c + p];
                     }
                     double[] n = {
-                        s.contacts.normalX[c], s.contacts.normalY[c], s.contacts.normalZ[c]
+                        s.contacts.normalX(c), s.contacts.normalY(c), s.contacts.normalZ(c)
                     };
                     for (int k = 0; k < 3; k++) {
                         double j = normal * n[k] + s.solver.totalFriction(row, k);

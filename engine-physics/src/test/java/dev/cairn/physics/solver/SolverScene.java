@@ -113,7 +113,7 @@ final class SolverScene {
 
     void material(int row, double friction, double restitution) {
         contacts.ensureCapacity(pairs.size());
-        contacts.friction[row] = friction;
+        contacts.setFriction(row, friction);
         contacts.restitution[row] = restitution;
     }
 
@@ -340,9 +340,7 @@ final class SolverScene {
             oldPreload[c.feature[4 * row + k]] = c.preload[4 * row + k];
         }
         c.pointCount[row] = 0;
-        c.normalX[row] = nx;
-        c.normalY[row] = ny;
-        c.normalZ[row] = nz;
+        c.setNormal(row, nx, ny, nz);
     }
 
     private void point(
@@ -350,12 +348,14 @@ final class SolverScene {
         int p = 4 * row + c.pointCount[row]++;
         int a = c.bodyA[row];
         int b = c.bodyB[row];
-        c.anchorAX[p] = x - bodies.positionX[a];
-        c.anchorAY[p] = y - bodies.positionY[a];
-        c.anchorAZ[p] = z - bodies.positionZ[a];
-        c.anchorBX[p] = x - bodies.positionX[b];
-        c.anchorBY[p] = y - bodies.positionY[b];
-        c.anchorBZ[p] = z - bodies.positionZ[b];
+        c.setAnchors(
+                p,
+                x - bodies.positionX[a],
+                y - bodies.positionY[a],
+                z - bodies.positionZ[a],
+                x - bodies.positionX[b],
+                y - bodies.positionY[b],
+                z - bodies.positionZ[b]);
         c.separation[p] = s;
         c.feature[p] = feature;
         c.normalImpulse[p] = oldImpulse[feature];
