@@ -10,8 +10,9 @@ import java.util.Arrays;
  * colours and places.
  *
  * <p>Most ticks have the contacts of the tick before: then all of it still holds, and a comparison
- * is what is paid. So the colours persist, and yet are a function of the present contacts alone.
- * Simulation thread; allocates only when a store has grown.
+ * is what is paid; where only presses what did not, the batches hold, and the colours are made
+ * anew. So all persists, and yet is a function of the present contacts alone. Simulation thread;
+ * allocates only when a store has grown.
  */
 final class Collector {
     private final Colouring colouring;
@@ -27,6 +28,12 @@ final class Collector {
     private boolean together;
     private int workers;
     private boolean stacked;
+
+    /** What of the rows of this tick is as it was: who touches whom, and what colours follow. */
+    private boolean sameBodies;
+
+    private boolean sameColours;
+    private boolean samePoints;
 
     Collector(Colouring colouring, Batches batches) {
         this.colouring = colouring;
@@ -54,28 +61,34 @@ final class Collector {
             points = Arrays.copyOf(points, rows.source.length);
         }
         int before = rows.count;
-        boolean same = list(bodies, contacts, rows);
-        same &= rows.count == before && slots == bodies.slotCount;
-        same &= together == rows.bouncing > 0 && workers == workerCount;
-        if (!same) {
+        list(bodies, contacts, rows);
+        sameBodies &= rows.count == before && slots == bodies.slotCount;
+        sameBodies &= together == rows.bouncing > 0 && workers == workerCount;
+        if (!sameBodies) {
             slots = bodies.slotCount;
             together = rows.bouncing > 0;
             workers = workerCount;
             bind(rows, guide);
-            colour(rows);
             batches.cut(bodies, contacts, rows, guide, together, workerCount);
+        }
+        if (!sameBodies || !sameColours) {
+            colour(rows);
             colouring.finish(rows, batches);
+        }
+        if (!sameBodies || !sameColours || !samePoints) {
             link(rows);
         }
         return stacked;
     }
 
-    /** Lists rows and those that bounce; whether all are as they were. */
-    private boolean list(BodyStore bodies, ContactStore contacts, ConstraintRows rows) {
+    /** Lists rows and those that bounce, and compares them with those of the last tick. */
+    private void list(BodyStore bodies, ContactStore contacts, ConstraintRows rows) {
         byte[] kind = bodies.kind;
         int n = 0;
         int bouncing = 0;
-        boolean same = true;
+        sameBodies = true;
+        sameColours = true;
+        samePoints = true;
         for (int i = 0; i < contacts.activeCount; i++) {
             int c = contacts.active[i];
             int count = contacts.pointCount[c];
@@ -87,16 +100,18 @@ final class Collector {
             a = kind[a] == BodyStore.DYNAMIC ? a : -1;
             b = kind[b] == BodyStore.DYNAMIC ? b : -1;
             boolean isCold = (a | b) >= 0 && isCold(contacts, c, count);
-            if (rows.source[n] != c
-                    || slotA[n] != a
-                    || slotB[n] != b
-                    || cold[n] != isCold
-                    || points[n] != count) {
-                same = false;
+            if (rows.source[n] != c || slotA[n] != a || slotB[n] != b) {
+                sameBodies = false;
                 rows.source[n] = c;
                 slotA[n] = a;
                 slotB[n] = b;
+            }
+            if (cold[n] != isCold) {
+                sameColours = false;
                 cold[n] = isCold;
+            }
+            if (points[n] != count) {
+                samePoints = false;
                 points[n] = count;
             }
             if (contacts.restitution[c] > 0) {
@@ -106,7 +121,6 @@ final class Collector {
         }
         rows.count = n;
         rows.bouncing = bouncing;
-        return same;
     }
 
     /** Whether a contact had no impulse at the end of the last tick; most such have a gap. */

@@ -1,0 +1,118 @@
+package dev.cairn.physics.solver;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.Arrays;
+import java.util.Random;
+
+/** What the collector keeps from tick to tick is what it would make anew. */
+final class CollectorTest {
+    private static final int BODIES = 400;
+    private static final int ROWS = 1500;
+
+    private final Random random = new Random(20261122);
+    private final BodyStore bodies = new BodyStore();
+    private final ContactStore contacts = new ContactStore();
+
+    @Test
+    void whatPersistsIsAFunctionOfThePresentContacts() {
+        System.out.println("seed 20261122");
+        bodies.ensureCapacity(BODIES);
+        bodies.slotCount = BODIES;
+        for (int i = 0; i < BODIES; i++) {
+            bodies.kind[i] = i < 5 ? BodyStore.STATIC : BodyStore.DYNAMIC;
+        }
+        contacts.ensureCapacity(ROWS);
+        contacts.count = ROWS;
+        contacts.activateAll();
+        for (int row = 0; row < ROWS; row++) {
+            meet(row);
+        }
+        Made kept = new Made();
+        for (int round = 0; round < 60; round++) {
+            // every other round nothing, one kind of change, or several at once
+            int changes = round % 2 == 0 ? 0 : 1 + random.nextInt(7);
+            for (int n = 0; n < 20; n++) {
+                int row = random.nextInt(ROWS);
+                if ((changes & 1) != 0) {
+                    press(row);
+                }
+                if ((changes & 2) != 0) {
+                    contacts.pointCount[row] = 1 + random.nextInt(ContactStore.POINTS);
+                }
+                if ((changes & 4) != 0) {
+                    meet(row);
+                }
+            }
+            Made fresh = new Made();
+            fresh.run();
+            kept.run();
+            fresh.assertSame(kept, "round " + round + ", changes " + changes);
+        }
+    }
+
+    private void meet(int row) {
+        // islands of forty bodies
+        int first = random.nextInt(BODIES / 40) * 40;
+        int a = first + random.nextInt(40);
+        int b = first + random.nextInt(40);
+        boolean held = a < 5 && b < 5;
+        contacts.bodyA[row] = a;
+        contacts.bodyB[row] = held || a == b ? first + (a - first + 7) % 40 : b;
+        contacts.pointCount[row] = random.nextInt(ContactStore.POINTS + 1);
+        press(row);
+    }
+
+    private void press(int row) {
+        int p = ContactStore.POINTS * row;
+        Arrays.fill(
+                contacts.normalImpulse,
+                p,
+                p + ContactStore.POINTS,
+                random.nextBoolean() ? 0 : random.nextDouble());
+    }
+
+    /** A collector with what it fills. */
+    private final class Made {
+        final Colouring colouring = new Colouring();
+        final Batches batches = new Batches();
+        final Collector collector = new Collector(colouring, batches);
+        final ConstraintRows rows = new ConstraintRows(4);
+        final int[] guide = new int[BODIES];
+
+        void run() {
+            collector.run(bodies, contacts, rows, guide, 2);
+        }
+
+        void assertSame(Made other, String where) {
+            assertEquals(rows.count, other.rows.count, where);
+            assertEquals(rows.places, other.rows.places, where);
+            same(rows.source, other.rows.source, rows.count, where + ", source");
+            same(rows.place, other.rows.place, rows.count, where + ", place");
+            int links = rows.places * ConstraintRows.LINK;
+            same(rows.link, other.rows.link, links, where + ", link");
+            same(guide, other.guide, BODIES, where + ", guide");
+            assertEquals(colouring.colours, other.colouring.colours, where);
+            same(colouring.start, other.colouring.start, colouring.colours + 1, where + ", start");
+            same(colouring.size, other.colouring.size, colouring.colours, where + ", size");
+            assertEquals(batches.count, other.batches.count, where);
+            same(
+                    colouring.firstColour,
+                    other.colouring.firstColour,
+                    batches.count + 1,
+                    where + ", first colour");
+            int bound = batches.firstBody[batches.count];
+            same(batches.order, other.batches.order, bound, where + ", order");
+        }
+
+        private void same(int[] expected, int[] actual, int n, String where) {
+            assertArrayEquals(Arrays.copyOf(expected, n), Arrays.copyOf(actual, n), where);
+        }
+    }
+}
