@@ -14,6 +14,9 @@ final class Axes {
 
     static final double NEVER = -Double.MAX_VALUE;
 
+    /** Cosine of 8 degrees: edges whose perpendicular is farther from the axis are not its own. */
+    private static final double ALIGNED = 0.99;
+
     int faceA, faceB;
     double separationA, separationB;
 
@@ -36,6 +39,7 @@ final class Axes {
     private final int[] nearA = new int[NEAREST_EDGES], nearB = new int[NEAREST_EDGES];
     private final double[] cosine = new double[NEAREST_EDGES];
     double cx, cy, cz;
+    private double crossDot, crossSquare;
 
     double best() {
         return Math.max(
@@ -223,14 +227,22 @@ final class Axes {
      * each.
      */
     void snap(Pair p, double x, double y, double z) {
+        int vb =
+                p.b.support(
+                        -(p.r00 * x + p.r10 * y + p.r20 * z),
+                        -(p.r01 * x + p.r11 * y + p.r21 * z),
+                        -(p.r02 * x + p.r12 * y + p.r22 * z));
+        snap(p, x, y, z, p.a.support(x, y, z), vb);
+    }
+
+    /** The same where the support vertices along the axis are known. */
+    void snap(Pair p, double x, double y, double z, int va, int vb) {
         rawX = x;
         rawY = y;
         rawZ = z;
-        int va = p.a.support(x, y, z);
         double bx = p.r00 * x + p.r10 * y + p.r20 * z;
         double by = p.r01 * x + p.r11 * y + p.r21 * z;
         double bz = p.r02 * x + p.r12 * y + p.r22 * z;
-        int vb = p.b.support(-bx, -by, -bz);
         p.vertexB(vb);
         separationRaw =
                 (p.px - p.a.vertexX(va)) * x
@@ -319,22 +331,24 @@ final class Axes {
         separationEdge = NEVER;
         int countA = nearestEdges(p.a, va, rawX, rawY, rawZ, nearA);
         int countB = nearestEdges(p.b, vb, bx, by, bz, nearB);
-        double align = 0.99;
+        double align = ALIGNED * ALIGNED;
+        boolean found = false;
         for (int i = 0; i < countA; i++) {
             for (int j = 0; j < countB; j++) {
-                double dot = cross(p, nearA[i], nearB[j]);
-                if (dot > align) {
-                    align = dot;
+                double square = alignment(p, nearA[i], nearB[j]);
+                if (square > align) {
+                    align = square;
                     edgeA = nearA[i];
                     edgeB = nearB[j];
-                    edgeX = cx;
-                    edgeY = cy;
-                    edgeZ = cz;
-                    separationEdge = 0;
+                    found = true;
                 }
             }
         }
-        if (separationEdge == 0) {
+        if (found) {
+            cross(p, edgeA, edgeB);
+            edgeX = cx;
+            edgeY = cy;
+            edgeZ = cz;
             separationEdge = p.separation(edgeX, edgeY, edgeZ);
         }
     }
@@ -347,7 +361,8 @@ final class Axes {
             double ex = h.vertexX(to) - h.vertexX(vertex);
             double ey = h.vertexY(to) - h.vertexY(vertex);
             double ez = h.vertexZ(to) - h.vertexZ(vertex);
-            double c = Math.abs(ex * x + ey * y + ez * z) / Math.sqrt(ex * ex + ey * ey + ez * ez);
+            double dot = ex * x + ey * y + ez * z;
+            double c = dot * dot / (ex * ex + ey * ey + ez * ez);
             int at = count;
             while (at > 0 && cosine[at - 1] > c) {
                 at--;
@@ -370,6 +385,20 @@ final class Axes {
      * cosine with that axis.
      */
     double cross(Pair p, int ea, int eb) {
+        if (alignment(p, ea, eb) == 0) {
+            return 0;
+        }
+        double scale = (crossDot < 0 ? -1 : 1) / Math.sqrt(crossSquare);
+        cx *= scale;
+        cy *= scale;
+        cz *= scale;
+        return Math.abs(crossDot * scale);
+    }
+
+    /**
+     * The square of that cosine, and the product not of unit length; 0 for edges that are parallel.
+     */
+    private double alignment(Pair p, int ea, int eb) {
         Polyhedron a = p.a;
         Polyhedron b = p.b;
         double ux = a.vertexX(a.edgeTo(ea)) - a.vertexX(a.edgeFrom(ea));
@@ -390,10 +419,11 @@ final class Axes {
             return 0;
         }
         double dot = nx * rawX + ny * rawY + nz * rawZ;
-        double scale = (dot < 0 ? -1 : 1) / Math.sqrt(square);
-        cx = nx * scale;
-        cy = ny * scale;
-        cz = nz * scale;
-        return Math.abs(dot * scale);
+        cx = nx;
+        cy = ny;
+        cz = nz;
+        crossDot = dot;
+        crossSquare = square;
+        return dot * dot / square;
     }
 }

@@ -22,6 +22,9 @@ final class Epa {
     /** Unit axis from A to B along which the overlap is least. */
     double axisX, axisY, axisZ;
 
+    /** The support vertices along that axis. */
+    int vertexA, vertexB;
+
     /** Overlap of the cores along the axis, and a lower bound of the depth. */
     double depth, lower;
 
@@ -91,6 +94,8 @@ final class Epa {
                 axisX = -ax;
                 axisY = -ay;
                 axisZ = -az;
+                vertexA = ia[w];
+                vertexB = ib[w];
             }
             double enough = Math.max(TOLERANCE * pair.scale, Math.min(tolerance, share * depth));
             if (reach - lower <= enough || depth - lower <= enough) {
@@ -211,8 +216,13 @@ final class Epa {
         freeCount = 0;
         int use = gjk.count;
         for (int i = 0; i < use; i++) {
-            put(pair, gjk.ia[i], gjk.ib[i]);
+            ia[i] = gjk.ia[i];
+            ib[i] = gjk.ib[i];
+            x[i] = gjk.wx[i];
+            y[i] = gjk.wy[i];
+            z[i] = gjk.wz[i];
         }
+        points = use;
         use = independentStart ? independent(pair, use) : use;
         points = use;
         if (use < 2) {

@@ -151,7 +151,7 @@ final class PolyhedronAxis {
         tried[0] = epa.axisX;
         tried[1] = epa.axisY;
         tried[2] = epa.axisZ;
-        axes.snap(pair, epa.axisX, epa.axisY, epa.axisZ);
+        axes.snap(pair, epa.axisX, epa.axisY, epa.axisZ, epa.vertexA, epa.vertexB);
         int best = 0;
         int count = 1;
         double most = axes.best();

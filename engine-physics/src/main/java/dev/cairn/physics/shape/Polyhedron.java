@@ -407,16 +407,29 @@ public final class Polyhedron {
         if (vertexCount() > SCANNED) {
             return climb(dx, dy, dz, start(dx, dy, dz));
         }
-        int best = 0;
-        double bestDot = along(0, dx, dy, dz);
-        for (int v = 1; v < vertexCount(); v++) {
-            double dot = along(v, dx, dy, dz);
-            if (dot > bestDot) {
-                bestDot = dot;
-                best = v;
+        return scan(dx, dy, dz);
+    }
+
+    /**
+     * The first vertex with the greatest product. That is not negative, for the centre is inside,
+     * so its bits are the greatest as well, and their maximum takes no branch that a processor
+     * would have to guess.
+     */
+    private int scan(double dx, double dy, double dz) {
+        double[] p = vertex;
+        long most = Long.MIN_VALUE;
+        for (int i = 0; i < p.length - 3; i += 4) {
+            double dot = p[i] * dx + p[i + 1] * dy + p[i + 2] * dz;
+            most = Math.max(most, Double.doubleToRawLongBits(dot));
+        }
+        double greatest = Double.longBitsToDouble(most);
+        for (int i = 0; i < p.length - 3; i += 4) {
+            if (p[i] * dx + p[i + 1] * dy + p[i + 2] * dz == greatest) {
+                return i >> 2;
             }
         }
-        return best;
+        // Not a number.
+        return 0;
     }
 
     /**

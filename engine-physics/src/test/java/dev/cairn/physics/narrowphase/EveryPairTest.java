@@ -15,6 +15,7 @@ import dev.cairn.physics.shape.Shape;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -251,6 +252,23 @@ class EveryPairTest {
     @MethodSource("pairs")
     void g7EveryPairInEverySortOfPose(ShapeKind.Two kinds) {
         run(kinds, 140, 201);
+    }
+
+    /** One of these poses in ten thousand ends GJK on a sliver, far from the nearest points. */
+    @Test
+    void g7HullsOfAMillionToOneAreMeasuredAlikeFromBothSides() {
+        ShapeKind.Two hulls = new ShapeKind.Two(ShapeKind.HULL, ShapeKind.HULL);
+        SplittableRandom r = new SplittableRandom(5);
+        for (int i = 0; i < 8_000; i++) {
+            Scene s = Sort.A_MILLION_TO_ONE.scene(r, hulls);
+            String where = "seed 5 pose " + i;
+            double size = ShapeKind.size(s) + s.d.length();
+            double d = s.distance(special);
+            Vector3d axis = axis(special);
+            assertEquals(d, s.swapped().distance(special), UNEQUAL * size, where);
+            s.d.fma(-d, axis);
+            assertEquals(0, s.distance(special), UNEQUAL * size, where + " pushed out");
+        }
     }
 
     @Tag("soak")
