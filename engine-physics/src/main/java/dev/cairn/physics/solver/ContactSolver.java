@@ -18,6 +18,12 @@ public final class ContactSolver {
     private static final int BODIES_PER_BLOCK = 128;
     private static final int ROWS_PER_BLOCK = 256;
 
+    /**
+     * Rows of a colour to a block. All workers wait for the last block of each of some hundred
+     * passes over colours: small, but some microseconds. A colour of two blocks is left to one.
+     */
+    private static final int COLOUR_ROWS_PER_BLOCK = 64;
+
     /** With fewer contacts the scalar sweeps are fast enough, and need no warm-up. */
     private static final int WIDE_FROM = 256;
 
@@ -63,6 +69,7 @@ public final class ContactSolver {
     private int from;
 
     private int to;
+    private int perBlock;
     private int substep;
 
     /** The sweeps of this tick, and of the colour in work. */
@@ -152,7 +159,8 @@ public final class ContactSolver {
         p.loaded =
                 (settings.loadInertia() > 0 || settings.unloadSweeps() > 0)
                         && loads.run(
-                                bodies, contacts, rows, body, p.gravity, p.step, settings, stacked);
+                                bodies, contacts, rows, body, p.gravity, p.step, settings, stacked,
+                                jobs);
         renewal.ensureCapacity(bodies.slotCount);
         run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK), jobs);
         if (rows.count > 0) {
@@ -168,7 +176,7 @@ public final class ContactSolver {
     }
 
     /** One block needs no other worker, and no protocol. */
-    private static void run(BlockJob job, int blocks, Jobs jobs) {
+    static void run(BlockJob job, int blocks, Jobs jobs) {
         if (blocks == 1) {
             job.run(0, 0);
         } else {
@@ -221,7 +229,9 @@ public final class ContactSolver {
             from = colouring.start[c];
             to = colouring.start[c + 1];
             sweep = sweeps(c);
-            run(job, Blocks.count(to - from, ROWS_PER_BLOCK), jobs);
+            int rowCount = to - from;
+            perBlock = rowCount <= 2 * COLOUR_ROWS_PER_BLOCK ? rowCount : COLOUR_ROWS_PER_BLOCK;
+            run(job, Blocks.count(rowCount, perBlock), jobs);
         }
     }
 
@@ -265,7 +275,7 @@ public final class ContactSolver {
             p.finish(head, tail);
         }
         p.storeBodies(head, tail);
-        p.storeRows(renewed, start[first], start[last]);
+        p.storeRows(renewed, start[first], start[last], own);
     }
 
     private void begin(int block, int worker) {
@@ -274,11 +284,11 @@ public final class ContactSolver {
     }
 
     private int rowsFrom(int block) {
-        return from + Blocks.begin(block, ROWS_PER_BLOCK);
+        return from + Blocks.begin(block, perBlock);
     }
 
     private int rowsTo(int block) {
-        return from + Blocks.end(block, ROWS_PER_BLOCK, to - from);
+        return from + Blocks.end(block, perBlock, to - from);
     }
 
     private int bodiesTo(int block) {
@@ -313,7 +323,7 @@ public final class ContactSolver {
     }
 
     private void storeRows(int block, int worker) {
-        passes.storeRows(renews, rowsFrom(block), rowsTo(block));
+        passes.storeRows(renews, rowsFrom(block), rowsTo(block), scratch[worker]);
     }
 
     private void kick(int block, int worker) {

@@ -79,6 +79,9 @@ final class LanePrepare implements RowFiller {
     /** How far from the patch's middle a point rubs, over its own distance. */
     private static final int SHARE = 98;
 
+    /** What came of the look ahead: nobody reads it. */
+    private static final int TOUCHED = 99;
+
     private static VectorSpecies<Double> species() {
         try {
             int lanes = MethodHandles.classData(MethodHandles.lookup(), "_", Integer.class);
@@ -101,6 +104,9 @@ final class LanePrepare implements RowFiller {
         double[] d = rows.row;
         for (int j = from; j < to; j += L) {
             int o = START + j * FIELDS;
+            if (j + L < to) {
+                scratch[TOUCHED * L] = Touch.contacts(rows, contacts, j + L, j + 2 * L);
+            }
             int n = 0;
             boolean rough = false;
             for (int l = 0; l < L; l++) {

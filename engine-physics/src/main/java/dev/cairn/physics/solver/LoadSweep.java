@@ -1,5 +1,8 @@
 package dev.cairn.physics.solver;
 
+import dev.cairn.core.job.BlockJob;
+import dev.cairn.core.job.Blocks;
+import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 
@@ -23,7 +26,8 @@ import java.util.Arrays;
  * tick. The order is a function of the state alone. Speeds are measured by {@code sqrt(g r)} of the
  * smaller body, lengths by its radius, so that scenes of any size behave alike.
  *
- * <p>Simulation thread; allocates only when a store has grown. Source: own study.
+ * <p>Simulation thread, what bodies and contacts tell by themselves in blocks; allocates only when
+ * a store has grown. Source: own study.
  */
 final class LoadSweep {
     /** Contacts steeper than this (cosine with up) carry no load. */
@@ -56,8 +60,14 @@ final class LoadSweep {
     static final int HOLD = 18;
 
     private static final int HOPS = 2;
+    private static final int BODIES_PER_BLOCK = 256;
+    private static final int ROWS_PER_BLOCK = 512;
     private static final byte HURT = 1;
     private static final byte FALLS = 2;
+
+    private final BlockJob measureJob = this::measure;
+    private final BlockJob lookJob = this::look;
+    private final BlockJob scaleJob = this::scale;
 
     private double[] height = {};
     private double[] load = {};
@@ -83,6 +93,8 @@ final class LoadSweep {
     private double upY;
     private double upZ;
     private double gravity;
+    private double stepSeconds;
+    private SolverSettings settings = SolverSettings.DEFAULT;
 
     /**
      * Brings {@link BodyStore#inertiaScale} and {@link BodyStore#restTicks} of this tick up to
@@ -90,6 +102,7 @@ final class LoadSweep {
      *
      * @param state its guide tells who has contacts
      * @param stacked whether any two dynamic bodies touch
+     * @param jobs runs the blocks
      * @return false if nothing rests on anything that moves: all scales count as 1
      */
     boolean run(
@@ -99,8 +112,9 @@ final class LoadSweep {
             SolverBodies state,
             double[] g,
             double step,
-            SolverSettings settings,
-            boolean stacked) {
+            SolverSettings solverSettings,
+            boolean stacked,
+            Jobs jobs) {
         gravity = Math.sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
         if (!(gravity > 0) || !(stacked || raised)) {
             stale = true;
@@ -114,17 +128,19 @@ final class LoadSweep {
         contacts = contactStore;
         rows = contactRows;
         guide = state.guide;
+        stepSeconds = step;
+        settings = solverSettings;
         ensureCapacity();
-        measure(step);
-        for (int m = 0; m < rows.count; m++) {
-            gate(m, step);
-        }
+        int bodyBlocks = Blocks.count(bodies.slotCount, BODIES_PER_BLOCK);
+        ContactSolver.run(measureJob, bodyBlocks, jobs);
+        ContactSolver.run(lookJob, Blocks.count(rows.count, ROWS_PER_BLOCK), jobs);
         spread();
         edges();
         sort();
         descend();
         ground();
-        scale(settings);
+        raised = false;
+        ContactSolver.run(scaleJob, bodyBlocks, jobs);
         stale = false;
         return true;
     }
@@ -150,10 +166,11 @@ final class LoadSweep {
     }
 
     /** Height, acceleration since the last tick, and largest speed of any point, of each body. */
-    private void measure(double step) {
+    private void measure(int block, int worker) {
         BodyStore b = bodies;
-        double inverse = 1 / (gravity * step);
-        for (int i = 0; i < b.slotCount; i++) {
+        double inverse = 1 / (gravity * stepSeconds);
+        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
+        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             rough[i] = 0;
             load[i] = 0;
             reach[i] = 0;
@@ -206,8 +223,21 @@ final class LoadSweep {
         return Math.sqrt(x * x + y * y + z * z);
     }
 
+    /** Who is disturbed, and who carries whom; a mark is the same whoever writes it. */
+    private void look(int block, int worker) {
+        int end = Blocks.end(block, ROWS_PER_BLOCK, rows.count);
+        for (int m = Blocks.begin(block, ROWS_PER_BLOCK); m < end; m++) {
+            gate(m);
+            int i = carried(m);
+            upper[m] = i;
+            if (i >= 0) {
+                weight[m] = weight(m);
+            }
+        }
+    }
+
     /** Marks the bodies of a contact that is hit, slips, or is deep. */
-    private void gate(int m, double step) {
+    private void gate(int m) {
         int source = rows.source[m];
         int a = contacts.bodyA[source];
         int b = contacts.bodyB[source];
@@ -218,7 +248,7 @@ final class LoadSweep {
         boolean moving = reach[a] + reach[b] > SLIP * unit;
         for (int p = from; p < to; p++) {
             double s = contacts.separation[p];
-            if (s < -DEEP * radius || (moving && disturbed(source, p, a, b, radius, unit, step))) {
+            if (s < -DEEP * radius || (moving && disturbed(source, p, a, b, radius, unit))) {
                 rough[a] = HURT;
                 rough[b] = HURT;
                 return;
@@ -234,8 +264,7 @@ final class LoadSweep {
                         : Math.min(bodies.innerRadius[a], bodies.innerRadius[b]);
     }
 
-    private boolean disturbed(
-            int source, int p, int a, int b, double radius, double unit, double step) {
+    private boolean disturbed(int source, int p, int a, int b, double radius, double unit) {
         BodyStore s = bodies;
         ContactStore c = contacts;
         double x =
@@ -260,7 +289,7 @@ final class LoadSweep {
                         - s.angularVelocityX[a] * c.anchorAY(p)
                         + s.angularVelocityY[a] * c.anchorAX(p);
         double vn = x * c.normalX(source) + y * c.normalY(source) + z * c.normalZ(source);
-        if (vn < -HIT * unit && c.separation[p] + vn * step < 0) {
+        if (vn < -HIT * unit && c.separation[p] + vn * stepSeconds < 0) {
             return true;
         }
         double slip = SLIP * unit;
@@ -297,11 +326,8 @@ final class LoadSweep {
         int n = bodies.slotCount;
         Arrays.fill(first, 0, n + 1, 0);
         for (int m = 0; m < rows.count; m++) {
-            int i = carried(m);
-            upper[m] = i;
-            if (i >= 0) {
-                first[i + 1]++;
-                weight[m] = weight(m);
+            if (upper[m] >= 0) {
+                first[upper[m] + 1]++;
             }
         }
         for (int i = 0; i < n; i++) {
@@ -465,11 +491,12 @@ final class LoadSweep {
         return sum;
     }
 
-    private void scale(SolverSettings settings) {
+    private void scale(int block, int worker) {
         BodyStore b = bodies;
-        raised = false;
+        boolean any = false;
         double limit = settings.restAcceleration();
-        for (int i = 0; i < b.slotCount; i++) {
+        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
+        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             if (b.kind[i] != BodyStore.DYNAMIC) {
                 continue;
             }
@@ -504,7 +531,10 @@ final class LoadSweep {
                 s = s < 1.001 && wanted == 1 ? 1 : s;
             }
             b.inertiaScale[i] = s;
-            raised |= s > 1;
+            any |= s > 1;
+        }
+        if (any) {
+            raised = true; // by whoever finds one
         }
     }
 }

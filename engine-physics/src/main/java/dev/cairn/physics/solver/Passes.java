@@ -16,6 +16,9 @@ final class Passes {
      */
     private static final double STILL = 0.125;
 
+    /** Rows that the store touches at once. */
+    private static final int AHEAD = 8;
+
     final SolverBodies body = new SolverBodies();
     final ConstraintRows rows;
     final SubStep sub = new SubStep();
@@ -156,9 +159,14 @@ final class Passes {
     }
 
     /** Writes the impulses of the rows back, and tells their bodies what presses on them. */
-    void storeRows(boolean renewed, int from, int to) {
+    void storeRows(boolean renewed, int from, int to, double[] scratch) {
         double still = STILL * weight() * step;
         for (int j = from; j < to; j++) {
+            if ((j - from) % AHEAD == 0) {
+                int last = Math.min(to, j + 2 * AHEAD);
+                scratch[Scratch.PACKED] =
+                        Touch.results(rows, contacts, Math.min(to, j + AHEAD), last);
+            }
             if (rows.link[j * ConstraintRows.LINK + ConstraintRows.COUNT] > 0) {
                 storeRow(j, rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE], still);
             }
