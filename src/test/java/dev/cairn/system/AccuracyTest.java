@@ -44,6 +44,8 @@ final class AccuracyTest {
                 "B10",
                 "B13",
                 "B14",
+                "C2",
+                "C3",
                 "C6",
                 "C7",
                 "C8",
@@ -52,6 +54,8 @@ final class AccuracyTest {
                 "E3-1000",
                 "E4-28",
                 "E4-1e3",
+                "E4-1e6",
+                "E16",
                 "E18",
                 "H1",
                 "H2",
@@ -64,7 +68,7 @@ final class AccuracyTest {
 
     @Tag("soak")
     @ParameterizedTest
-    @ValueSource(strings = {"B1", "C1", "C4:pushes told wrongly", "C12", "E1", "E3-100", "E8"})
+    @ValueSource(strings = {"B1", "C1", "C4", "C12", "D2", "E1", "E3-100", "E8"})
     void holdsForLong(String name) {
         check(name);
     }

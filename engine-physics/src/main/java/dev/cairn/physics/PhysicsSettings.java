@@ -23,6 +23,9 @@ import dev.cairn.physics.solver.SolverSettings;
  *     Default 2
  * @param unloadSweeps extra sweeps where the load of a body at rest goes at once, 0 (off) to 64.
  *     Default 10
+ * @param loneSweeps most sweeps in a sub-step over the contact of a body that moves and touches
+ *     nothing but one that does not, 0 (off) to 4096: until its impulses agree. A slide, a stop, a
+ *     tip follow their closed forms. What rests and what is stacked pays nothing. Default 32
  * @param lanes contacts that the solver takes at once: 1 (scalar), 4 or 8, or 0 for what fits this
  *     machine. Speed only: the results are the same. What is asked for by number is warmed up when
  *     the world is made, which takes a second; 0 does so beside a scene that is large enough. Needs
@@ -49,6 +52,7 @@ public record PhysicsSettings(
         double offsetGain,
         double loadInertia,
         int unloadSweeps,
+        int loneSweeps,
         int lanes,
         double speculativeTime,
         double speculativeFraction,
@@ -67,6 +71,7 @@ public record PhysicsSettings(
                     SolverSettings.DEFAULT.offsetGain(),
                     SolverSettings.DEFAULT.loadInertia(),
                     SolverSettings.DEFAULT.unloadSweeps(),
+                    SolverSettings.DEFAULT.loneSweeps(),
                     SolverSettings.DEFAULT.lanes(),
                     1,
                     0.02,
@@ -90,6 +95,7 @@ public record PhysicsSettings(
         Checks.between("offsetGain", offsetGain, 0, 0.05);
         Checks.between("loadInertia", loadInertia, 0, 10);
         Checks.between("unloadSweeps", unloadSweeps, 0, 64);
+        Checks.between("loneSweeps", loneSweeps, 0, 4096);
         if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8) {
             throw new IllegalArgumentException(
                     "lanes must be 1, 4 or 8, or 0 for what fits this machine, but is " + lanes);
@@ -117,6 +123,7 @@ public record PhysicsSettings(
                 offsetGain,
                 loadInertia,
                 unloadSweeps,
+                loneSweeps,
                 lanes,
                 speculativeTime,
                 speculativeFraction,
@@ -142,6 +149,7 @@ public record PhysicsSettings(
                 offsetGain,
                 loadInertia,
                 unloadSweeps,
+                loneSweeps,
                 lanes,
                 speculativeTime,
                 speculativeFraction,
@@ -167,6 +175,7 @@ public record PhysicsSettings(
                 offsetGain,
                 loadInertia,
                 unloadSweeps,
+                loneSweeps,
                 lanes,
                 speculativeTime,
                 speculativeFraction,
@@ -192,6 +201,7 @@ public record PhysicsSettings(
                 value,
                 loadInertia,
                 unloadSweeps,
+                loneSweeps,
                 lanes,
                 speculativeTime,
                 speculativeFraction,
@@ -217,6 +227,7 @@ public record PhysicsSettings(
                 offsetGain,
                 value,
                 unloadSweeps,
+                loneSweeps,
                 lanes,
                 speculativeTime,
                 speculativeFraction,
@@ -241,6 +252,33 @@ public record PhysicsSettings(
                 restitutionThreshold,
                 offsetGain,
                 loadInertia,
+                value,
+                loneSweeps,
+                lanes,
+                speculativeTime,
+                speculativeFraction,
+                boundsMargin,
+                boundsTime,
+                sleeping,
+                sleepSeconds);
+    }
+
+    /**
+     * These settings with other sweeps of lone contacts.
+     *
+     * @param value see the component
+     * @return new settings
+     */
+    public PhysicsSettings withLoneSweeps(int value) {
+        return new PhysicsSettings(
+                substeps,
+                contactStiffness,
+                contactDampingRatio,
+                pushSpeed,
+                restitutionThreshold,
+                offsetGain,
+                loadInertia,
+                unloadSweeps,
                 value,
                 lanes,
                 speculativeTime,
@@ -267,6 +305,7 @@ public record PhysicsSettings(
                 offsetGain,
                 loadInertia,
                 unloadSweeps,
+                loneSweeps,
                 value,
                 speculativeTime,
                 speculativeFraction,
@@ -292,6 +331,7 @@ public record PhysicsSettings(
                 offsetGain,
                 loadInertia,
                 unloadSweeps,
+                loneSweeps,
                 lanes,
                 speculativeTime,
                 speculativeFraction,
@@ -317,6 +357,7 @@ public record PhysicsSettings(
                 offsetGain,
                 loadInertia,
                 unloadSweeps,
+                loneSweeps,
                 lanes,
                 speculativeTime,
                 speculativeFraction,
@@ -337,6 +378,7 @@ public record PhysicsSettings(
                         SolverSettings.DEFAULT.restAcceleration(),
                         SolverSettings.DEFAULT.inertiaFloor())
                 .withUnloadSweeps(unloadSweeps)
+                .withLoneSweeps(loneSweeps)
                 .withLanes(lanes);
     }
 }

@@ -172,7 +172,7 @@ public final class Main {
      * @param arguments the options; {@code --help} lists them
      */
     public static void main(String[] arguments) {
-        endWithLauncher();
+        Launched.endWithLauncher();
         System.exit(run(arguments, System.out, System.err, hasDisplay(System.getenv())));
     }
 
@@ -262,21 +262,6 @@ public final class Main {
     static boolean onTerminal() {
         Console console = System.console();
         return console != null && console.isTerminal();
-    }
-
-    /**
-     * Ends this process when the launcher that started it is killed, so that no orphan keeps
-     * computing.
-     */
-    @SuppressWarnings(
-            "FutureReturnValueIgnored") // It ends the process; nobody is left to look at a result.
-    private static void endWithLauncher() {
-        Long launcher = Long.getLong("cairn.launcher");
-        if (launcher != null) {
-            ProcessHandle.of(launcher)
-                    .ifPresent(handle ->
-                            handle.onExit().thenRun(() -> Runtime.getRuntime().halt(FAILED)));
-        }
     }
 
     /** The answer to {@code --version}. */

@@ -15,18 +15,18 @@ import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Starts the samples on a Java that can run them, with the flags that they need.
+ * Starts a program of Cairn's, such as the samples, on a Java that can run it, with the flags that
+ * it needs.
  *
  * <p>A jar's manifest can neither choose a Java nor add a module. So this class, compiled for Java
- * 8, looks at the Java that runs it. With the right release and flags it calls {@code Main} in
- * place; otherwise it starts {@code Main} in a child process: on this Java if only flags miss, else
- * on a JDK 25 that {@link JdkSearch} finds. The child shares the console and gets the user's own
- * JVM options; its exit code becomes ours; and it ends when this process is told to end. The child
- * starts {@code Main}, not this class, so there is no way to relaunch for ever.
+ * 8, looks at the Java that runs it. With the right release and flags it calls the program's {@code
+ * Main} in place; otherwise it starts {@code Main} in a child process: on this Java if only flags
+ * miss, else on a JDK 25 that {@link JdkSearch} finds. The child shares the console and gets the
+ * user's own JVM options; its exit code becomes ours; and it ends when this process is told to end.
+ * The child starts {@code Main}, not this class, so there is no way to relaunch for ever.
  */
 public final class Launcher {
 
-    private static final String MAIN = "dev.cairn.samples.Main";
     private static final int EXIT_UNUSABLE = 2;
     private static final byte[] WARNING =
             "WARNING: Using incubator modules: ".getBytes(StandardCharsets.US_ASCII);
@@ -39,20 +39,32 @@ public final class Launcher {
      * @param arguments the arguments of the samples; {@code --help} lists them
      */
     public static void main(String[] arguments) {
+        launch("dev.cairn.samples.Main", "Cairn's samples", arguments);
+    }
+
+    /**
+     * Runs a program and ends this process with its exit code.
+     *
+     * @param main name of the class whose {@code main} is called
+     * @param name of the program in messages, a plural
+     * @param arguments of the program
+     */
+    public static void launch(String main, String name, String[] arguments) {
         List<String> jvmOptions = ManagementFactory.getRuntimeMXBean().getInputArguments();
         File home = new File(System.getProperty("java.home", "."));
         boolean recent =
                 JdkSearch.feature(System.getProperty("java.specification.version", ""))
                         >= JdkSearch.NEEDED;
         if (recent && missingFlags(home, jvmOptions).isEmpty()) {
-            callMain(arguments);
+            callMain(main, name, arguments);
             return;
         }
         if (!recent) {
             File found = JdkSearch.ofThisMachine().find();
             if (found == null) {
                 System.err.println(
-                        "Cairn's samples need a JDK "
+                        name
+                                + " need a JDK "
                                 + JdkSearch.NEEDED
                                 + ", and this is Java "
                                 + System.getProperty("java.version")
@@ -71,6 +83,7 @@ public final class Launcher {
                                 home,
                                 jvmOptions,
                                 System.getProperty("java.class.path", "."),
+                                main,
                                 arguments)));
     }
 
@@ -126,7 +139,7 @@ public final class Launcher {
 
     /** Returns the child's command line. */
     static List<String> command(
-            File home, List<String> jvmOptions, String classPath, String[] arguments) {
+            File home, List<String> jvmOptions, String classPath, String main, String[] arguments) {
         List<String> command = new ArrayList<String>();
         command.add(JdkSearch.executable(home).getPath());
         for (String option : jvmOptions) {
@@ -139,7 +152,7 @@ public final class Launcher {
         command.add("-Dcairn.launcher=" + processId());
         command.add("-classpath");
         command.add(classPath);
-        command.add(MAIN);
+        command.add(main);
         command.addAll(Arrays.asList(arguments));
         return command;
     }
@@ -236,13 +249,13 @@ public final class Launcher {
         }
     }
 
-    private static void callMain(String[] arguments) {
+    private static void callMain(String main, String name, String[] arguments) {
         try {
-            Method main = Class.forName(MAIN).getMethod("main", String[].class);
-            main.invoke(null, (Object) arguments);
+            Method method = Class.forName(main).getMethod("main", String[].class);
+            method.invoke(null, (Object) arguments);
         } catch (InvocationTargetException failure) {
             Throwable cause = failure.getCause();
-            System.err.println("The samples failed: " + cause);
+            System.err.println(name + " failed: " + cause);
             cause.printStackTrace();
             System.exit(1);
         } catch (ReflectiveOperationException incomplete) {

@@ -135,7 +135,12 @@ class JdkSearchTest {
         assertTrue(all.contains("--add-modules=jdk.incubator.vector"), all.toString());
         assertTrue(all.contains("--enable-native-access=ALL-UNNAMED"), all.toString());
         List<String> command =
-                Launcher.command(home, List.of("-Xmx1g"), "a.jar", new String[] {"--list"});
+                Launcher.command(
+                        home,
+                        List.of("-Xmx1g"),
+                        "a.jar",
+                        "dev.cairn.samples.Main",
+                        new String[] {"--list"});
         assertTrue(command.contains("-Xmx1g"), command.toString());
         assertEquals("dev.cairn.samples.Main", command.get(command.size() - 2));
         assertEquals("--list", command.get(command.size() - 1));

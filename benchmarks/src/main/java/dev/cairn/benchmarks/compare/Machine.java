@@ -1,14 +1,16 @@
 package dev.cairn.benchmarks.compare;
 
+import java.io.File;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
-import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
 import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Scanner;
+import java.util.stream.Stream;
 
 /** Describes what a report was measured on, as far as the system tells. */
 final class Machine {
@@ -58,25 +60,26 @@ final class Machine {
     }
 
     /**
-     * Returns what tells one build of this jar from another: size and time of the file, or the
-     * newest class.
+     * Returns what tells one build from another: size and newest time of the files on the class
+     * path, of one jar or of folders of classes.
      */
     static String build() {
-        try {
-            Path code =
-                    Path.of(
-                            Machine.class
-                                    .getProtectionDomain()
-                                    .getCodeSource()
-                                    .getLocation()
-                                    .toURI());
-            if (Files.isRegularFile(code)) {
-                return Files.size(code) + " bytes of " + Files.getLastModifiedTime(code);
+        long bytes = 0;
+        FileTime newest = FileTime.fromMillis(0);
+        for (String entry : System.getProperty("java.class.path").split(File.pathSeparator, -1)) {
+            try (Stream<Path> files = Files.walk(Path.of(entry))) {
+                for (Path file : (Iterable<Path>) files::iterator) {
+                    if (Files.isRegularFile(file)) {
+                        bytes += Files.size(file);
+                        FileTime time = Files.getLastModifiedTime(file);
+                        newest = time.compareTo(newest) > 0 ? time : newest;
+                    }
+                }
+            } catch (IOException | RuntimeException unreadable) {
+                bytes++; // what is on the path but not there tells nothing of the build
             }
-            return "classes";
-        } catch (IOException | URISyntaxException | RuntimeException unknown) {
-            return "unknown";
         }
+        return bytes + " bytes of " + newest;
     }
 
     static String processor() {

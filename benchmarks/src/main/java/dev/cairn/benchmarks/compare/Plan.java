@@ -68,7 +68,7 @@ record Plan(
         setup.put("seconds per point", Double.toString(pointSeconds));
         setup.put("warm-up seconds", Double.toString(warmSeconds));
         setup.put("seconds per error run", Double.toString(judgeSeconds));
-        setup.put("build of this jar", Machine.build());
+        setup.put("build", Machine.build());
         setup.put("JVM", Runtime.version().toString());
         setup.put("processor", Machine.processor());
         return setup;

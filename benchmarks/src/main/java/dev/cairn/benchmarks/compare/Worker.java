@@ -60,10 +60,20 @@ final class Worker {
                 new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
         for (String line = in.readLine(); line != null; line = in.readLine()) {
             Protocol.Request request = gson.fromJson(line, Protocol.Request.class);
-            out.println(Protocol.MARK + gson.toJson(worker.answer(request)));
+            out.println(Protocol.MARK + line(gson, worker.answer(request)));
         }
         // Native threads of an engine may still run; they must not keep the JVM.
         System.exit(0);
+    }
+
+    /** An answer that JSON cannot hold is our mistake, not the engine's end. */
+    static String line(Gson gson, Protocol.Answer answer) {
+        try {
+            return gson.toJson(answer);
+        } catch (IllegalArgumentException notFinite) {
+            return gson.toJson(
+                    Protocol.Answer.failed("the measurement gave no number: " + answer, false));
+        }
     }
 
     Protocol.Answer answer(Protocol.Request request) {
@@ -186,11 +196,11 @@ final class Worker {
         Clock clock = new Clock();
         try (Judge judge = new Judge(scene)) {
             SceneDescription description = judge.description();
-            while (clock.wall < wanted && System.nanoTime() - start < BUILD_SHARE * wanted) {
+            do { // once at least, however long building takes
                 try (Peer peer = engine.create(description, request.peer())) {
                     run(scene, judge.built(), peer, clock, mostNanos);
                 }
-            }
+            } while (clock.wall < wanted && System.nanoTime() - start < BUILD_SHARE * wanted);
             long[] sorted = Arrays.copyOf(nanos, clock.ticks);
             Arrays.sort(sorted);
             int bodies = description.movable();

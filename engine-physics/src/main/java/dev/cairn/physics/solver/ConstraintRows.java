@@ -139,6 +139,11 @@ final class ConstraintRows {
         return START + (j - lane) * FIELDS + lane;
     }
 
+    /** Points of the row at place {@code j}. */
+    int points(int j) {
+        return link[j * LINK + COUNT];
+    }
+
     void ensureRows(int rows) {
         if (rows > source.length) {
             int n = Math.max(rows, Math.max(64, source.length + (source.length >> 1)));

@@ -272,7 +272,7 @@ public final class ContactSolver {
             for (int c = first; c < last; c++) {
                 p.relax(sweeps(c), start[c], start[c + 1], own);
             }
-            p.finish(head, tail);
+            p.finish(head, tail, own);
         }
         p.storeBodies(head, tail);
         p.storeRows(renewed, start[first], start[last], own);
@@ -343,7 +343,7 @@ public final class ContactSolver {
     }
 
     private void finish(int block, int worker) {
-        passes.finish(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
+        passes.finish(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block), scratch[worker]);
     }
 
     private void storeBodies(int block, int worker) {

@@ -45,7 +45,9 @@ final class LoadSweep {
     /** Slip over {@code sqrt(g r)}: 0.1 m/s for a cube of 1 m. */
     private static final double SLIP = 0.045;
 
-    private static final double LARGEST = 1000;
+    /** A body that is disturbed keeps no more than so many times its own inertia. */
+    private static final double LARGEST_FLOOR = 50;
+
     private static final double DECAY = 0.7;
 
     /**
@@ -506,8 +508,8 @@ final class LoadSweep {
                 continue;
             }
             double own = gravity / b.inverseMass[i];
-            double wanted = Math.max(1, Math.min(LARGEST, settings.loadInertia() * load[i] / own));
-            double floor = Math.max(1, settings.inertiaFloor() * wanted);
+            double wanted = Math.max(1, settings.loadInertia() * load[i] / own);
+            double floor = Math.max(1, Math.min(LARGEST_FLOOR, settings.inertiaFloor() * wanted));
             double unrest = b.unrest[i];
             wanted = floor + (wanted - floor) * Math.max(0, Math.min(1, 2 - 2 * unrest / limit));
             boolean still = rough[i] == 0 && !(unrest > limit);

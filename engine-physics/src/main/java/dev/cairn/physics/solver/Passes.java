@@ -142,9 +142,12 @@ final class Passes {
         }
     }
 
-    void finish(int from, int to) {
+    void finish(int from, int to, double[] scratch) {
         for (int k = from; k < to; k++) {
             int i = order[k];
+            if (body.guide[i] >= 0 && sub.lone > 0) {
+                LoneContact.agree(rows, body.state, sub, body.guide[i], i, scratch);
+            }
             Motion.keep(bodies, body, i);
             if (body.guide[i] >= 0) {
                 Motion.glide(body, i, rows, subStep);

@@ -289,6 +289,15 @@ final class ScalarNormals {
         return sum;
     }
 
+    /** The largest impulse of a point. */
+    static double largest(double[] d, int o, int lanes, int points) {
+        double largest = 0;
+        for (int p = 0; p < points; p++) {
+            largest = Math.max(largest, d[o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes]);
+        }
+        return largest;
+    }
+
     static double dot(double[] d, int o, int lanes, double[] v, int i) {
         return d[o] * v[i] + d[o + lanes] * v[i + 1] + d[o + 2 * lanes] * v[i + 2];
     }

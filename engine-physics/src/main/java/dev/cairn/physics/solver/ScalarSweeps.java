@@ -131,6 +131,38 @@ final class ScalarSweeps implements Sweeps {
         return ScalarNormals.sweep(d, o, lanes, body, a, b, points, sweeps, step, scratch);
     }
 
+    /** One more sweep of the relax pass over a row; returns the largest change of an impulse. */
+    static double again(ConstraintRows rows, double[] body, SubStep sub, int j, double[] scratch) {
+        double[] d = rows.row;
+        int lanes = rows.lanes;
+        int l = j * LINK;
+        int a = rows.link[l];
+        int b = rows.link[l + 1];
+        int n = rows.link[l + ConstraintRows.COUNT];
+        int o = rows.base(j);
+        hard(d, o, lanes, body, a, b, n, sub.inverse, sub.sweeps, HARD, scratch);
+        double worst = 0;
+        for (int p = 0; p < n; p++) {
+            double change = scratch[Scratch.CHANGE + p];
+            d[o + (ConstraintRows.SUM + p) * lanes] += change;
+            worst = Math.max(worst, Math.abs(change));
+        }
+        if (d[o + FRICTION * lanes] > 0) {
+            double x = d[o + ConstraintRows.LAMBDA * lanes];
+            double y = d[o + (ConstraintRows.LAMBDA + 1) * lanes];
+            double twist = d[o + (ConstraintRows.LAMBDA + 2) * lanes];
+            ScalarFriction.rub(d, o, lanes, body, a, b, n);
+            x = d[o + ConstraintRows.LAMBDA * lanes] - x;
+            y = d[o + (ConstraintRows.LAMBDA + 1) * lanes] - y;
+            twist = d[o + (ConstraintRows.LAMBDA + 2) * lanes] - twist;
+            d[o + ConstraintRows.TOTAL * lanes] += x;
+            d[o + (ConstraintRows.TOTAL + 1) * lanes] += y;
+            d[o + (ConstraintRows.TOTAL + 2) * lanes] += twist;
+            worst = Math.max(worst, Math.max(Math.abs(x), Math.abs(y)));
+        }
+        return worst;
+    }
+
     /**
      * Hard normals and friction of the rows that are marked as unloaded, over and over; no totals:
      * the sweeps only correct the first guess of the sub-step.

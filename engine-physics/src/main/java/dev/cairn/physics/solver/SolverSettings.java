@@ -33,6 +33,9 @@ package dev.cairn.physics.solver;
  *     it a light stack under a very heavy top is lost when it is touched.
  * @param unloadSweeps extra sweeps over the island of a body at rest in the tick in which its load
  *     goes, 0 (off) to 64. Without them the old impulses throw the stack up.
+ * @param loneSweeps most sweeps in a sub-step over the contact of a body that moves and touches
+ *     nothing but one that does not, 0 (off) to 4096: until its impulses agree. A slide, a stop, a
+ *     tip follow their closed forms. What rests and what is stacked pays nothing.
  * @param lanes contacts that are solved at once: 1 (scalar), 4 or 8, or 0 for what fits this
  *     machine. Speed only: the results are the same. Without the module {@code
  *     jdk.incubator.vector} it is always 1.
@@ -52,10 +55,11 @@ public record SolverSettings(
         double restAcceleration,
         double inertiaFloor,
         int unloadSweeps,
+        int loneSweeps,
         int lanes) {
     /** The measured defaults. */
     public static final SolverSettings DEFAULT =
-            new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 1, 8, 0.01, 2, 0.05, 0.05, 10, 0);
+            new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 1, 8, 0.01, 2, 0.05, 0.05, 10, 32, 0);
 
     /**
      * Checks every bound.
@@ -77,6 +81,7 @@ public record SolverSettings(
         check("restAcceleration", restAcceleration, 1e-3, 10);
         check("inertiaFloor", inertiaFloor, 0, 1);
         check("unloadSweeps", unloadSweeps, 0, 64);
+        check("loneSweeps", loneSweeps, 0, 4096);
         if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8) {
             throw new IllegalArgumentException(
                     "lanes must be 1, 4 or 8, or 0 for what fits this machine, but is " + lanes);
@@ -113,6 +118,7 @@ public record SolverSettings(
                 restAcceleration,
                 inertiaFloor,
                 unloadSweeps,
+                loneSweeps,
                 lanes);
     }
 
@@ -139,6 +145,7 @@ public record SolverSettings(
                 restAcceleration,
                 inertiaFloor,
                 unloadSweeps,
+                loneSweeps,
                 lanes);
     }
 
@@ -168,6 +175,7 @@ public record SolverSettings(
                 restAcceleration,
                 inertiaFloor,
                 unloadSweeps,
+                loneSweeps,
                 lanes);
     }
 
@@ -195,6 +203,7 @@ public record SolverSettings(
                 restAcceleration,
                 inertiaFloor,
                 unloadSweeps,
+                loneSweeps,
                 lanes);
     }
 
@@ -221,6 +230,7 @@ public record SolverSettings(
                 restAcceleration,
                 inertiaFloor,
                 unloadSweeps,
+                loneSweeps,
                 lanes);
     }
 
@@ -250,6 +260,7 @@ public record SolverSettings(
                 newRestAcceleration,
                 newInertiaFloor,
                 unloadSweeps,
+                loneSweeps,
                 lanes);
     }
 
@@ -275,6 +286,34 @@ public record SolverSettings(
                 loadInertia,
                 restAcceleration,
                 inertiaFloor,
+                value,
+                loneSweeps,
+                lanes);
+    }
+
+    /**
+     * These settings with other sweeps of lone contacts.
+     *
+     * @param value 0 (off) to 4096
+     * @return new settings
+     * @throws IllegalArgumentException if the value is out of its range
+     */
+    public SolverSettings withLoneSweeps(int value) {
+        return new SolverSettings(
+                substeps,
+                hertzPerRate,
+                dampingRatio,
+                staticHertzScale,
+                staticDampingScale,
+                pushSpeed,
+                restitutionThreshold,
+                innerSweeps,
+                coldSweeps,
+                offsetGain,
+                loadInertia,
+                restAcceleration,
+                inertiaFloor,
+                unloadSweeps,
                 value,
                 lanes);
     }
@@ -302,6 +341,7 @@ public record SolverSettings(
                 restAcceleration,
                 inertiaFloor,
                 unloadSweeps,
+                loneSweeps,
                 value);
     }
 }

@@ -28,6 +28,9 @@ final class SubStep {
     int landing;
     int coldRounds;
 
+    /** Most sweeps over a lone contact. */
+    int lone;
+
     void set(double h, Softness soft, Softness fixed, SolverSettings settings) {
         inverse = 1 / h;
         pushSpeed = settings.pushSpeed();
@@ -40,6 +43,7 @@ final class SubStep {
         sweeps = settings.innerSweeps();
         landing = Math.max(sweeps, settings.coldSweeps() / 2);
         coldRounds = settings.coldSweeps();
+        lone = settings.loneSweeps();
     }
 
     /** Impulse of a sub-step that a metre of overlap holds at rest, over the effective mass. */

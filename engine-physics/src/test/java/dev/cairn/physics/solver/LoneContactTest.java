@@ -1,0 +1,63 @@
+package dev.cairn.physics.solver;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.core.job.Jobs;
+
+import org.junit.jupiter.api.Test;
+
+/** A contact that is alone is swept until it agrees. */
+class LoneContactTest {
+    private static final double SLOPE = Math.toRadians(20);
+    private static final double FRICTION = 0.2;
+    private static final double SPEED = 5;
+
+    private static SolverScene scene(int sweeps, double slope, Jobs jobs) {
+        SolverSettings settings = SolverSettings.DEFAULT.withLoneSweeps(sweeps);
+        SolverScene s = new SolverScene(settings, jobs);
+        s.gx = 9.81 * Math.sin(slope);
+        s.gy = -9.81 * Math.cos(slope);
+        return s;
+    }
+
+    private static int box(SolverScene s) {
+        int plane = s.fixed();
+        int box = s.box(2, 0.5, 0.2, 0.4, 0, 0.2, 0);
+        s.boxOnPlane(plane, box, 0, 1, 0, 0, FRICTION, 0);
+        return box;
+    }
+
+    /** Error of the speed after 1 s of a slide from rest; a = g (sin - mu cos). */
+    private static double slide(int sweeps) {
+        try (Jobs jobs = Jobs.of(1)) {
+            SolverScene s = scene(sweeps, SLOPE, jobs);
+            int box = box(s);
+            s.run(1);
+            double speed = 9.81 * (Math.sin(SLOPE) - FRICTION * Math.cos(SLOPE));
+            return Math.abs(s.bodies.velocityX[box] / speed - 1);
+        }
+    }
+
+    @Test
+    void aSlideBeginsWithTheRightFriction() {
+        double with = slide(32);
+        double without = slide(0);
+        assertTrue(with < 1e-12, "relative error of the speed: " + with);
+        assertTrue(without > 10 * with, "the sweeps make no difference: " + without);
+    }
+
+    /** It stops after v²/(2 mu g), which is inside a sub-step. */
+    @Test
+    void aSlideEndsAtItsOwnTime() {
+        try (Jobs jobs = Jobs.of(1)) {
+            SolverScene s = scene(32, 0, jobs);
+            int box = box(s);
+            s.velocity(box, SPEED, 0, 0);
+            s.run(4);
+            double way = SPEED * SPEED / (2 * FRICTION * 9.81);
+            assertEquals(way, s.bodies.positionX[box], 1e-9 * way);
+            assertEquals(0, s.bodies.velocityX[box], 1e-12);
+        }
+    }
+}
