@@ -13,6 +13,7 @@ import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 
+import org.joml.Matrix3d;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -59,6 +60,56 @@ class RoundBodiesTest {
             double spin = ball.angularVelocity().length() * radius;
             assertEquals(1, spin / ball.velocity().length(), 1e-3, shape + " without slip");
         }
+    }
+
+    /**
+     * On a plate that is pulled from under it, on ice: the body is dragged by a, the plate goes
+     * with {@code a (1 + m r²/I)}, and {@code F = m a + M a (1 + m r²/I)}. Nothing lifts or sinks.
+     */
+    private static void rollsOnAPlate(Shape shape, double radius, Quaterniond turn) {
+        double plateMass = 10;
+        double force = 36;
+        try (PhysicsWorld world =
+                PhysicsWorld.builder().gravity(0, -G, 0).workers(1).sleeping(false).build()) {
+            Material ice = Material.DEFAULT.withFriction(0).withRestitution(0);
+            world.add(Body.fixed().shape(HalfSpace.of()).material(ice));
+            Material rubber = Material.DEFAULT.withFriction(1).withRestitution(0);
+            BodyRef plate =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.of(10, .5, 10))
+                                    .at(0, .5, 0)
+                                    .mass(plateMass)
+                                    .material(rubber));
+            BodyRef body =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(shape)
+                                    .at(0, 1 + radius, 0)
+                                    .rotation(turn)
+                                    .mass(1)
+                                    .material(rubber));
+            int ticks = 120;
+            for (int i = 0; i < ticks; i++) {
+                plate.applyForce(force, 0, 0);
+                world.step(Scenes.STEP);
+            }
+            double k = 1 / body.inverseInertia(new Matrix3d()).m22();
+            double more = 1 + radius * radius / k;
+            double a = force / (1 + plateMass * more);
+            double t = ticks * Scenes.STEP;
+            assertEquals(1, body.velocity().x / (a * t), 1e-3, shape + " dragged");
+            assertEquals(1, plate.velocity().x / (a * more * t), 1e-3, "plate under " + shape);
+            assertEquals(1 + radius, body.position().y, 1e-3, shape + " sinks or is lifted");
+            assertEquals(0, body.velocity().y, 1e-3, shape + " goes down or up");
+        }
+    }
+
+    @Test
+    void whatRollsOnAMovingPlateStaysOnItAndObeysItsInertia() {
+        rollsOnAPlate(Sphere.of(.5), .5, new Quaterniond());
+        Quaterniond across = new Quaterniond().rotationX(.5 * StrictMath.PI);
+        rollsOnAPlate(Capsule.of(.3, .5), .3, across);
     }
 
     @Test

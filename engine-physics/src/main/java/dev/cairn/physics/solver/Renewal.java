@@ -16,10 +16,10 @@ import java.util.Arrays;
  * each other take their impulses at two points that drift apart, which makes angular momentum. So a
  * body that turns gets the root of its present inertia, and a row of such a body, or of two that
  * pass each other, gets levers of now: corners turn with their body, points of round bodies stay
- * where they are in the world, and two bodies that move share one point. Then no angular momentum
- * is made. Normals and tangents stay those of the tick's start; so two bodies that bounce keep
- * their own points, else balls would leave an impact with a spin, and a gas of them lose its
- * energy.
+ * where they are seen from its centre, and two bodies that move share one point, that of the round
+ * one. Then no angular momentum is made. Normals and tangents stay those of the tick's start; so
+ * two bodies that bounce keep their own points, else balls would leave an impact with a spin, and a
+ * gas of them lose its energy.
  *
  * <p>Who is slower than 0.045 of {@code sqrt(g r)} (0.1 m/s for a cube of 1 m) is left alone, so
  * that what rests or creeps pays one comparison a row; without gravity all that moves is renewed. A
@@ -262,7 +262,12 @@ final class Renewal {
         int k = c.bodyB[source];
         boolean turnsA = a != 0 && turns[i] && isCornered(b, i);
         boolean turnsB = e != 0 && turns[k] && isCornered(b, k);
-        double half = a != 0 && e != 0 && c.restitution[source] == 0 ? 0.5 : 0;
+        // two bodies share one point: a ball's own, since on a ball a lever off its normal would
+        // lift
+        double share = isCornered(b, i) == isCornered(b, k) ? 0.5 : isCornered(b, i) ? 1 : 0;
+        boolean shares = a != 0 && e != 0 && c.restitution[source] == 0;
+        double shareA = shares ? share : 0;
+        double shareB = shares ? 1 - share : 0;
         int pa = a + SolverBodies.P;
         int pb = e + SolverBodies.P;
         double mx = s.state[pb] - s.state[pa];
@@ -303,10 +308,17 @@ final class Renewal {
                             + (dx * c.normalX(source)
                                     + dy * c.normalY(source)
                                     + dz * c.normalZ(source));
-            dx = half * (dx + mx);
-            dy = half * (dy + my);
-            dz = half * (dz + mz);
-            c.setAnchors(p, ax + dx, ay + dy, az + dz, bx - dx, by - dy, bz - dz);
+            dx += mx;
+            dy += my;
+            dz += mz;
+            c.setAnchors(
+                    p,
+                    ax + shareA * dx,
+                    ay + shareA * dy,
+                    az + shareA * dz,
+                    bx - shareB * dx,
+                    by - shareB * dy,
+                    bz - shareB * dz);
         }
     }
 }
