@@ -181,12 +181,37 @@ final class Pair {
     }
 
     /**
+     * A support vertex that does not depend on what came before: where the direction has a zero, a
+     * block takes the side towards the other centre, in a mirror image as well.
+     */
+    private int endA(double x, double y, double z) {
+        return roundA ? spindleA.support(x, y, z) : a.support(x, y, z, dx, dy, dz);
+    }
+
+    /** The same for B, along a direction of A's frame. */
+    private int endB(double x, double y, double z) {
+        double bx = r00 * x + r10 * y + r20 * z;
+        double by = r01 * x + r11 * y + r21 * z;
+        double bz = r02 * x + r12 * y + r22 * z;
+        if (roundB) {
+            return spindleB.support(bx, by, bz);
+        }
+        if (bx != 0 && by != 0 && bz != 0) {
+            return b.support(bx, by, bz);
+        }
+        double ox = -(r00 * dx + r10 * dy + r20 * dz);
+        double oy = -(r01 * dx + r11 * dy + r21 * dz);
+        double oz = -(r02 * dx + r12 * dy + r22 * dz);
+        return b.support(bx, by, bz, ox, oy, oz);
+    }
+
+    /**
      * Signed distance of the cores along a unit axis of A's frame that points from A to B; a lower
      * bound of their distance.
      */
     double separation(double x, double y, double z) {
-        int va = supportA(x, y, z, 0);
-        vertexB(supportB(-x, -y, -z, 0));
+        int va = endA(x, y, z);
+        vertexB(endB(-x, -y, -z));
         return (px - vertexAX(va)) * x + (py - vertexAY(va)) * y + (pz - vertexAZ(va)) * z;
     }
 
@@ -195,7 +220,7 @@ final class Pair {
         double x = a.normalX(face);
         double y = a.normalY(face);
         double z = a.normalZ(face);
-        vertexB(supportB(-x, -y, -z, 0));
+        vertexB(endB(-x, -y, -z));
         return px * x + py * y + pz * z - a.offset(face);
     }
 
@@ -207,7 +232,7 @@ final class Pair {
         double ax = r00 * x + r01 * y + r02 * z;
         double ay = r10 * x + r11 * y + r12 * z;
         double az = r20 * x + r21 * y + r22 * z;
-        int v = supportA(-ax, -ay, -az, 0);
+        int v = endA(-ax, -ay, -az);
         double ux = vertexAX(v) - dx;
         double uy = vertexAY(v) - dy;
         double uz = vertexAZ(v) - dz;

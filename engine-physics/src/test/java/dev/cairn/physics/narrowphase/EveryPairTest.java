@@ -17,6 +17,7 @@ import org.joml.Vector3d;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 import java.util.List;
@@ -41,6 +42,16 @@ class EveryPairTest {
 
     /** Of the size, when one shape is a millionth of the other. */
     private static final double UNEQUAL = 5e-12;
+
+    /**
+     * Of the poses: points at the very margin, and the whole circle of axes of two drums side by
+     * side, are told apart by rounding.
+     */
+    private static final double NOT_MIRRORED = 1e-3;
+
+    /** What brings scenes together; a new one for each would take most of a soak's time. */
+    private static final ThreadLocal<NarrowPhase> PLACING =
+            ThreadLocal.withInitial(NarrowPhase::new);
 
     enum Sort {
         RANDOM,
@@ -99,7 +110,7 @@ class EveryPairTest {
 
         /** Apart or overlapping by a part of the size that is between two bounds. */
         private static void touch(Scene s, SplittableRandom r, double low, double high) {
-            NarrowPhase n = new NarrowPhase();
+            NarrowPhase n = PLACING.get();
             double gap = ShapeKind.size(s) * Scene.logUniform(r, low, high);
             gap = r.nextBoolean() ? gap : -gap;
             for (int i = 0; i < 2; i++) {
@@ -120,7 +131,7 @@ class EveryPairTest {
     /** Worst cases of one pair, of the size; and how often. */
     private static final class Tally {
         double along, out, order, ways;
-        long poses, capped;
+        long poses, capped, notMirrored, contactsNotMirrored;
     }
 
     private final NarrowPhase special = new NarrowPhase();
@@ -145,9 +156,23 @@ class EveryPairTest {
         assertTrue(
                 tally.capped <= (round ? 1 + 2e-3 * tally.poses : 0),
                 kinds + " seed " + seed + ": caps met " + tally.capped + " of " + tally.poses);
+        // None of the 140 poses of the normal build.
+        String not = kinds + " seed " + seed + ": not mirrored " + tally.notMirrored;
+        assertTrue(tally.notMirrored <= NOT_MIRRORED * tally.poses, not);
+        assertTrue(
+                tally.contactsNotMirrored <= NOT_MIRRORED * tally.poses,
+                not + ", contacts " + tally.contactsNotMirrored);
         System.out.printf(
-                "| %s | %,d | %.1e | %.1e | %.1e | %.1e | %d |%n",
-                kinds, tally.poses, tally.along, tally.out, tally.order, tally.ways, tally.capped);
+                "| %s | %,d | %.1e | %.1e | %.1e | %.1e | %d | %d | %d |%n",
+                kinds,
+                tally.poses,
+                tally.along,
+                tally.out,
+                tally.order,
+                tally.ways,
+                tally.capped,
+                tally.notMirrored,
+                tally.contactsNotMirrored);
     }
 
     private static boolean isRound(ShapeKind kind) {
@@ -170,7 +195,7 @@ class EveryPairTest {
         assertTrue(ways <= bar, where + " GENERAL and SPECIALISED " + ways);
         scaled(s, d, axis, r.nextInt(61) - 30, where);
         if (sort != Sort.CONCENTRIC) {
-            mirrored(s, d, axis, sort, where);
+            mirrored(s, d, axis, bar, tally, where);
         }
         double order = Math.abs(s.swapped().distance(special) - d) / size;
         tally.order = Math.max(tally.order, order);
@@ -201,26 +226,25 @@ class EveryPairTest {
         }
     }
 
-    /** A mirror image is as far apart, along the mirrored axis, to the bit; and touches alike. */
-    private void mirrored(Scene s, double d, Vector3d axis, Sort sort, String where) {
-        String mirror = where + " mirrored";
+    /**
+     * Whether a mirror image is as far apart to the bit, along the mirrored axis, and touches at as
+     * many points along the mirrored normal.
+     */
+    private void mirrored(Scene s, double d, Vector3d axis, double bar, Tally tally, String where) {
         Scene t = ShapeKind.mirrored(s);
-        if (sort == Sort.NEARLY_PARALLEL && isDrum(s.a) && isDrum(s.b)) {
-            // Side by side or end to end, a whole circle of axes may be as good.
-            double size = ShapeKind.size(s) + s.d.length();
-            assertEquals(d, t.distance(special), 1e-15 * size, mirror);
-            return;
-        }
-        assertEquals(d, t.distance(special), 0.0, mirror);
-        assertMirrored(axis, axis(special), mirror);
+        double m = t.distance(special);
+        double size = ShapeKind.size(s) + s.d.length();
+        assertEquals(d, m, bar * size, where + " mirrored");
+        boolean same = d == m && areMirrored(axis, axis(special));
+        assertTrue(same || (isDrum(s.a) && isDrum(s.b)), where + " mirrored " + d + " " + m);
+        tally.notMirrored += same ? 0 : 1;
         if (!(roundAgainstFlat(s.a, s.b) || roundAgainstFlat(s.b, s.a))) {
             double margin = .02 * Math.min(s.a.innerRadius(), s.b.innerRadius());
             s.collide(special, margin, 0, one);
             t.collide(special, margin, 0, two);
-            assertEquals(one.pointCount, two.pointCount, mirror);
-            if (one.pointCount > 0) {
-                assertMirrored(normal(one), normal(two), mirror);
-            }
+            same = one.pointCount == two.pointCount;
+            same &= one.pointCount == 0 || areMirrored(normal(one), normal(two));
+            tally.contactsNotMirrored += same ? 0 : 1;
         }
     }
 
@@ -228,10 +252,8 @@ class EveryPairTest {
         return new Vector3d(m.normalX, m.normalY, m.normalZ);
     }
 
-    private static void assertMirrored(Vector3d v, Vector3d w, String where) {
-        assertEquals(-v.x, w.x, 0.0, where);
-        assertEquals(v.y, w.y, 0.0, where);
-        assertEquals(v.z, w.z, 0.0, where);
+    private static boolean areMirrored(Vector3d v, Vector3d w) {
+        return v.x == -w.x && v.y == w.y && v.z == w.z;
     }
 
     /** Of these the points, which start at another corner in the mirror, may choose the normal. */
@@ -252,6 +274,31 @@ class EveryPairTest {
     @MethodSource("pairs")
     void g7EveryPairInEverySortOfPose(ShapeKind.Two kinds) {
         run(kinds, 140, 201);
+    }
+
+    /** Of boxes few poses tell: those whose best axis is right across an edge. */
+    @ParameterizedTest
+    @EnumSource(names = {"CAPSULE", "CYLINDER", "CONE", "BOX", "HULL"})
+    void g7MirroredPairsWithABoxHaveMirroredBits(ShapeKind other) {
+        ShapeKind.Two kinds = new ShapeKind.Two(other, ShapeKind.BOX);
+        SplittableRandom r = new SplittableRandom(203);
+        int differ = 0;
+        String last = "";
+        for (int i = 0; i < 4_000; i++) {
+            Sort sort = Sort.values()[i % 7];
+            Scene s = sort.scene(r, kinds);
+            if (sort != Sort.CONCENTRIC) {
+                double d = s.distance(special);
+                Vector3d axis = axis(special);
+                boolean same = d == ShapeKind.mirrored(s).distance(special);
+                if (!same || !areMirrored(axis, axis(special))) {
+                    differ++;
+                    last = kinds + " " + sort + " seed 203 pose " + i + " distance " + d;
+                }
+            }
+        }
+        // A hull that all but touches a box: one in ten thousand, by an ulp.
+        assertTrue(differ <= (other == ShapeKind.HULL ? 1 : 0), differ + ", the last " + last);
     }
 
     /** One of these poses in ten thousand ends GJK on a sliver, far from the nearest points. */

@@ -341,4 +341,46 @@ class ShapeTest {
                         new Vector3d(0, 0, 1));
         assertEquals(1.0 / 6, ConvexHull.of(points).volume(), 1e-16);
     }
+
+    /** Leaning prisms, so that faces have many corners and the centre is no round number. */
+    @Test
+    void mirroredHullsHaveMirroredBits() {
+        SplittableRandom r = new SplittableRandom(71);
+        for (int sides = 3; sides <= 14; sides++) {
+            double[] xyz = new double[6 * sides];
+            double lean = r.nextDouble();
+            for (int i = 0; i < 2 * sides; i++) {
+                double angle = (i / 2 + .6 * r.nextDouble()) * 2 * StrictMath.PI / sides;
+                angle = i % 2 == 1 ? StrictMath.atan2(xyz[3 * i - 1], xyz[3 * i - 3]) : angle;
+                xyz[3 * i] = StrictMath.cos(angle);
+                xyz[3 * i + 1] = i % 2;
+                xyz[3 * i + 2] = StrictMath.sin(angle);
+            }
+            for (int i = 0; i < 2 * sides; i++) {
+                xyz[3 * i] += lean * (i % 2) + 3;
+            }
+            double[] image = xyz.clone();
+            for (int i = 0; i < image.length; i += 3) {
+                image[i] = -image[i];
+            }
+            ConvexHull hull = ConvexHull.of(xyz);
+            ConvexHull other = ConvexHull.of(image);
+            String where = sides + " sides, seed 71";
+            MassProperties m = hull.massProperties(1);
+            MassProperties n = other.massProperties(1);
+            assertEquals(m.mass(), n.mass(), 0.0, where);
+            assertEquals(m.comX(), -n.comX(), 0.0, where);
+            assertEquals(m.comY(), n.comY(), 0.0, where);
+            assertEquals(m.ixx(), n.ixx(), 0.0, where);
+            assertEquals(m.ixz(), -n.ixz(), 0.0, where);
+            Polyhedron p = hull.polyhedron();
+            Polyhedron q = other.polyhedron();
+            assertEquals(p.faceCount(), q.faceCount(), where);
+            for (int f = 0; f < p.faceCount(); f++) {
+                assertEquals(p.normalX(f), -q.normalX(f), 0.0, where);
+                assertEquals(p.normalY(f), q.normalY(f), 0.0, where);
+                assertEquals(p.offset(f), q.offset(f), 0.0, where);
+            }
+        }
+    }
 }
