@@ -73,6 +73,8 @@ final class Ladder {
                     rung("load-proportional inertia", false, FLIGHT, ON.withLoadInertia(0)),
                     rung("unloading sweeps", false, FLIGHT, ON.withUnloadSweeps(0)),
                     rung("unloading sweeps", false, REST, ON.withUnloadSweeps(0)),
+                    rung("sweeps of lone contacts", false, FLIGHT, ON.withLoneSweeps(0)),
+                    rung("sweeps of lone contacts", false, REST, ON.withLoneSweeps(0)),
                     rung("restitution", false, FLIGHT, ON.withRestitutionThreshold(1000)),
                     rung("restitution", false, REST, ON.withRestitutionThreshold(1000)),
                     new Rung("friction", false, FLIGHT, ON, SMOOTH_FLIGHT, ON),

@@ -8,14 +8,8 @@ import static dev.cairn.physics.solver.SolverBodies.V;
 
 import dev.cairn.physics.internal.BodyStore;
 
-/**
- * Integrators of one body: flight, kick, drift, and the correction of bodies that glide on one
- * contact.
- */
+/** Integrators of one body: flight, kick, drift. */
 final class Motion {
-    /** Square of the share of its speed that is left of a body that friction has stopped. */
-    private static final double STOPPED = 1e-12;
-
     private Motion() {}
 
     /**
@@ -178,10 +172,7 @@ final class Motion {
         double[] v = s.state;
         int o = SolverBodies.offset(i);
         if (s.guide[i] >= 0) {
-            int g = 6 * i;
-            s.glide[g] = v[o + V];
-            s.glide[g + 1] = v[o + V + 1];
-            s.glide[g + 2] = v[o + V + 2];
+            Glide.begin(s, i);
         }
         v[o + LOADED] = 0;
         double m = v[o + MASS];
@@ -247,10 +238,7 @@ final class Motion {
             vy -= half * (k * gy + m * b.forceY[i]);
             vz -= half * (k * gz + m * b.forceZ[i]);
         } else if (s.guide[i] >= 0) {
-            int g = 6 * i + 3;
-            s.glide[g] = vx;
-            s.glide[g + 1] = vy;
-            s.glide[g + 2] = vz;
+            Glide.moves(s, i, vx, vy, vz);
         }
         v[o + P] += h * vx;
         v[o + P + 1] += h * vy;
@@ -259,6 +247,9 @@ final class Motion {
         v[o + P + 4] += h * v[o + V + 4];
         v[o + P + 5] += h * v[o + V + 5];
         turn(b, s, i, turn);
+        if (s.guide[i] >= 0) {
+            Glide.turned(s, i);
+        }
     }
 
     /**
@@ -302,66 +293,5 @@ final class Motion {
         for (int c = 0; c < 6; c++) {
             s.warm[w + c] += s.state[o + c] - s.mark[w + c];
         }
-    }
-
-    /**
-     * End of a sub-step of a guided body: along the contact plane it moves by the mean of the
-     * velocities before and after, {@code x += h ((v0 + v1)/2 - v)} without its part along the
-     * normal. So a slide follows the parabola, and a body that friction holds does not move at all.
-     * A slide that friction ends within the sub-step ends at its own time t, {@code x += t v0/2}.
-     */
-    static void glide(SolverBodies s, int i, ConstraintRows rows, double h) {
-        double[] v = s.state;
-        int o = SolverBodies.offset(i);
-        int row = s.guide[i];
-        if (row < 0 || v[o + LOADED] == 0) {
-            return;
-        }
-        int g = 6 * i;
-        double[] d = s.glide;
-        int r = rows.base(rows.place[row]);
-        double nx = rows.row[r];
-        double ny = rows.row[r + rows.lanes];
-        double nz = rows.row[r + 2 * rows.lanes];
-        double mean = 0.5 * h * stopping(s, i, rows, r);
-        double x = mean * (d[g] + v[o + V]) - h * d[g + 3];
-        double y = mean * (d[g + 1] + v[o + V + 1]) - h * d[g + 4];
-        double z = mean * (d[g + 2] + v[o + V + 2]) - h * d[g + 5];
-        double n = x * nx + y * ny + z * nz;
-        v[o + P] += x - n * nx;
-        v[o + P + 1] += y - n * ny;
-        v[o + P + 2] += z - n * nz;
-    }
-
-    /**
-     * Share of the sub-step after which friction has stopped a guided body, or 1 if it still moves.
-     * With {@code u} the direction of {@code v0}, the impulse {@code l} that stopped it and the
-     * {@code L} that friction could give, {@code v0 + h a = l/m} and {@code v0 + t a = t/h L/m}, so
-     * {@code t/h = v0/(v0 + (L - l)/m)}.
-     */
-    private static double stopping(SolverBodies s, int i, ConstraintRows rows, int r) {
-        double[] v = s.state;
-        double[] d = rows.row;
-        int lanes = rows.lanes;
-        int o = SolverBodies.offset(i);
-        int t1 = r + ConstraintRows.TANGENT1 * lanes;
-        int t2 = r + ConstraintRows.TANGENT2 * lanes;
-        double b1 = ScalarNormals.dot(d, t1, lanes, s.glide, 6 * i);
-        double b2 = ScalarNormals.dot(d, t2, lanes, s.glide, 6 * i);
-        double a1 = ScalarNormals.dot(d, t1, lanes, v, o + V);
-        double a2 = ScalarNormals.dot(d, t2, lanes, v, o + V);
-        double before = b1 * b1 + b2 * b2;
-        if (!(a1 * a1 + a2 * a2 < STOPPED * before)) {
-            return 1;
-        }
-        double speed = Math.sqrt(before);
-        double l1 = d[r + ConstraintRows.LAMBDA * lanes];
-        double l2 = d[r + (ConstraintRows.LAMBDA + 1) * lanes];
-        double taken = Math.abs(l1 * b1 + l2 * b2) / speed;
-        int points = rows.points(rows.place[s.guide[i]]);
-        double limit =
-                d[r + ConstraintRows.FRICTION * lanes] * ScalarNormals.sum(d, r, lanes, points);
-        double left = (limit - taken) * v[o + MASS];
-        return left > 0 ? speed / (speed + left) : 1;
     }
 }

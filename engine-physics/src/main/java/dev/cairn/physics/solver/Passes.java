@@ -150,7 +150,7 @@ final class Passes {
             }
             Motion.keep(bodies, body, i);
             if (body.guide[i] >= 0) {
-                Motion.glide(body, i, rows, subStep);
+                Glide.end(bodies, body, i, rows, subStep);
             }
         }
     }

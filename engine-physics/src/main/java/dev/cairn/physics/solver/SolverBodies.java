@@ -62,10 +62,7 @@ final class SolverBodies {
     /** Velocities after the warm start. */
     double[] mark = {};
 
-    /**
-     * For guided bodies: velocity at the start of the sub-step, and velocity that moved it. 6 to a
-     * slot.
-     */
+    /** For guided bodies, {@link Glide#STRIDE} to a slot. */
     double[] glide = {};
 
     /**
@@ -97,7 +94,7 @@ final class SolverBodies {
             root = Arrays.copyOf(root, (n + 1) * ROOT);
             warm = Arrays.copyOf(warm, (n + 1) * HALF);
             mark = Arrays.copyOf(mark, (n + 1) * HALF);
-            glide = Arrays.copyOf(glide, n * 6);
+            glide = Arrays.copyOf(glide, n * Glide.STRIDE);
             carry = Arrays.copyOf(carry, n * 12);
             guide = Arrays.copyOf(guide, n);
         }
