@@ -121,87 +121,174 @@ public final class ContactStore {
      */
     public double[] totalNormalImpulse = {};
 
-    /** Where a row begins in {@link #head}: at a cache line, if the array does. */
+    /**
+     * Where a row begins in {@link #head}: at a cache line, if the array does.
+     *
+     * @param row of the contact, or the number of rows for the length
+     * @return index
+     */
     public static int head(int row) {
         return START + HEAD * row;
     }
 
-    /** Where a point begins in {@link #anchors}; the first of a row at a cache line, as there. */
+    /**
+     * Where a point begins in {@link #anchors}; the first of a row at a cache line, as there.
+     *
+     * @param point of the contact, {@link #POINTS} to a row, or the number of points for the length
+     * @return index
+     */
     public static int anchor(int point) {
         return START + ANCHORS * point;
     }
 
-    /** Unit normal from A to B, world: x. */
+    /**
+     * Unit normal from A to B, world: x.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
     public double normalX(int row) {
         return head[head(row)];
     }
 
-    /** Unit normal from A to B, world: y. */
+    /**
+     * Unit normal from A to B, world: y.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
     public double normalY(int row) {
         return head[head(row) + 1];
     }
 
-    /** Unit normal from A to B, world: z. */
+    /**
+     * Unit normal from A to B, world: z.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
     public double normalZ(int row) {
         return head[head(row) + 2];
     }
 
-    /** Mixed Coulomb coefficient. */
+    /**
+     * Mixed Coulomb coefficient.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
     public double friction(int row) {
         return head[head(row) + FRICTION];
     }
 
-    /** Friction impulse at the patch centre, world: x, N s over the last sub-step. */
+    /**
+     * Friction impulse at the patch centre, world: x, N s over the last sub-step.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
     public double frictionImpulseX(int row) {
         return head[head(row) + RUB];
     }
 
-    /** Friction impulse at the patch centre, world: y, N s over the last sub-step. */
+    /**
+     * Friction impulse at the patch centre, world: y, N s over the last sub-step.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
     public double frictionImpulseY(int row) {
         return head[head(row) + RUB + 1];
     }
 
-    /** Friction impulse at the patch centre, world: z, N s over the last sub-step. */
+    /**
+     * Friction impulse at the patch centre, world: z, N s over the last sub-step.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
     public double frictionImpulseZ(int row) {
         return head[head(row) + RUB + 2];
     }
 
-    /** Twist impulse about the normal, N m s over the last sub-step. */
+    /**
+     * Twist impulse about the normal, N m s over the last sub-step.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
     public double twistImpulse(int row) {
         return head[head(row) + TWIST];
     }
 
-    /** A point from A's centre of mass, world: x, m. */
+    /**
+     * A point from A's centre of mass, world: x, m.
+     *
+     * @param point of the contact, {@link #POINTS} to a row
+     * @return as stored
+     */
     public double anchorAX(int point) {
         return anchors[anchor(point)];
     }
 
-    /** A point from A's centre of mass, world: y, m. */
+    /**
+     * A point from A's centre of mass, world: y, m.
+     *
+     * @param point of the contact, {@link #POINTS} to a row
+     * @return as stored
+     */
     public double anchorAY(int point) {
         return anchors[anchor(point) + 1];
     }
 
-    /** A point from A's centre of mass, world: z, m. */
+    /**
+     * A point from A's centre of mass, world: z, m.
+     *
+     * @param point of the contact, {@link #POINTS} to a row
+     * @return as stored
+     */
     public double anchorAZ(int point) {
         return anchors[anchor(point) + 2];
     }
 
-    /** A point from B's centre of mass, world: x, m. */
+    /**
+     * A point from B's centre of mass, world: x, m.
+     *
+     * @param point of the contact, {@link #POINTS} to a row
+     * @return as stored
+     */
     public double anchorBX(int point) {
         return anchors[anchor(point) + 3];
     }
 
-    /** A point from B's centre of mass, world: y, m. */
+    /**
+     * A point from B's centre of mass, world: y, m.
+     *
+     * @param point of the contact, {@link #POINTS} to a row
+     * @return as stored
+     */
     public double anchorBY(int point) {
         return anchors[anchor(point) + 4];
     }
 
-    /** A point from B's centre of mass, world: z, m. */
+    /**
+     * A point from B's centre of mass, world: z, m.
+     *
+     * @param point of the contact, {@link #POINTS} to a row
+     * @return as stored
+     */
     public double anchorBZ(int point) {
         return anchors[anchor(point) + 5];
     }
 
-    /** Sets the unit normal of a row. */
+    /**
+     * Sets the unit normal of a row.
+     *
+     * @param row of the contact
+     * @param x world
+     * @param y world
+     * @param z world
+     */
     public void setNormal(int row, double x, double y, double z) {
         int i = head(row);
         head[i] = x;
@@ -209,12 +296,25 @@ public final class ContactStore {
         head[i + 2] = z;
     }
 
-    /** Sets the Coulomb coefficient of a row. */
+    /**
+     * Sets the Coulomb coefficient of a row.
+     *
+     * @param row of the contact
+     * @param coefficient at least 0
+     */
     public void setFriction(int row, double coefficient) {
         head[head(row) + FRICTION] = coefficient;
     }
 
-    /** Sets the friction impulse of a row, N s, and its twist, N m s. */
+    /**
+     * Sets the friction impulse of a row, N s, and its twist, N m s.
+     *
+     * @param row of the contact
+     * @param x world
+     * @param y world
+     * @param z world
+     * @param twist about the normal
+     */
     public void setFrictionImpulse(int row, double x, double y, double z, double twist) {
         int i = head(row);
         head[i + RUB] = x;
@@ -223,7 +323,17 @@ public final class ContactStore {
         head[i + TWIST] = twist;
     }
 
-    /** Sets where a point is from A and from B, m. */
+    /**
+     * Sets where a point is from A and from B, m.
+     *
+     * @param point of the contact, {@link #POINTS} to a row
+     * @param ax from A, world x
+     * @param ay from A, world y
+     * @param az from A, world z
+     * @param bx from B, world x
+     * @param by from B, world y
+     * @param bz from B, world z
+     */
     public void setAnchors(
             int point, double ax, double ay, double az, double bx, double by, double bz) {
         int i = anchor(point);
