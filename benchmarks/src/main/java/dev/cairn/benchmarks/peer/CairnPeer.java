@@ -125,7 +125,7 @@ final class CairnPeer implements Peer {
     @Override
     public List<String> notes() {
         return List.of(
-                "defaults; one sweep per sub-step, contacts found once a tick; no damping exists",
+                "defaults; one sweep per sub-step, contacts found once a tick; damping 0",
                 "best effort is the same: nothing else is offered for accuracy",
                 "inertia: taken from shape and mass, the source of the description");
     }

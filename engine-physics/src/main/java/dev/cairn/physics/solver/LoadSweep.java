@@ -454,7 +454,9 @@ final class LoadSweep {
             for (int e = first[i]; e < first[i + 1]; e++) {
                 int j = below(edge[e], i);
                 if (bodies.kind[j] == BodyStore.DYNAMIC && before(i, j)) {
-                    load[j] += force * (weight[edge[e]] / sum);
+                    // in equal parts where nothing presses yet
+                    double part = sum > 0 ? weight[edge[e]] / sum : 1.0 / (first[i + 1] - first[i]);
+                    load[j] += force * part;
                 }
             }
         }
@@ -485,7 +487,7 @@ final class LoadSweep {
 
     private double weight(int m) {
         int source = rows.source[m];
-        double sum = 1e-9;
+        double sum = 0;
         int end = ContactStore.POINTS * source + contacts.pointCount[source];
         for (int p = ContactStore.POINTS * source; p < end; p++) {
             sum += contacts.normalImpulse[p];
