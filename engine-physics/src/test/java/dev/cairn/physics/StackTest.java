@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -44,6 +45,37 @@ class StackTest {
     @Test
     void aTonneStandsOnAKilogram() {
         stands(stack(1, 1000), 20, 1e-5, 5e-4, 1e-4);
+    }
+
+    /** A load off the middle of a plank on two posts; positions after 2 s. */
+    private static double[] plank(double mass) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
+            Scenes.ground(world);
+            BodyRef[] bodies = {
+                world.add(Body.dynamic().shape(Box.cube(.5)).at(-1.5, .5, 0).mass(mass)),
+                world.add(Body.dynamic().shape(Box.cube(.5)).at(1.5, .5, 0).mass(mass)),
+                world.add(Body.dynamic().shape(Box.of(2, .1, .5)).at(0, 1.1, 0).mass(mass)),
+                world.add(Body.dynamic().shape(Box.cube(.5)).at(.7, 1.7, .1).mass(100 * mass))
+            };
+            double[] places = new double[3 * bodies.length];
+            for (int tick = 0; tick < 120; tick++) {
+                world.step(Scenes.STEP);
+            }
+            for (int i = 0; i < bodies.length; i++) {
+                Vector3d at = bodies[i].position();
+                places[3 * i] = at.x;
+                places[3 * i + 1] = at.y;
+                places[3 * i + 2] = at.z;
+            }
+            return places;
+        }
+    }
+
+    /** Motion under gravity and friction does not know the unit of mass: not by one bit. */
+    @ParameterizedTest
+    @ValueSource(doubles = {0x1p-20, 0x1p-10, 0x1p20})
+    void aLoadOnTwoSupportsIsTheSameInAnyUnitOfMass(double unit) {
+        assertArrayEquals(plank(1), plank(unit), 0.0);
     }
 
     @Test

@@ -20,27 +20,32 @@ final class LoneContact {
     /** Change of an impulse over the largest one at which a contact agrees. */
     private static final double AGREES = 1e-12;
 
-    /** Momentum over the largest impulse of a point up to which a body is still. */
-    private static final double STILL = 1e-6;
+    /** Speed over what gravity adds to it in a sub-step, up to which a body is still. */
+    private static final double STILL = 1e-7;
 
     private LoneContact() {}
 
     /**
      * Sweeps after the relax pass of a sub-step.
      *
+     * @param gain what gravity adds to a speed in the sub-step, m/s
      * @param row the only one of body {@code i}
      */
     static void agree(
-            ConstraintRows rows, double[] body, SubStep sub, int row, int i, double[] scratch) {
-        int place = rows.place[row];
-        double largest =
-                ScalarNormals.largest(rows.row, rows.base(place), rows.lanes, rows.points(place));
-        if (largest == 0 || !moves(body, SolverBodies.offset(i), STILL * largest)) {
+            ConstraintRows rows,
+            double[] body,
+            SubStep sub,
+            double gain,
+            int row,
+            int i,
+            double[] scratch) {
+        if (!moves(body, SolverBodies.offset(i), STILL * gain)) {
             return;
         }
+        int place = rows.place[row];
         for (int k = 0; k < sub.lone; k++) {
             double change = ScalarSweeps.again(rows, body, sub, place, scratch);
-            largest =
+            double largest =
                     ScalarNormals.largest(
                             rows.row, rows.base(place), rows.lanes, rows.points(place));
             if (!(change > AGREES * largest)) {
@@ -49,12 +54,11 @@ final class LoneContact {
         }
     }
 
-    /** {@code m² v² + m w'²} above the square of a momentum, w' weighted. */
+    /** {@code v² + w'²/m} above the square of a speed, w' weighted. */
     private static boolean moves(double[] body, int o, double still) {
-        double inverse = body[o + SolverBodies.MASS];
         double v = body[o] * body[o] + body[o + 1] * body[o + 1] + body[o + 2] * body[o + 2];
         double w =
                 body[o + 3] * body[o + 3] + body[o + 4] * body[o + 4] + body[o + 5] * body[o + 5];
-        return v + w * inverse > still * still * inverse * inverse;
+        return v + w * body[o + SolverBodies.MASS] > still * still;
     }
 }

@@ -143,10 +143,11 @@ final class Passes {
     }
 
     void finish(int from, int to, double[] scratch) {
+        double gain = weight() * subStep;
         for (int k = from; k < to; k++) {
             int i = order[k];
             if (body.guide[i] >= 0 && sub.lone > 0) {
-                LoneContact.agree(rows, body.state, sub, body.guide[i], i, scratch);
+                LoneContact.agree(rows, body.state, sub, gain, body.guide[i], i, scratch);
             }
             Motion.keep(bodies, body, i);
             if (body.guide[i] >= 0) {

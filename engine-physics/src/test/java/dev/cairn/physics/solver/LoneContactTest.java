@@ -60,4 +60,33 @@ class LoneContactTest {
             assertEquals(0, s.bodies.velocityX[box], 1e-9);
         }
     }
+
+    /** In each tick the reported impulses are what changed the momentum, less gravity. */
+    @Test
+    void whatTheSweepsDoIsReported() {
+        try (Jobs jobs = Jobs.of(1)) {
+            SolverScene s = scene(32, SLOPE, jobs);
+            int box = box(s);
+            s.velocity(box, 0, 0, 1);
+            double mass = 1 / s.bodies.inverseMass[box];
+            for (int tick = 0; tick < 60; tick++) {
+                double vx = s.bodies.velocityX[box];
+                double vy = s.bodies.velocityY[box];
+                double vz = s.bodies.velocityZ[box];
+                s.tick(SolverScene.TICK);
+                double pressed = 0;
+                for (int p = 0; p < s.contacts.pointCount[0]; p++) {
+                    pressed += s.contacts.totalNormalImpulse[p];
+                }
+                double weight = mass * 9.81 * SolverScene.TICK;
+                double dx = mass * (s.bodies.velocityX[box] - vx - s.gx * SolverScene.TICK);
+                double dy = mass * (s.bodies.velocityY[box] - vy - s.gy * SolverScene.TICK);
+                assertEquals(dy, pressed, 1e-13 * weight, "normal impulse of tick " + tick);
+                double dz = mass * (s.bodies.velocityZ[box] - vz);
+                String friction = "friction impulse of tick " + tick;
+                assertEquals(dx, s.solver.totalFriction(0, 0), 1e-13 * weight, friction);
+                assertEquals(dz, s.solver.totalFriction(0, 2), 1e-13 * weight, friction);
+            }
+        }
+    }
 }
