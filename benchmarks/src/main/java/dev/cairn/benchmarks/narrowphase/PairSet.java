@@ -4,6 +4,7 @@ import dev.cairn.benchmarks.peer.PairCalls;
 import dev.cairn.physics.narrowphase.BoxContacts;
 import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
+import dev.cairn.physics.narrowphase.PairMemory;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
@@ -70,6 +71,7 @@ public final class PairSet {
     private final Quaterniond[] framesB = new Quaterniond[FRAMES * SIZE];
     private final Vector3d[] frames = new Vector3d[FRAMES * SIZE];
     private final double[] margin = new double[SIZE];
+    private final long[] memory = new long[PairMemory.SIZE * SIZE];
 
     /**
      * A set.
@@ -247,6 +249,9 @@ public final class PairSet {
         Quaterniond p = turnA[i];
         Quaterniond q = turnB[i];
         Vector3d d = offset[i];
+        if (word != 0) {
+            n.remember(memory, PairMemory.SIZE * i);
+        }
         return n.collide(
                 a[i], b[i], p.x, p.y, p.z, p.w, q.x, q.y, q.z, q.w, d.x, d.y, d.z, margin[i], word,
                 out);

@@ -7,6 +7,7 @@ import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.narrowphase.PairMemory;
 
 import java.util.Arrays;
 
@@ -201,6 +202,10 @@ public final class ContactRows {
             int k = ContactStore.KEPT;
             System.arraycopy(c.kept, k * from, c.kept, k * to, k);
         }
+        if (c.memory.length > 0) {
+            int n = PairMemory.SIZE;
+            System.arraycopy(c.memory, n * from, c.memory, n * to, n);
+        }
         int m = ContactStore.POINTS;
         System.arraycopy(
                 c.anchors,
@@ -244,6 +249,9 @@ public final class ContactRows {
             c.touching[row] = 0;
             c.cache[row] = 0;
             c.keeps[row] = false;
+            if (PairMemory.SIZE * row < c.memory.length) {
+                PairMemory.forget(c.memory, PairMemory.SIZE * row);
+            }
             c.setFrictionImpulse(row, 0, 0, 0, 0);
         }
     }

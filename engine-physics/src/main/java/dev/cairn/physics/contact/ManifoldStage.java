@@ -9,6 +9,7 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.BoxContacts;
 import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
+import dev.cairn.physics.narrowphase.PairMemory;
 import dev.cairn.physics.narrowphase.RoundContacts;
 import dev.cairn.physics.narrowphase.RoundPairs;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
@@ -99,6 +100,9 @@ public final class ManifoldStage {
         boxBlocks = Blocks.count(round, BOXES_PER_BLOCK);
         roundBlocks = Blocks.count(others - round, ROUND_PER_BLOCK);
         int rest = Blocks.count(rows.activeCount - others, OTHERS_PER_BLOCK);
+        if (rest > 0 && rows.memory.length < PairMemory.SIZE * rows.count) {
+            rows.memory = Arrays.copyOf(rows.memory, PairMemory.SIZE * rows.cache.length);
+        }
         jobs.run(job, boxBlocks + roundBlocks + rest);
     }
 
@@ -275,6 +279,9 @@ public final class ManifoldStage {
         boolean flat = Recycler.fits(s.shape[a]) && Recycler.fits(s.shape[b]);
         if (flat && recycler.renew(row, margin)) {
             return;
+        }
+        if (flat) {
+            own.narrowPhase.remember(c.memory, PairMemory.SIZE * row);
         }
         c.cache[row] =
                 own.narrowPhase.collide(

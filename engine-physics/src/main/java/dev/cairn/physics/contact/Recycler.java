@@ -3,7 +3,7 @@ package dev.cairn.physics.contact;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.Manifold;
-import dev.cairn.physics.narrowphase.NarrowPhase;
+import dev.cairn.physics.narrowphase.Word;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Polyhedron;
@@ -102,7 +102,7 @@ final class Recycler {
         if (c.pointCount[row] == 0) {
             return true;
         }
-        int face = NarrowPhase.faceOf(c.cache[row]);
+        int face = Word.faceOf(c.cache[row]);
         double sign = (face & 1) == 0 ? -1 : 1;
         // The face's outward normal: of a box a column of its rotation matrix.
         double nx;
@@ -196,7 +196,7 @@ final class Recycler {
 
     /** The reference is B. */
     private boolean flip(int row) {
-        return NarrowPhase.onFaceOfB(c.cache[row]);
+        return Word.onFaceOfB(c.cache[row]);
     }
 
     /**
@@ -250,7 +250,7 @@ final class Recycler {
         k[at + CENTRE] = ex + rw * tx + (rz * ty - ry * tz);
         k[at + CENTRE + 1] = ey + rw * ty + (rx * tz - rz * tx);
         k[at + CENTRE + 2] = ez + rw * tz + (ry * tx - rx * ty);
-        k[at + OFFSET] = offset(s.shape[r], NarrowPhase.faceOf(c.cache[row]));
+        k[at + OFFSET] = offset(s.shape[r], Word.faceOf(c.cache[row]));
         k[at + SPIN] = 4 * s.outerRadius[i] * s.outerRadius[i];
         k[at + LIMIT] = apart ? Double.MAX_VALUE : allowed * allowed;
         k[at + GAP] = gap;

@@ -81,6 +81,12 @@ public final class ContactStore {
     /** The narrow phase's warm-start word; 0 if there is none. */
     public long[] cache = {};
 
+    /**
+     * What the narrow phase remembers of pairs with a hull, {@code PairMemory.SIZE} numbers a row;
+     * empty while there are no such pairs.
+     */
+    public long[] memory = {};
+
     /** Whether {@link #kept} holds something of a row. */
     public boolean[] keeps = {};
 
@@ -363,6 +369,7 @@ public final class ContactStore {
             return;
         }
         int n = Math.max(capacity, Math.max(64, bodyA.length + (bodyA.length >> 1)));
+        memory = Arrays.copyOf(memory, memory.length / Math.max(1, bodyA.length) * n);
         int m = n * POINTS;
         active = Arrays.copyOf(active, n);
         bodyA = Arrays.copyOf(bodyA, n);

@@ -233,7 +233,7 @@ public final class BoxContacts {
             copy(i, points, out);
         }
         out.bound = Math.abs(best[i] - least) + 0x1p-48 * scale(i);
-        return NarrowPhase.word(
+        return Word.of(
                 flip ? NarrowPhase.FACE_B : NarrowPhase.FACE_A,
                 face,
                 wide ? cuts.names[i] : Names.of(out));
@@ -280,12 +280,12 @@ public final class BoxContacts {
         }
         leftOut[i] = separationA;
         if (separationA > distance) {
-            word[i] = NarrowPhase.word(NarrowPhase.FACE_A, faceA, 0);
+            word[i] = Word.of(NarrowPhase.FACE_A, faceA, 0);
             return;
         }
         leftOut[i] = separationB;
         if (separationB > distance) {
-            word[i] = NarrowPhase.word(NarrowPhase.FACE_B, faceB, 0);
+            word[i] = Word.of(NarrowPhase.FACE_B, faceB, 0);
             return;
         }
         best[i] = Math.max(Math.max(separationA, separationB), t[SEPARATION_EDGE + i]);
@@ -294,8 +294,8 @@ public final class BoxContacts {
             boolean onB = separationB > separationA;
             word[i] =
                     onB
-                            ? NarrowPhase.word(NarrowPhase.FACE_B, faceB, 0)
-                            : NarrowPhase.word(NarrowPhase.FACE_A, faceA, 0);
+                            ? Word.of(NarrowPhase.FACE_B, faceB, 0)
+                            : Word.of(NarrowPhase.FACE_A, faceA, 0);
             return;
         }
         kind[i] = FACE;

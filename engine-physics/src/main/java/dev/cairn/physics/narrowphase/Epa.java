@@ -11,13 +11,9 @@ package dev.cairn.physics.narrowphase;
  * Any support value along a unit axis bounds the depth from above, the nearest face bounds it from
  * below; the best of the former is the answer and their difference is the gap.
  */
-final class Epa {
-    private static final int MAX_POINTS = 160;
-
+final class Epa extends Polytope {
     /** Of the pair's scale: the gap between the bounds of the depth at which the search ends. */
     static final double TOLERANCE = 0x1p-44;
-
-    private static final int MAX_FACES = 2 * MAX_POINTS;
 
     /** Unit axis from A to B along which the overlap is least. */
     double axisX, axisY, axisZ;
@@ -37,7 +33,7 @@ final class Epa {
     double relativeTolerance = TOLERANCE;
 
     /** See {@link Safeguard}. */
-    boolean knownPoints = true, independentStart = true, oneLoop = true, shortestSide = true;
+    boolean knownPoints = true, independentStart = true;
 
     /** Of the depth: a gap that matters for shallow overlaps, where the tolerance is more. */
     double share = Double.MAX_VALUE;
@@ -45,36 +41,41 @@ final class Epa {
     boolean capped;
     int iterations;
 
-    private final double[] x = new double[MAX_POINTS],
-            y = new double[MAX_POINTS],
-            z = new double[MAX_POINTS];
-    private final int[] ia = new int[MAX_POINTS], ib = new int[MAX_POINTS];
-    private int points;
-
-    private final int[] corner = new int[3 * MAX_FACES], twin = new int[3 * MAX_FACES];
-    private final double[] nx = new double[MAX_FACES],
-            ny = new double[MAX_FACES],
-            nz = new double[MAX_FACES],
-            offset = new double[MAX_FACES];
-    private final boolean[] alive = new boolean[MAX_FACES];
-    private final int[] mark = new int[MAX_FACES];
-    private int faces, round;
-    private final int[] free = new int[MAX_FACES];
-    private int freeCount;
-    private final int[] stack = new int[MAX_FACES];
-    private final int[] removed = new int[MAX_FACES];
-    private int removedCount;
-    private final int[] coneAt = new int[MAX_POINTS];
-    private final int[] rimFrom = new int[3 * MAX_FACES],
-            rimTo = new int[3 * MAX_FACES],
-            rimFace = new int[3 * MAX_FACES];
-    private int rimCount;
+    /** Of the pair's scale: what the planes of faces that {@link #load} takes may be off by. */
+    private static final double THIN_NOISE = 0x1p-34;
 
     /** Runs from the simplex that {@link Gjk} ended with. */
     void run(Pair pair, Gjk gjk) {
+        start(pair, gjk);
+        expand(pair, false);
+    }
+
+    /**
+     * Takes over the polytope that an earlier run for the pair left, see {@link Polytope}; {@link
+     * #lower} is then known, less what rounding may have added to it. False when there is none that
+     * holds the origin.
+     */
+    boolean recall(Pair pair, long[] memory, int at) {
+        if (!load(pair, memory, at)) {
+            return false;
+        }
+        lower = offset[nearest()] - THIN_NOISE * pair.scale;
+        return true;
+    }
+
+    /**
+     * Runs from there; false when the surface, which need not be convex, folded, or another cap was
+     * met.
+     */
+    boolean resume(Pair pair) {
+        join();
+        expand(pair, true);
+        return !capped;
+    }
+
+    private void expand(Pair pair, boolean resumed) {
         capped = false;
         depth = Double.MAX_VALUE;
-        start(pair, gjk);
         double tolerance = relativeTolerance * pair.scale;
         noise = 0x1p-50 * pair.scale * (pair.scale / pair.small);
         for (iterations = 1; ; iterations++) {
@@ -83,7 +84,8 @@ final class Epa {
             double ax = nx[near];
             double ay = ny[near];
             double az = nz[near];
-            if (points == MAX_POINTS || freeCount + MAX_FACES - faces < 8) {
+            boolean full = points == MAX_POINTS || freeCount + MAX_FACES - faces < 8;
+            if (full || (resumed && !(lower > 0))) {
                 capped = true;
                 return;
             }
@@ -107,7 +109,7 @@ final class Epa {
                 return;
             }
             boolean last = knownPoints && known(w);
-            if (last || !expand(near, w, 0x1p-48 * pair.scale)) {
+            if (last || !grow(near, w, 0x1p-48 * pair.scale)) {
                 // A face of the difference itself, or a sliver: the reach is its distance, its
                 // plane had lost digits.
                 capped |= !last;
@@ -150,60 +152,12 @@ final class Epa {
         return best >= 0;
     }
 
-    private int nearest() {
-        int best = -1;
-        double least = Double.POSITIVE_INFINITY;
-        for (int f = 0; f < faces; f++) {
-            if (alive[f] && (offset[f] < least || (offset[f] == least && older(f, best)))) {
-                least = offset[f];
-                best = f;
-            }
-        }
-        return Math.max(best, 0);
-    }
-
-    /**
-     * Whether a face is the first of two that are equally near: by the age of its corners, which in
-     * the mirror image is the same, while the places of faces are not.
-     */
-    private boolean older(int f, int than) {
-        return than >= 0 && age(f) < age(than);
-    }
-
-    private int age(int f) {
-        int a = corner[3 * f];
-        int b = corner[3 * f + 1];
-        int c = corner[3 * f + 2];
-        int least = Math.min(a, Math.min(b, c));
-        int most = Math.max(a, Math.max(b, c));
-        return (least << 16) + ((a + b + c - least - most) << 8) + most;
-    }
-
     private int add(Pair pair, double dx, double dy, double dz) {
         int hintA = points > 0 ? ia[points - 1] : 0;
         int hintB = points > 0 ? ib[points - 1] : 0;
         int va = pair.supportA(-dx, -dy, -dz, hintA);
         int vb = pair.supportB(dx, dy, dz, hintB);
         return put(pair, va, vb);
-    }
-
-    private int put(Pair pair, int va, int vb) {
-        pair.vertexB(vb);
-        ia[points] = va;
-        ib[points] = vb;
-        x[points] = pair.px - pair.vertexAX(va);
-        y[points] = pair.py - pair.vertexAY(va);
-        z[points] = pair.pz - pair.vertexAZ(va);
-        return points++;
-    }
-
-    private boolean known(int w) {
-        for (int i = 0; i < w; i++) {
-            if (ia[i] == ia[w] && ib[i] == ib[w]) {
-                return true;
-            }
-        }
-        return false;
     }
 
     /**
@@ -260,12 +214,6 @@ final class Epa {
             use = 1;
         }
         return use;
-    }
-
-    private void link(int f, int t0, int t1, int t2) {
-        twin[3 * f] = t0;
-        twin[3 * f + 1] = t1;
-        twin[3 * f + 2] = t2;
     }
 
     private double length01() {
@@ -373,151 +321,5 @@ final class Epa {
             points = 3;
             put(pair, va, vb);
         }
-    }
-
-    private int face(int a, int b, int c) {
-        int f = freeCount > 0 ? free[--freeCount] : faces++;
-        corner[3 * f] = a;
-        corner[3 * f + 1] = b;
-        corner[3 * f + 2] = c;
-        // Across the shortest side, whose digits count most; named in the order of their age, so
-        // that the mirror image has the mirrored bits.
-        int p = Math.min(a, Math.min(b, c));
-        int r = Math.max(a, Math.max(b, c));
-        int q = a + b + c - p - r;
-        int i = p;
-        int j = q;
-        if (shortestSide) {
-            double pq = square(p, q);
-            double qr = square(q, r);
-            double rp = square(r, p);
-            boolean first = pq <= qr && pq <= rp;
-            boolean second = !first && qr <= rp;
-            i = first ? p : second ? q : r;
-            j = first ? q : second ? r : p;
-        }
-        int k = p + q + r - i - j;
-        boolean even = (i == a && j == b) || (i == b && j == c) || (i == c && j == a);
-        double ex = x[j] - x[i];
-        double ey = y[j] - y[i];
-        double ez = z[j] - z[i];
-        double gx = x[k] - x[i];
-        double gy = y[k] - y[i];
-        double gz = z[k] - z[i];
-        double ux = ey * gz - ez * gy;
-        double uy = ez * gx - ex * gz;
-        double uz = ex * gy - ey * gx;
-        double length = Math.sqrt(ux * ux + uy * uy + uz * uz);
-        double inverse = length > 0 ? (even ? 1 : -1) / length : 0;
-        nx[f] = ux * inverse;
-        ny[f] = uy * inverse;
-        nz[f] = uz * inverse;
-        offset[f] =
-                length > 0 ? nx[f] * x[i] + ny[f] * y[i] + nz[f] * z[i] : Double.POSITIVE_INFINITY;
-        alive[f] = true;
-        mark[f] = 0;
-        return f;
-    }
-
-    private double square(int i, int j) {
-        double ex = x[j] - x[i];
-        double ey = y[j] - y[i];
-        double ez = z[j] - z[i];
-        return ex * ex + ey * ey + ez * ez;
-    }
-
-    /**
-     * Replaces the faces that a point sees by a cone; false when rounding left a horizon that is
-     * not one loop.
-     */
-    private boolean expand(int first, int w, double tolerance) {
-        round++;
-        int top = 0;
-        removedCount = 0;
-        rimCount = 0;
-        stack[top++] = first;
-        mark[first] = round;
-        while (top > 0) {
-            int f = stack[--top];
-            removed[removedCount++] = f;
-            for (int k = 0; k < 3; k++) {
-                int other = twin[3 * f + k];
-                if (mark[other] != round && sees(other, w, tolerance)) {
-                    mark[other] = round;
-                    stack[top++] = other;
-                }
-            }
-        }
-        for (int i = 0; i < removedCount; i++) {
-            rim(removed[i]);
-        }
-        if ((oneLoop && !oneLoop()) || rimCount > freeCount + removedCount + MAX_FACES - faces) {
-            return false;
-        }
-        for (int i = 0; i < removedCount; i++) {
-            alive[removed[i]] = false;
-            free[freeCount++] = removed[i];
-        }
-        for (int i = 0; i < rimCount; i++) {
-            int f = face(rimFrom[i], rimTo[i], w);
-            int other = rimFace[i];
-            twin[3 * f] = other;
-            for (int k = 0; k < 3; k++) {
-                if (corner[3 * other + k] == rimTo[i]) {
-                    twin[3 * other + k] = f;
-                }
-            }
-            coneAt[rimFrom[i]] = f;
-        }
-        for (int i = 0; i < rimCount; i++) {
-            int f = coneAt[rimFrom[i]];
-            int after = coneAt[rimTo[i]];
-            twin[3 * f + 1] = after;
-            twin[3 * after + 2] = f;
-        }
-        return true;
-    }
-
-    private boolean sees(int f, int w, double tolerance) {
-        return offset[f] == Double.POSITIVE_INFINITY
-                || nx[f] * x[w] + ny[f] * y[w] + nz[f] * z[w] - offset[f] > -tolerance;
-    }
-
-    private void rim(int f) {
-        for (int k = 0; k < 3; k++) {
-            int other = twin[3 * f + k];
-            if (mark[other] != round) {
-                rimFrom[rimCount] = corner[3 * f + k];
-                rimTo[rimCount] = corner[3 * f + (k + 1) % 3];
-                rimFace[rimCount++] = other;
-            }
-        }
-    }
-
-    private boolean oneLoop() {
-        if (rimCount < 3) {
-            return false;
-        }
-        for (int i = 0; i < points; i++) {
-            coneAt[i] = -1;
-        }
-        for (int i = 0; i < rimCount; i++) {
-            if (coneAt[rimFrom[i]] >= 0) {
-                return false;
-            }
-            coneAt[rimFrom[i]] = i;
-        }
-        int at = 0;
-        for (int steps = 1; steps <= rimCount; steps++) {
-            int next = coneAt[rimTo[at]];
-            if (next < 0) {
-                return false;
-            }
-            if (next == 0) {
-                return steps == rimCount;
-            }
-            at = next;
-        }
-        return false;
     }
 }

@@ -10,11 +10,6 @@ import dev.cairn.physics.shape.Sphere;
  * snapped to true features, then a manifold by {@link Clipper}. One instance per worker: it owns
  * all scratch memory and is not thread-safe. Allocates nothing, except when a face has more sides
  * than any before.
- *
- * <p>The warm-start word: bits 63..62 the kind (0 none, 1 face of A, 2 face of B, 3 edges or
- * points), bits 61..47 the face, bits 31..0 the {@link Names} of the points. Of pairs with a hull,
- * bits 46..32 are a vertex near the face; of two edges that cross they are the second edge, and
- * bits 61..47 the first. A stale or random word costs time, never correctness.
  */
 public final class NarrowPhase {
     /** How the axis of a pair is found. */
@@ -48,6 +43,8 @@ public final class NarrowPhase {
     private final RoundContacts rounds = new RoundContacts();
     private final CurvedPairs curved;
     private boolean curvedLast;
+    private long[] memory = Polyhedra.NOTHING;
+    private int memoryAt;
 
     /** Creates the scratch of one worker that uses the fast paths. */
     public NarrowPhase() {
@@ -148,6 +145,17 @@ public final class NarrowPhase {
     }
 
     /**
+     * Hands the next {@link #collide} what an earlier one for the pair left beside the word.
+     *
+     * @param pairs a {@link PairMemory}, zeros at first; rewritten
+     * @param at where the pair's begins
+     */
+    public void remember(long[] pairs, int at) {
+        memory = pairs;
+        memoryAt = at;
+    }
+
+    /**
      * Finds the contact of a pair.
      *
      * @param a first shape
@@ -186,6 +194,8 @@ public final class NarrowPhase {
             double margin,
             long cache,
             Manifold out) {
+        long[] kept = memory;
+        memory = Polyhedra.NOTHING;
         if (method == Method.SPECIALISED && RoundContacts.fits(a) && RoundContacts.fits(b)) {
             boolean done =
                     rounds.collide(
@@ -204,7 +214,10 @@ public final class NarrowPhase {
         out.patch = 0;
         out.bound = 0;
         boolean ball = pair.roundA || pair.roundB;
-        long word = ball ? ball(a, b, margin, out) : polyhedra.collide(a, b, margin, cache, out);
+        long word =
+                ball
+                        ? ball(a, b, margin, out)
+                        : polyhedra.collide(a, b, margin, cache, kept, memoryAt, out);
         out.capped = capped();
         return word;
     }
@@ -479,40 +492,5 @@ public final class NarrowPhase {
             out.bound = 0x1p-48 * pair.scale;
         }
         return 0;
-    }
-
-    /** The warm-start word of a kind of contact, a face and the names of the points. */
-    static long word(long kind, long face, int names) {
-        return kind << 62 | face << 47 | (names & 0xFFFFFFFFL);
-    }
-
-    /** Adds where to look in the next tick. */
-    static long withHint(long word, long hint) {
-        return word | hint << 32;
-    }
-
-    /** See {@link #withHint}. */
-    static int hint(long word) {
-        return (int) (word >>> 32) & 0x7FFF;
-    }
-
-    /**
-     * The face in a warm-start word of kind face.
-     *
-     * @param word as {@link #collide} returns it
-     * @return its number on its shape
-     */
-    public static int faceOf(long word) {
-        return (int) (word >>> 47) & 0x7FFF;
-    }
-
-    /**
-     * Whether a face of B carried or separated the pair.
-     *
-     * @param word as {@link #collide} returns it
-     * @return false for a face of A and for other contacts
-     */
-    public static boolean onFaceOfB(long word) {
-        return word >>> 62 == FACE_B;
     }
 }

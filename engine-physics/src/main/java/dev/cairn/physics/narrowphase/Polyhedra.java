@@ -17,6 +17,8 @@ final class Polyhedra {
     /** Cosine of 0.1 rad: nearer axes are the same direction, seen through rounding. */
     private static final double NEARLY_PARALLEL = 0.995;
 
+    static final long[] NOTHING = {};
+
     private final boolean specialised;
     private final Pair pair;
     private final Gjk gjk;
@@ -43,8 +45,8 @@ final class Polyhedra {
         this.gjk = gjk;
         this.axes = axes;
         this.points = points;
-        this.warm = new WarmContact(pair, axes, points);
         this.search = new PolyhedronAxis(pair, gjk, epa, axes, points, specialised);
+        this.warm = new WarmContact(pair, axes, points, search);
     }
 
     /** See {@link NarrowPhase#distance}; leaves the axis in {@link ContactPoints}. */
@@ -63,7 +65,7 @@ final class Polyhedra {
     }
 
     /** See {@link NarrowPhase#collide}. */
-    long collide(Shape a, Shape b, double margin, long cache, Manifold out) {
+    long collide(Shape a, Shape b, double margin, long cache, long[] memory, int at, Manifold out) {
         gap = 0;
         iterated = false;
         leftOut = Double.NaN;
@@ -71,9 +73,15 @@ final class Polyhedra {
         // it.
         points.incidentVertex = 0;
         boolean hulls = specialised && !(a instanceof Box && b instanceof Box);
+        boolean remembers = hulls && memory.length > 0;
+        search.remember(remembers ? memory : NOTHING, at);
         if (hulls && cache != 0) {
-            long word = warm.collide(margin, cache, out);
+            long crossing = remembers ? memory[at + Polytope.SIZE] : 0;
+            long word = warm.collide(margin, cache, crossing, out);
             if (warm.done) {
+                if (remembers) {
+                    memory[at + Polytope.SIZE] = 0;
+                }
                 leftOut = out.pointCount == 0 ? warm.separation : points.clipper.leftOut;
                 return word;
             }
@@ -91,16 +99,19 @@ final class Polyhedra {
             iterated = search.general;
             gap = search.gap;
         }
+        if (remembers) {
+            memory[at + Polytope.SIZE] = warm.crossing();
+        }
         long word = manifold(margin, cache, out);
         if (!hulls || word == 0) {
             return word;
         }
         if (word >>> 62 != EDGES) {
-            return NarrowPhase.withHint(word, points.incidentVertex);
+            return Word.withHint(word, points.incidentVertex);
         }
         boolean crossing = out.feature[0] >>> 30 == Clipper.CROSSING >>> 30;
         return crossing
-                ? NarrowPhase.withHint(word | (long) axes.edgeA << 47, axes.edgeB)
+                ? Word.withHint(word | (long) axes.edgeA << 47, axes.edgeB)
                 : word | NarrowPhase.NO_EDGE << 47;
     }
 
@@ -183,20 +194,20 @@ final class Polyhedra {
     }
 
     private double separationA(int face, long cache) {
-        int near = NarrowPhase.hint(cache);
+        int near = Word.hint(cache);
         boolean known = warm.certain && near < pair.b.vertexCount();
         return known ? pair.faceSeparationA(face, near) : pair.faceSeparationA(face);
     }
 
     private double separationB(int face, long cache) {
-        int near = NarrowPhase.hint(cache);
+        int near = Word.hint(cache);
         boolean known = warm.certain && near < pair.a.vertexCount();
         return known ? pair.faceSeparationB(face, near) : pair.faceSeparationB(face);
     }
 
     private long word(long kind, int names) {
         long i = kind == FACE_A ? axes.faceA : kind == FACE_B ? axes.faceB : 0;
-        return NarrowPhase.word(kind, i, names);
+        return Word.of(kind, i, names);
     }
 
     /** The face that separated or carried the pair last time separates it now. */

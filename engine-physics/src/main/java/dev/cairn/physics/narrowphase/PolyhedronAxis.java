@@ -26,6 +26,14 @@ final class PolyhedronAxis {
     /** See {@link Safeguard}. */
     boolean otherAxes = true;
 
+    /** Where the polytope of the pair is kept between ticks, see {@link #remember}. */
+    private long[] memory = {};
+
+    private int at;
+
+    /** 1 when the kept polytope holds the origin, -1 when it does not, 0 when that is not known. */
+    private int recalled;
+
     private final Pair pair;
     private final Gjk gjk;
     private final Epa epa;
@@ -56,8 +64,55 @@ final class PolyhedronAxis {
             axes.boxes(pair, margin);
             return;
         }
-        gjk.run(pair, sx, sy, sz, margin);
-        settle();
+        if (!resume()) {
+            gjk.run(pair, sx, sy, sz, margin);
+            settle();
+        }
+        if (memory.length > 0) {
+            boolean deep = gjk.overlap && !gjk.beyond && !epa.capped;
+            if (deep) {
+                epa.save(memory, at);
+            } else {
+                Polytope.forget(memory, at);
+            }
+        }
+    }
+
+    /** Chooses where the polytope of a pair is kept between ticks; none in an empty array. */
+    void remember(long[] keptPolytope, int begin) {
+        memory = keptPolytope;
+        at = begin;
+        recalled = 0;
+    }
+
+    /**
+     * An upper bound of the signed distance of shapes that overlap, from the polytope of the last
+     * search at the present poses; infinite when there is none.
+     */
+    double upper() {
+        if (recalled == 0) {
+            recalled = memory.length > 0 && epa.recall(pair, memory, at) ? 1 : -1;
+        }
+        return recalled > 0 ? -epa.lower : Double.POSITIVE_INFINITY;
+    }
+
+    /** Goes on from the polytope of the last search. */
+    private boolean resume() {
+        if (upper() == Double.POSITIVE_INFINITY || !epa.resume(pair)) {
+            epa.capped = false;
+            return false;
+        }
+        gjk.overlap = true;
+        gjk.beyond = false;
+        gjk.capped = false;
+        gjk.iterations = 0;
+        deepest();
+        return true;
+    }
+
+    private void deepest() {
+        snapDeepest();
+        gap = Math.max(0, -epa.lower - axes.best());
     }
 
     /** Fills the axes after a run of GJK. */
@@ -66,8 +121,7 @@ final class PolyhedronAxis {
             axes.clear(gjk.lower);
         } else if (gjk.overlap) {
             epa.run(pair, gjk);
-            snapDeepest();
-            gap = Math.max(0, -epa.lower - axes.best());
+            deepest();
         } else {
             double s = 1 / gjk.distance;
             axes.snap(pair, gjk.vx * s, gjk.vy * s, gjk.vz * s);

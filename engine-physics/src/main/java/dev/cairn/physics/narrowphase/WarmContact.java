@@ -40,6 +40,7 @@ final class WarmContact {
     private final Pair pair;
     private final Axes axes;
     private final ContactPoints points;
+    private final PolyhedronAxis search;
 
     /** See {@link Safeguard}. */
     boolean secondBound = true;
@@ -78,10 +79,11 @@ final class WarmContact {
     /** The deepest corner that was clipped. */
     private int deepest;
 
-    WarmContact(Pair pair, Axes axes, ContactPoints points) {
+    WarmContact(Pair pair, Axes axes, ContactPoints points, PolyhedronAxis search) {
         this.pair = pair;
         this.axes = axes;
         this.points = points;
+        this.search = search;
     }
 
     /** Nothing is known. */
@@ -95,12 +97,28 @@ final class WarmContact {
         axisZ = pair.dz;
     }
 
-    /** Tries the features of a word that is not 0; returns the next word when {@link #done}. */
-    long collide(double margin, long cache, Manifold out) {
+    /**
+     * Tries the features of a word that is not 0; returns the next word when {@link #done}.
+     *
+     * @param crossing two edges that separated best though a face held the contact, as {@link
+     *     #crossing} tells them; 0 for none
+     */
+    long collide(double margin, long cache, long crossing, Manifold out) {
         forget();
         long kind = cache >>> 62;
-        int face = NarrowPhase.faceOf(cache);
-        int hint = NarrowPhase.hint(cache);
+        if (crossing != 0 && kind != EDGES) {
+            int ea = (int) (crossing >>> 15) & 0x7FFF;
+            int eb = (int) crossing & 0x7FFF;
+            if (ea < pair.a.edgeCount() && eb < pair.b.edgeCount()) {
+                edges(ea, eb);
+            }
+            if (certain) {
+                return 0;
+            }
+            forget();
+        }
+        int face = Word.faceOf(cache);
+        int hint = Word.hint(cache);
         if (kind == FACE_A && face < pair.a.faceCount() && hint < pair.b.vertexCount()) {
             return onA(face, hint, margin, cache, out);
         }
@@ -111,6 +129,13 @@ final class WarmContact {
             edges(face, hint);
         }
         return 0;
+    }
+
+    /** The edges of the axes, when they separate best by more than any decision could overlook. */
+    long crossing() {
+        double faces = Math.max(axes.separationA, axes.separationB);
+        boolean best = axes.separationEdge > faces + CALM * pair.inner;
+        return best ? 1L << 62 | (long) axes.edgeA << 15 | axes.edgeB : 0;
     }
 
     private long onA(int face, int hint, double margin, long cache, Manifold out) {
@@ -154,7 +179,7 @@ final class WarmContact {
         separation = s;
         if (s > margin) {
             done = true;
-            return NarrowPhase.withHint(NarrowPhase.word(kind, at, (int) cache), v);
+            return Word.withHint(Word.of(kind, at, (int) cache), v);
         }
         double calm = CALM * pair.inner;
         face = at;
@@ -172,12 +197,15 @@ final class WarmContact {
             Polyhedron reference = flip ? pair.b : pair.a;
             upper = Math.min(upper, -within(reference, c.x[deepest], c.y[deepest], c.z[deepest]));
         }
+        if (secondBound && least - s <= calm && !settled(s, least, upper, calm)) {
+            upper = Math.min(upper, search.upper());
+        }
         if (secondBound && !settled(s, least, upper, calm)) {
             return other(flip, least - s <= calm, margin, cache, out);
         }
         done = true;
         out.bound = wrong(s, least, upper) + 0x1p-48 * pair.scale;
-        return NarrowPhase.withHint(NarrowPhase.word(kind, at, Names.of(out)), v);
+        return Word.withHint(Word.of(kind, at, Names.of(out)), v);
     }
 
     /** What the depth at the points may be wrong by. */
@@ -338,6 +366,9 @@ final class WarmContact {
         }
         double enough = EDGE_GAP * CALM * p.inner - EDGE_SHARE * Math.min(s, 0);
         double upper = secondBound ? upperOfEdges(s, enough) : s;
+        if (upper - s > enough) {
+            upper = Math.min(upper, search.upper());
+        }
         if (upper - s <= enough) {
             certain = true;
             gap = upper - s;

@@ -1,5 +1,6 @@
 package dev.cairn.physics.narrowphase;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -18,6 +19,11 @@ class WarmHullsTest {
     private final NarrowPhase warm = new NarrowPhase();
     private final Manifold m = new Manifold(), alone = new Manifold();
 
+    /** Not at the beginning, to see that the place counts. */
+    private static final int AT = 3;
+
+    private final long[] memory = new long[AT + PairMemory.SIZE];
+
     private double deepest() {
         double least = Double.MAX_VALUE;
         for (int i = 0; i < m.pointCount; i++) {
@@ -32,9 +38,14 @@ class WarmHullsTest {
     }
 
     private long check(Scene s, double margin, long word, String where) {
+        long[] same = memory.clone();
+        warm.remember(memory, AT);
         long next = s.collide(warm, margin, word, m);
         // Who was collided before by the same worker must not matter.
-        assertEquals(s.collide(new NarrowPhase(), margin, word, alone), next, where + ": word");
+        NarrowPhase other = new NarrowPhase();
+        other.remember(same, AT);
+        assertEquals(s.collide(other, margin, word, alone), next, where + ": word");
+        assertArrayEquals(same, memory, where + ": memory");
         assertEquals(alone.pointCount, m.pointCount, where);
         for (int i = 0; i < m.pointCount; i++) {
             assertEquals(alone.feature[i], m.feature[i], where);
@@ -146,5 +157,24 @@ class WarmHullsTest {
                 s.qb.rotateXYZ(.02, .01, -.01).normalize();
             }
         }
+    }
+
+    /** What a search ended with tells at the same pose, and near it, that nothing is better. */
+    @Test
+    void whatWasSearchedForOnceIsKnownInTheNextTick() {
+        SplittableRandom r = new SplittableRandom(81);
+        int searches = 0;
+        for (int i = 0; i < 200; i++) {
+            Scene s = touching(r, Scene.hull(r, 32, 1), Scene.hull(r, 32, 1), .1 * r.nextDouble());
+            long word = 0;
+            for (int tick = 0; tick < 6; tick++) {
+                warm.forgetIterations();
+                word = check(s, .02, word, "seed 81, pair " + i + ", tick " + tick);
+                searches += tick > 1 && warm.iterations() > 0 ? 1 : 0;
+                s.qb.rotateXYZ(1e-4, -1e-4, 1e-4).normalize();
+            }
+        }
+        // Of 800; without the memory some 200.
+        assertTrue(searches <= 40, "seed 81: " + searches + " searches");
     }
 }

@@ -1,0 +1,46 @@
+package dev.cairn.physics.narrowphase;
+
+/**
+ * The warm-start word: bits 63..62 the kind (0 none, 1 face of A, 2 face of B, 3 edges or points),
+ * bits 61..47 the face, bits 31..0 the {@link Names} of the points. Of pairs with a hull, bits
+ * 46..32 are a vertex near the face; of two edges that cross they are the second edge, and bits
+ * 61..47 the first. A stale or random word costs time, never correctness.
+ */
+public final class Word {
+    private Word() {}
+
+    /** The warm-start word of a kind of contact, a face and the names of the points. */
+    static long of(long kind, long face, int names) {
+        return kind << 62 | face << 47 | (names & 0xFFFFFFFFL);
+    }
+
+    /** Adds where to look in the next tick. */
+    static long withHint(long word, long hint) {
+        return word | hint << 32;
+    }
+
+    /** See {@link #withHint}. */
+    static int hint(long word) {
+        return (int) (word >>> 32) & 0x7FFF;
+    }
+
+    /**
+     * The face in a warm-start word of kind face.
+     *
+     * @param word as {@link NarrowPhase#collide} returns it
+     * @return its number on its shape
+     */
+    public static int faceOf(long word) {
+        return (int) (word >>> 47) & 0x7FFF;
+    }
+
+    /**
+     * Whether a face of B carried or separated the pair.
+     *
+     * @param word as {@link NarrowPhase#collide} returns it
+     * @return false for a face of A and for other contacts
+     */
+    public static boolean onFaceOfB(long word) {
+        return word >>> 62 == NarrowPhase.FACE_B;
+    }
+}
