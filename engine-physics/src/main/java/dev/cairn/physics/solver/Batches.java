@@ -14,7 +14,9 @@ import java.util.Arrays;
  * and the workers wait for each other after each colour of each pass. Islands do not see each
  * other; the rows of one that fits the cache stay there for all sub-steps, and nobody waits. So
  * islands are gathered into batches, in the order of their smallest slot, up to {@link #WANTED}
- * rows; what is too large goes to batch 0, which all workers solve in lockstep.
+ * rows; what one worker should not have alone goes to batch 0, which all workers solve in lockstep.
+ * Islands of more than {@link #LARGEST} rows are cut into {@link Domains}, a batch each, with the
+ * contacts between these in batch 0.
  *
  * <p>The order in which the contacts of an island are solved is the same in both, and so are the
  * bits: the cut may depend on the number of workers. Simulation thread; allocates only when a store
@@ -26,12 +28,18 @@ final class Batches {
      */
     static final int WANTED = 320;
 
-    /** A larger island is solved in lockstep. */
+    /** A larger island is cut into domains. */
     private static final int LARGEST = 1024;
+
+    /** In {@link #tally}: the island is cut into domains. */
+    private static final int CUT = -1;
 
     private final Islands islands = new Islands();
 
-    /** Batches, the one in lockstep included. */
+    /** The domains of large islands are the batches from 1 to {@code domains.count}. */
+    final Domains domains = new Domains();
+
+    /** Batches, the one in lockstep and the domains included. */
     int count;
 
     /** Bodies with contacts, by batch and then by slot; where those of each batch start. */
@@ -93,12 +101,13 @@ final class Batches {
                 bound[boundCount++] = i;
             }
         }
-        if (together || rows.count <= WANTED) {
+        domains.count = 0;
+        if (rows.count <= (together ? LARGEST : WANTED)) {
             whole(rows, together ? 0 : 1);
             return;
         }
         islands.build(bodies, contacts, bound, boundCount);
-        assign(bodies, contacts, rows, workers);
+        assign(bodies, contacts, rows, together, workers);
         sortRows(rows);
         sortBodies();
     }
@@ -109,6 +118,7 @@ final class Batches {
         System.arraycopy(bound, 0, order, 0, boundCount);
         for (int m = 0; m < rows.count; m++) {
             byBatch[m] = m;
+            batchOf[m] = batch;
         }
         firstRow[0] = 0;
         firstBody[0] = 0;
@@ -118,7 +128,12 @@ final class Batches {
         firstBody[count] = boundCount;
     }
 
-    private void assign(BodyStore bodies, ContactStore contacts, ConstraintRows rows, int workers) {
+    private void assign(
+            BodyStore bodies,
+            ContactStore contacts,
+            ConstraintRows rows,
+            boolean together,
+            int workers) {
         for (int k = 0; k < boundCount; k++) {
             tally[bound[k]] = 0;
         }
@@ -129,18 +144,28 @@ final class Batches {
             batchOf[m] = root;
             tally[root]++;
         }
+        boolean cuts = false;
+        for (int k = 0; k < boundCount; k++) {
+            if (tally[bound[k]] > LARGEST) {
+                tally[bound[k]] = CUT;
+                cuts = true;
+            }
+        }
+        if (cuts) {
+            domains.cut(bodies, contacts, rows, islands, batchOf, tally, CUT, bound, boundCount);
+        }
         // an island that would keep one worker busy while the others wait is for all
         int share = workers == 1 ? LARGEST : rows.count / (2 * workers);
         int largest = Math.max(WANTED, Math.min(LARGEST, share));
         int size = WANTED;
-        count = 1;
+        count = 1 + domains.count;
         for (int k = 0; k < boundCount; k++) {
             int i = bound[k];
-            if (islands.root(i) != i) {
+            if (islands.root(i) != i || tally[i] == CUT) {
                 continue;
             }
             int n = tally[i];
-            if (n > largest) {
+            if (together || n > largest) {
                 tally[i] = 0;
                 continue;
             }
@@ -152,8 +177,22 @@ final class Batches {
             tally[i] = count - 1;
         }
         for (int m = 0; m < rows.count; m++) {
-            batchOf[m] = tally[batchOf[m]];
+            int batch = tally[batchOf[m]];
+            batchOf[m] = batch == CUT ? domain(bodies, contacts, rows.source[m]) : batch;
         }
+    }
+
+    /** The batch of a contact within a domain; 0 for one between two of them. */
+    private int domain(BodyStore bodies, ContactStore contacts, int c) {
+        int a = contacts.bodyA[c];
+        int b = contacts.bodyB[c];
+        if (bodies.kind[a] != BodyStore.DYNAMIC) {
+            return 1 + domains.of[b];
+        }
+        if (bodies.kind[b] != BodyStore.DYNAMIC) {
+            return 1 + domains.of[a];
+        }
+        return domains.of[a] == domains.of[b] ? 1 + domains.of[a] : 0;
     }
 
     private void sortRows(ConstraintRows rows) {
@@ -185,7 +224,13 @@ final class Batches {
     }
 
     private int batchOfBody(int slot) {
-        return tally[islands.root(slot)];
+        int batch = tally[islands.root(slot)];
+        return batch == CUT ? 1 + domains.of[slot] : batch;
+    }
+
+    /** Whether a row is in batch 0. */
+    boolean isLockstep(int m) {
+        return batchOf[m] == 0;
     }
 
     /** Ends become starts again. */

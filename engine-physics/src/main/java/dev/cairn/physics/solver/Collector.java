@@ -156,7 +156,7 @@ final class Collector {
             int a = slotA[m];
             int b = slotB[m];
             if ((a | b) >= 0) {
-                colouring.add(m, a, b, cold[m]);
+                colouring.add(m, a, b, cold[m], batches.isLockstep(m));
             } else {
                 colouring.addFixed(m, Math.max(a, b));
             }

@@ -30,6 +30,9 @@ final class Colouring {
     /** The first colour of each batch; one more for the end of the last. */
     int[] firstColour = new int[2];
 
+    /** The first colour of each batch with contacts with what does not move, or the end. */
+    int[] firstFixed = new int[2];
+
     private long[] used = {};
     private long[] usedCold = {};
     private int[] next = {};
@@ -43,8 +46,11 @@ final class Colouring {
 
     private int moreColours;
     private int fixedColours;
+    private int slots;
 
     void begin(int slots, int rows) {
+        this.slots = slots;
+        slots *= 2;
         if (used.length < slots) {
             int n = Math.max(slots, used.length + (used.length >> 1));
             used = new long[n];
@@ -63,8 +69,15 @@ final class Colouring {
         fixedColours = 0;
     }
 
-    /** Row {@code m} is a contact of two bodies that move; {@code isCold} if nothing presses. */
-    void add(int m, int a, int b, boolean isCold) {
+    /**
+     * Row {@code m} is a contact of two bodies that move; {@code isCold} if nothing presses. Those
+     * in lockstep and those in domains do not see each other's colours.
+     */
+    void add(int m, int a, int b, boolean isCold, boolean lockstep) {
+        if (lockstep) {
+            a += slots;
+            b += slots;
+        }
         long[] taken = isCold ? usedCold : used;
         long free = ~(taken[a] | taken[b]);
         if (free != 0) {
@@ -97,12 +110,15 @@ final class Colouring {
         }
         if (firstColour.length < batches.count + 1) {
             firstColour = new int[batches.firstRow.length];
+            firstFixed = new int[batches.firstRow.length];
         }
         colours = 0;
         int at = 0;
         for (int b = 0; b < batches.count; b++) {
             firstColour[b] = colours;
+            firstFixed[b] = -1;
             at = place(rows, batches, b, names, at);
+            firstFixed[b] = firstFixed[b] < 0 ? colours : firstFixed[b];
         }
         firstColour[batches.count] = colours;
         ensureColours(colours + 1);
@@ -134,6 +150,9 @@ final class Colouring {
         for (int c = least; c <= most; c++) {
             int n = tally[c];
             if (n > 0) {
+                if (c >= names - fixedColours && firstFixed[batch] < 0) {
+                    firstFixed[batch] = colours;
+                }
                 start[colours] = end;
                 size[colours++] = n;
                 tally[c] = end;

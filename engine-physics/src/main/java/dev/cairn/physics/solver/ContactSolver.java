@@ -18,12 +18,6 @@ public final class ContactSolver {
     private static final int BODIES_PER_BLOCK = 128;
     private static final int ROWS_PER_BLOCK = 256;
 
-    /**
-     * Rows of a colour to a block. All workers wait for the last block of each of some hundred
-     * passes over colours: small, but some microseconds. A colour of two blocks is left to one.
-     */
-    private static final int COLOUR_ROWS_PER_BLOCK = 64;
-
     /** With fewer contacts the scalar sweeps are fast enough, and need no warm-up. */
     private static final int WIDE_FROM = 256;
 
@@ -39,43 +33,21 @@ public final class ContactSolver {
     private final Colouring colouring = new Colouring();
     private final Batches batches = new Batches();
     private final Collector collector = new Collector(colouring, batches);
-    private final Impacts impacts = new Impacts();
+    private final Lockstep lockstep;
     private final LoadSweep loads = new LoadSweep();
     private final Unloading unloading = new Unloading();
 
     private final BlockJob begin = this::begin;
-    private final BlockJob prepare = this::prepare;
-    private final BlockJob findRenewed = this::findRenewed;
-    private final BlockJob kick = this::kick;
-    private final BlockJob bias = this::bias;
-    private final BlockJob drift = this::drift;
-    private final BlockJob relax = this::relax;
-    private final BlockJob finish = this::finish;
-    private final BlockJob keepBodies = this::keepBodies;
-    private final BlockJob takeOut = this::takeOut;
-    private final BlockJob renewBodies = this::renewBodies;
-    private final BlockJob renewRows = this::renewRows;
-    private final BlockJob storeBodies = this::storeBodies;
-    private final BlockJob storeRows = this::storeRows;
     private final BlockJob clearRows = this::clearRows;
     private final BlockJob batch = this::batch;
 
-    private boolean renews;
     private boolean unloaded;
     private int substepsBefore;
     private int contactTicks;
 
-    /** The colour in work in lockstep: its places; and the sub-step. */
-    private int from;
-
-    private int to;
-    private int perBlock;
-    private int substep;
-
-    /** The sweeps of this tick, and of the colour in work. */
+    /** The sweeps of this tick. */
     private Sweeps chosen = narrow;
 
-    private Sweeps sweep = narrow;
     private double[][] scratch = {};
 
     /**
@@ -93,6 +65,7 @@ public final class ContactSolver {
         body = passes.body;
         rows = passes.rows;
         renewal = passes.renewal;
+        lockstep = new Lockstep(passes, colouring, batches, narrow);
     }
 
     /**
@@ -167,10 +140,11 @@ public final class ContactSolver {
             renewal.ensurePlaces(rows);
             ensureScratch(jobs.workers());
             choose();
-            if (colouring.firstColour[1] > 0) {
-                lockstep(jobs);
+            int alone = 1 + batches.domains.count;
+            if (colouring.firstColour[alone] > 0) {
+                lockstep.run(chosen, unloaded, scratch, jobs);
             }
-            run(batch, batches.count - 1, jobs);
+            run(batch, batches.count - alone, jobs);
         }
         run(clearRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK), jobs);
     }
@@ -184,57 +158,6 @@ public final class ContactSolver {
         }
     }
 
-    /** Batch 0: colour after colour, all workers at once. */
-    private void lockstep(Jobs jobs) {
-        int bodyBlocks = Blocks.count(batches.firstBody[1], BODIES_PER_BLOCK);
-        int end = colouring.start[colouring.firstColour[1]];
-        colours(prepare, jobs);
-        renews = false;
-        run(findRenewed, Blocks.count(end, ROWS_PER_BLOCK), jobs);
-        for (int k = 0; k < passes.settings.substeps(); k++) {
-            substep = k;
-            if (rows.bouncing > 0
-                    && impacts.run(
-                            rows,
-                            body,
-                            passes.bodies,
-                            passes.contacts,
-                            passes.gravity,
-                            passes.subStep,
-                            passes.settings.restitutionThreshold())) {
-                ScalarSweeps.separations(rows, body.state);
-            }
-            run(kick, bodyBlocks, jobs);
-            if (unloaded && k == 0) {
-                passes.settle(0, end, scratch[0]);
-            }
-            colours(bias, jobs);
-            run(drift, bodyBlocks, jobs);
-            if (renews) {
-                run(keepBodies, bodyBlocks, jobs);
-                colours(takeOut, jobs);
-                run(renewBodies, bodyBlocks, jobs);
-                colours(renewRows, jobs);
-            }
-            colours(relax, jobs);
-            run(finish, bodyBlocks, jobs);
-        }
-        run(storeBodies, bodyBlocks, jobs);
-        colours(storeRows, jobs);
-    }
-
-    /** Runs a job over the rows of one colour after the other, in blocks. */
-    private void colours(BlockJob job, Jobs jobs) {
-        for (int c = 0; c < colouring.firstColour[1]; c++) {
-            from = colouring.start[c];
-            to = colouring.start[c + 1];
-            sweep = sweeps(c);
-            int rowCount = to - from;
-            perBlock = rowCount <= 2 * COLOUR_ROWS_PER_BLOCK ? rowCount : COLOUR_ROWS_PER_BLOCK;
-            run(job, Blocks.count(rowCount, perBlock), jobs);
-        }
-    }
-
     /** A colour of one row is swept by the scalar twin. */
     private Sweeps sweeps(int colour) {
         return colouring.size[colour] > 1 ? chosen : narrow;
@@ -244,7 +167,7 @@ public final class ContactSolver {
     private void batch(int block, int worker) {
         Passes p = passes;
         double[] own = scratch[worker];
-        int b = block + 1;
+        int b = 1 + batches.domains.count + block;
         int first = colouring.firstColour[b];
         int last = colouring.firstColour[b + 1];
         int[] start = colouring.start;
@@ -281,73 +204,6 @@ public final class ContactSolver {
     private void begin(int block, int worker) {
         int first = Blocks.begin(block, BODIES_PER_BLOCK);
         passes.begin(first, Blocks.end(block, BODIES_PER_BLOCK, passes.bodies.slotCount));
-    }
-
-    private int rowsFrom(int block) {
-        return from + Blocks.begin(block, perBlock);
-    }
-
-    private int rowsTo(int block) {
-        return from + Blocks.end(block, perBlock, to - from);
-    }
-
-    private int bodiesTo(int block) {
-        return Blocks.end(block, BODIES_PER_BLOCK, batches.firstBody[1]);
-    }
-
-    private void prepare(int block, int worker) {
-        passes.prepare(sweep, rowsFrom(block), rowsTo(block), scratch[worker]);
-    }
-
-    private void findRenewed(int block, int worker) {
-        int end = Blocks.end(block, ROWS_PER_BLOCK, colouring.start[colouring.firstColour[1]]);
-        if (passes.findRenewed(Blocks.begin(block, ROWS_PER_BLOCK), end)) {
-            renews = true; // by whoever finds one
-        }
-    }
-
-    private void bias(int block, int worker) {
-        passes.bias(sweep, rowsFrom(block), rowsTo(block), scratch[worker]);
-    }
-
-    private void relax(int block, int worker) {
-        passes.relax(sweep, rowsFrom(block), rowsTo(block), scratch[worker]);
-    }
-
-    private void takeOut(int block, int worker) {
-        passes.takeOut(rowsFrom(block), rowsTo(block));
-    }
-
-    private void renewRows(int block, int worker) {
-        passes.renewRows(substep, rowsFrom(block), rowsTo(block));
-    }
-
-    private void storeRows(int block, int worker) {
-        passes.storeRows(renews, rowsFrom(block), rowsTo(block), scratch[worker]);
-    }
-
-    private void kick(int block, int worker) {
-        passes.kick(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
-    }
-
-    private void drift(int block, int worker) {
-        passes.drift(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
-    }
-
-    private void keepBodies(int block, int worker) {
-        passes.keep(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
-    }
-
-    private void renewBodies(int block, int worker) {
-        passes.renewBodies(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
-    }
-
-    private void finish(int block, int worker) {
-        passes.finish(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block), scratch[worker]);
-    }
-
-    private void storeBodies(int block, int worker) {
-        passes.storeBodies(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
     }
 
     private void clearRows(int block, int worker) {

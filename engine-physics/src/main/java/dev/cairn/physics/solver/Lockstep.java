@@ -1,0 +1,306 @@
+package dev.cairn.physics.solver;
+
+import dev.cairn.core.job.BlockJob;
+import dev.cairn.core.job.Blocks;
+import dev.cairn.core.job.Jobs;
+
+/**
+ * The tick of islands that are too large for one worker, by all of them at once: the contacts
+ * between domains colour after colour, the contacts within them domain by domain, see {@link
+ * Domains}.
+ *
+ * <p>The bias pass goes over the domains first and over what is between them last, the relax pass
+ * the other way round. So nothing comes between the relax pass of a domain and its next bias pass
+ * but its own bodies: a worker does both while the rows are in its cache. In both, contacts with
+ * what does not move have the last word. Where something bounces, or has lost a load, the sub-step
+ * begins with work on all of the scene, and the passes are apart.
+ *
+ * <p>Simulation thread, but for the blocks.
+ */
+final class Lockstep {
+    private static final int BODIES_PER_BLOCK = 128;
+    private static final int ROWS_PER_BLOCK = 256;
+
+    /**
+     * Rows of a colour to a block. All workers wait for the last block of each pass over a colour:
+     * small, but some microseconds. A colour of two blocks is left to one.
+     */
+    private static final int COLOUR_ROWS_PER_BLOCK = 64;
+
+    private final Passes passes;
+    private final Colouring colouring;
+    private final Batches batches;
+    private final Sweeps narrow;
+    private final Impacts impacts = new Impacts();
+
+    private final BlockJob prepare = this::prepare;
+    private final BlockJob findRenewed = this::findRenewed;
+    private final BlockJob within = this::within;
+    private final BlockJob kick = this::kick;
+    private final BlockJob biasWithin = this::biasWithin;
+    private final BlockJob bias = this::bias;
+    private final BlockJob drift = this::drift;
+    private final BlockJob takeOut = this::takeOut;
+    private final BlockJob takeOutWithin = this::takeOutWithin;
+    private final BlockJob renewBodies = this::renewBodies;
+    private final BlockJob renewRows = this::renewRows;
+    private final BlockJob renewWithin = this::renewWithin;
+    private final BlockJob relax = this::relax;
+    private final BlockJob storeRows = this::storeRows;
+
+    private Sweeps chosen;
+    private double[][] scratch = {};
+    private boolean renews;
+    private boolean unloaded;
+    private int domains;
+
+    /** Sub-steps of which the relax pass is done or due, and their number. */
+    private int substep;
+
+    private int substeps;
+
+    /** The colour in work: its places and sweeps. */
+    private int from;
+
+    private int to;
+    private int perBlock;
+    private Sweeps sweep;
+
+    Lockstep(Passes passes, Colouring colouring, Batches batches, Sweeps narrow) {
+        this.passes = passes;
+        this.colouring = colouring;
+        this.batches = batches;
+        this.narrow = narrow;
+        chosen = narrow;
+        sweep = narrow;
+    }
+
+    /**
+     * Runs the tick of batch 0 and of the domains.
+     *
+     * @param chosen sweeps of this tick
+     * @param unloaded whether a load has gone
+     * @param scratch by worker
+     */
+    void run(Sweeps chosen, boolean unloaded, double[][] scratch, Jobs jobs) {
+        this.chosen = chosen;
+        this.scratch = scratch;
+        this.unloaded = unloaded;
+        Passes p = passes;
+        domains = batches.domains.count;
+        substeps = p.settings.substeps();
+        int bodyBlocks = Blocks.count(batches.firstBody[1 + domains], BODIES_PER_BLOCK);
+        int parts = domains + Blocks.count(batches.firstBody[1], BODIES_PER_BLOCK);
+        renews = false;
+        colours(prepare, jobs);
+        ContactSolver.run(
+                findRenewed,
+                Blocks.count(colouring.start[colouring.firstColour[1]], ROWS_PER_BLOCK),
+                jobs);
+        substep = 0;
+        ContactSolver.run(within, parts, jobs);
+        while (substep < substeps) {
+            if (isApart()) {
+                begin(bodyBlocks, jobs);
+            }
+            colours(bias, jobs);
+            ContactSolver.run(drift, parts, jobs);
+            if (renews) {
+                colours(takeOut, jobs);
+                ContactSolver.run(takeOutWithin, domains, jobs);
+                ContactSolver.run(renewBodies, bodyBlocks, jobs);
+                colours(renewRows, jobs);
+                ContactSolver.run(renewWithin, domains, jobs);
+            }
+            colours(relax, jobs);
+            substep++;
+            ContactSolver.run(within, parts, jobs);
+        }
+        colours(storeRows, jobs);
+    }
+
+    /** Whether this sub-step begins with work on all rows. */
+    private boolean isApart() {
+        return passes.rows.bouncing > 0 || (unloaded && substep == 0);
+    }
+
+    private void begin(int bodyBlocks, Jobs jobs) {
+        Passes p = passes;
+        if (p.rows.bouncing > 0
+                && impacts.run(
+                        p.rows,
+                        p.body,
+                        p.bodies,
+                        p.contacts,
+                        p.gravity,
+                        p.subStep,
+                        p.settings.restitutionThreshold())) {
+            ScalarSweeps.separations(p.rows, p.body.state);
+        }
+        ContactSolver.run(kick, bodyBlocks, jobs);
+        if (unloaded && substep == 0) {
+            p.settle(0, colouring.start[colouring.firstColour[1 + domains]], scratch[0]);
+        }
+        ContactSolver.run(biasWithin, domains, jobs);
+    }
+
+    /** Runs a job over the rows of one colour after the other, in blocks. */
+    private void colours(BlockJob job, Jobs jobs) {
+        for (int c = 0; c < colouring.firstColour[1]; c++) {
+            from = colouring.start[c];
+            to = colouring.start[c + 1];
+            sweep = sweeps(c);
+            int rowCount = to - from;
+            perBlock = rowCount <= 2 * COLOUR_ROWS_PER_BLOCK ? rowCount : COLOUR_ROWS_PER_BLOCK;
+            ContactSolver.run(job, Blocks.count(rowCount, perBlock), jobs);
+        }
+    }
+
+    /** A colour of one row is swept by the scalar twin. */
+    private Sweeps sweeps(int colour) {
+        return colouring.size[colour] > 1 ? chosen : narrow;
+    }
+
+    /** From the relax pass of one sub-step to the bias pass of the next: a domain, or bodies. */
+    private void within(int block, int worker) {
+        if (block >= domains) {
+            alone(block - domains, worker);
+            return;
+        }
+        Passes p = passes;
+        double[] own = scratch[worker];
+        int b = 1 + block;
+        int first = colouring.firstColour[b];
+        int last = colouring.firstColour[b + 1];
+        int[] start = colouring.start;
+        int head = batches.firstBody[b];
+        int tail = batches.firstBody[b + 1];
+        if (substep == 0) {
+            for (int c = first; c < last; c++) {
+                p.prepare(sweeps(c), start[c], start[c + 1], own);
+            }
+            if (p.findRenewed(start[first], start[last])) {
+                renews = true; // by whoever finds one
+            }
+        } else {
+            for (int c = first; c < last; c++) {
+                p.relax(sweeps(c), start[c], start[c + 1], own);
+            }
+            p.finish(head, tail, own);
+        }
+        if (substep == substeps) {
+            p.storeBodies(head, tail);
+            p.storeRows(renews, start[first], start[last], own);
+        } else if (!isApart()) {
+            p.kick(head, tail);
+            biasWithin(block, worker);
+        }
+    }
+
+    /** The same for bodies that are in no domain. */
+    private void alone(int block, int worker) {
+        int head = Blocks.begin(block, BODIES_PER_BLOCK);
+        int tail = Blocks.end(block, BODIES_PER_BLOCK, batches.firstBody[1]);
+        if (substep > 0) {
+            passes.finish(head, tail, scratch[worker]);
+        }
+        if (substep == substeps) {
+            passes.storeBodies(head, tail);
+        } else if (!isApart()) {
+            passes.kick(head, tail);
+        }
+    }
+
+    /** What moves on what moves; the rest waits for the contacts between domains. */
+    private void biasWithin(int block, int worker) {
+        int b = 1 + block;
+        for (int c = colouring.firstColour[b]; c < colouring.firstFixed[b]; c++) {
+            passes.bias(sweeps(c), colouring.start[c], colouring.start[c + 1], scratch[worker]);
+        }
+    }
+
+    private void drift(int block, int worker) {
+        Passes p = passes;
+        if (block >= domains) {
+            int begin = Blocks.begin(block - domains, BODIES_PER_BLOCK);
+            int end = Blocks.end(block - domains, BODIES_PER_BLOCK, batches.firstBody[1]);
+            drift(begin, end, p);
+            return;
+        }
+        int b = 1 + block;
+        for (int c = colouring.firstFixed[b]; c < colouring.firstColour[b + 1]; c++) {
+            p.bias(sweeps(c), colouring.start[c], colouring.start[c + 1], scratch[worker]);
+        }
+        drift(batches.firstBody[b], batches.firstBody[b + 1], p);
+    }
+
+    private void drift(int head, int tail, Passes p) {
+        p.drift(head, tail);
+        if (renews) {
+            p.keep(head, tail);
+        }
+    }
+
+    private int rowsFrom(int block) {
+        return from + Blocks.begin(block, perBlock);
+    }
+
+    private int rowsTo(int block) {
+        return from + Blocks.end(block, perBlock, to - from);
+    }
+
+    private int bodiesTo(int block) {
+        return Blocks.end(block, BODIES_PER_BLOCK, batches.firstBody[1 + domains]);
+    }
+
+    private int firstPlace(int block) {
+        return colouring.start[colouring.firstColour[1 + block]];
+    }
+
+    private void prepare(int block, int worker) {
+        passes.prepare(sweep, rowsFrom(block), rowsTo(block), scratch[worker]);
+    }
+
+    private void findRenewed(int block, int worker) {
+        int end = Blocks.end(block, ROWS_PER_BLOCK, colouring.start[colouring.firstColour[1]]);
+        if (passes.findRenewed(Blocks.begin(block, ROWS_PER_BLOCK), end)) {
+            renews = true; // by whoever finds one
+        }
+    }
+
+    private void kick(int block, int worker) {
+        passes.kick(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
+    }
+
+    private void bias(int block, int worker) {
+        passes.bias(sweep, rowsFrom(block), rowsTo(block), scratch[worker]);
+    }
+
+    private void relax(int block, int worker) {
+        passes.relax(sweep, rowsFrom(block), rowsTo(block), scratch[worker]);
+    }
+
+    private void takeOut(int block, int worker) {
+        passes.takeOut(rowsFrom(block), rowsTo(block));
+    }
+
+    private void takeOutWithin(int block, int worker) {
+        passes.takeOut(firstPlace(block), firstPlace(block + 1));
+    }
+
+    private void renewBodies(int block, int worker) {
+        passes.renewBodies(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
+    }
+
+    private void renewRows(int block, int worker) {
+        passes.renewRows(substep, rowsFrom(block), rowsTo(block));
+    }
+
+    private void renewWithin(int block, int worker) {
+        passes.renewRows(substep, firstPlace(block), firstPlace(block + 1));
+    }
+
+    private void storeRows(int block, int worker) {
+        passes.storeRows(renews, rowsFrom(block), rowsTo(block), scratch[worker]);
+    }
+}
