@@ -246,7 +246,22 @@ class DegenerateInputTest {
             steps("concentric", shape, shape, shape);
             for (Shape other : Scenes.kinds()) {
                 steps("concentric", shape, other);
+                part(shape, other);
             }
+        }
+    }
+
+    /** Without weight nothing but the contact can move them, and nothing ends before they touch. */
+    private static void part(Shape a, Shape b) {
+        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).build()) {
+            BodyRef first = world.add(Body.dynamic().shape(a));
+            BodyRef second = world.add(Body.dynamic().shape(b));
+            for (int tick = 0; tick < 60; tick++) {
+                world.step(Scenes.STEP);
+            }
+            double apart = first.position().distance(second.position());
+            double inner = Math.min(a.innerRadius(), b.innerRadius());
+            assertTrue(apart > inner, a + " and " + b + " are " + apart + " m apart");
         }
     }
 

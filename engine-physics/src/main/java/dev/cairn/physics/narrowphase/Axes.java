@@ -227,12 +227,7 @@ final class Axes {
      * each.
      */
     void snap(Pair p, double x, double y, double z) {
-        int vb =
-                p.b.support(
-                        -(p.r00 * x + p.r10 * y + p.r20 * z),
-                        -(p.r01 * x + p.r11 * y + p.r21 * z),
-                        -(p.r02 * x + p.r12 * y + p.r22 * z));
-        snap(p, x, y, z, p.a.support(x, y, z), vb);
+        snap(p, x, y, z, p.endA(x, y, z), p.endB(-x, -y, -z));
     }
 
     /** The same where the support vertices along the axis are known. */

@@ -315,11 +315,28 @@ final class Epa extends Polytope {
         double up = Math.abs(volume());
         int va = ia[3];
         int vb = ib[3];
+        double ux = Math.abs(x[3]);
+        double uy = Math.abs(y[3]);
+        double uz = Math.abs(z[3]);
         points = 3;
         add(pair, -ax, -ay, -az);
-        if (up >= Math.abs(volume())) {
+        double down = Math.abs(volume());
+        boolean first = up > down;
+        if (up == down) {
+            // Of drums side by side the plane through the origin may halve the whole: then there is
+            // no way back, and it is the places that are the same in the mirror image.
+            boolean neither = ax * x[0] + ay * y[0] + az * z[0] == 0;
+            first =
+                    !neither
+                            || outer(ux - Math.abs(x[3]), uy - Math.abs(y[3]), uz - Math.abs(z[3]));
+        }
+        if (first) {
             points = 3;
             put(pair, va, vb);
         }
+    }
+
+    private static boolean outer(double byX, double byY, double byZ) {
+        return byX > 0 || (byX == 0 && (byY > 0 || (byY == 0 && byZ >= 0)));
     }
 }

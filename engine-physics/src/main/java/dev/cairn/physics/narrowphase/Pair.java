@@ -184,12 +184,12 @@ final class Pair {
      * A support vertex that does not depend on what came before: where the direction has a zero, a
      * block takes the side towards the other centre, in a mirror image as well.
      */
-    private int endA(double x, double y, double z) {
+    int endA(double x, double y, double z) {
         return roundA ? spindleA.support(x, y, z) : a.support(x, y, z, dx, dy, dz);
     }
 
     /** The same for B, along a direction of A's frame. */
-    private int endB(double x, double y, double z) {
+    int endB(double x, double y, double z) {
         double bx = r00 * x + r10 * y + r20 * z;
         double by = r01 * x + r11 * y + r21 * z;
         double bz = r02 * x + r12 * y + r22 * z;
