@@ -169,7 +169,8 @@ final class Lockstep {
         }
         Passes p = passes;
         double[] own = scratch[worker];
-        int b = 1 + block;
+        // to and fro: the domains of the end of the last pass are still in the third cache
+        int b = 1 + (substep % 2 == 0 ? block : domains - 1 - block);
         int first = colouring.firstColour[b];
         int last = colouring.firstColour[b + 1];
         int[] start = colouring.start;
@@ -193,7 +194,7 @@ final class Lockstep {
             p.storeRows(renews, start[first], start[last], own);
         } else if (!isApart()) {
             p.kick(head, tail);
-            biasWithin(block, worker);
+            biasWithin(b - 1, worker);
         }
     }
 
