@@ -67,6 +67,15 @@ final class AccuracyTest {
         check(name);
     }
 
+    /** The house of cards, where sub-steps may be doubled and go back: twice is just enough. */
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3})
+    void holdsWithEffort(int effort) {
+        AccuracyCase house = AccuracyCases.get("E7");
+        double[] early = house.experiment().run(new Trial(DEFAULT_SUBSTEPS, effort));
+        assertEquals(0, early[0], "s too early");
+    }
+
     @Tag("soak")
     @ParameterizedTest
     @ValueSource(strings = {"B1", "C1", "C4", "C12", "D2", "E1", "E3-100", "E8"})
@@ -77,7 +86,7 @@ final class AccuracyTest {
     private static void check(String name) {
         String[] parts = name.split(":");
         AccuracyCase one = AccuracyCases.get(parts[0]);
-        double[] values = one.experiment().run(new Trial(DEFAULT_SUBSTEPS));
+        double[] values = one.experiment().run(new Trial(DEFAULT_SUBSTEPS, 0));
         List<Metric> metrics = one.metrics();
         assertEquals(metrics.size(), values.length, "metrics of " + one.id());
         int checked = 0;

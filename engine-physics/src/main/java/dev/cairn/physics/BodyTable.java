@@ -287,6 +287,8 @@ final class BodyTable {
         b.speedLimit[s] = body.speedLimit;
         access.restrain(s, body.locks);
         b.inertiaScale[s] = 0;
+        b.effort[s] = -1;
+        b.idleTicks[s] = 0;
         b.pressed[s] = 0;
         b.pressing[s] = 0;
     }

@@ -26,6 +26,9 @@ import dev.cairn.physics.solver.SolverSettings;
  * @param loneSweeps most sweeps in a sub-step over the contact of a body that moves and touches
  *     nothing but one that does not, 0 (off) to 4096: until its impulses agree. A slide, a stop, a
  *     tip follow their closed forms. What rests and what is stacked pays nothing. Default 32
+ * @param effort how often the sub-steps of an island may be doubled while its bodies overlap by
+ *     more than 1 % of their inner radius, 0 (never) to 4. Thin bodies, heavy landings and bad
+ *     starts get what they need, and the rest of the scene does not pay for it. Default 0
  * @param lanes contacts that the solver takes at once: 1 (scalar), 4 or 8, or 0 for what fits this
  *     machine. Speed only: the results are the same. What is asked for by number is warmed up when
  *     the world is made, which takes a second; 0 does so beside a scene that is large enough. Needs
@@ -53,6 +56,7 @@ public record PhysicsSettings(
         double loadInertia,
         int unloadSweeps,
         int loneSweeps,
+        int effort,
         int lanes,
         double speculativeTime,
         double speculativeFraction,
@@ -72,6 +76,7 @@ public record PhysicsSettings(
                     SolverSettings.DEFAULT.loadInertia(),
                     SolverSettings.DEFAULT.unloadSweeps(),
                     SolverSettings.DEFAULT.loneSweeps(),
+                    SolverSettings.DEFAULT.effort(),
                     SolverSettings.DEFAULT.lanes(),
                     1,
                     0.02,
@@ -96,6 +101,7 @@ public record PhysicsSettings(
         Checks.between("loadInertia", loadInertia, 0, 10);
         Checks.between("unloadSweeps", unloadSweeps, 0, 64);
         Checks.between("loneSweeps", loneSweeps, 0, 4096);
+        Checks.between("effort", effort, 0, 4);
         if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8) {
             throw new IllegalArgumentException(
                     "lanes must be 1, 4 or 8, or 0 for what fits this machine, but is " + lanes);
@@ -114,23 +120,9 @@ public record PhysicsSettings(
      * @return new settings
      */
     public PhysicsSettings withSubsteps(int value) {
-        return new PhysicsSettings(
-                value,
-                contactStiffness,
-                contactDampingRatio,
-                pushSpeed,
-                restitutionThreshold,
-                offsetGain,
-                loadInertia,
-                unloadSweeps,
-                loneSweeps,
-                lanes,
-                speculativeTime,
-                speculativeFraction,
-                boundsMargin,
-                boundsTime,
-                sleeping,
-                sleepSeconds);
+        Draft d = new Draft(this);
+        d.substeps = value;
+        return d.settings();
     }
 
     /**
@@ -140,23 +132,9 @@ public record PhysicsSettings(
      * @return new settings
      */
     public PhysicsSettings withRestitutionThreshold(double value) {
-        return new PhysicsSettings(
-                substeps,
-                contactStiffness,
-                contactDampingRatio,
-                pushSpeed,
-                value,
-                offsetGain,
-                loadInertia,
-                unloadSweeps,
-                loneSweeps,
-                lanes,
-                speculativeTime,
-                speculativeFraction,
-                boundsMargin,
-                boundsTime,
-                sleeping,
-                sleepSeconds);
+        Draft d = new Draft(this);
+        d.restitutionThreshold = value;
+        return d.settings();
     }
 
     /**
@@ -166,23 +144,9 @@ public record PhysicsSettings(
      * @return new settings
      */
     public PhysicsSettings withPushSpeed(double value) {
-        return new PhysicsSettings(
-                substeps,
-                contactStiffness,
-                contactDampingRatio,
-                value,
-                restitutionThreshold,
-                offsetGain,
-                loadInertia,
-                unloadSweeps,
-                loneSweeps,
-                lanes,
-                speculativeTime,
-                speculativeFraction,
-                boundsMargin,
-                boundsTime,
-                sleeping,
-                sleepSeconds);
+        Draft d = new Draft(this);
+        d.pushSpeed = value;
+        return d.settings();
     }
 
     /**
@@ -192,23 +156,9 @@ public record PhysicsSettings(
      * @return new settings
      */
     public PhysicsSettings withOffsetGain(double value) {
-        return new PhysicsSettings(
-                substeps,
-                contactStiffness,
-                contactDampingRatio,
-                pushSpeed,
-                restitutionThreshold,
-                value,
-                loadInertia,
-                unloadSweeps,
-                loneSweeps,
-                lanes,
-                speculativeTime,
-                speculativeFraction,
-                boundsMargin,
-                boundsTime,
-                sleeping,
-                sleepSeconds);
+        Draft d = new Draft(this);
+        d.offsetGain = value;
+        return d.settings();
     }
 
     /**
@@ -218,23 +168,9 @@ public record PhysicsSettings(
      * @return new settings
      */
     public PhysicsSettings withLoadInertia(double value) {
-        return new PhysicsSettings(
-                substeps,
-                contactStiffness,
-                contactDampingRatio,
-                pushSpeed,
-                restitutionThreshold,
-                offsetGain,
-                value,
-                unloadSweeps,
-                loneSweeps,
-                lanes,
-                speculativeTime,
-                speculativeFraction,
-                boundsMargin,
-                boundsTime,
-                sleeping,
-                sleepSeconds);
+        Draft d = new Draft(this);
+        d.loadInertia = value;
+        return d.settings();
     }
 
     /**
@@ -244,23 +180,9 @@ public record PhysicsSettings(
      * @return new settings
      */
     public PhysicsSettings withUnloadSweeps(int value) {
-        return new PhysicsSettings(
-                substeps,
-                contactStiffness,
-                contactDampingRatio,
-                pushSpeed,
-                restitutionThreshold,
-                offsetGain,
-                loadInertia,
-                value,
-                loneSweeps,
-                lanes,
-                speculativeTime,
-                speculativeFraction,
-                boundsMargin,
-                boundsTime,
-                sleeping,
-                sleepSeconds);
+        Draft d = new Draft(this);
+        d.unloadSweeps = value;
+        return d.settings();
     }
 
     /**
@@ -270,23 +192,21 @@ public record PhysicsSettings(
      * @return new settings
      */
     public PhysicsSettings withLoneSweeps(int value) {
-        return new PhysicsSettings(
-                substeps,
-                contactStiffness,
-                contactDampingRatio,
-                pushSpeed,
-                restitutionThreshold,
-                offsetGain,
-                loadInertia,
-                unloadSweeps,
-                value,
-                lanes,
-                speculativeTime,
-                speculativeFraction,
-                boundsMargin,
-                boundsTime,
-                sleeping,
-                sleepSeconds);
+        Draft d = new Draft(this);
+        d.loneSweeps = value;
+        return d.settings();
+    }
+
+    /**
+     * These settings with another effort.
+     *
+     * @param value see the component
+     * @return new settings
+     */
+    public PhysicsSettings withEffort(int value) {
+        Draft d = new Draft(this);
+        d.effort = value;
+        return d.settings();
     }
 
     /**
@@ -296,23 +216,9 @@ public record PhysicsSettings(
      * @return new settings
      */
     public PhysicsSettings withLanes(int value) {
-        return new PhysicsSettings(
-                substeps,
-                contactStiffness,
-                contactDampingRatio,
-                pushSpeed,
-                restitutionThreshold,
-                offsetGain,
-                loadInertia,
-                unloadSweeps,
-                loneSweeps,
-                value,
-                speculativeTime,
-                speculativeFraction,
-                boundsMargin,
-                boundsTime,
-                sleeping,
-                sleepSeconds);
+        Draft d = new Draft(this);
+        d.lanes = value;
+        return d.settings();
     }
 
     /**
@@ -322,23 +228,9 @@ public record PhysicsSettings(
      * @return new settings
      */
     public PhysicsSettings withSleeping(boolean value) {
-        return new PhysicsSettings(
-                substeps,
-                contactStiffness,
-                contactDampingRatio,
-                pushSpeed,
-                restitutionThreshold,
-                offsetGain,
-                loadInertia,
-                unloadSweeps,
-                loneSweeps,
-                lanes,
-                speculativeTime,
-                speculativeFraction,
-                boundsMargin,
-                boundsTime,
-                value,
-                sleepSeconds);
+        Draft d = new Draft(this);
+        d.sleeping = value;
+        return d.settings();
     }
 
     /**
@@ -348,23 +240,9 @@ public record PhysicsSettings(
      * @return new settings
      */
     public PhysicsSettings withSleepSeconds(double value) {
-        return new PhysicsSettings(
-                substeps,
-                contactStiffness,
-                contactDampingRatio,
-                pushSpeed,
-                restitutionThreshold,
-                offsetGain,
-                loadInertia,
-                unloadSweeps,
-                loneSweeps,
-                lanes,
-                speculativeTime,
-                speculativeFraction,
-                boundsMargin,
-                boundsTime,
-                sleeping,
-                value);
+        Draft d = new Draft(this);
+        d.sleepSeconds = value;
+        return d.settings();
     }
 
     SolverSettings solver() {
@@ -379,6 +257,69 @@ public record PhysicsSettings(
                         SolverSettings.DEFAULT.inertiaFloor())
                 .withUnloadSweeps(unloadSweeps)
                 .withLoneSweeps(loneSweeps)
+                .withEffort(effort)
                 .withLanes(lanes);
+    }
+
+    /** The values on their way to other settings, so that each change names only its own. */
+    private static final class Draft {
+        int substeps;
+        double contactStiffness;
+        double contactDampingRatio;
+        double pushSpeed;
+        double restitutionThreshold;
+        double offsetGain;
+        double loadInertia;
+        int unloadSweeps;
+        int loneSweeps;
+        int effort;
+        int lanes;
+        double speculativeTime;
+        double speculativeFraction;
+        double boundsMargin;
+        double boundsTime;
+        boolean sleeping;
+        double sleepSeconds;
+
+        Draft(PhysicsSettings s) {
+            substeps = s.substeps;
+            contactStiffness = s.contactStiffness;
+            contactDampingRatio = s.contactDampingRatio;
+            pushSpeed = s.pushSpeed;
+            restitutionThreshold = s.restitutionThreshold;
+            offsetGain = s.offsetGain;
+            loadInertia = s.loadInertia;
+            unloadSweeps = s.unloadSweeps;
+            loneSweeps = s.loneSweeps;
+            effort = s.effort;
+            lanes = s.lanes;
+            speculativeTime = s.speculativeTime;
+            speculativeFraction = s.speculativeFraction;
+            boundsMargin = s.boundsMargin;
+            boundsTime = s.boundsTime;
+            sleeping = s.sleeping;
+            sleepSeconds = s.sleepSeconds;
+        }
+
+        PhysicsSettings settings() {
+            return new PhysicsSettings(
+                    substeps,
+                    contactStiffness,
+                    contactDampingRatio,
+                    pushSpeed,
+                    restitutionThreshold,
+                    offsetGain,
+                    loadInertia,
+                    unloadSweeps,
+                    loneSweeps,
+                    effort,
+                    lanes,
+                    speculativeTime,
+                    speculativeFraction,
+                    boundsMargin,
+                    boundsTime,
+                    sleeping,
+                    sleepSeconds);
+        }
     }
 }

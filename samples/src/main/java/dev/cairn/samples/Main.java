@@ -117,6 +117,14 @@ public final class Main {
     @Nullable String substeps;
 
     @Option(
+            names = "--effort",
+            paramLabel = "0..4",
+            description =
+                    "How often the sub-steps may be doubled where bodies overlap by more than 1 %%"
+                            + " of their inner radius; 0 by default.")
+    @Nullable String effort;
+
+    @Option(
             names = "--sleeping",
             paramLabel = "on|off",
             description = "Whether bodies at rest fall asleep: on in a window, else off.")

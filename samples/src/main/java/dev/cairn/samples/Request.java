@@ -31,6 +31,7 @@ import java.util.Map;
  * @param ticks length of each run, or null for each scene's own
  * @param workers threads of the physics
  * @param substeps sub-steps of the solver
+ * @param effort how often an island's may be doubled
  * @param sleeping whether bodies at rest fall asleep, or null for what suits the mode
  * @param lanes contacts that are solved at once, 0 for what fits the machine
  * @param json where the JSON goes, {@code -} for standard output, or null
@@ -51,6 +52,7 @@ record Request(
         @Nullable Integer ticks,
         int workers,
         int substeps,
+        int effort,
         @Nullable Boolean sleeping,
         int lanes,
         @Nullable String json,
@@ -100,6 +102,7 @@ record Request(
         Integer ticks = whole("--ticks", typed.ticks, 0, MOST_TICKS);
         Integer workers = whole("--workers", typed.workers, 1, Jobs.MAX_WORKERS);
         Integer substeps = whole("--substeps", typed.substeps, 1, 64);
+        Integer effort = whole("--effort", typed.effort, 0, 4);
         Integer at = whole("--at", typed.at, 0, MOST_TICKS);
         Path obj = path("--obj", typed.obj);
         if (obj != null && !Files.isRegularFile(obj)) {
@@ -149,6 +152,7 @@ record Request(
                 ticks,
                 workers == null ? Jobs.defaultWorkers() : workers,
                 substeps == null ? substeps(described) : substeps,
+                effort == null ? 0 : effort,
                 onOff("--sleeping", typed.sleeping),
                 lanes(typed.lanes),
                 typed.json,

@@ -196,6 +196,7 @@ final class Runner {
                 request.options().getOrDefault(scene.id(), SceneOptions.defaults(scene));
         SceneRun run =
                 new SceneRun(scene, options, ticks, request.workers(), request.substeps())
+                        .effort(request.effort())
                         .sleeping(request.sleepingOr(false))
                         .lanes(request.lanes());
         if (request.animation() != null) {

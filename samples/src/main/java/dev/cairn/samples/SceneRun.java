@@ -37,6 +37,7 @@ public final class SceneRun {
     private final int ticks;
     private final int workers;
     private final int substeps;
+    private int effort;
     private boolean sleeping;
     private int lanes;
     private @Nullable Path picture;
@@ -75,6 +76,17 @@ public final class SceneRun {
      */
     public SceneRun(SampleScene scene, SceneOptions options) {
         this(scene, options, scene.ticks(), 1, PhysicsSettings.DEFAULT.substeps());
+    }
+
+    /**
+     * Says how often the sub-steps of an island may be doubled.
+     *
+     * @param doublings 0 (never, as by default) to 4
+     * @return this
+     */
+    public SceneRun effort(int doublings) {
+        this.effort = doublings;
+        return this;
     }
 
     /**
@@ -138,7 +150,11 @@ public final class SceneRun {
                 PhysicsWorld.builder()
                         .gravity(0, -SampleScene.GRAVITY, 0)
                         .workers(workers)
-                        .settings(PhysicsSettings.DEFAULT.withSubsteps(substeps).withLanes(lanes))
+                        .settings(
+                                PhysicsSettings.DEFAULT
+                                        .withSubsteps(substeps)
+                                        .withEffort(effort)
+                                        .withLanes(lanes))
                         .sleeping(sleeping)
                         .seed(options.seed())
                         .build()) {
@@ -207,6 +223,7 @@ public final class SceneRun {
         Map<String, Object> parameters = new LinkedHashMap<>(options.values());
         parameters.put("seed", options.seed());
         parameters.put("substeps", substeps);
+        parameters.put("effort", effort);
         parameters.put("sleeping", sleeping ? "on" : "off");
         if (options.obj() != null) {
             parameters.put("obj", options.obj().toString());

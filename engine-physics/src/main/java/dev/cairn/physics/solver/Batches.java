@@ -16,7 +16,8 @@ import java.util.Arrays;
  * islands are gathered into batches, in the order of their smallest slot, up to {@link #WANTED}
  * rows; what one worker should not have alone goes to batch 0, which all workers solve in lockstep.
  * Islands of more than {@link #LARGEST} rows are cut into {@link Domains}, a batch each, with the
- * contacts between these in batch 0.
+ * contacts between these in batch 0. Where islands differ in {@link Effort}, a batch has those of
+ * one effort, and there is a batch in lockstep with domains for each.
  *
  * <p>The order in which the contacts of an island are solved is the same in both, and so are the
  * bits: the cut may depend on the number of workers. Simulation thread; allocates only when a store
@@ -36,11 +37,31 @@ final class Batches {
 
     private final Islands islands = new Islands();
 
-    /** The domains of large islands are the batches from 1 to {@code domains.count}. */
-    final Domains domains = new Domains();
+    private final Effort efforts = new Effort();
+    private final Domains domains = new Domains();
 
-    /** Batches, the one in lockstep and the domains included. */
+    /** Batches, those in lockstep and the domains included. */
     int count;
+
+    /** Efforts there may be. */
+    int paces = 1;
+
+    /**
+     * By effort: the batch in lockstep; after it come its domains, up to the next effort's; then
+     * the first batch that one worker has alone.
+     */
+    final int[] lockstep = new int[SolverSettings.MOST_EFFORT + 2];
+
+    /** By batch: how often its sub-steps are doubled. */
+    byte[] effort = new byte[2];
+
+    /** By domain: its batch. */
+    private int[] batchOfDomain = {};
+
+    /** By effort: the batch that is being filled, and its rows. */
+    private final int[] open = new int[SolverSettings.MOST_EFFORT + 1];
+
+    private final int[] openRows = new int[SolverSettings.MOST_EFFORT + 1];
 
     /** Bodies with contacts, by batch and then by slot; where those of each batch start. */
     int[] order = {};
@@ -73,10 +94,12 @@ final class Batches {
             byBatch = new int[n];
             batchOf = new int[n];
         }
-        int most = Math.max(order.length, byBatch.length) + 3;
+        int most = Math.max(order.length, byBatch.length) + paces + 2;
         if (firstBody.length < most) {
             firstBody = new int[most];
             firstRow = new int[most];
+            effort = new byte[most];
+            batchOfDomain = new int[most];
         }
     }
 
@@ -86,6 +109,8 @@ final class Batches {
      * @param guide tells who has contacts
      * @param together whether all are to be solved in lockstep
      * @param workers that take part
+     * @param doublings of sub-steps that an island may get
+     * @param sag of a body on a soft contact, m
      */
     void cut(
             BodyStore bodies,
@@ -93,7 +118,10 @@ final class Batches {
             ConstraintRows rows,
             int[] guide,
             boolean together,
-            int workers) {
+            int workers,
+            int doublings,
+            double sag) {
+        paces = doublings + 1;
         ensureCapacity(bodies.slotCount, rows.source.length);
         boundCount = 0;
         for (int i = 0; i < bodies.slotCount; i++) {
@@ -101,13 +129,50 @@ final class Batches {
                 bound[boundCount++] = i;
             }
         }
-        domains.count = 0;
-        if (rows.count <= (together ? LARGEST : WANTED)) {
+        if (doublings == 0 && rows.count <= (together ? LARGEST : WANTED)) {
             whole(rows, together ? 0 : 1);
             return;
         }
         islands.build(bodies, contacts, bound, boundCount);
-        assign(bodies, contacts, rows, together, workers);
+        if (doublings > 0) {
+            efforts.update(bodies, contacts, rows, islands, bound, boundCount, doublings, sag);
+        }
+        gather(bodies, contacts, rows, together, workers);
+    }
+
+    /**
+     * Cuts anew where islands are as they were, if one now needs another effort.
+     *
+     * @return whether one does
+     */
+    boolean recut(
+            BodyStore bodies,
+            ContactStore contacts,
+            ConstraintRows rows,
+            boolean together,
+            int workers,
+            double sag) {
+        if (!efforts.update(bodies, contacts, rows, islands, bound, boundCount, paces - 1, sag)) {
+            return false;
+        }
+        gather(bodies, contacts, rows, together, workers);
+        return true;
+    }
+
+    private void gather(
+            BodyStore bodies,
+            ContactStore contacts,
+            ConstraintRows rows,
+            boolean together,
+            int workers) {
+        tally(bodies, contacts, rows);
+        int needy = together ? efforts.most(bodies, bound, boundCount, paces) : -1;
+        cutLarge(bodies, contacts, rows, needy);
+        assign(bodies, rows, needy, workers);
+        for (int m = 0; m < rows.count; m++) {
+            int batch = tally[batchOf[m]];
+            batchOf[m] = batch == CUT ? domain(bodies, contacts, rows.source[m]) : batch;
+        }
         sortRows(rows);
         sortBodies();
     }
@@ -115,6 +180,10 @@ final class Batches {
     /** All in one batch. */
     private void whole(ConstraintRows rows, int batch) {
         count = batch + 1;
+        lockstep[0] = 0;
+        lockstep[1] = 1;
+        effort[0] = 0;
+        effort[1] = 0;
         System.arraycopy(bound, 0, order, 0, boundCount);
         for (int m = 0; m < rows.count; m++) {
             byBatch[m] = m;
@@ -128,12 +197,8 @@ final class Batches {
         firstBody[count] = boundCount;
     }
 
-    private void assign(
-            BodyStore bodies,
-            ContactStore contacts,
-            ConstraintRows rows,
-            boolean together,
-            int workers) {
+    /** Counts the rows of each island. */
+    private void tally(BodyStore bodies, ContactStore contacts, ConstraintRows rows) {
         for (int k = 0; k < boundCount; k++) {
             tally[bound[k]] = 0;
         }
@@ -144,6 +209,10 @@ final class Batches {
             batchOf[m] = root;
             tally[root]++;
         }
+    }
+
+    /** Cuts what is too large, and numbers the batches in lockstep and the domains, by effort. */
+    private void cutLarge(BodyStore bodies, ContactStore contacts, ConstraintRows rows, int needy) {
         boolean cuts = false;
         for (int k = 0; k < boundCount; k++) {
             if (tally[bound[k]] > LARGEST) {
@@ -151,48 +220,67 @@ final class Batches {
                 cuts = true;
             }
         }
+        domains.count = 0;
         if (cuts) {
             domains.cut(bodies, contacts, rows, islands, batchOf, tally, CUT, bound, boundCount);
         }
+        count = 0;
+        for (int e = 0; e < paces; e++) {
+            lockstep[e] = count;
+            effort[count++] = (byte) e;
+            for (int d = 0; d < domains.count; d++) {
+                if (pace(bodies, domains.seed[d], needy) == e) {
+                    batchOfDomain[d] = count;
+                    effort[count++] = (byte) e;
+                }
+            }
+        }
+        lockstep[paces] = count;
+    }
+
+    /** The effort of a body; of the neediest where all go together. */
+    private int pace(BodyStore bodies, int slot, int needy) {
+        return paces == 1 ? 0 : needy >= 0 ? needy : bodies.effort[slot];
+    }
+
+    private void assign(BodyStore bodies, ConstraintRows rows, int needy, int workers) {
         // an island that would keep one worker busy while the others wait is for all
         int share = workers == 1 ? LARGEST : rows.count / (2 * workers);
         int largest = Math.max(WANTED, Math.min(LARGEST, share));
-        int size = WANTED;
-        count = 1 + domains.count;
+        Arrays.fill(openRows, WANTED);
         for (int k = 0; k < boundCount; k++) {
             int i = bound[k];
             if (islands.root(i) != i || tally[i] == CUT) {
                 continue;
             }
             int n = tally[i];
-            if (together || n > largest) {
-                tally[i] = 0;
+            int e = pace(bodies, i, needy);
+            if (needy >= 0 || n > largest) {
+                tally[i] = lockstep[e];
                 continue;
             }
-            if (size + n > WANTED) {
-                count++;
-                size = 0;
+            if (openRows[e] + n > WANTED) {
+                effort[count] = (byte) e;
+                open[e] = count++;
+                openRows[e] = 0;
             }
-            size += n;
-            tally[i] = count - 1;
-        }
-        for (int m = 0; m < rows.count; m++) {
-            int batch = tally[batchOf[m]];
-            batchOf[m] = batch == CUT ? domain(bodies, contacts, rows.source[m]) : batch;
+            openRows[e] += n;
+            tally[i] = open[e];
         }
     }
 
-    /** The batch of a contact within a domain; 0 for one between two of them. */
+    /** The batch of a contact within a domain; that in lockstep for one between two of them. */
     private int domain(BodyStore bodies, ContactStore contacts, int c) {
         int a = contacts.bodyA[c];
         int b = contacts.bodyB[c];
         if (bodies.kind[a] != BodyStore.DYNAMIC) {
-            return 1 + domains.of[b];
+            return batchOfDomain[domains.of[b]];
         }
         if (bodies.kind[b] != BodyStore.DYNAMIC) {
-            return 1 + domains.of[a];
+            return batchOfDomain[domains.of[a]];
         }
-        return domains.of[a] == domains.of[b] ? 1 + domains.of[a] : 0;
+        int batch = batchOfDomain[domains.of[a]];
+        return domains.of[a] == domains.of[b] ? batch : lockstep[effort[batch]];
     }
 
     private void sortRows(ConstraintRows rows) {
@@ -225,12 +313,13 @@ final class Batches {
 
     private int batchOfBody(int slot) {
         int batch = tally[islands.root(slot)];
-        return batch == CUT ? 1 + domains.of[slot] : batch;
+        return batch == CUT ? batchOfDomain[domains.of[slot]] : batch;
     }
 
-    /** Whether a row is in batch 0. */
+    /** Whether a row is in a batch in lockstep. */
     boolean isLockstep(int m) {
-        return batchOf[m] == 0;
+        int batch = batchOf[m];
+        return batch == lockstep[effort[batch]];
     }
 
     /** Ends become starts again. */

@@ -27,6 +27,7 @@ final class Collector {
     private int slots;
     private boolean together;
     private int workers;
+    private int doublings;
     private boolean stacked;
 
     /** What of the rows of this tick is as it was: who touches whom, and what colours follow. */
@@ -45,6 +46,8 @@ final class Collector {
      *
      * @param guide receives who has contacts, see {@link SolverBodies#guide}
      * @param workerCount who may work at batches
+     * @param extra doublings of sub-steps that an island may get
+     * @param sag of a body on a soft contact, m
      * @return whether any two dynamic bodies touch
      */
     boolean run(
@@ -52,7 +55,9 @@ final class Collector {
             ContactStore contacts,
             ConstraintRows rows,
             int[] guide,
-            int workerCount) {
+            int workerCount,
+            int extra,
+            double sag) {
         rows.ensureRows(contacts.activeCount);
         if (slotA.length < rows.source.length) {
             slotA = Arrays.copyOf(slotA, rows.source.length);
@@ -64,12 +69,16 @@ final class Collector {
         list(bodies, contacts, rows);
         sameBodies &= rows.count == before && slots == bodies.slotCount;
         sameBodies &= together == rows.bouncing > 0 && workers == workerCount;
+        sameBodies &= doublings == extra;
         if (!sameBodies) {
             slots = bodies.slotCount;
             together = rows.bouncing > 0;
             workers = workerCount;
+            doublings = extra;
             bind(rows, guide);
-            batches.cut(bodies, contacts, rows, guide, together, workerCount);
+            batches.cut(bodies, contacts, rows, guide, together, workerCount, extra, sag);
+        } else if (extra > 0 && batches.recut(bodies, contacts, rows, together, workerCount, sag)) {
+            sameColours = false;
         }
         if (!sameBodies || !sameColours) {
             colour(rows);

@@ -27,6 +27,10 @@ public final class ContactSolver {
     private final Sweeps sweeps;
     private final Sweeps narrow = new ScalarSweeps();
     private final Passes passes;
+
+    /** By effort. */
+    private final SubStep[] paces;
+
     private final SolverBodies body;
     private final ConstraintRows rows;
     private final Renewal renewal;
@@ -62,6 +66,10 @@ public final class ContactSolver {
     ContactSolver(SolverSettings settings, Sweeps sweeps) {
         this.sweeps = sweeps;
         passes = new Passes(settings, sweeps.lanes());
+        paces = new SubStep[settings.effort() + 1];
+        for (int e = 0; e < paces.length; e++) {
+            paces[e] = new SubStep();
+        }
         body = passes.body;
         rows = passes.rows;
         renewal = passes.renewal;
@@ -123,7 +131,15 @@ public final class ContactSolver {
         p.gravity[2] = gravityZ;
         timing(stepSeconds);
         body.ensureCapacity(bodies.slotCount);
-        boolean stacked = collector.run(bodies, contacts, rows, body.guide, jobs.workers());
+        boolean stacked =
+                collector.run(
+                        bodies,
+                        contacts,
+                        rows,
+                        body.guide,
+                        jobs.workers(),
+                        paces.length - 1,
+                        paces[0].sag(p.weight()));
         p.order = batches.order;
         unloaded =
                 settings.unloadSweeps() > 0
@@ -140,11 +156,13 @@ public final class ContactSolver {
             renewal.ensurePlaces(rows);
             ensureScratch(jobs.workers());
             choose();
-            int alone = 1 + batches.domains.count;
-            if (colouring.firstColour[alone] > 0) {
-                lockstep.run(chosen, unloaded, scratch, jobs);
+            for (int e = 0; e < paces.length; e++) {
+                int first = colouring.firstColour[batches.lockstep[e]];
+                if (colouring.firstColour[batches.lockstep[e + 1]] > first) {
+                    lockstep.run(e, paces[e], chosen, unloaded, scratch, jobs);
+                }
             }
-            run(batch, batches.count - alone, jobs);
+            run(batch, batches.count - batches.lockstep[paces.length], jobs);
         }
         run(clearRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK), jobs);
     }
@@ -167,38 +185,39 @@ public final class ContactSolver {
     private void batch(int block, int worker) {
         Passes p = passes;
         double[] own = scratch[worker];
-        int b = 1 + batches.domains.count + block;
+        int b = batches.lockstep[paces.length] + block;
+        SubStep sub = paces[batches.effort[b]];
         int first = colouring.firstColour[b];
         int last = colouring.firstColour[b + 1];
         int[] start = colouring.start;
         int head = batches.firstBody[b];
         int tail = batches.firstBody[b + 1];
         for (int c = first; c < last; c++) {
-            p.prepare(sweeps(c), start[c], start[c + 1], own);
+            p.prepare(sweeps(c), sub, start[c], start[c + 1], own);
         }
         boolean renewed = p.findRenewed(start[first], start[last]);
-        for (int k = 0; k < p.settings.substeps(); k++) {
-            p.kick(head, tail);
+        for (int k = 0; k < sub.count; k++) {
+            p.kick(sub, head, tail);
             if (unloaded && k == 0) {
-                p.settle(start[first], start[last], own);
+                p.settle(sub, start[first], start[last], own);
             }
             for (int c = first; c < last; c++) {
-                p.bias(sweeps(c), start[c], start[c + 1], own);
+                p.bias(sweeps(c), sub, start[c], start[c + 1], own);
             }
-            p.drift(head, tail);
+            p.drift(sub, head, tail);
             if (renewed) {
                 p.keep(head, tail);
                 p.takeOut(start[first], start[last]);
                 p.renewBodies(head, tail);
-                p.renewRows(k, start[first], start[last]);
+                p.renewRows(sub, k, start[first], start[last]);
             }
             for (int c = first; c < last; c++) {
-                p.relax(sweeps(c), start[c], start[c + 1], own);
+                p.relax(sweeps(c), sub, start[c], start[c + 1], own);
             }
-            p.finish(head, tail, own);
+            p.finish(sub, head, tail, own);
         }
         p.storeBodies(head, tail);
-        p.storeRows(renewed, start[first], start[last], own);
+        p.storeRows(sub, renewed, start[first], start[last], own);
     }
 
     private void begin(int block, int worker) {
@@ -239,22 +258,19 @@ public final class ContactSolver {
         SolverSettings settings = passes.settings;
         if (stepSeconds == passes.step && settings.substeps() == substepsBefore) {
             passes.impulseScale = 1;
-            return;
+        } else {
+            double longer = (double) substepsBefore / settings.substeps();
+            passes.impulseScale = passes.step == 0 ? 1 : stepSeconds / passes.step * longer;
+            substepsBefore = settings.substeps();
+            for (int e = 0; e < paces.length; e++) {
+                paces[e].set(stepSeconds, e, settings);
+            }
+            passes.step = stepSeconds;
+            passes.subStep = paces[0].seconds;
         }
-        double h = stepSeconds / settings.substeps();
-        double longer = (double) substepsBefore / settings.substeps();
-        passes.impulseScale = passes.step == 0 ? 1 : stepSeconds / passes.step * longer;
-        substepsBefore = settings.substeps();
-        double hertz = settings.hertzPerRate() / h;
-        Softness soft = Softness.of(hertz, settings.dampingRatio(), h);
-        Softness staticSoft =
-                Softness.of(
-                        hertz * settings.staticHertzScale(),
-                        settings.dampingRatio() * settings.staticDampingScale(),
-                        h);
-        passes.sub.set(h, soft, staticSoft, settings);
-        passes.step = stepSeconds;
-        passes.subStep = h;
+        for (SubStep sub : paces) {
+            sub.fillScale = passes.impulseScale / sub.keepScale;
+        }
     }
 
     /**

@@ -30,6 +30,9 @@ final class Domains {
     /** Number of domains. */
     int count;
 
+    /** By domain: the body that it grew from. */
+    int[] seed = {};
+
     /** By slot of a large island: its domain; below 0 while it has none. */
     int[] of = {};
 
@@ -59,6 +62,7 @@ final class Domains {
             queue = new int[n];
             open = new int[n];
             size = new int[n];
+            seed = new int[n];
         }
         if (neighbours.length < 2 * rows) {
             neighbours = new int[Math.max(2 * rows, neighbours.length + (neighbours.length >> 1))];
@@ -149,17 +153,18 @@ final class Domains {
     }
 
     /** Grows a domain from a body on, breadth first. */
-    private void grow(int seed, int root) {
+    private void grow(int from, int root) {
         int d = open[root];
         if (d < 0) {
             d = count++;
             open[root] = d;
+            seed[d] = from;
             size[d] = 0;
         }
         int queued = -2 - d;
         int head = 0;
         int tail = 0;
-        queue[tail++] = seed;
+        queue[tail++] = from;
         while (head < tail) {
             int x = queue[head++];
             of[x] = d;

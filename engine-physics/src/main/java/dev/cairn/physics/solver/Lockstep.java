@@ -54,10 +54,13 @@ final class Lockstep {
     private boolean unloaded;
     private int domains;
 
-    /** Sub-steps of which the relax pass is done or due, and their number. */
-    private int substep;
+    /** The batch in lockstep, and its sub-steps. */
+    private int base;
 
-    private int substeps;
+    private SubStep pace = new SubStep();
+
+    /** Sub-steps of which the relax pass is done or due. */
+    private int substep;
 
     /** The colour in work: its places and sweeps. */
     private int from;
@@ -76,30 +79,38 @@ final class Lockstep {
     }
 
     /**
-     * Runs the tick of batch 0 and of the domains.
+     * Runs the tick of a batch in lockstep and of its domains.
      *
+     * @param effort whose
+     * @param pace its sub-steps
      * @param chosen sweeps of this tick
      * @param unloaded whether a load has gone
      * @param scratch by worker
      */
-    void run(Sweeps chosen, boolean unloaded, double[][] scratch, Jobs jobs) {
+    void run(
+            int effort,
+            SubStep pace,
+            Sweeps chosen,
+            boolean unloaded,
+            double[][] scratch,
+            Jobs jobs) {
+        this.pace = pace;
         this.chosen = chosen;
         this.scratch = scratch;
         this.unloaded = unloaded;
-        Passes p = passes;
-        domains = batches.domains.count;
-        substeps = p.settings.substeps();
-        int bodyBlocks = Blocks.count(batches.firstBody[1 + domains], BODIES_PER_BLOCK);
-        int parts = domains + Blocks.count(batches.firstBody[1], BODIES_PER_BLOCK);
+        base = batches.lockstep[effort];
+        domains = batches.lockstep[effort + 1] - base - 1;
+        int alone = batches.firstBody[base + 1] - batches.firstBody[base];
+        int bodies = batches.firstBody[base + 1 + domains] - batches.firstBody[base];
+        int bodyBlocks = Blocks.count(bodies, BODIES_PER_BLOCK);
+        int parts = domains + Blocks.count(alone, BODIES_PER_BLOCK);
         renews = false;
         colours(prepare, jobs);
         ContactSolver.run(
-                findRenewed,
-                Blocks.count(colouring.start[colouring.firstColour[1]], ROWS_PER_BLOCK),
-                jobs);
+                findRenewed, Blocks.count(firstPlace(0) - firstPlace(-1), ROWS_PER_BLOCK), jobs);
         substep = 0;
         ContactSolver.run(within, parts, jobs);
-        while (substep < substeps) {
+        while (substep < pace.count) {
             if (isApart()) {
                 begin(bodyBlocks, jobs);
             }
@@ -133,20 +144,21 @@ final class Lockstep {
                         p.bodies,
                         p.contacts,
                         p.gravity,
-                        p.subStep,
+                        pace.seconds,
                         p.settings.restitutionThreshold())) {
             ScalarSweeps.separations(p.rows, p.body.state);
         }
         ContactSolver.run(kick, bodyBlocks, jobs);
         if (unloaded && substep == 0) {
-            p.settle(0, colouring.start[colouring.firstColour[1 + domains]], scratch[0]);
+            p.settle(pace, firstPlace(-1), firstPlace(domains), scratch[0]);
         }
         ContactSolver.run(biasWithin, domains, jobs);
     }
 
     /** Runs a job over the rows of one colour after the other, in blocks. */
     private void colours(BlockJob job, Jobs jobs) {
-        for (int c = 0; c < colouring.firstColour[1]; c++) {
+        int last = colouring.firstColour[base + 1];
+        for (int c = colouring.firstColour[base]; c < last; c++) {
             from = colouring.start[c];
             to = colouring.start[c + 1];
             sweep = sweeps(c);
@@ -170,7 +182,8 @@ final class Lockstep {
         Passes p = passes;
         double[] own = scratch[worker];
         // to and fro: the domains of the end of the last pass are still in the third cache
-        int b = 1 + (substep % 2 == 0 ? block : domains - 1 - block);
+        int domain = substep % 2 == 0 ? block : domains - 1 - block;
+        int b = base + 1 + domain;
         int first = colouring.firstColour[b];
         int last = colouring.firstColour[b + 1];
         int[] start = colouring.start;
@@ -178,65 +191,64 @@ final class Lockstep {
         int tail = batches.firstBody[b + 1];
         if (substep == 0) {
             for (int c = first; c < last; c++) {
-                p.prepare(sweeps(c), start[c], start[c + 1], own);
+                p.prepare(sweeps(c), pace, start[c], start[c + 1], own);
             }
             if (p.findRenewed(start[first], start[last])) {
                 renews = true; // by whoever finds one
             }
         } else {
             for (int c = first; c < last; c++) {
-                p.relax(sweeps(c), start[c], start[c + 1], own);
+                p.relax(sweeps(c), pace, start[c], start[c + 1], own);
             }
-            p.finish(head, tail, own);
+            p.finish(pace, head, tail, own);
         }
-        if (substep == substeps) {
+        if (substep == pace.count) {
             p.storeBodies(head, tail);
-            p.storeRows(renews, start[first], start[last], own);
+            p.storeRows(pace, renews, start[first], start[last], own);
         } else if (!isApart()) {
-            p.kick(head, tail);
-            biasWithin(b - 1, worker);
+            p.kick(pace, head, tail);
+            biasWithin(domain, worker);
         }
     }
 
     /** The same for bodies that are in no domain. */
     private void alone(int block, int worker) {
-        int head = Blocks.begin(block, BODIES_PER_BLOCK);
-        int tail = Blocks.end(block, BODIES_PER_BLOCK, batches.firstBody[1]);
+        int head = aloneFrom(block);
+        int tail = aloneTo(block);
         if (substep > 0) {
-            passes.finish(head, tail, scratch[worker]);
+            passes.finish(pace, head, tail, scratch[worker]);
         }
-        if (substep == substeps) {
+        if (substep == pace.count) {
             passes.storeBodies(head, tail);
         } else if (!isApart()) {
-            passes.kick(head, tail);
+            passes.kick(pace, head, tail);
         }
     }
 
     /** What moves on what moves; the rest waits for the contacts between domains. */
     private void biasWithin(int block, int worker) {
-        int b = 1 + block;
+        int b = base + 1 + block;
         for (int c = colouring.firstColour[b]; c < colouring.firstFixed[b]; c++) {
-            passes.bias(sweeps(c), colouring.start[c], colouring.start[c + 1], scratch[worker]);
+            passes.bias(
+                    sweeps(c), pace, colouring.start[c], colouring.start[c + 1], scratch[worker]);
         }
     }
 
     private void drift(int block, int worker) {
         Passes p = passes;
         if (block >= domains) {
-            int begin = Blocks.begin(block - domains, BODIES_PER_BLOCK);
-            int end = Blocks.end(block - domains, BODIES_PER_BLOCK, batches.firstBody[1]);
-            drift(begin, end, p);
+            drift(aloneFrom(block - domains), aloneTo(block - domains), p);
             return;
         }
-        int b = 1 + block;
+        int b = base + 1 + block;
         for (int c = colouring.firstFixed[b]; c < colouring.firstColour[b + 1]; c++) {
-            p.bias(sweeps(c), colouring.start[c], colouring.start[c + 1], scratch[worker]);
+            p.bias(sweeps(c), pace, colouring.start[c], colouring.start[c + 1], scratch[worker]);
         }
         drift(batches.firstBody[b], batches.firstBody[b + 1], p);
     }
 
     private void drift(int head, int tail, Passes p) {
-        p.drift(head, tail);
+        p.drift(pace, head, tail);
         if (renews) {
             p.keep(head, tail);
         }
@@ -250,35 +262,53 @@ final class Lockstep {
         return from + Blocks.end(block, perBlock, to - from);
     }
 
-    private int bodiesTo(int block) {
-        return Blocks.end(block, BODIES_PER_BLOCK, batches.firstBody[1 + domains]);
+    /** Bodies in no domain. */
+    private int aloneFrom(int block) {
+        return batches.firstBody[base] + Blocks.begin(block, BODIES_PER_BLOCK);
     }
 
-    private int firstPlace(int block) {
-        return colouring.start[colouring.firstColour[1 + block]];
+    private int aloneTo(int block) {
+        int first = batches.firstBody[base];
+        return first + Blocks.end(block, BODIES_PER_BLOCK, batches.firstBody[base + 1] - first);
+    }
+
+    private int bodiesFrom(int block) {
+        return batches.firstBody[base] + Blocks.begin(block, BODIES_PER_BLOCK);
+    }
+
+    private int bodiesTo(int block) {
+        int first = batches.firstBody[base];
+        int count = batches.firstBody[base + 1 + domains] - first;
+        return first + Blocks.end(block, BODIES_PER_BLOCK, count);
+    }
+
+    /** Of a domain; that of -1 is the batch in lockstep. */
+    private int firstPlace(int domain) {
+        return colouring.start[colouring.firstColour[base + 1 + domain]];
     }
 
     private void prepare(int block, int worker) {
-        passes.prepare(sweep, rowsFrom(block), rowsTo(block), scratch[worker]);
+        passes.prepare(sweep, pace, rowsFrom(block), rowsTo(block), scratch[worker]);
     }
 
     private void findRenewed(int block, int worker) {
-        int end = Blocks.end(block, ROWS_PER_BLOCK, colouring.start[colouring.firstColour[1]]);
-        if (passes.findRenewed(Blocks.begin(block, ROWS_PER_BLOCK), end)) {
+        int first = firstPlace(-1);
+        int end = first + Blocks.end(block, ROWS_PER_BLOCK, firstPlace(0) - first);
+        if (passes.findRenewed(first + Blocks.begin(block, ROWS_PER_BLOCK), end)) {
             renews = true; // by whoever finds one
         }
     }
 
     private void kick(int block, int worker) {
-        passes.kick(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
+        passes.kick(pace, bodiesFrom(block), bodiesTo(block));
     }
 
     private void bias(int block, int worker) {
-        passes.bias(sweep, rowsFrom(block), rowsTo(block), scratch[worker]);
+        passes.bias(sweep, pace, rowsFrom(block), rowsTo(block), scratch[worker]);
     }
 
     private void relax(int block, int worker) {
-        passes.relax(sweep, rowsFrom(block), rowsTo(block), scratch[worker]);
+        passes.relax(sweep, pace, rowsFrom(block), rowsTo(block), scratch[worker]);
     }
 
     private void takeOut(int block, int worker) {
@@ -290,18 +320,18 @@ final class Lockstep {
     }
 
     private void renewBodies(int block, int worker) {
-        passes.renewBodies(Blocks.begin(block, BODIES_PER_BLOCK), bodiesTo(block));
+        passes.renewBodies(bodiesFrom(block), bodiesTo(block));
     }
 
     private void renewRows(int block, int worker) {
-        passes.renewRows(substep, rowsFrom(block), rowsTo(block));
+        passes.renewRows(pace, substep, rowsFrom(block), rowsTo(block));
     }
 
     private void renewWithin(int block, int worker) {
-        passes.renewRows(substep, firstPlace(block), firstPlace(block + 1));
+        passes.renewRows(pace, substep, firstPlace(block), firstPlace(block + 1));
     }
 
     private void storeRows(int block, int worker) {
-        passes.storeRows(renews, rowsFrom(block), rowsTo(block), scratch[worker]);
+        passes.storeRows(pace, renews, rowsFrom(block), rowsTo(block), scratch[worker]);
     }
 }

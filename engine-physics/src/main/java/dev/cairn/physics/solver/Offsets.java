@@ -23,6 +23,7 @@ final class Offsets {
      * Writes the preloads of contact {@code c}, the row at place {@code j}, for the next tick.
      *
      * @param gain share of the overlap per tick
+     * @param softened share of its gap, open or closed, that the contact's stiffness loses next
      * @param still speed below which a point rests, m/s
      */
     static void update(
@@ -33,6 +34,7 @@ final class Offsets {
             int j,
             SubStep sub,
             double gain,
+            double softened,
             double still) {
         double[] d = rows.row;
         int lanes = rows.lanes;
@@ -59,11 +61,11 @@ final class Offsets {
                             - ScalarNormals.dot(
                                     d, q + ConstraintRows.ARM_A * lanes, lanes, body, a + 3);
             if (impulse > 0 && rests && Math.abs(speed) < still) {
-                known -= k * gain * Math.min(0, gap);
+                known -= k * (softened > 0 ? softened * gap : gain * Math.min(0, gap));
             } else {
                 known *= impulse == 0 && gap > 0 ? OPEN : MOVING;
             }
-            contacts.preload[p] = Math.max(0, known);
+            contacts.preload[p] = Math.max(0, known) * sub.keepScale;
         }
     }
 

@@ -21,7 +21,6 @@ final class Passes {
 
     final SolverBodies body = new SolverBodies();
     final ConstraintRows rows;
-    final SubStep sub = new SubStep();
     final Renewal renewal = new Renewal();
     final double[] gravity = new double[3];
 
@@ -31,6 +30,8 @@ final class Passes {
     ContactStore contacts = new ContactStore();
     int[] order = {};
     double step;
+
+    /** Length of a sub-step without extra effort, s. */
     double subStep;
 
     /** This sub-step over the last tick's: the scale of the impulses that are kept. */
@@ -71,8 +72,8 @@ final class Passes {
         }
     }
 
-    void prepare(Sweeps sweeps, int from, int to, double[] scratch) {
-        sweeps.fill(rows, body, contacts, sub, impulseScale, from, to, scratch);
+    void prepare(Sweeps sweeps, SubStep sub, int from, int to, double[] scratch) {
+        sweeps.fill(rows, body, contacts, sub, sub.fillScale, from, to, scratch);
     }
 
     /** Finds the rows whose levers are renewed in each sub-step; whether there is one. */
@@ -80,27 +81,27 @@ final class Passes {
         return renewal.find(rows, contacts, bodies, weight(), from, to);
     }
 
-    void kick(int from, int to) {
+    void kick(SubStep sub, int from, int to) {
         for (int k = from; k < to; k++) {
-            Motion.kick(bodies, body, order[k], gravity[0], gravity[1], gravity[2], subStep);
+            Motion.kick(bodies, body, order[k], gravity[0], gravity[1], gravity[2], sub.seconds);
         }
     }
 
     /** Corrects the warm start of rows that have lost a load. */
-    void settle(int from, int to, double[] scratch) {
+    void settle(SubStep sub, int from, int to, double[] scratch) {
         ScalarSweeps.settle(rows, body.state, sub, settings.unloadSweeps(), from, to, scratch);
     }
 
-    void bias(Sweeps sweeps, int from, int to, double[] scratch) {
+    void bias(Sweeps sweeps, SubStep sub, int from, int to, double[] scratch) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
             sweeps.bias(rows, body.state, sub, j, last, scratch);
         }
     }
 
-    void drift(int from, int to) {
+    void drift(SubStep sub, int from, int to) {
         for (int k = from; k < to; k++) {
-            Motion.drift(bodies, body, order[k], gravity[0], gravity[1], gravity[2], subStep);
+            Motion.drift(bodies, body, order[k], gravity[0], gravity[1], gravity[2], sub.seconds);
         }
     }
 
@@ -130,20 +131,20 @@ final class Passes {
      *
      * @param index of the sub-step; the first one scales what the contacts know
      */
-    void renewRows(int index, int from, int to) {
-        double scale = index == 0 ? impulseScale : 1;
+    void renewRows(SubStep sub, int index, int from, int to) {
+        double scale = index == 0 ? sub.fillScale : 1;
         renewal.rows(rows, body, bodies, contacts, sub, scale, from, to);
     }
 
-    void relax(Sweeps sweeps, int from, int to, double[] scratch) {
+    void relax(Sweeps sweeps, SubStep sub, int from, int to, double[] scratch) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
             sweeps.relax(rows, body.state, sub, j, last, scratch);
         }
     }
 
-    void finish(int from, int to, double[] scratch) {
-        double gain = weight() * subStep;
+    void finish(SubStep sub, int from, int to, double[] scratch) {
+        double gain = weight() * sub.seconds;
         for (int k = from; k < to; k++) {
             int i = order[k];
             if (body.guide[i] >= 0 && sub.lone > 0) {
@@ -151,7 +152,7 @@ final class Passes {
             }
             Motion.keep(bodies, body, i);
             if (body.guide[i] >= 0) {
-                Glide.end(bodies, body, i, rows, subStep);
+                Glide.end(bodies, body, i, rows, sub.seconds);
             }
         }
     }
@@ -163,7 +164,7 @@ final class Passes {
     }
 
     /** Writes the impulses of the rows back, and tells their bodies what presses on them. */
-    void storeRows(boolean renewed, int from, int to, double[] scratch) {
+    void storeRows(SubStep sub, boolean renewed, int from, int to, double[] scratch) {
         double still = STILL * weight() * step;
         for (int j = from; j < to; j++) {
             if ((j - from) % AHEAD == 0) {
@@ -172,7 +173,7 @@ final class Passes {
                         Touch.results(rows, contacts, Math.min(to, j + AHEAD), last);
             }
             if (rows.link[j * ConstraintRows.LINK + ConstraintRows.COUNT] > 0) {
-                storeRow(j, rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE], still);
+                storeRow(sub, j, rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE], still);
             }
         }
         if (renewed) {
@@ -183,24 +184,27 @@ final class Passes {
         }
     }
 
-    private void storeRow(int j, int c, double still) {
+    private void storeRow(SubStep sub, int j, int c, double still) {
         double[] d = rows.row;
+        double scale = sub.keepScale;
         int lanes = rows.lanes;
         int o = rows.base(j);
         contacts.setFrictionImpulse(
                 c,
-                tangent(o, ConstraintRows.LAMBDA, 0),
-                tangent(o, ConstraintRows.LAMBDA, 1),
-                tangent(o, ConstraintRows.LAMBDA, 2),
-                d[o + (ConstraintRows.LAMBDA + 2) * lanes]);
+                tangent(o, ConstraintRows.LAMBDA, 0) * scale,
+                tangent(o, ConstraintRows.LAMBDA, 1) * scale,
+                tangent(o, ConstraintRows.LAMBDA, 2) * scale,
+                d[o + (ConstraintRows.LAMBDA + 2) * lanes] * scale);
         for (int k = 0; k < contacts.pointCount[c]; k++) {
             int p = ContactStore.POINTS * c + k;
             int q = ConstraintRows.POINT + k * ConstraintRows.POINT_FIELDS;
-            contacts.normalImpulse[p] = d[o + (q + ConstraintRows.IMPULSE) * lanes];
+            contacts.normalImpulse[p] = d[o + (q + ConstraintRows.IMPULSE) * lanes] * scale;
             contacts.totalNormalImpulse[p] = d[o + (ConstraintRows.SUM + k) * lanes];
         }
         if (settings.offsetGain() > 0) {
-            Offsets.update(rows, body.state, contacts, c, j, sub, settings.offsetGain(), still);
+            double softened = settings.effort() > 0 ? Effort.softened(bodies, contacts, c) : 0;
+            double gain = settings.offsetGain();
+            Offsets.update(rows, body.state, contacts, c, j, sub, gain, softened, still);
         }
     }
 

@@ -36,6 +36,9 @@ package dev.cairn.physics.solver;
  * @param loneSweeps most sweeps in a sub-step over the contact of a body that moves and touches
  *     nothing but one that does not, 0 (off) to 4096: until its impulses agree. A slide, a stop, a
  *     tip follow their closed forms. What rests and what is stacked pays nothing.
+ * @param effort how often the sub-steps of an island may be doubled while its bodies overlap by
+ *     more than 1 % of their inner radius, 0 (never) to 4. Thin bodies, heavy landings and bad
+ *     starts get what they need; the rest of the scene does not pay for it.
  * @param lanes contacts that are solved at once: 1 (scalar), 4 or 8, or 0 for what fits this
  *     machine. Speed only: the results are the same. Without the module {@code
  *     jdk.incubator.vector} it is always 1.
@@ -56,10 +59,15 @@ public record SolverSettings(
         double inertiaFloor,
         int unloadSweeps,
         int loneSweeps,
+        int effort,
         int lanes) {
+    /** Most doublings of sub-steps. */
+    static final int MOST_EFFORT = 4;
+
     /** The measured defaults. */
     public static final SolverSettings DEFAULT =
-            new SolverSettings(4, 0.125, 10, 2, 0.5, 3, 0.1, 1, 8, 0.01, 2, 0.05, 0.05, 10, 32, 0);
+            new SolverSettings(
+                    4, 0.125, 10, 2, 0.5, 3, 0.1, 1, 8, 0.01, 2, 0.05, 0.05, 10, 32, 0, 0);
 
     /**
      * Checks every bound.
@@ -82,6 +90,7 @@ public record SolverSettings(
         check("inertiaFloor", inertiaFloor, 0, 1);
         check("unloadSweeps", unloadSweeps, 0, 64);
         check("loneSweeps", loneSweeps, 0, 4096);
+        check("effort", effort, 0, MOST_EFFORT);
         if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8) {
             throw new IllegalArgumentException(
                     "lanes must be 1, 4 or 8, or 0 for what fits this machine, but is " + lanes);
@@ -103,23 +112,9 @@ public record SolverSettings(
      * @throws IllegalArgumentException if the value is out of its range
      */
     public SolverSettings withSubsteps(int value) {
-        return new SolverSettings(
-                value,
-                hertzPerRate,
-                dampingRatio,
-                staticHertzScale,
-                staticDampingScale,
-                pushSpeed,
-                restitutionThreshold,
-                innerSweeps,
-                coldSweeps,
-                offsetGain,
-                loadInertia,
-                restAcceleration,
-                inertiaFloor,
-                unloadSweeps,
-                loneSweeps,
-                lanes);
+        Draft d = new Draft(this);
+        d.substeps = value;
+        return d.settings();
     }
 
     /**
@@ -130,23 +125,9 @@ public record SolverSettings(
      * @throws IllegalArgumentException if the value is out of its range
      */
     public SolverSettings withRestitutionThreshold(double value) {
-        return new SolverSettings(
-                substeps,
-                hertzPerRate,
-                dampingRatio,
-                staticHertzScale,
-                staticDampingScale,
-                pushSpeed,
-                value,
-                innerSweeps,
-                coldSweeps,
-                offsetGain,
-                loadInertia,
-                restAcceleration,
-                inertiaFloor,
-                unloadSweeps,
-                loneSweeps,
-                lanes);
+        Draft d = new Draft(this);
+        d.restitutionThreshold = value;
+        return d.settings();
     }
 
     /**
@@ -160,23 +141,11 @@ public record SolverSettings(
      */
     public SolverSettings withSoftness(
             double newHertzPerRate, double newDampingRatio, double newPushSpeed) {
-        return new SolverSettings(
-                substeps,
-                newHertzPerRate,
-                newDampingRatio,
-                staticHertzScale,
-                staticDampingScale,
-                newPushSpeed,
-                restitutionThreshold,
-                innerSweeps,
-                coldSweeps,
-                offsetGain,
-                loadInertia,
-                restAcceleration,
-                inertiaFloor,
-                unloadSweeps,
-                loneSweeps,
-                lanes);
+        Draft d = new Draft(this);
+        d.hertzPerRate = newHertzPerRate;
+        d.dampingRatio = newDampingRatio;
+        d.pushSpeed = newPushSpeed;
+        return d.settings();
     }
 
     /**
@@ -188,23 +157,10 @@ public record SolverSettings(
      * @throws IllegalArgumentException if a value is out of its range
      */
     public SolverSettings withSweeps(int newInnerSweeps, int newColdSweeps) {
-        return new SolverSettings(
-                substeps,
-                hertzPerRate,
-                dampingRatio,
-                staticHertzScale,
-                staticDampingScale,
-                pushSpeed,
-                restitutionThreshold,
-                newInnerSweeps,
-                newColdSweeps,
-                offsetGain,
-                loadInertia,
-                restAcceleration,
-                inertiaFloor,
-                unloadSweeps,
-                loneSweeps,
-                lanes);
+        Draft d = new Draft(this);
+        d.innerSweeps = newInnerSweeps;
+        d.coldSweeps = newColdSweeps;
+        return d.settings();
     }
 
     /**
@@ -215,23 +171,9 @@ public record SolverSettings(
      * @throws IllegalArgumentException if the value is out of its range
      */
     public SolverSettings withOffsetGain(double value) {
-        return new SolverSettings(
-                substeps,
-                hertzPerRate,
-                dampingRatio,
-                staticHertzScale,
-                staticDampingScale,
-                pushSpeed,
-                restitutionThreshold,
-                innerSweeps,
-                coldSweeps,
-                value,
-                loadInertia,
-                restAcceleration,
-                inertiaFloor,
-                unloadSweeps,
-                loneSweeps,
-                lanes);
+        Draft d = new Draft(this);
+        d.offsetGain = value;
+        return d.settings();
     }
 
     /**
@@ -245,23 +187,11 @@ public record SolverSettings(
      */
     public SolverSettings withLoadInertia(
             double value, double newRestAcceleration, double newInertiaFloor) {
-        return new SolverSettings(
-                substeps,
-                hertzPerRate,
-                dampingRatio,
-                staticHertzScale,
-                staticDampingScale,
-                pushSpeed,
-                restitutionThreshold,
-                innerSweeps,
-                coldSweeps,
-                offsetGain,
-                value,
-                newRestAcceleration,
-                newInertiaFloor,
-                unloadSweeps,
-                loneSweeps,
-                lanes);
+        Draft d = new Draft(this);
+        d.loadInertia = value;
+        d.restAcceleration = newRestAcceleration;
+        d.inertiaFloor = newInertiaFloor;
+        return d.settings();
     }
 
     /**
@@ -272,23 +202,9 @@ public record SolverSettings(
      * @throws IllegalArgumentException if the value is out of its range
      */
     public SolverSettings withUnloadSweeps(int value) {
-        return new SolverSettings(
-                substeps,
-                hertzPerRate,
-                dampingRatio,
-                staticHertzScale,
-                staticDampingScale,
-                pushSpeed,
-                restitutionThreshold,
-                innerSweeps,
-                coldSweeps,
-                offsetGain,
-                loadInertia,
-                restAcceleration,
-                inertiaFloor,
-                value,
-                loneSweeps,
-                lanes);
+        Draft d = new Draft(this);
+        d.unloadSweeps = value;
+        return d.settings();
     }
 
     /**
@@ -299,23 +215,22 @@ public record SolverSettings(
      * @throws IllegalArgumentException if the value is out of its range
      */
     public SolverSettings withLoneSweeps(int value) {
-        return new SolverSettings(
-                substeps,
-                hertzPerRate,
-                dampingRatio,
-                staticHertzScale,
-                staticDampingScale,
-                pushSpeed,
-                restitutionThreshold,
-                innerSweeps,
-                coldSweeps,
-                offsetGain,
-                loadInertia,
-                restAcceleration,
-                inertiaFloor,
-                unloadSweeps,
-                value,
-                lanes);
+        Draft d = new Draft(this);
+        d.loneSweeps = value;
+        return d.settings();
+    }
+
+    /**
+     * These settings with another effort.
+     *
+     * @param value 0 (never more) to 4
+     * @return new settings
+     * @throws IllegalArgumentException if the value is out of its range
+     */
+    public SolverSettings withEffort(int value) {
+        Draft d = new Draft(this);
+        d.effort = value;
+        return d.settings();
     }
 
     /**
@@ -326,22 +241,70 @@ public record SolverSettings(
      * @throws IllegalArgumentException if the value is none of those
      */
     public SolverSettings withLanes(int value) {
-        return new SolverSettings(
-                substeps,
-                hertzPerRate,
-                dampingRatio,
-                staticHertzScale,
-                staticDampingScale,
-                pushSpeed,
-                restitutionThreshold,
-                innerSweeps,
-                coldSweeps,
-                offsetGain,
-                loadInertia,
-                restAcceleration,
-                inertiaFloor,
-                unloadSweeps,
-                loneSweeps,
-                value);
+        Draft d = new Draft(this);
+        d.lanes = value;
+        return d.settings();
+    }
+
+    /** The values on their way to other settings, so that each change names only its own. */
+    private static final class Draft {
+        int substeps;
+        double hertzPerRate;
+        double dampingRatio;
+        double staticHertzScale;
+        double staticDampingScale;
+        double pushSpeed;
+        double restitutionThreshold;
+        int innerSweeps;
+        int coldSweeps;
+        double offsetGain;
+        double loadInertia;
+        double restAcceleration;
+        double inertiaFloor;
+        int unloadSweeps;
+        int loneSweeps;
+        int effort;
+        int lanes;
+
+        Draft(SolverSettings s) {
+            substeps = s.substeps;
+            hertzPerRate = s.hertzPerRate;
+            dampingRatio = s.dampingRatio;
+            staticHertzScale = s.staticHertzScale;
+            staticDampingScale = s.staticDampingScale;
+            pushSpeed = s.pushSpeed;
+            restitutionThreshold = s.restitutionThreshold;
+            innerSweeps = s.innerSweeps;
+            coldSweeps = s.coldSweeps;
+            offsetGain = s.offsetGain;
+            loadInertia = s.loadInertia;
+            restAcceleration = s.restAcceleration;
+            inertiaFloor = s.inertiaFloor;
+            unloadSweeps = s.unloadSweeps;
+            loneSweeps = s.loneSweeps;
+            effort = s.effort;
+            lanes = s.lanes;
+        }
+
+        SolverSettings settings() {
+            return new SolverSettings(
+                    substeps,
+                    hertzPerRate,
+                    dampingRatio,
+                    staticHertzScale,
+                    staticDampingScale,
+                    pushSpeed,
+                    restitutionThreshold,
+                    innerSweeps,
+                    coldSweeps,
+                    offsetGain,
+                    loadInertia,
+                    restAcceleration,
+                    inertiaFloor,
+                    unloadSweeps,
+                    loneSweeps,
+                    effort,
+                    lanes);
+        }
     }
 }

@@ -4,8 +4,21 @@ package dev.cairn.physics.solver;
  * What a sweep needs besides rows and bodies: the sub-step's length and the soft step's numbers.
  */
 final class SubStep {
+    /** How many a tick has; the length of one, s. */
+    int count;
+
+    double seconds;
+
     /** 1/s. */
     double inverse;
+
+    /**
+     * Contacts keep their impulses as those of a sub-step without extra effort: how many of that
+     * one, a power of two, and so exact. The first also holds the ratio to the last tick's.
+     */
+    double fillScale;
+
+    double keepScale;
 
     /** m/s. */
     double pushSpeed;
@@ -31,7 +44,24 @@ final class SubStep {
     /** Most sweeps over a lone contact. */
     int lone;
 
-    void set(double h, Softness soft, Softness fixed, SolverSettings settings) {
+    /**
+     * Sets all but the fill scale.
+     *
+     * @param doublings of the sub-steps' number
+     */
+    void set(double stepSeconds, int doublings, SolverSettings settings) {
+        count = settings.substeps() << doublings;
+        keepScale = 1 << doublings;
+        double h = stepSeconds / count;
+        double hertz = settings.hertzPerRate() / h;
+        double damping = settings.dampingRatio();
+        Softness soft = Softness.of(hertz, damping, h);
+        Softness fixed =
+                Softness.of(
+                        hertz * settings.staticHertzScale(),
+                        damping * settings.staticDampingScale(),
+                        h);
+        seconds = h;
         inverse = 1 / h;
         pushSpeed = settings.pushSpeed();
         rate = soft.biasRate() * soft.massScale();
@@ -44,6 +74,11 @@ final class SubStep {
         landing = Math.max(sweeps, settings.coldSweeps() / 2);
         coldRounds = settings.coldSweeps();
         lone = settings.loneSweeps();
+    }
+
+    /** How deep a body of any mass sinks into one that moves, under its own weight, m: g/w². */
+    double sag(double gravity) {
+        return gravity * seconds * impulseScale / rate;
     }
 
     /** Impulse of a sub-step that a metre of overlap holds at rest, over the effective mass. */

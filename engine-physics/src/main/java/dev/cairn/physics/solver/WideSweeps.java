@@ -92,8 +92,7 @@ final class WideSweeps implements Sweeps {
         double[] body = bodies.state;
         double[] scratch = Scratch.create();
         SubStep sub = new SubStep();
-        Softness soft = Softness.of(30, 10, 1 / 240.0);
-        sub.set(1 / 240.0, soft, soft, SolverSettings.DEFAULT);
+        sub.set(1 / 60.0, 0, SolverSettings.DEFAULT);
         Random random = new Random(1);
         long bestWide = Long.MAX_VALUE;
         long bestScalar = Long.MAX_VALUE;

@@ -77,6 +77,10 @@ class BatchesTest {
     }
 
     private static Batches cut(SolverScene s, ConstraintRows rows, int workers) {
+        return cut(s, rows, workers, 0);
+    }
+
+    private static Batches cut(SolverScene s, ConstraintRows rows, int workers, int doublings) {
         s.collide();
         rows.ensureRows(s.contacts.count);
         rows.count = s.contacts.count;
@@ -87,7 +91,7 @@ class BatchesTest {
             rows.source[m] = m;
         }
         Batches batches = new Batches();
-        batches.cut(s.bodies, s.contacts, rows, guide, false, workers);
+        batches.cut(s.bodies, s.contacts, rows, guide, false, workers, doublings, 0);
         return batches;
     }
 
@@ -131,6 +135,33 @@ class BatchesTest {
             } else {
                 assertEquals(0, home[plate]);
             }
+        }
+    }
+
+    /** Islands of two bodies' efforts take the larger; a batch has islands of one effort. */
+    @Test
+    void aBatchHasOneEffort() {
+        for (int workers : new int[] {1, 2}) {
+            SolverScene s = scene(Jobs.of(1));
+            for (int i = 0; i < COLUMNS; i++) {
+                s.bodies.effort[4 * i + 3] = (byte) (i % 4);
+            }
+            int plate = 4 * COLUMNS + 1;
+            s.bodies.effort[plate] = 2;
+            Batches batches = cut(s, new ConstraintRows(4), workers, 3);
+            assertEquals(4, batches.paces);
+            int[] seen = new int[4];
+            for (int b = 0; b < batches.count; b++) {
+                int e = batches.effort[b];
+                for (int k = batches.firstBody[b]; k < batches.firstBody[b + 1]; k++) {
+                    int i = batches.order[k];
+                    assertEquals(i < plate ? (i - 1) / 4 % 4 : 2, e, "effort of body " + i);
+                    assertEquals(e, s.bodies.effort[i]);
+                    seen[e]++;
+                }
+            }
+            int each = COLUMNS * 4 / 4;
+            assertArrayEquals(new int[] {each, each, each + 1 + ON_PLATE, each}, seen);
         }
     }
 }

@@ -87,7 +87,7 @@ final class CollectorTest {
         final int[] guide = new int[BODIES];
 
         void run() {
-            collector.run(bodies, contacts, rows, guide, 2);
+            collector.run(bodies, contacts, rows, guide, 2, 0, 0);
         }
 
         void assertSame(Made other, String where) {

@@ -45,7 +45,7 @@ class DomainsTest {
             rows.source[m] = m;
         }
         Batches batches = new Batches();
-        batches.cut(s.bodies, s.contacts, rows, guide, false, workers);
+        batches.cut(s.bodies, s.contacts, rows, guide, false, workers, 0, 0);
         return batches;
     }
 
@@ -57,7 +57,7 @@ class DomainsTest {
         wall(s, plane, 10);
         ConstraintRows rows = new ConstraintRows(4);
         Batches batches = cut(s, rows, 1);
-        int domains = batches.domains.count;
+        int domains = batches.lockstep[1] - 1;
         assertTrue(domains >= 4, "domains: " + domains);
         assertEquals(1 + domains, batches.count);
         int[] home = new int[s.bodies.slotCount];

@@ -29,6 +29,7 @@ public final class Trial {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
     private final int substeps;
+    private final int effort;
     private long cpuNanos;
     private long bodySteps;
     private int moving;
@@ -37,9 +38,11 @@ public final class Trial {
      * A run.
      *
      * @param substeps sub-steps of a tick, 1 to 32
+     * @param effort how often the engine may double them where it needs to, 0 to 4
      */
-    public Trial(int substeps) {
+    public Trial(int substeps, int effort) {
         this.substeps = substeps;
+        this.effort = effort;
     }
 
     int substeps() {
@@ -48,7 +51,7 @@ public final class Trial {
 
     /** A run of the same case at twice as many sub-steps, for orders of convergence. */
     Trial finer() {
-        return new Trial(2 * substeps);
+        return new Trial(2 * substeps, effort);
     }
 
     /**
@@ -62,7 +65,10 @@ public final class Trial {
 
     /** The engine's defaults but for the sub-steps. */
     PhysicsSettings settings() {
-        return PhysicsSettings.DEFAULT.withSubsteps(substeps).withSleeping(false);
+        return PhysicsSettings.DEFAULT
+                .withSubsteps(substeps)
+                .withEffort(effort)
+                .withSleeping(false);
     }
 
     PhysicsWorld world(double gx, double gy, double gz) {

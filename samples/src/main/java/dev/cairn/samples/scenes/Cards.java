@@ -25,6 +25,9 @@ public final class Cards {
     private static final double HALF_WIDTH = 0.1;
     private static final double LEAN = StrictMath.toRadians(25);
 
+    private static final int TOWER = 10;
+    private static final int ABREAST = 10;
+
     private Cards() {}
 
     /**
@@ -40,7 +43,9 @@ public final class Cards {
                 "structures",
                 List.of(
                         Parameter.count("levels", 5, 1, 12, "levels of the house"),
-                        Parameter.real("friction", 0.7, 0, 10, "Coulomb coefficient")),
+                        Parameter.real("friction", 0.7, 0, 10, "Coulomb coefficient"),
+                        Parameter.count(
+                                "cubes", 0, 0, 10_000, "cubes of 1 m that stand behind, in tens")),
                 600,
                 1,
                 Cards::build);
@@ -49,7 +54,9 @@ public final class Cards {
     private static void build(SceneBuilder scene) {
         int levels = scene.count("levels");
         double friction = scene.get("friction");
-        scene.floor(6, 4, friction, 0);
+        int towers = (scene.count("cubes") + TOWER - 1) / TOWER;
+        int deep = (towers + ABREAST - 1) / ABREAST;
+        scene.floor(deep == 0 ? 6 : 2 * ABREAST, 4 + 4 * deep, friction, 0);
         Box card = Box.of(HALF_THICKNESS, HALF_LENGTH, HALF_WIDTH);
         double sin = StrictMath.sin(LEAN);
         double cos = StrictMath.cos(LEAN);
@@ -97,6 +104,7 @@ public final class Cards {
         scene.view(
                 new SceneBuilder.View(
                         0.25 * levels, 0.28 * levels, 0.5 * levels + 0.4, 0, 0.17 * levels, 0));
+        towers(scene, friction);
         Vector3d at = new Vector3d();
         scene.error(
                 "movedMetres",
@@ -107,5 +115,23 @@ public final class Cards {
                     }
                     return worst;
                 });
+    }
+
+    /** They need no more than the usual sub-steps: what they cost tells who pays for the cards. */
+    private static void towers(SceneBuilder scene, double friction) {
+        Box cube = Box.cube(0.5);
+        for (int i = 0; i < scene.count("cubes"); i++) {
+            int tower = i / TOWER;
+            scene.add(
+                    cube,
+                    Palette.body(i),
+                    Body.dynamic()
+                            .at(
+                                    3 * (tower % ABREAST - 0.5 * (ABREAST - 1)),
+                                    i % TOWER + 0.5,
+                                    -3 - 3 * (tower / ABREAST))
+                            .material(Palette.material(friction, 0))
+                            .name("cube"));
+        }
     }
 }
