@@ -93,8 +93,14 @@ class DomainsTest {
 
     /** What a wall does that is struck, turns a brick, and loses the load on its top. */
     private static double[] run(int lanes, int workers, boolean bouncing, boolean another) {
+        return run(lanes, workers, bouncing, another, 0);
+    }
+
+    private static double[] run(
+            int lanes, int workers, boolean bouncing, boolean another, int effort) {
+        SolverSettings settings = SolverSettings.DEFAULT.withLanes(lanes).withEffort(effort);
         try (Jobs jobs = Jobs.of(workers)) {
-            SolverScene s = new SolverScene(SolverSettings.DEFAULT.withLanes(lanes), jobs);
+            SolverScene s = new SolverScene(settings, jobs);
             int plane = s.fixed();
             wall(s, plane, 0);
             int bodies = s.bodies.slotCount;
@@ -104,6 +110,7 @@ class DomainsTest {
             }
             if (another) {
                 wall(s, plane, 10);
+                s.bodies.effort[bodies + 5] = (byte) effort;
             }
             s.spin(COURSES, 0, 1.5, 0);
             for (int tick = 0; tick < 16; tick++) {
@@ -131,6 +138,11 @@ class DomainsTest {
         assertArrayEquals(wanted, run(8, 2, false, false), 0.0, "8 lanes");
         assertArrayEquals(wanted, run(4, 2, true, false), 0.0, "a ball that bounces elsewhere");
         assertArrayEquals(wanted, run(4, 3, false, true), 0.0, "another wall");
+        double[] needy = run(1, 1, false, false, 2);
+        for (int workers : new int[] {1, 2, 4}) {
+            String who = workers + " workers, another wall with four times as many sub-steps";
+            assertArrayEquals(needy, run(4, workers, false, true, 2), 0.0, who);
+        }
     }
 
     /** What the ground gives in a tick is what gravity takes and the bodies gain. */
