@@ -8,9 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsWorld;
 
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.HashSet;
 import java.util.List;
@@ -166,5 +169,48 @@ class SceneRegistryTest {
     @Test
     void unknownSceneIsRefused() {
         assertThrows(UsageException.class, () -> SceneRegistry.get("pyramids-of-giza"));
+    }
+
+    /** Two balls 2 mm in each other, one 1 mm in the floor, one past the floor's edge: 5 mm². */
+    @Test
+    void overlapsOfSphereGridsAreThoseOfBallsAndFloor() {
+        SampleScene scene = SceneRegistry.get("spheres-666");
+        Map<String, String> four = Map.of("side", "2", "layers", "1");
+        try (PhysicsWorld world = PhysicsWorld.builder().build()) {
+            SceneBuilder built =
+                    scene.build(new SceneBuilder(world, SceneOptions.of(scene, four, 1, null)));
+            double[][] places = {{0, 1, 0}, {0.198, 1, 0}, {3, 0.099, 0}, {150, -5, 0}};
+            int next = 0;
+            for (BodyRef body : built.bodies()) {
+                if (!body.isFixed()) {
+                    double[] at = places[next++];
+                    body.teleport(at[0], at[1], at[2], new Quaterniond());
+                }
+            }
+            assertEquals(places.length, next);
+            built.afterTick();
+            assertEquals(5e-6, built.errors().get("overlapSquaredMetres2"), 1e-15);
+        }
+    }
+
+    /** SimBenchmark's ground is a plane without an end, so no ball may fall past ours. */
+    @ParameterizedTest
+    @ValueSource(strings = {"spheres-666", "elastic-666"})
+    void noBallOfASphereGridLeavesTheFloor(String id) {
+        SampleScene scene = SceneRegistry.get(id);
+        try (PhysicsWorld world =
+                PhysicsWorld.builder().gravity(0, -SampleScene.GRAVITY, 0).build()) {
+            SceneBuilder built =
+                    scene.build(new SceneBuilder(world, SceneOptions.of(scene, Map.of(), 1, null)));
+            for (int tick = 0; tick < 600; tick++) {
+                world.step(1.0 / 60);
+            }
+            Vector3d centre = new Vector3d();
+            for (BodyRef body : built.bodies()) {
+                assertTrue(
+                        body.isFixed() || body.centreOfMass(centre).y > 0.05,
+                        () -> body + " at " + centre);
+            }
+        }
     }
 }

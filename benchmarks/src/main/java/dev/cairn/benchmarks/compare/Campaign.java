@@ -125,7 +125,7 @@ final class Campaign {
             collect(scene, points, budgets, colds);
         }
         Map<String, String> settings = plan.words();
-        settings.put("time of all measurements", minutes());
+        settings.put("time of all measurements, added up", minutes());
         return new Results(machine.describe(), settings, points, budgets, colds);
     }
 

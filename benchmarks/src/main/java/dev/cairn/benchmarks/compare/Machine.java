@@ -30,6 +30,7 @@ final class Machine {
                 Integer.toString(Runtime.getRuntime().availableProcessors()));
         facts.put("system", System.getProperty("os.name") + " " + System.getProperty("os.version"));
         facts.put("JVM", System.getProperty("java.vm.name") + " " + Runtime.version());
+        facts.put("build of Cairn (its class path)", build());
         facts.put("engines' JVM flags", String.join(" ", EngineProcess.FLAGS));
         if (loadBefore >= 0) {
             facts.put(

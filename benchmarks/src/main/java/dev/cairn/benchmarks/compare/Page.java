@@ -15,7 +15,7 @@ import java.util.TreeSet;
 final class Page {
     private static final String STYLE =
             """
-            body { font: 16px/1.5 sans-serif; color: #222; max-width: 62em; margin: 2em auto;
+            body { font: 16px/1.5 sans-serif; color: #222; max-width: 66em; margin: 2em auto;
                    padding: 0 1em }
             h1, h2 { line-height: 1.2 } h2 { margin-top: 2.5em; border-top: 1px solid #ccc;
                    padding-top: 1em }
@@ -79,8 +79,9 @@ final class Page {
                 small N to large. <b>Down is more accurate, left is cheaper: better is
                 down-left.</b> Both axes are logarithmic. A full line is the engine with its own
                 default settings, a dashed one its best effort: what it offers for accuracy besides
-                sub-steps. A cross at the top edge is a run that failed; the list below the diagram
-                says why. Versions and settings are under <a href="#engines">Engines</a>.</p>
+                sub-steps. A cross at the top edge is a run that failed: it was too slow, crashed, or
+                its error passed the scene's limit (fallen, flown apart); the list below the diagram
+                says which. Errors below 1e-16, 0 among them, are drawn at 1e-16. Versions and settings are under <a href="#engines">Engines</a>.</p>
                 """);
         html.add("<p>").say(headline()).add("</p>\n");
         html.add(
@@ -244,7 +245,9 @@ final class Page {
             html.cell(
                     Double.isNaN(row.order()) || Double.isNaN(row.expected())
                             ? "–"
-                            : String.format(Locale.ROOT, "%.2f", row.order() + 0.0));
+                            // + 0.0: no minus before a zero
+                            : String.format(
+                                    Locale.ROOT, "%.2f", Math.rint(100 * row.order()) / 100 + 0.0));
             html.words(row.source()).add("</tr>\n");
         }
         html.endTable();

@@ -98,11 +98,12 @@ final class SceneTables {
 
     /** What failed, each once, with the numbers of sub-steps. */
     static void failures(Html html, List<Results.Point> points) {
-        Map<String, List<String>> failed = new LinkedHashMap<>();
+        Map<String, Map<String, List<String>>> failed = new LinkedHashMap<>();
         for (Results.Point point : points) {
             if (point.failure() != null) {
-                failed.computeIfAbsent(point.title(), _ -> new ArrayList<>())
-                        .add("N = " + point.substeps() + ": " + point.failure());
+                failed.computeIfAbsent(point.title(), _ -> new LinkedHashMap<>())
+                        .computeIfAbsent(point.failure(), _ -> new ArrayList<>())
+                        .add(Integer.toString(point.substeps()));
             }
         }
         if (failed.isEmpty()) {
@@ -110,8 +111,12 @@ final class SceneTables {
             return;
         }
         html.add("<p>Failed:</p>\n<ul class=\"failed\">\n");
-        failed.forEach((title, why) ->
-                html.add("<li>").say(title + " – " + String.join("; ", why)).add("</li>\n"));
+        failed.forEach((title, reasons) -> {
+            List<String> why = new ArrayList<>();
+            reasons.forEach((reason, substeps) ->
+                    why.add("N = " + String.join(", ", substeps) + ": " + reason));
+            html.add("<li>").say(title + " – " + String.join("; ", why)).add("</li>\n");
+        });
         html.add("</ul>\n");
     }
 

@@ -85,7 +85,7 @@ final class OdePeer implements Peer {
                     case ConvexHull hull -> convex(hull);
                     default ->
                             throw new IllegalArgumentException(
-                                    "Ode: its adapter has no "
+                                    "ode4j: its adapter has no "
                                             + solid.shape().getClass().getSimpleName());
                 };
         DQuaternion q =
@@ -101,7 +101,7 @@ final class OdePeer implements Peer {
             geom.setQuaternion(q);
             if (solid.shape() instanceof Capsule || solid.shape() instanceof Cylinder) {
                 throw new IllegalArgumentException(
-                        "Ode: its adapter has no fixed "
+                        "ode4j: its adapter has no fixed "
                                 + solid.shape().getClass().getSimpleName());
             }
             return;

@@ -140,7 +140,7 @@ final class PhysxPeer implements Peer {
                             new PxConvexMeshGeometry(hulls.computeIfAbsent(hull, this::mesh));
                     default ->
                             throw new IllegalArgumentException(
-                                    "Physx: its adapter has no "
+                                    "PhysX: its adapter has no "
                                             + solid.shape().getClass().getSimpleName());
                 };
         float friction = (float) Math.sqrt(solid.friction());

@@ -100,6 +100,19 @@ class ReportTest {
     }
 
     @Test
+    void oneReasonStandsOnceForAllItsSubsteps() {
+        Html html = new Html();
+        SceneTables.failures(
+                html,
+                List.of(
+                        point(Engine.JOLT, 1, null, "fell"),
+                        point(Engine.JOLT, 2, 1e-3, null),
+                        point(Engine.JOLT, 4, null, "fell"),
+                        point(Engine.JOLT, 8, null, "too slow")));
+        assertTrue(html.toString().contains("<li>Jolt – N = 1, 4: fell; N = 8: too slow</li>"));
+    }
+
+    @Test
     void readmeShowsEachEngineThatWasMeasured() throws Exception {
         ReadmePart part = new ReadmePart(RESULTS);
         String table = part.table();
