@@ -75,6 +75,8 @@ final class Ladder {
                     rung("unloading sweeps", false, REST, ON.withUnloadSweeps(0)),
                     rung("sweeps of lone contacts", false, FLIGHT, ON.withLoneSweeps(0)),
                     rung("sweeps of lone contacts", false, REST, ON.withLoneSweeps(0)),
+                    new Rung("effort", false, FLIGHT, ON.withEffort(3), FLIGHT, ON),
+                    new Rung("effort", false, REST, ON.withEffort(3), REST, ON),
                     rung("restitution", false, FLIGHT, ON.withRestitutionThreshold(1000)),
                     rung("restitution", false, REST, ON.withRestitutionThreshold(1000)),
                     new Rung("friction", false, FLIGHT, ON, SMOOTH_FLIGHT, ON),

@@ -26,10 +26,11 @@
  * <p>Colours: no two contacts of a colour move the same body, so a colour may be solved at once, by
  * lanes and by workers, with one result. Batches: islands that fit the cache go through the whole
  * tick on one worker; what is larger is cut into domains that fit, solved a pass or two at a time
- * with what lies between them in lockstep. A row lies in memory with its group, field by field, so
- * that a field of a group is one vector. Angular velocities are weighted by a root of the inverse
- * inertia: an arm then is three numbers that serve both ways. The warm start costs nothing per
- * contact: a body keeps the sum of what its contacts did.
+ * with what lies between them in lockstep. Islands that need it and may have it get more sub-steps,
+ * see {@code Effort}. A row lies in memory with its group, field by field, so that a field of a
+ * group is one vector. Angular velocities are weighted by a root of the inverse inertia: an arm
+ * then is three numbers that serve both ways. The warm start costs nothing per contact: a body
+ * keeps the sum of what its contacts did.
  *
  * <p>Invariants: a contact's impulse on A is the exact negative of that on B, and the reported
  * totals are all the momentum that was exchanged; friction stays in its circle; normal impulses
