@@ -158,8 +158,8 @@ final class Checks {
                             BULLET,
                             h -> 1.7e-6,
                             "SimBenchmark: Bullet's multi-body solver, double, 10 iterations, 1"
-                                    + " ms; here float and the rigid-body solver; it grows with"
-                                    + " N, as rounding does"),
+                                    + " ms; here float and the rigid-body solver; from N = 8 on"
+                                    + " it grows, as rounding does"),
                     new Rule(
                             "spheres-666",
                             "overlapSquaredMetres2",
