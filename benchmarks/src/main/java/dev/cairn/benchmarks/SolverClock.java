@@ -4,7 +4,9 @@ import dev.cairn.core.job.BlockJob;
 import dev.cairn.physics.PhysicsWorld;
 
 import java.lang.reflect.Field;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 
 /**
  * Times the stages of a world's contact solver, which has no clock of its own: each of its block
@@ -15,7 +17,7 @@ import java.util.Arrays;
  * without.
  */
 final class SolverClock {
-    private final String[] names;
+    private final List<String> names = new ArrayList<>();
     private final long[] jobNanos;
     private final long[] gapNanos;
     private int last = -1;
@@ -29,24 +31,29 @@ final class SolverClock {
     SolverClock(PhysicsWorld world) {
         try {
             Object solver = field(field(world, "physics"), "solver");
-            Field[] fields =
-                    Arrays.stream(solver.getClass().getDeclaredFields())
-                            .filter(field -> field.getType() == BlockJob.class)
-                            .toArray(Field[]::new);
-            names = Arrays.stream(fields).map(Field::getName).toArray(String[]::new);
-            jobNanos = new long[names.length];
-            gapNanos = new long[names.length];
-            for (int job = 0; job < names.length; job++) {
-                Field field = fields[job];
-                field.setAccessible(true);
-                field.set(solver, clocked(job, (BlockJob) field.get(solver)));
+            Object lockstep = field(solver, "lockstep");
+            jobNanos = new long[jobs(solver).size() + jobs(lockstep).size()];
+            gapNanos = new long[jobNanos.length];
+            for (Object owner : List.of(solver, lockstep)) {
+                for (Field field : jobs(owner)) {
+                    field.setAccessible(true);
+                    field.set(owner, clocked(names.size(), (BlockJob) field.get(owner)));
+                    names.add(field.getName());
+                }
             }
         } catch (ReflectiveOperationException changed) {
             throw new IllegalStateException(
                     "The contact solver is built another way now; SolverClock looks for"
-                            + " PhysicsWorld.physics, its solver, and that one's block jobs",
+                        + " PhysicsWorld.physics, its solver, and the block jobs of that one and of"
+                        + " its lockstep",
                     changed);
         }
+    }
+
+    private static List<Field> jobs(Object owner) {
+        return Arrays.stream(owner.getClass().getDeclaredFields())
+                .filter(field -> field.getType() == BlockJob.class)
+                .toList();
     }
 
     private static Object field(Object owner, String name) throws ReflectiveOperationException {
@@ -89,7 +96,7 @@ final class SolverClock {
     }
 
     private int index(String job) {
-        int index = Arrays.asList(names).indexOf(job);
+        int index = names.indexOf(job);
         if (index < 0) {
             throw new IllegalStateException(
                     "the contact solver has no job \"%s\"; it has %s"

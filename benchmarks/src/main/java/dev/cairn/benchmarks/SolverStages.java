@@ -79,34 +79,37 @@ public class SolverStages {
         /** Contacts listed and coloured, loads from above, bodies loaded; free bodies fly. */
         public double beginMicros;
 
-        /** Constraint rows filled: levers, masses, last impulses. */
+        /** Constraint rows between domains filled: levers, masses, last impulses. */
         public double prepareMicros;
 
         /** Restitution: bounces at their own time within the sub-step. */
         public double impactsMicros;
 
-        /** Warm start with gravity and forces. */
+        /** Warm start with gravity and forces, where something bounces or has lost a load. */
         public double warmStartMicros;
 
         /** Hard sweeps after a load was taken off, in the first sub-step. */
         public double unloadMicros;
 
-        /** Bias pass: soft normals. */
+        /** Bias pass between domains: soft normals. */
         public double biasMicros;
 
-        /** Integrator: bodies move. */
+        /** Bias pass on what does not move, and integrator: bodies move. */
         public double driftMicros;
 
         /** Levers of what turns or passes by, anew. */
         public double renewMicros;
 
-        /** Relax pass: hard normals and friction. */
+        /** Relax pass between domains: hard normals and friction. */
         public double relaxMicros;
 
-        /** Next warm start kept, sliding bodies moved along their plane. */
-        public double finishMicros;
+        /**
+         * Domains of large islands: from prepare to the first bias pass, from each relax pass to
+         * the next bias pass, and from the last one to the store.
+         */
+        public double domainsMicros;
 
-        /** Bodies, impulses and offsets written back. */
+        /** Impulses and offsets between domains written back. */
         public double storeMicros;
 
         /** Islands that are small enough to stay in the cache, each through all stages at once. */
@@ -142,23 +145,22 @@ public class SolverStages {
             prepareMicros = mean(clock.nanos("prepare"));
             impactsMicros = mean(clock.nanosBefore("kick"));
             warmStartMicros = mean(clock.nanos("kick"));
-            unloadMicros = mean(clock.nanosBefore("bias"));
+            unloadMicros = mean(clock.nanosBefore("biasWithin"));
             biasMicros = mean(clock.nanos("bias"));
             driftMicros = mean(clock.nanosBefore("drift") + clock.nanos("drift"));
             renewMicros =
                     mean(
                             clock.nanos(
                                     "findRenewed",
-                                    "keepBodies",
                                     "takeOut",
+                                    "takeOutWithin",
                                     "renewBodies",
-                                    "renewRows"));
+                                    "renewRows",
+                                    "renewWithin"));
             relaxMicros = mean(clock.nanosBefore("relax") + clock.nanos("relax"));
-            finishMicros = mean(clock.nanosBefore("finish") + clock.nanos("finish"));
+            domainsMicros = mean(clock.nanosBefore("within") + clock.nanos("within", "biasWithin"));
             storeMicros =
-                    mean(
-                            clock.nanosBefore("storeBodies")
-                                    + clock.nanos("storeBodies", "clearRows", "storeRows"));
+                    mean(clock.nanosBefore("storeRows") + clock.nanos("storeRows", "clearRows"));
             batchMicros = mean(clock.nanosBefore("batch") + clock.nanos("batch"));
             // All that is left is serial: before the first job, and after the last one.
             beginMicros =
@@ -171,7 +173,7 @@ public class SolverStages {
                             - driftMicros
                             - renewMicros
                             - relaxMicros
-                            - finishMicros
+                            - domainsMicros
                             - storeMicros
                             - batchMicros;
             world.profile().disable();
