@@ -92,7 +92,10 @@ class EffortTest {
         }
     }
 
-    /** Sub-steps go back when offsets have learnt of the load, and nothing jolts. */
+    /**
+     * Sub-steps go back when offsets have learnt of the load, and nothing jolts: what moves at 1e-7
+     * m/s goes on so (4e-6 if offsets do not take over what the contacts lose of their stiffness).
+     */
     @Test
     void itGoesBackWithoutAJolt() {
         try (PhysicsWorld world = world(2, 1, 1)) {
@@ -113,7 +116,7 @@ class EffortTest {
                 if (tick > 600) {
                     for (BodyRef body : world.bodies()) {
                         double speed = body.velocity().length();
-                        assertTrue(speed < 1e-5, "tick " + tick + ": " + speed + " m/s");
+                        assertTrue(speed < 1e-6, "tick " + tick + ": " + speed + " m/s");
                     }
                 }
             }

@@ -76,11 +76,8 @@ class BatchesTest {
         }
     }
 
-    private static Batches cut(SolverScene s, ConstraintRows rows, int workers) {
-        return cut(s, rows, workers, 0);
-    }
-
-    private static Batches cut(SolverScene s, ConstraintRows rows, int workers, int doublings) {
+    /** All bodies but the first have contacts. */
+    static Batches cut(SolverScene s, ConstraintRows rows, int workers, int doublings) {
         s.collide();
         rows.ensureRows(s.contacts.count);
         rows.count = s.contacts.count;
@@ -100,7 +97,7 @@ class BatchesTest {
         for (int workers : new int[] {1, 2}) {
             SolverScene s = scene(Jobs.of(1));
             ConstraintRows rows = new ConstraintRows(4);
-            Batches batches = cut(s, rows, workers);
+            Batches batches = cut(s, rows, workers, 0);
             assertTrue(batches.count > 2, "batches: " + batches.count);
             int[] home = new int[s.bodies.slotCount];
             Arrays.fill(home, -1);

@@ -34,21 +34,6 @@ class DomainsTest {
         }
     }
 
-    private static Batches cut(SolverScene s, ConstraintRows rows, int workers) {
-        s.collide();
-        rows.ensureRows(s.contacts.count);
-        rows.count = s.contacts.count;
-        int[] guide = new int[s.bodies.slotCount];
-        Arrays.fill(guide, SolverBodies.BOUND);
-        guide[0] = SolverBodies.FREE;
-        for (int m = 0; m < rows.count; m++) {
-            rows.source[m] = m;
-        }
-        Batches batches = new Batches();
-        batches.cut(s.bodies, s.contacts, rows, guide, false, workers, 0, 0);
-        return batches;
-    }
-
     @Test
     void domainsShareNoBodyAndTheRestIsFew() {
         SolverScene s = new SolverScene();
@@ -56,7 +41,7 @@ class DomainsTest {
         wall(s, plane, 0);
         wall(s, plane, 10);
         ConstraintRows rows = new ConstraintRows(4);
-        Batches batches = cut(s, rows, 1);
+        Batches batches = BatchesTest.cut(s, rows, 1, 0);
         int domains = batches.lockstep[1] - 1;
         assertTrue(domains >= 4, "domains: " + domains);
         assertEquals(1 + domains, batches.count);
