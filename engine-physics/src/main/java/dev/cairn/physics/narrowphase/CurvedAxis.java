@@ -159,6 +159,17 @@ final class CurvedAxis {
         better(p, mx / length, my / length, mz / length);
     }
 
+    /** Takes over what {@link SegmentBox} found. */
+    void take(double x, double y, double z, double along, int ofA, int ofB, boolean isBeyond) {
+        set(x, y, z);
+        separation = along;
+        kindA = ofA;
+        kindB = ofB;
+        beyond = isBeyond;
+        gap = 0;
+        capped = false;
+    }
+
     private void take() {
         set(refine.axisX, refine.axisY, refine.axisZ);
         separation = refine.separation;

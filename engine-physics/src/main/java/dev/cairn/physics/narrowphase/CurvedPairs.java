@@ -21,6 +21,7 @@ final class CurvedPairs {
     private final ContactPoints points;
     private final boolean closedForm;
     private final CurvedAxis axis = new CurvedAxis();
+    private final SegmentBox segmentBox = new SegmentBox();
     private final CurvedContact contact;
     private final PlaneContact plane;
 
@@ -111,7 +112,10 @@ final class CurvedPairs {
             return word;
         }
         pair.set(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
-        axis.find(pair, closedForm, gjk, epa, margin + pair.radiusA + pair.radiusB);
+        double limit = margin + pair.radiusA + pair.radiusB;
+        if (!(closedForm && segmentBox.find(pair, a, b, limit, axis))) {
+            axis.find(pair, closedForm, gjk, epa, limit);
+        }
         capped = axis.capped;
         if (axis.beyond) {
             return 0;
@@ -168,7 +172,9 @@ final class CurvedPairs {
         }
         planeLast = 0;
         pair.set(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
-        axis.find(pair, closedForm, gjk, epa, Double.MAX_VALUE);
+        if (!(closedForm && segmentBox.find(pair, a, b, Double.MAX_VALUE, axis))) {
+            axis.find(pair, closedForm, gjk, epa, Double.MAX_VALUE);
+        }
         capped = axis.capped;
         points.setAxis(axis.axisX, axis.axisY, axis.axisZ);
         return axis.separation - pair.radiusA - pair.radiusB;
