@@ -20,11 +20,10 @@ final class BoxFaces {
     private static final int MOST = 16;
 
     /** Of every block: the topology does not depend on the extents. */
-    private static final int[] SLOT_VERTEX = new int[24],
-            SLOT_EDGE = new int[24],
-            SIDE_AXIS = new int[24];
+    static final int[] SLOT_VERTEX = new int[24], SLOT_EDGE = new int[24], SIDE_AXIS = new int[24];
 
-    private static final boolean[] SIDE_POSITIVE = new boolean[24];
+    /** The side plane at a slot looks along {@link #SIDE_AXIS}, or against it. */
+    static final boolean[] SIDE_POSITIVE = new boolean[24];
 
     static {
         Polyhedron h = Box.cube(1).polyhedron();

@@ -248,7 +248,8 @@ final class ContactPoints {
         out.pointZ[at] = pair.w20 * x + pair.w21 * y + pair.w22 * z;
     }
 
-    private void writeNormal(Manifold out) {
+    /** Writes the axis that is set. */
+    void writeNormal(Manifold out) {
         out.normalX = worldX();
         out.normalY = worldY();
         out.normalZ = worldZ();

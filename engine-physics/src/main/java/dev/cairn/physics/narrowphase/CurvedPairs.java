@@ -23,6 +23,7 @@ final class CurvedPairs {
     private final CurvedAxis axis = new CurvedAxis();
     private final SegmentBox segmentBox = new SegmentBox();
     private final CurvedContact contact;
+    private final CapsuleOnBox capsuleOnBox;
     private final PlaneContact plane;
 
     /** Of the last distance: 1 when the first shape was a half-space, -1 when the second. */
@@ -47,6 +48,7 @@ final class CurvedPairs {
         this.points = points;
         this.closedForm = closedForm;
         this.contact = new CurvedContact(pair, points, axis);
+        this.capsuleOnBox = new CapsuleOnBox(pair, points, segmentBox);
         this.plane = new PlaneContact(pair, points);
     }
 
@@ -113,14 +115,20 @@ final class CurvedPairs {
         }
         pair.set(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
         double limit = margin + pair.radiusA + pair.radiusB;
-        if (!(closedForm && segmentBox.find(pair, a, b, limit, axis))) {
+        boolean closed = closedForm && SegmentBox.fits(a, b);
+        if (closed) {
+            segmentBox.find(pair, a, b, limit, axis);
+        } else {
             axis.find(pair, closedForm, gjk, epa, limit);
         }
         capped = axis.capped;
         if (axis.beyond) {
             return 0;
         }
-        long word = contact.run(margin, CALM * pair.inner, cache, out);
+        long word =
+                closed && !capsuleOnBox.sideBySide()
+                        ? capsuleOnBox.run(margin, CALM * pair.inner, cache, out)
+                        : contact.run(margin, CALM * pair.inner, cache, out);
         out.capped = capped;
         return word;
     }
@@ -172,7 +180,9 @@ final class CurvedPairs {
         }
         planeLast = 0;
         pair.set(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
-        if (!(closedForm && segmentBox.find(pair, a, b, Double.MAX_VALUE, axis))) {
+        if (closedForm && SegmentBox.fits(a, b)) {
+            segmentBox.find(pair, a, b, Double.MAX_VALUE, axis);
+        } else {
             axis.find(pair, closedForm, gjk, epa, Double.MAX_VALUE);
         }
         capped = axis.capped;

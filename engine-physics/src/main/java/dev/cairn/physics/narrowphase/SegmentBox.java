@@ -36,40 +36,51 @@ final class SegmentBox {
      */
     private static final double CLEAR = 0x1p-40;
 
-    private double bx, by, bz, cx, cy, cz, ux, uy, uz, h;
+    /** Half extents; middle, direction and half length of the segment, in the box's frame. */
+    double bx, by, bz, cx, cy, cz, ux, uy, uz, h;
 
     /** The best axis, from the box to the segment, its separation, and what it belongs to. */
-    private double x, y, z, best;
+    double x, y, z, best;
 
-    private int ofBox, ofSegment;
+    int ofBox, ofSegment;
+
+    /** Where on the segment its nearest or deepest point is, m from the middle. */
+    double at;
+
+    /** The box is the second shape. */
+    boolean second;
 
     /**
-     * Finds the axis of a pair of a capsule and a box, in either order.
+     * Whether a pair is one of a capsule and a box, in either order.
+     *
+     * @param a first shape
+     * @param b second shape
+     */
+    static boolean fits(Shape a, Shape b) {
+        return a instanceof Box ? b instanceof Capsule : a instanceof Capsule && b instanceof Box;
+    }
+
+    /**
+     * Finds the axis of a pair that {@link #fits}.
      *
      * @param limit of the distance of the cores; see {@link CurvedAxis#beyond}
      * @param out receives the axis
-     * @return false for other pairs; nothing is written then
      */
-    boolean find(Pair p, Shape a, Shape b, double limit, CurvedAxis out) {
-        if (a instanceof Box box && b instanceof Capsule capsule) {
-            cx = p.dx;
-            cy = p.dy;
-            cz = p.dz;
-            ux = p.r01;
-            uy = p.r11;
-            uz = p.r21;
-            solve(box, capsule.halfLength(), p.scale, limit);
-            out.take(x, y, z, best, ofBox, ofSegment, best > limit);
-            return true;
-        }
-        if (a instanceof Capsule capsule && b instanceof Box box) {
+    void find(Pair p, Shape a, Shape b, double limit, CurvedAxis out) {
+        second = b instanceof Box;
+        h = ((Capsule) (second ? a : b)).halfLength();
+        Box box = (Box) (second ? b : a);
+        bx = box.halfX();
+        by = box.halfY();
+        bz = box.halfZ();
+        if (second) {
             cx = -(p.r00 * p.dx + p.r10 * p.dy + p.r20 * p.dz);
             cy = -(p.r01 * p.dx + p.r11 * p.dy + p.r21 * p.dz);
             cz = -(p.r02 * p.dx + p.r12 * p.dy + p.r22 * p.dz);
             ux = p.r10;
             uy = p.r11;
             uz = p.r12;
-            solve(box, capsule.halfLength(), p.scale, limit);
+            solve(p.scale, limit);
             out.take(
                     -(p.r00 * x + p.r01 * y + p.r02 * z),
                     -(p.r10 * x + p.r11 * y + p.r12 * z),
@@ -78,16 +89,19 @@ final class SegmentBox {
                     ofSegment,
                     ofBox,
                     best > limit);
-            return true;
+        } else {
+            cx = p.dx;
+            cy = p.dy;
+            cz = p.dz;
+            ux = p.r01;
+            uy = p.r11;
+            uz = p.r21;
+            solve(p.scale, limit);
+            out.take(x, y, z, best, ofBox, ofSegment, best > limit);
         }
-        return false;
     }
 
-    private void solve(Box box, double half, double scale, double limit) {
-        bx = box.halfX();
-        by = box.halfY();
-        bz = box.halfZ();
-        h = half;
+    private void solve(double scale, double limit) {
         faces();
         if (best > limit) {
             return;
@@ -118,6 +132,7 @@ final class SegmentBox {
         z = (alongX || alongY) ? 0 : (cz < 0 ? -1 : 1);
         ofBox = Refine.FLAT;
         ofSegment = Refine.POINT;
+        at = x * ux + y * uy + z * uz > 0 ? -h : h;
     }
 
     /** The common perpendiculars of the segment and the edges; what is not above a bound is not. */
@@ -142,15 +157,24 @@ final class SegmentBox {
             double f = (cz * uy < cy * uz ? -1 : 1) / Math.sqrt(yy + zz);
             y = -uz * f;
             z = uy * f;
+            at = (offset(y, by, cy) * uy + offset(z, bz, cz) * uz) / (yy + zz);
         } else if (sy == most) {
             double f = (cx * uz < cz * ux ? -1 : 1) / Math.sqrt(zz + xx);
             z = -ux * f;
             x = uz * f;
+            at = (offset(z, bz, cz) * uz + offset(x, bx, cx) * ux) / (zz + xx);
         } else {
             double f = (cy * ux < cx * uy ? -1 : 1) / Math.sqrt(xx + yy);
             x = -uy * f;
             y = ux * f;
+            at = (offset(x, bx, cx) * ux + offset(y, by, cy) * uy) / (xx + yy);
         }
+        at = Math.max(-h, Math.min(h, at));
+    }
+
+    /** From the middle of the segment to the side of the box that looks along an axis. */
+    private static double offset(double n, double b, double c) {
+        return (n < 0 ? -b : b) - c;
     }
 
     /** Separation along an axis that is no unit vector yet; h does not count across u. */
@@ -205,7 +229,7 @@ final class SegmentBox {
         wx = beyond(cx + s * ux, bx);
         wy = beyond(cy + s * uy, by);
         wz = beyond(cz + s * uz, bz);
-        take(Refine.POINT, above);
+        take(s, Refine.POINT, above);
     }
 
     /** The places where a coordinate comes to lie within or beyond cut the range. */
@@ -256,7 +280,7 @@ final class SegmentBox {
             // Again, for h times what rounding leaves along the segment is lost.
             move((wx * vx + wy * vy + wz * vz) / square, vx, vy, vz);
         }
-        take(Refine.LINE, above);
+        take(s - Math.max(-room, Math.min(room, back)), Refine.LINE, above);
     }
 
     private void move(double back, double vx, double vy, double vz) {
@@ -266,7 +290,7 @@ final class SegmentBox {
     }
 
     /** Tries a way from the box to the segment as an axis. */
-    private void take(int segmentKind, double above) {
+    private void take(double along, int segmentKind, double above) {
         double most = Math.max(Math.abs(wx), Math.max(Math.abs(wy), Math.abs(wz)));
         double nx = wx / most;
         double ny = wy / most;
@@ -285,6 +309,7 @@ final class SegmentBox {
             return;
         }
         best = s;
+        at = along;
         x = nx;
         y = ny;
         z = nz;

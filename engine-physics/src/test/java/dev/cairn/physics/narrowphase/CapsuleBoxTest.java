@@ -51,6 +51,27 @@ class CapsuleBoxTest {
         check(ShapeKind.BOX, ShapeKind.CAPSULE, 302);
     }
 
+    /** The segment touches the box, or is 1e-16 to 1e-9 of the size apart or inside. */
+    @Test
+    void aSegmentThatTouchesTheBoxIsMeasuredToTheLastDigits() {
+        SplittableRandom r = new SplittableRandom(306);
+        ShapeKind.Two kinds = new ShapeKind.Two(ShapeKind.BOX, ShapeKind.CAPSULE);
+        for (int i = 0; i < 20_000; i++) {
+            Scene s = EveryPairTest.Sort.RANDOM.scene(r, kinds);
+            double size = ShapeKind.size(s);
+            double gap = size * Scene.logUniform(r, 1e-16, 1e-9) * (r.nextBoolean() ? 1 : -1);
+            double radius = s.b.innerRadius();
+            for (int k = 0; k < 2; k++) {
+                double d = s.distance(special) + radius;
+                s.d.fma(gap - d, EveryPairTest.axis(special));
+            }
+            String where = "seed 306 pose " + i;
+            double d = s.distance(special);
+            assertEquals(s.distance(general), d, ROUNDING * size, where);
+            assertEquals(s.swapped().distance(special), d, ROUNDING * size, where);
+        }
+    }
+
     /** The segment all but parallel to an edge: rounding hides where it leaves the box's side. */
     @Test
     void nearlyParallelToAnEdgeTheNearestFeatureIsFound() {
@@ -81,6 +102,47 @@ class CapsuleBoxTest {
             s.d.fma(-d, axis);
             assertEquals(0, s.distance(special), 1e-14, where + " pushed out");
         }
+    }
+
+    /** The general way finds the same points by clipping whatever lies on whatever. */
+    @Test
+    void itsPointsAreThoseOfTheGeneralWay() {
+        Manifold other = new Manifold();
+        EveryPairTest.Sort[] sorts = {
+            EveryPairTest.Sort.RANDOM,
+            EveryPairTest.Sort.TOUCHING,
+            EveryPairTest.Sort.DEEP,
+            EveryPairTest.Sort.NEARLY_PARALLEL
+        };
+        int contacts = 0;
+        int twoPoints = 0;
+        int others = 0;
+        for (int order = 0; order < 2; order++) {
+            ShapeKind a = order == 0 ? ShapeKind.CAPSULE : ShapeKind.BOX;
+            ShapeKind b = order == 0 ? ShapeKind.BOX : ShapeKind.CAPSULE;
+            SplittableRandom r = new SplittableRandom(304 + order);
+            for (int i = 0; i < 40_000; i++) {
+                Scene s = sorts[i % sorts.length].scene(r, new ShapeKind.Two(a, b));
+                double margin = .02 * Math.min(s.a.innerRadius(), s.b.innerRadius());
+                long word = s.collide(special, margin, 0, manifold);
+                long wordOther = s.collide(general, margin, 0, other);
+                boolean same = word == wordOther && manifold.pointCount == other.pointCount;
+                for (int p = 0; same && p < manifold.pointCount; p++) {
+                    double x = manifold.pointX[p] - other.pointX[p];
+                    double y = manifold.pointY[p] - other.pointY[p];
+                    double z = manifold.pointZ[p] - other.pointZ[p];
+                    same =
+                            manifold.feature[p] == other.feature[p]
+                                    && x * x + y * y + z * z <= 1e-14 * s.size() * s.size();
+                }
+                contacts += other.pointCount > 0 ? 1 : 0;
+                twoPoints += other.pointCount > 1 ? 1 : 0;
+                others += same ? 0 : 1;
+            }
+        }
+        System.out.printf("%d contacts, %d of 2 points, %d others%n", contacts, twoPoints, others);
+        assertTrue(contacts > 40_000 && twoPoints > 1_000, contacts + " contacts");
+        assertTrue(others <= 1e-3 * contacts, others + " of " + contacts + " contacts differ");
     }
 
     /** Lying on a face the capsule has two points, upright one, over an edge one. */
