@@ -41,6 +41,7 @@ public final class NarrowPhase {
     private final Polyhedra polyhedra;
     private final RoundQuery round = new RoundQuery();
     private final RoundContacts rounds = new RoundContacts();
+    private final BallBox ballBox = new BallBox();
     private final CurvedPairs curved;
     private boolean curvedLast;
     private long[] memory = Polyhedra.NOTHING;
@@ -201,8 +202,15 @@ public final class NarrowPhase {
                     rounds.collide(
                             a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz, margin, out);
             if (done) {
+                exact();
                 return rounds.word();
             }
+        }
+        if (method == Method.SPECIALISED
+                && ballBox.collide(
+                        a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz, margin, out)) {
+            exact();
+            return 0;
         }
         if (!(plain(a) && plain(b))) {
             curvedLast = true;
@@ -461,6 +469,11 @@ public final class NarrowPhase {
             double dy,
             double dz) {
         pair.set(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
+        exact();
+    }
+
+    /** No cap was met yet. */
+    private void exact() {
         round.capped = false;
         curvedLast = false;
         gjk.capped = false;

@@ -21,6 +21,7 @@ final class RoundQuery {
 
     boolean capped;
 
+    private final BallBox ballBox = new BallBox();
     private double pointX, pointY, pointZ, normalX, normalY, normalZ;
 
     /**
@@ -94,30 +95,11 @@ final class RoundQuery {
 
     /** Closed form for a block, whose vertex 7 is its half extents. */
     private boolean box(Polyhedron h) {
-        double ox = Math.abs(pointX) - h.vertexX(7);
-        double oy = Math.abs(pointY) - h.vertexY(7);
-        double oz = Math.abs(pointZ) - h.vertexZ(7);
-        if (ox <= 0 && oy <= 0 && oz <= 0) {
-            boolean alongX = ox >= oy && ox >= oz;
-            boolean alongY = !alongX && oy >= oz;
-            distance = Math.max(ox, Math.max(oy, oz));
-            normalX = alongX ? (pointX < 0 ? -1 : 1) : 0;
-            normalY = alongY ? (pointY < 0 ? -1 : 1) : 0;
-            normalZ = (alongX || alongY) ? 0 : (pointZ < 0 ? -1 : 1);
-            return true;
-        }
-        double x = Math.max(ox, 0);
-        double y = Math.max(oy, 0);
-        double z = Math.max(oz, 0);
-        double most = Math.max(x, Math.max(y, z));
-        x /= most;
-        y /= most;
-        z /= most;
-        double length = Math.sqrt(x * x + y * y + z * z);
-        distance = length * most;
-        normalX = (pointX < 0 ? -x : x) / length;
-        normalY = (pointY < 0 ? -y : y) / length;
-        normalZ = (pointZ < 0 ? -z : z) / length;
+        ballBox.measure(pointX, pointY, pointZ, h.vertexX(7), h.vertexY(7), h.vertexZ(7));
+        distance = ballBox.distance;
+        normalX = ballBox.x;
+        normalY = ballBox.y;
+        normalZ = ballBox.z;
         return true;
     }
 
