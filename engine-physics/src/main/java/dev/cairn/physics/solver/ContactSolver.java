@@ -217,7 +217,7 @@ public final class ContactSolver {
             p.finish(sub, head, tail, own);
         }
         p.storeBodies(head, tail);
-        p.storeRows(sub, renewed, start[first], start[last], own);
+        p.storeRows(chosen, sub, renewed, start[first], start[last], own);
     }
 
     private void begin(int block, int worker) {
@@ -302,6 +302,7 @@ public final class ContactSolver {
      * @return impulse on B, N s
      */
     double totalFriction(int row, int axis) {
-        return passes.tangent(rows.base(rows.place[row]), ConstraintRows.TOTAL, axis);
+        return StoreRow.tangent(
+                rows.row, rows.base(rows.place[row]), rows.lanes, ConstraintRows.TOTAL, axis);
     }
 }

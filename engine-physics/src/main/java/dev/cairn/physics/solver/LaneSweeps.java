@@ -26,6 +26,7 @@ final class LaneSweeps implements Sweeps {
     private final LaneKernels.Points four;
     private final LaneKernels.Points few;
     private final LaneKernels.Friction friction;
+    private final RowStore store;
 
     LaneSweeps(
             int lanes,
@@ -34,7 +35,8 @@ final class LaneSweeps implements Sweeps {
             LaneKernels.Normals normals,
             LaneKernels.Points four,
             LaneKernels.Points few,
-            LaneKernels.Friction friction) {
+            LaneKernels.Friction friction,
+            RowStore store) {
         this.lanes = lanes;
         this.filler = filler;
         this.bodies = bodies;
@@ -42,6 +44,7 @@ final class LaneSweeps implements Sweeps {
         this.four = four;
         this.few = few;
         this.friction = friction;
+        this.store = store;
     }
 
     @Override
@@ -108,6 +111,23 @@ final class LaneSweeps implements Sweeps {
         }
         friction.total(rows, from, to, st, 0);
         bodies.scatter(body, rows.link, from, to, st);
+    }
+
+    @Override
+    public void store(
+            ConstraintRows rows,
+            double[] body,
+            ContactStore contacts,
+            SubStep sub,
+            double gain,
+            double still,
+            int from,
+            int to,
+            double[] scratch) {
+        if (gain > 0) {
+            bodies.gather(body, rows.link, from, to, scratch);
+        }
+        store.store(rows, body, contacts, sub, gain, still, from, to, scratch);
     }
 
     /** Sweeps over the points of the busy groups; whether a lane that lands needs more. */

@@ -70,7 +70,8 @@ final class Lanes {
                                     (LaneKernels.Normals) make("LaneNormals", lanes),
                                     (LaneKernels.Points) make("LaneFour", lanes),
                                     (LaneKernels.Points) make("LaneFew", lanes),
-                                    (LaneKernels.Friction) make("LaneFriction", lanes)));
+                                    (LaneKernels.Friction) make("LaneFriction", lanes),
+                                    (RowStore) make("LaneStore", lanes)));
             MADE[lanes] = made;
             return made;
         } catch (IOException | ReflectiveOperationException failed) {

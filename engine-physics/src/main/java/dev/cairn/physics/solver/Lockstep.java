@@ -204,7 +204,7 @@ final class Lockstep {
         }
         if (substep == pace.count) {
             p.storeBodies(head, tail);
-            p.storeRows(pace, renews, start[first], start[last], own);
+            p.storeRows(chosen, pace, renews, start[first], start[last], own);
         } else if (!isApart()) {
             p.kick(pace, head, tail);
             biasWithin(domain, worker);
@@ -332,6 +332,7 @@ final class Lockstep {
     }
 
     private void storeRows(int block, int worker) {
-        passes.storeRows(pace, renews, rowsFrom(block), rowsTo(block), scratch[worker]);
+        passes.storeRows(
+                chosen, pace, renews, rowsFrom(block), rowsTo(block), scratch[worker]);
     }
 }

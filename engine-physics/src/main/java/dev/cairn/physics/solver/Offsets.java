@@ -14,8 +14,10 @@ import dev.cairn.physics.internal.ContactStore;
  * <p>Source: own study; the idea is Powell's and Hestenes' method of multipliers (1969).
  */
 final class Offsets {
-    private static final double OPEN = 0.5;
-    private static final double MOVING = 0.98;
+    /** What is left of an offset after a tick with an open point, and after one with a moving one. */
+    static final double OPEN = 0.5;
+
+    static final double MOVING = 0.98;
 
     private Offsets() {}
 
@@ -61,11 +63,11 @@ final class Offsets {
                             - ScalarNormals.dot(
                                     d, q + ConstraintRows.ARM_A * lanes, lanes, body, a + 3);
             if (impulse > 0 && rests && Math.abs(speed) < still) {
-                known -= k * (softened > 0 ? softened * gap : gain * Math.min(0, gap));
+                known -= k * (softened > 0 ? softened * gap : (gap < 0 ? gap : 0) * gain);
             } else {
                 known *= impulse == 0 && gap > 0 ? OPEN : MOVING;
             }
-            contacts.preload[p] = Math.max(0, known) * sub.keepScale;
+            contacts.preload[p] = (known > 0 ? known : 0) * sub.keepScale;
         }
     }
 

@@ -3,6 +3,8 @@ package dev.cairn.physics.solver;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 
+import java.util.Arrays;
+
 /**
  * The passes of a tick, each over a range of rows of one colour or over a range of the bodies with
  * contacts, in the order of {@link Batches#order}. The blocks of a stage in lockstep and the
@@ -15,9 +17,6 @@ final class Passes {
      * A point rests while it moves slower than gravity makes a body fall in this share of a tick.
      */
     private static final double STILL = 0.125;
-
-    /** Rows that the store touches at once. */
-    private static final int AHEAD = 8;
 
     final SolverBodies body = new SolverBodies();
     final ConstraintRows rows;
@@ -164,17 +163,15 @@ final class Passes {
     }
 
     /** Writes the impulses of the rows back, and tells their bodies what presses on them. */
-    void storeRows(SubStep sub, boolean renewed, int from, int to, double[] scratch) {
+    void storeRows(
+            Sweeps sweeps, SubStep sub, boolean renewed, int from, int to, double[] scratch) {
         double still = STILL * weight() * step;
-        for (int j = from; j < to; j++) {
-            if ((j - from) % AHEAD == 0) {
-                int last = Math.min(to, j + 2 * AHEAD);
-                scratch[Scratch.PACKED] =
-                        Touch.results(rows, contacts, Math.min(to, j + AHEAD), last);
-            }
-            if (rows.link[j * ConstraintRows.LINK + ConstraintRows.COUNT] > 0) {
-                storeRow(sub, j, rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE], still);
-            }
+        double gain = settings.offsetGain();
+        for (int j = from; j < to; j += ConstraintRows.CHUNK) {
+            int last = Math.min(to, j + ConstraintRows.CHUNK);
+            scratch[Scratch.PACKED] = Touch.results(rows, contacts, j, last);
+            soften(j, last, scratch);
+            sweeps.store(rows, body.state, contacts, sub, gain, still, j, last, scratch);
         }
         if (renewed) {
             renewal.restore(rows, contacts, from, to);
@@ -184,36 +181,16 @@ final class Passes {
         }
     }
 
-    private void storeRow(SubStep sub, int j, int c, double still) {
-        double[] d = rows.row;
-        double scale = sub.keepScale;
-        int lanes = rows.lanes;
-        int o = rows.base(j);
-        contacts.setFrictionImpulse(
-                c,
-                tangent(o, ConstraintRows.LAMBDA, 0) * scale,
-                tangent(o, ConstraintRows.LAMBDA, 1) * scale,
-                tangent(o, ConstraintRows.LAMBDA, 2) * scale,
-                d[o + (ConstraintRows.LAMBDA + 2) * lanes] * scale);
-        for (int k = 0; k < contacts.pointCount[c]; k++) {
-            int p = ContactStore.POINTS * c + k;
-            int q = ConstraintRows.POINT + k * ConstraintRows.POINT_FIELDS;
-            contacts.normalImpulse[p] = d[o + (q + ConstraintRows.IMPULSE) * lanes] * scale;
-            contacts.totalNormalImpulse[p] = d[o + (ConstraintRows.SUM + k) * lanes];
+    /** Which contacts lose stiffness, see {@link RowStore}. */
+    private void soften(int from, int to, double[] scratch) {
+        Arrays.fill(scratch, Scratch.SOFTENED, Scratch.SOFTENED + ConstraintRows.CHUNK, 0.0);
+        for (int j = from; j < to && settings.effort() > 0; j++) {
+            int l = j * ConstraintRows.LINK;
+            if (rows.link[l + ConstraintRows.COUNT] > 0) {
+                int source = rows.link[l + ConstraintRows.SOURCE];
+                scratch[Scratch.SOFTENED + j - from] = Effort.softened(bodies, contacts, source);
+            }
         }
-        if (settings.offsetGain() > 0) {
-            double softened = settings.effort() > 0 ? Effort.softened(bodies, contacts, c) : 0;
-            double gain = settings.offsetGain();
-            Offsets.update(rows, body.state, contacts, c, j, sub, gain, softened, still);
-        }
-    }
-
-    /** World component of a pair of tangent impulses. */
-    double tangent(int o, int field, int axis) {
-        double[] d = rows.row;
-        int lanes = rows.lanes;
-        return d[o + field * lanes] * d[o + (ConstraintRows.TANGENT1 + axis) * lanes]
-                + d[o + (field + 1) * lanes] * d[o + (ConstraintRows.TANGENT2 + axis) * lanes];
     }
 
     /** Contacts without points have no impulses; a range of the active ones. */

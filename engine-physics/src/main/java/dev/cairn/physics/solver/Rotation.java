@@ -24,20 +24,16 @@ final class Rotation {
 
     private static final double TURN = 2 * Math.PI;
 
+    /** Of a square: the root by one term of its series is exact. */
+    private static final double NEARLY_UNIT = 1e-8;
+
     private Rotation() {}
 
     /** Sine; polynomial up to a quarter, by halving above. */
     static double sin(double x) {
         if (!(Math.abs(x) > SMALL)) {
             double y = x * x;
-            // Taylor series to x^13; the next term is below 1e-21
-            double p = 1 / 6227020800.0;
-            p = p * y - 1 / 39916800.0;
-            p = p * y + 1 / 362880.0;
-            p = p * y - 1 / 5040.0;
-            p = p * y + 1 / 120.0;
-            p = p * y - 1 / 6.0;
-            return x + x * y * p;
+            return x + x * y * sinSeries(y);
         }
         if (Math.abs(x) > LARGE) {
             return sin(Math.IEEEremainder(x, TURN));
@@ -49,13 +45,7 @@ final class Rotation {
     static double cos(double x) {
         if (!(Math.abs(x) > SMALL)) {
             double y = x * x;
-            double p = 1 / 479001600.0;
-            p = p * y - 1 / 3628800.0;
-            p = p * y + 1 / 40320.0;
-            p = p * y - 1 / 720.0;
-            p = p * y + 1 / 24.0;
-            p = p * y - 0.5;
-            return 1 + y * p;
+            return 1 + y * cosSeries(y);
         }
         if (Math.abs(x) > LARGE) {
             return cos(Math.IEEEremainder(x, TURN));
@@ -64,21 +54,48 @@ final class Rotation {
         return 1 - 2 * s * s;
     }
 
+    /** {@code (sin x / x - 1) / y}, y the square of x: Taylor, the next term is below 1e-21. */
+    private static double sinSeries(double y) {
+        double p = 1 / 6227020800.0;
+        p = p * y - 1 / 39916800.0;
+        p = p * y + 1 / 362880.0;
+        p = p * y - 1 / 5040.0;
+        p = p * y + 1 / 120.0;
+        return p * y - 1 / 6.0;
+    }
+
+    /** {@code (cos x - 1) / y}, y the square of x. */
+    private static double cosSeries(double y) {
+        double p = 1 / 479001600.0;
+        p = p * y - 1 / 3628800.0;
+        p = p * y + 1 / 40320.0;
+        p = p * y - 1 / 720.0;
+        p = p * y + 1 / 24.0;
+        return p * y - 0.5;
+    }
+
     /**
      * Turns the orientation of body {@code i} by the world rotation vector {@code (x, y, z)}, rad;
-     * exact exponential.
+     * exact exponential, for small angles without a root or a quotient.
      */
     static void turn(BodyStore bodies, int i, double x, double y, double z) {
-        double angle = Math.sqrt(x * x + y * y + z * z);
-        if (!(angle > 0)) {
+        double square = 0.25 * (x * x + y * y + z * z);
+        if (!(square > 0)) {
             return;
         }
-        double half = 0.5 * angle;
-        double k = sin(half) / angle;
+        double k;
+        double dw;
+        if (square <= SMALL * SMALL) {
+            k = 0.5 + 0.5 * square * sinSeries(square);
+            dw = 1 + square * cosSeries(square);
+        } else {
+            double half = Math.sqrt(square);
+            k = 0.5 * sin(half) / half;
+            dw = cos(half);
+        }
         double dx = x * k;
         double dy = y * k;
         double dz = z * k;
-        double dw = cos(half);
         double qx = bodies.orientationX[i];
         double qy = bodies.orientationY[i];
         double qz = bodies.orientationZ[i];
@@ -135,7 +152,12 @@ final class Rotation {
 
     /** Sets the orientation of body {@code i} to a quaternion, made a unit one. */
     static void store(BodyStore bodies, int i, double x, double y, double z, double w) {
-        double k = 1 / Math.sqrt(x * x + y * y + z * z + w * w);
+        double square = x * x + y * y + z * z + w * w;
+        // 1 / sqrt(1 + e) = 1 - e/2 + 3/8 e²; the last term is below a bit of 1
+        double k =
+                Math.abs(square - 1) < NEARLY_UNIT
+                        ? 1.5 - 0.5 * square
+                        : 1 / Math.sqrt(square);
         bodies.orientationX[i] = x * k;
         bodies.orientationY[i] = y * k;
         bodies.orientationZ[i] = z * k;

@@ -26,6 +26,7 @@ import dev.cairn.physics.internal.ContactStore;
  */
 final class ScalarSweeps implements Sweeps {
     private final RowFiller filler = new PrepareRow();
+    private final RowStore store = new StoreRow();
 
     @Override
     public int lanes() {
@@ -43,6 +44,20 @@ final class ScalarSweeps implements Sweeps {
             int to,
             double[] scratch) {
         filler.fill(rows, bodies, contacts, sub, scale, from, to, scratch);
+    }
+
+    @Override
+    public void store(
+            ConstraintRows rows,
+            double[] body,
+            ContactStore contacts,
+            SubStep sub,
+            double gain,
+            double still,
+            int from,
+            int to,
+            double[] scratch) {
+        store.store(rows, body, contacts, sub, gain, still, from, to, scratch);
     }
 
     @Override

@@ -26,6 +26,9 @@ final class Scratch {
 
     static final int PB = VA + 22 * LINE;
 
+    /** For the store, which has no use for movements: see {@link RowStore}. */
+    static final int SOFTENED = PA;
+
     /** Marks of lanes: those that land, those that rub, and all. */
     static final int LANDS = VA + 28 * LINE;
 

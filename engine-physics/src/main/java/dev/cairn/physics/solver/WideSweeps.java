@@ -59,6 +59,21 @@ final class WideSweeps implements Sweeps {
         (warm ? wide : scalar).relax(rows, body, sub, from, to, scratch);
     }
 
+    @Override
+    public void store(
+            ConstraintRows rows,
+            double[] body,
+            ContactStore contacts,
+            SubStep sub,
+            double gain,
+            double still,
+            int from,
+            int to,
+            double[] scratch) {
+        (warm ? wide : scalar)
+                .store(rows, body, contacts, sub, gain, still, from, to, scratch);
+    }
+
     /** Whether the wide sweeps are in use. */
     boolean isWarm() {
         return warm;
@@ -103,12 +118,14 @@ final class WideSweeps implements Sweeps {
             scalar.fill(rows, bodies, contacts, sub, 1, 0, to, scratch);
             scalar.bias(rows, body, sub, 0, to, scratch);
             scalar.relax(rows, body, sub, 0, to, scratch);
+            scalar.store(rows, body, contacts, sub, 0.01, 0.01, 0, to, scratch);
             long middle = System.nanoTime();
             fill(rows, bodies, contacts, random, round);
             long begin = System.nanoTime();
             wide.fill(rows, bodies, contacts, sub, 1, 0, to, scratch);
             wide.bias(rows, body, sub, 0, to, scratch);
             wide.relax(rows, body, sub, 0, to, scratch);
+            wide.store(rows, body, contacts, sub, 0.01, 0.01, 0, to, scratch);
             long end = System.nanoTime();
             if (round % 2 == 0) {
                 bestScalar = Math.min(bestScalar, middle - start);

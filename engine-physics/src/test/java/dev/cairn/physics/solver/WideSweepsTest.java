@@ -45,6 +45,21 @@ class WideSweepsTest {
         }
 
         @Override
+        public void store(
+                ConstraintRows rows,
+                double[] body,
+                ContactStore contacts,
+                SubStep sub,
+                double gain,
+                double still,
+                int from,
+                int to,
+                double[] scratch) {
+            scalar.store(rows, body, contacts, sub, gain, still, from, to, scratch);
+            scalar.store(rows, body, contacts, sub, gain, still, from, to, scratch);
+        }
+
+        @Override
         public void bias(
                 ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] st) {
             scalar.bias(rows, body, sub, from, to, st);

@@ -1,0 +1,66 @@
+package dev.cairn.physics.solver;
+
+import static dev.cairn.physics.solver.ConstraintRows.COUNT;
+import static dev.cairn.physics.solver.ConstraintRows.IMPULSE;
+import static dev.cairn.physics.solver.ConstraintRows.LAMBDA;
+import static dev.cairn.physics.solver.ConstraintRows.LINK;
+import static dev.cairn.physics.solver.ConstraintRows.POINT;
+import static dev.cairn.physics.solver.ConstraintRows.POINT_FIELDS;
+import static dev.cairn.physics.solver.ConstraintRows.SOURCE;
+import static dev.cairn.physics.solver.ConstraintRows.SUM;
+import static dev.cairn.physics.solver.ConstraintRows.TANGENT1;
+import static dev.cairn.physics.solver.ConstraintRows.TANGENT2;
+
+import dev.cairn.physics.internal.ContactStore;
+
+/** Empties constraint rows one by one: what the wide stores are held to, bit by bit. */
+final class StoreRow implements RowStore {
+    @Override
+    public void store(
+            ConstraintRows rows,
+            double[] body,
+            ContactStore contacts,
+            SubStep sub,
+            double gain,
+            double still,
+            int from,
+            int to,
+            double[] scratch) {
+        for (int j = from; j < to; j++) {
+            int l = j * LINK;
+            if (rows.link[l + COUNT] > 0) {
+                int source = rows.link[l + SOURCE];
+                impulses(rows, contacts, j, source, sub.keepScale);
+                if (gain > 0) {
+                    double softened = scratch[Scratch.SOFTENED + j - from];
+                    Offsets.update(rows, body, contacts, source, j, sub, gain, softened, still);
+                }
+            }
+        }
+    }
+
+    private static void impulses(
+            ConstraintRows rows, ContactStore contacts, int j, int source, double scale) {
+        double[] d = rows.row;
+        int lanes = rows.lanes;
+        int o = rows.base(j);
+        contacts.setFrictionImpulse(
+                source,
+                tangent(d, o, lanes, LAMBDA, 0) * scale,
+                tangent(d, o, lanes, LAMBDA, 1) * scale,
+                tangent(d, o, lanes, LAMBDA, 2) * scale,
+                d[o + (LAMBDA + 2) * lanes] * scale);
+        for (int k = 0; k < rows.link[j * LINK + COUNT]; k++) {
+            int p = ContactStore.POINTS * source + k;
+            int q = POINT + k * POINT_FIELDS;
+            contacts.normalImpulse[p] = d[o + (q + IMPULSE) * lanes] * scale;
+            contacts.totalNormalImpulse[p] = d[o + (SUM + k) * lanes];
+        }
+    }
+
+    /** World component of a pair of tangent impulses. */
+    static double tangent(double[] d, int o, int lanes, int field, int axis) {
+        return d[o + field * lanes] * d[o + (TANGENT1 + axis) * lanes]
+                + d[o + (field + 1) * lanes] * d[o + (TANGENT2 + axis) * lanes];
+    }
+}
