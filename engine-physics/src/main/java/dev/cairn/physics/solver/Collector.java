@@ -1,5 +1,8 @@
 package dev.cairn.physics.solver;
 
+import dev.cairn.core.job.BlockJob;
+import dev.cairn.core.job.Blocks;
+import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 
@@ -11,10 +14,12 @@ import java.util.Arrays;
  *
  * <p>Most ticks have the contacts of the tick before: then all of it still holds, and a comparison
  * is what is paid; where only presses what did not, the batches hold, and the colours are made
- * anew. So all persists, and yet is a function of the present contacts alone. Simulation thread;
- * allocates only when a store has grown.
+ * anew. So all persists, and yet is a function of the present contacts alone. Simulation thread,
+ * the comparison in blocks; allocates only when a store has grown.
  */
 final class Collector {
+    private static final int CONTACTS_PER_BLOCK = 1024;
+
     private final Colouring colouring;
     private final Batches batches;
 
@@ -23,7 +28,18 @@ final class Collector {
 
     private int[] slotB = {};
     private boolean[] cold = {};
+    private boolean[] bounces = {};
     private int[] points = {};
+
+    /** By active contact of the last tick: its row in the store; its place in the list, or -1. */
+    private int[] listed = {};
+
+    private int[] at = {};
+    private int active;
+
+    private final BlockJob compare = this::compare;
+    private BodyStore bodies = new BodyStore();
+    private ContactStore contacts = new ContactStore();
     private int slots;
     private boolean together;
     private int workers;
@@ -31,6 +47,8 @@ final class Collector {
     private boolean stacked;
 
     /** What of the rows of this tick is as it was: who touches whom, and what colours follow. */
+    private boolean sameList;
+
     private boolean sameBodies;
 
     private boolean sameColours;
@@ -48,26 +66,29 @@ final class Collector {
      * @param workerCount who may work at batches
      * @param extra doublings of sub-steps that an island may get
      * @param sag of a body on a soft contact, m
+     * @param jobs runs the comparison
      * @return whether any two dynamic bodies touch
      */
     boolean run(
-            BodyStore bodies,
-            ContactStore contacts,
+            BodyStore bodyStore,
+            ContactStore contactStore,
             ConstraintRows rows,
             int[] guide,
             int workerCount,
             int extra,
-            double sag) {
-        rows.ensureRows(contacts.activeCount);
-        if (slotA.length < rows.source.length) {
-            slotA = Arrays.copyOf(slotA, rows.source.length);
-            slotB = Arrays.copyOf(slotB, rows.source.length);
-            cold = Arrays.copyOf(cold, rows.source.length);
-            points = Arrays.copyOf(points, rows.source.length);
+            double sag,
+            Jobs jobs) {
+        bodies = bodyStore;
+        contacts = contactStore;
+        ensureRows(rows);
+        sameColours = true;
+        samePoints = true;
+        sameList = active == contacts.activeCount;
+        if (sameList) {
+            ContactSolver.run(compare, Blocks.count(active, CONTACTS_PER_BLOCK), jobs);
         }
-        int before = rows.count;
-        list(bodies, contacts, rows);
-        sameBodies &= rows.count == before && slots == bodies.slotCount;
+        sameBodies = sameList || list(rows);
+        sameBodies &= slots == bodies.slotCount;
         sameBodies &= together == rows.bouncing > 0 && workers == workerCount;
         sameBodies &= doublings == extra;
         if (!sameBodies) {
@@ -90,31 +111,49 @@ final class Collector {
         return stacked;
     }
 
-    /** Lists rows and those that bounce, and compares them with those of the last tick. */
-    private void list(BodyStore bodies, ContactStore contacts, ConstraintRows rows) {
+    /** Whether the contacts with points, and their bodies, are those of the tick before. */
+    boolean isSame() {
+        return sameBodies;
+    }
+
+    private void ensureRows(ConstraintRows rows) {
+        rows.ensureRows(contacts.activeCount);
+        int n = rows.source.length;
+        if (slotA.length < n) {
+            slotA = Arrays.copyOf(slotA, n);
+            slotB = Arrays.copyOf(slotB, n);
+            cold = Arrays.copyOf(cold, n);
+            bounces = Arrays.copyOf(bounces, n);
+            points = Arrays.copyOf(points, n);
+            listed = Arrays.copyOf(listed, n);
+            at = Arrays.copyOf(at, n);
+        }
+    }
+
+    /** Compares a range of contacts with the list; what differs is told by whoever finds it. */
+    private void compare(int block, int worker) {
         byte[] kind = bodies.kind;
-        int n = 0;
-        int bouncing = 0;
-        sameBodies = true;
-        sameColours = true;
-        samePoints = true;
-        for (int i = 0; i < contacts.activeCount; i++) {
+        int end = Blocks.end(block, CONTACTS_PER_BLOCK, active);
+        for (int i = Blocks.begin(block, CONTACTS_PER_BLOCK); i < end; i++) {
             int c = contacts.active[i];
+            int n = at[i];
             int count = contacts.pointCount[c];
-            if (count == 0) {
+            if (listed[i] != c || count > 0 != n >= 0) {
+                sameList = false;
+                return;
+            }
+            if (n < 0) {
                 continue;
             }
             int a = contacts.bodyA[c];
             int b = contacts.bodyB[c];
             a = kind[a] == BodyStore.DYNAMIC ? a : -1;
             b = kind[b] == BodyStore.DYNAMIC ? b : -1;
-            boolean isCold = (a | b) >= 0 && isCold(contacts, c, count);
-            if (rows.source[n] != c || slotA[n] != a || slotB[n] != b) {
-                sameBodies = false;
-                rows.source[n] = c;
-                slotA[n] = a;
-                slotB[n] = b;
+            if (slotA[n] != a || slotB[n] != b || bounces[n] != contacts.restitution[c] > 0) {
+                sameList = false;
+                return;
             }
+            boolean isCold = (a | b) >= 0 && isCold(contacts, c, count);
             if (cold[n] != isCold) {
                 sameColours = false;
                 cold[n] = isCold;
@@ -123,13 +162,47 @@ final class Collector {
                 samePoints = false;
                 points[n] = count;
             }
-            if (contacts.restitution[c] > 0) {
+        }
+    }
+
+    /** Lists rows and those that bounce; whether they are those of the last tick. */
+    private boolean list(ConstraintRows rows) {
+        byte[] kind = bodies.kind;
+        boolean same = true;
+        int n = 0;
+        int bouncing = 0;
+        active = contacts.activeCount;
+        for (int i = 0; i < active; i++) {
+            int c = contacts.active[i];
+            int count = contacts.pointCount[c];
+            listed[i] = c;
+            at[i] = count > 0 ? n : -1;
+            if (count == 0) {
+                continue;
+            }
+            int a = contacts.bodyA[c];
+            int b = contacts.bodyB[c];
+            a = kind[a] == BodyStore.DYNAMIC ? a : -1;
+            b = kind[b] == BodyStore.DYNAMIC ? b : -1;
+            boolean isCold = (a | b) >= 0 && isCold(contacts, c, count);
+            same &= rows.source[n] == c && slotA[n] == a && slotB[n] == b;
+            sameColours &= cold[n] == isCold;
+            samePoints &= points[n] == count;
+            rows.source[n] = c;
+            slotA[n] = a;
+            slotB[n] = b;
+            cold[n] = isCold;
+            points[n] = count;
+            bounces[n] = contacts.restitution[c] > 0;
+            if (bounces[n]) {
                 rows.bouncer[bouncing++] = n;
             }
             n++;
         }
+        same &= rows.count == n;
         rows.count = n;
         rows.bouncing = bouncing;
+        return same;
     }
 
     /** Whether a contact had no impulse at the end of the last tick; most such have a gap. */

@@ -139,16 +139,30 @@ public final class ContactSolver {
                         body.guide,
                         jobs.workers(),
                         paces.length - 1,
-                        paces[0].sag(p.weight()));
+                        paces[0].sag(p.weight()),
+                        jobs);
         p.order = batches.order;
         unloaded =
                 settings.unloadSweeps() > 0
                         && unloading.find(
-                                bodies, contacts, rows, p.impulseScale / p.subStep, p.weight());
+                                bodies,
+                                contacts,
+                                rows,
+                                p.impulseScale / p.subStep,
+                                p.weight(),
+                                collector.isSame());
         p.loaded =
                 (settings.loadInertia() > 0 || settings.unloadSweeps() > 0)
                         && loads.run(
-                                bodies, contacts, rows, body, p.gravity, p.step, settings, stacked,
+                                bodies,
+                                contacts,
+                                rows,
+                                body,
+                                p.gravity,
+                                p.step,
+                                settings,
+                                stacked,
+                                collector.isSame(),
                                 jobs);
         renewal.ensureCapacity(bodies.slotCount);
         run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK), jobs);

@@ -71,20 +71,29 @@ final class LoadSweep {
     private final BlockJob lookJob = this::look;
     private final BlockJob scaleJob = this::scale;
 
-    private double[] height = {};
+    private final HeightOrder order = new HeightOrder();
     private double[] load = {};
     private double[] reach = {};
     private byte[] rough = {};
     private byte[] next = {};
-    private boolean[] listed = {};
-    private int[] order = {};
-    private int[] spare = {};
-    private int ordered;
+    /** Rows that carry a body: from {@code first} on, up to the next body's. */
     private int[] first = {};
+
+    private int[] end = {};
     private int[] edge = {};
+
+    /** By edge: the body that carries. */
+    private int[] under = {};
+
     private int[] upper = {};
     private double[] weight = {};
     private boolean raised;
+
+    /** Whether a body is hurt, and whether a row carries another body than in the last tick. */
+    private boolean hurt;
+
+    private boolean moved;
+
     private boolean stale;
 
     private BodyStore bodies = new BodyStore();
@@ -104,6 +113,7 @@ final class LoadSweep {
      *
      * @param state its guide tells who has contacts
      * @param stacked whether any two dynamic bodies touch
+     * @param same whether rows and bodies are those of the last tick
      * @param jobs runs the blocks
      * @return false if nothing rests on anything that moves: all scales count as 1
      */
@@ -116,6 +126,7 @@ final class LoadSweep {
             double step,
             SolverSettings solverSettings,
             boolean stacked,
+            boolean same,
             Jobs jobs) {
         gravity = Math.sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
         if (!(gravity > 0) || !(stacked || raised)) {
@@ -134,11 +145,18 @@ final class LoadSweep {
         settings = solverSettings;
         ensureCapacity();
         int bodyBlocks = Blocks.count(bodies.slotCount, BODIES_PER_BLOCK);
+        hurt = false;
+        moved = false;
+        boolean keeps = same && !stale;
         ContactSolver.run(measureJob, bodyBlocks, jobs);
         ContactSolver.run(lookJob, Blocks.count(rows.count, ROWS_PER_BLOCK), jobs);
-        spread();
-        edges();
-        sort();
+        if (hurt) {
+            spread();
+        }
+        if (!keeps || moved) {
+            edges();
+        }
+        order.update(bodies, guide, keeps);
         descend();
         ground();
         raised = false;
@@ -148,20 +166,19 @@ final class LoadSweep {
     }
 
     private void ensureCapacity() {
-        if (height.length < bodies.slotCount) {
+        if (load.length < bodies.slotCount) {
             int n = bodies.kind.length;
-            height = Arrays.copyOf(height, n);
+            order.ensureCapacity(n);
             load = new double[n];
             reach = new double[n];
             rough = new byte[n];
             next = new byte[n];
-            listed = Arrays.copyOf(listed, n);
-            order = Arrays.copyOf(order, n);
-            spare = new int[n];
+            end = new int[n];
             first = new int[n + 1];
         }
         if (edge.length < rows.count) {
             edge = new int[rows.bouncer.length];
+            under = new int[edge.length];
             upper = new int[edge.length];
             weight = new double[edge.length];
         }
@@ -211,7 +228,7 @@ final class LoadSweep {
             old[o + 3] = wx;
             old[o + 4] = wy;
             old[o + 5] = wz;
-            height[i] = upX * b.positionX[i] + upY * b.positionY[i] + upZ * b.positionZ[i];
+            order.height[i] = upX * b.positionX[i] + upY * b.positionY[i] + upZ * b.positionZ[i];
         }
     }
 
@@ -231,7 +248,10 @@ final class LoadSweep {
         for (int m = Blocks.begin(block, ROWS_PER_BLOCK); m < end; m++) {
             gate(m);
             int i = carried(m);
-            upper[m] = i;
+            if (upper[m] != i) {
+                upper[m] = i;
+                moved = true; // by whoever finds one
+            }
             if (i >= 0) {
                 weight[m] = weight(m);
             }
@@ -253,6 +273,7 @@ final class LoadSweep {
             if (s < -DEEP * radius || (moving && disturbed(source, p, a, b, radius, unit))) {
                 rough[a] = HURT;
                 rough[b] = HURT;
+                hurt = true; // by whoever finds one
                 return;
             }
         }
@@ -334,11 +355,13 @@ final class LoadSweep {
         }
         for (int i = 0; i < n; i++) {
             first[i + 1] += first[i];
-            spare[i] = first[i];
+            end[i] = first[i];
         }
         for (int m = 0; m < rows.count; m++) {
             if (upper[m] >= 0) {
-                edge[spare[upper[m]]++] = m;
+                int e = end[upper[m]]++;
+                edge[e] = m;
+                under[e] = below(m, upper[m]);
             }
         }
     }
@@ -369,81 +392,10 @@ final class LoadSweep {
         return -1;
     }
 
-    /** Bodies with contacts from high to low, ties by slot: a merge sort of nearly sorted runs. */
-    private void sort() {
-        int kept = 0;
-        for (int k = 0; k < ordered; k++) {
-            int i = order[k];
-            boolean stays = i < bodies.slotCount && bound(i);
-            listed[i] = stays;
-            if (stays) {
-                order[kept++] = i;
-            }
-        }
-        for (int i = 0; i < bodies.slotCount; i++) {
-            if (!listed[i] && bound(i)) {
-                listed[i] = true;
-                order[kept++] = i;
-            }
-        }
-        ordered = kept;
-        boolean sorted = false;
-        while (!sorted) {
-            sorted = mergeRuns();
-        }
-    }
-
-    private boolean bound(int i) {
-        return bodies.kind[i] == BodyStore.DYNAMIC && guide[i] != SolverBodies.FREE;
-    }
-
-    /** Merges neighbouring runs pairwise; true if there was one run only. */
-    private boolean mergeRuns() {
-        int out = 0;
-        int at = 0;
-        boolean sorted = true;
-        while (at < ordered) {
-            int middle = runEnd(at);
-            if (middle == ordered && at == 0) {
-                return true;
-            }
-            int end = middle < ordered ? runEnd(middle) : middle;
-            int l = at;
-            int r = middle;
-            while (l < middle && r < end) {
-                spare[out++] = before(order[l], order[r]) ? order[l++] : order[r++];
-            }
-            while (l < middle) {
-                spare[out++] = order[l++];
-            }
-            while (r < end) {
-                spare[out++] = order[r++];
-            }
-            sorted = at == 0 && end == ordered;
-            at = end;
-        }
-        int[] swap = order;
-        order = spare;
-        spare = swap;
-        return sorted;
-    }
-
-    private int runEnd(int from) {
-        int k = from + 1;
-        while (k < ordered && before(order[k - 1], order[k])) {
-            k++;
-        }
-        return k;
-    }
-
-    private boolean before(int i, int j) {
-        return height[i] > height[j] || (height[i] == height[j] && i < j);
-    }
-
     /** Hands weights and loads down. */
     private void descend() {
-        for (int k = 0; k < ordered; k++) {
-            int i = order[k];
+        for (int k = 0; k < order.count; k++) {
+            int i = order.body[k];
             double lift = upX * bodies.forceX[i] + upY * bodies.forceY[i] + upZ * bodies.forceZ[i];
             double own = gravity * bodies.gravityScale[i] / bodies.inverseMass[i];
             double force = Math.max(0, load[i] + own - lift);
@@ -452,8 +404,8 @@ final class LoadSweep {
                 sum += weight[edge[e]];
             }
             for (int e = first[i]; e < first[i + 1]; e++) {
-                int j = below(edge[e], i);
-                if (bodies.kind[j] == BodyStore.DYNAMIC && before(i, j)) {
+                int j = under[e];
+                if (bodies.kind[j] == BodyStore.DYNAMIC && order.isBefore(i, j)) {
                     // in equal parts where nothing presses yet
                     double part = sum > 0 ? weight[edge[e]] / sum : 1.0 / (first[i + 1] - first[i]);
                     load[j] += force * part;
@@ -464,14 +416,14 @@ final class LoadSweep {
 
     /** Marks what stands on nothing: from the lowest up, ground is handed on by what touches it. */
     private void ground() {
-        for (int k = ordered - 1; k >= 0; k--) {
-            int i = order[k];
+        for (int k = order.count - 1; k >= 0; k--) {
+            int i = order.body[k];
             boolean stands = false;
             for (int e = first[i]; !stands && e < first[i + 1]; e++) {
-                int j = below(edge[e], i);
+                int j = under[e];
                 stands =
                         bodies.kind[j] != BodyStore.DYNAMIC
-                                || (before(i, j) && (rough[j] & FALLS) == 0);
+                                || (order.isBefore(i, j) && (rough[j] & FALLS) == 0);
             }
             if (!stands) {
                 rough[i] |= FALLS;

@@ -20,15 +20,27 @@ final class Unloading {
     private double[] now = {};
     private int[] contactsNow = {};
     private boolean[] marked = {};
+    private boolean found;
 
     /**
      * Marks the rows of the islands that have lost a load.
      *
      * @param perImpulse force of a stored impulse, 1/s
      * @param g gravity, m/s²
+     * @param same whether the rows are those of the last tick: then nobody has lost a contact
      * @return whether there is one
      */
-    boolean find(BodyStore b, ContactStore c, ConstraintRows rows, double perImpulse, double g) {
+    boolean find(
+            BodyStore b,
+            ContactStore c,
+            ConstraintRows rows,
+            double perImpulse,
+            double g,
+            boolean same) {
+        if (same) {
+            clear(rows);
+            return false;
+        }
         if (now.length < b.slotCount) {
             now = new double[b.kind.length];
             contactsNow = new int[now.length];
@@ -58,7 +70,16 @@ final class Unloading {
         if (any) {
             spread(b, c, rows);
         }
+        found = any;
         return any;
+    }
+
+    /** Takes the marks of the last tick away. */
+    private void clear(ConstraintRows rows) {
+        if (found) {
+            Arrays.fill(rows.unloaded, (byte) 0);
+            found = false;
+        }
     }
 
     private void spread(BodyStore b, ContactStore c, ConstraintRows rows) {

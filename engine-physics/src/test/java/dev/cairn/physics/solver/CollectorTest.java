@@ -3,9 +3,11 @@ package dev.cairn.physics.solver;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 import java.util.Arrays;
@@ -19,6 +21,13 @@ final class CollectorTest {
     private final Random random = new Random(20261122);
     private final BodyStore bodies = new BodyStore();
     private final ContactStore contacts = new ContactStore();
+
+    private final Jobs jobs = Jobs.of(2);
+
+    @AfterEach
+    void close() {
+        jobs.close();
+    }
 
     @Test
     void whatPersistsIsAFunctionOfThePresentContacts() {
@@ -37,7 +46,7 @@ final class CollectorTest {
         Made kept = new Made();
         for (int round = 0; round < 60; round++) {
             // every other round nothing, one kind of change, or several at once
-            int changes = round % 2 == 0 ? 0 : 1 + random.nextInt(7);
+            int changes = round % 2 == 0 ? 0 : 1 + random.nextInt(15);
             for (int n = 0; n < 20; n++) {
                 int row = random.nextInt(ROWS);
                 if ((changes & 1) != 0) {
@@ -48,6 +57,9 @@ final class CollectorTest {
                 }
                 if ((changes & 4) != 0) {
                     meet(row);
+                }
+                if ((changes & 8) != 0) {
+                    contacts.restitution[row] = random.nextInt(round % 8 == 1 ? 2 : 1);
                 }
             }
             Made fresh = new Made();
@@ -87,11 +99,13 @@ final class CollectorTest {
         final int[] guide = new int[BODIES];
 
         void run() {
-            collector.run(bodies, contacts, rows, guide, 2, 0, 0);
+            collector.run(bodies, contacts, rows, guide, 2, 0, 0, jobs);
         }
 
         void assertSame(Made other, String where) {
             assertEquals(rows.count, other.rows.count, where);
+            assertEquals(rows.bouncing, other.rows.bouncing, where);
+            same(rows.bouncer, other.rows.bouncer, rows.bouncing, where + ", bouncer");
             assertEquals(rows.places, other.rows.places, where);
             same(rows.source, other.rows.source, rows.count, where + ", source");
             same(rows.place, other.rows.place, rows.count, where + ", place");
