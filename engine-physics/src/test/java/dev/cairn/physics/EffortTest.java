@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 
 /** Sub-steps for whom they help: thin cards beside towers of cubes. */
 class EffortTest {
@@ -89,6 +90,25 @@ class EffortTest {
                 assertEquals(3, most(both, first, both.physics.table.bodies.slotCount));
             }
             assertArrayEquals(places(towerAlone), places(tower), 0.0);
+        }
+    }
+
+    /** Worlds that will go on differently have other digests. */
+    @Test
+    void theDigestTellsTheEffort() {
+        try (PhysicsWorld world = world(2, 1, 1)) {
+            Scenes.ground(world);
+            cards(world, 1);
+            for (int tick = 0; tick < 3; tick++) {
+                world.step(Scenes.STEP);
+            }
+            BodyStore b = world.physics.table.bodies;
+            long before = world.digest();
+            b.idleTicks[1]++;
+            long waited = world.digest();
+            b.idleTicks[1]--;
+            b.effort[1] ^= 1;
+            assertEquals(3, Set.of(before, waited, world.digest()).size());
         }
     }
 

@@ -104,9 +104,7 @@ final class LaneStore implements RowStore {
                     .mul(scale)
                     .intoArray(st, RUBS + axis * L);
         }
-        DoubleVector.fromArray(S, d, o + (LAMBDA + 2) * L)
-                .mul(scale)
-                .intoArray(st, RUBS + 3 * L);
+        DoubleVector.fromArray(S, d, o + (LAMBDA + 2) * L).mul(scale).intoArray(st, RUBS + 3 * L);
     }
 
     /** Copies the separations at the start of the tick into lanes; 0 where there is no contact. */
@@ -234,8 +232,7 @@ final class LaneStore implements RowStore {
                             .and(rests)
                             .and(impulse.compare(VectorOperators.GT, 0.0));
             var overlap = DoubleVector.zero(S).blend(gap, gap.compare(VectorOperators.LT, 0.0));
-            var learnt =
-                    known.sub(k.mul(overlap.mul(gain).blend(softened.mul(gap), softens)));
+            var learnt = known.sub(k.mul(overlap.mul(gain).blend(softened.mul(gap), softens)));
             var open =
                     impulse.compare(VectorOperators.EQ, 0.0)
                             .and(gap.compare(VectorOperators.GT, 0.0));
@@ -262,11 +259,7 @@ final class LaneStore implements RowStore {
         double[] d = rows.row;
         int source = rows.link[j * LINK + SOURCE];
         c.setFrictionImpulse(
-                source,
-                st[RUBS + l],
-                st[RUBS + L + l],
-                st[RUBS + 2 * L + l],
-                st[RUBS + 3 * L + l]);
+                source, st[RUBS + l], st[RUBS + L + l], st[RUBS + 2 * L + l], st[RUBS + 3 * L + l]);
         int first = ContactStore.POINTS * source;
         int count = rows.link[j * LINK + COUNT];
         for (int i = 0; i < count; i++) {

@@ -76,6 +76,7 @@ final class LoadSweep {
     private double[] reach = {};
     private byte[] rough = {};
     private byte[] next = {};
+
     /** Rows that carry a body: from {@code first} on, up to the next body's. */
     private int[] first = {};
 

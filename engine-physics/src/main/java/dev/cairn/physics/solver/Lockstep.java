@@ -332,7 +332,6 @@ final class Lockstep {
     }
 
     private void storeRows(int block, int worker) {
-        passes.storeRows(
-                chosen, pace, renews, rowsFrom(block), rowsTo(block), scratch[worker]);
+        passes.storeRows(chosen, pace, renews, rowsFrom(block), rowsTo(block), scratch[worker]);
     }
 }

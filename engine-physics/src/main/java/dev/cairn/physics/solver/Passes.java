@@ -73,6 +73,9 @@ final class Passes {
 
     void prepare(Sweeps sweeps, SubStep sub, int from, int to, double[] scratch) {
         sweeps.fill(rows, body, contacts, sub, sub.fillScale, from, to, scratch);
+        if (impulseScale != 1 && settings.offsetGain() > 0) {
+            Offsets.carryOver(rows, contacts, impulseScale, from, to);
+        }
     }
 
     /** Finds the rows whose levers are renewed in each sub-step; whether there is one. */

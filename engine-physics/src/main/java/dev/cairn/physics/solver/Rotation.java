@@ -154,10 +154,7 @@ final class Rotation {
     static void store(BodyStore bodies, int i, double x, double y, double z, double w) {
         double square = x * x + y * y + z * z + w * w;
         // 1 / sqrt(1 + e) = 1 - e/2 + 3/8 e²; the last term is below a bit of 1
-        double k =
-                Math.abs(square - 1) < NEARLY_UNIT
-                        ? 1.5 - 0.5 * square
-                        : 1 / Math.sqrt(square);
+        double k = Math.abs(square - 1) < NEARLY_UNIT ? 1.5 - 0.5 * square : 1 / Math.sqrt(square);
         bodies.orientationX[i] = x * k;
         bodies.orientationY[i] = y * k;
         bodies.orientationZ[i] = z * k;

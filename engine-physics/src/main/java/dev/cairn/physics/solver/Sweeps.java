@@ -1,9 +1,9 @@
 package dev.cairn.physics.solver;
 
 /**
- * What fills the constraint rows of one colour, the sweeps over them, and what empties them. There is one set for each
- * number of lanes; all give the same bits, because each row's arithmetic is the same, in the same
- * order.
+ * What fills the constraint rows of one colour, the sweeps over them, and what empties them. There
+ * is one set for each number of lanes; all give the same bits, because each row's arithmetic is the
+ * same, in the same order.
  *
  * <p>Zeros leave a sweep positive: where a wide sweep adds nothing and the scalar one stops early,
  * nothing but the sign of a zero could differ.

@@ -70,8 +70,7 @@ final class WideSweeps implements Sweeps {
             int from,
             int to,
             double[] scratch) {
-        (warm ? wide : scalar)
-                .store(rows, body, contacts, sub, gain, still, from, to, scratch);
+        (warm ? wide : scalar).store(rows, body, contacts, sub, gain, still, from, to, scratch);
     }
 
     /** Whether the wide sweeps are in use. */
