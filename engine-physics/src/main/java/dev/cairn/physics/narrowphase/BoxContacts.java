@@ -4,6 +4,7 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.CUT_SEPARATION;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
@@ -41,6 +42,9 @@ public final class BoxContacts {
      * from a support point.
      */
     private static final double THINNEST = 1e-9;
+
+    /** The first point in the first place, and so on; two bits each. */
+    private static final int IN_ORDER = 0b11_10_01_00;
 
     private static final Box NONE = Box.cube(1);
     private static final byte APART = 0;
@@ -184,7 +188,7 @@ public final class BoxContacts {
             choose(i);
         }
         BoxAxes.corners(batch, count);
-        BoxAxes.cutOnce(batch, count);
+        BoxAxes.cutStraight(batch, count);
         for (int i = 0; i < count; i++) {
             if (kind[i] == FACE) {
                 int points = cuts.clip(t, i, inner[i], margin[i], (int) word[i]);
@@ -236,7 +240,7 @@ public final class BoxContacts {
         return Word.of(
                 flip ? NarrowPhase.FACE_B : NarrowPhase.FACE_A,
                 face,
-                wide ? cuts.names[i] : Names.of(out));
+                wide ? cuts.names(i) : Names.of(out));
     }
 
     /**
@@ -256,13 +260,20 @@ public final class BoxContacts {
         out.normalX = t[NORMAL + i];
         out.normalY = t[NORMAL + CAPACITY + i];
         out.normalZ = t[NORMAL + 2 * CAPACITY + i];
-        for (int p = 0; p < points; p++) {
-            int at = CORNER + 3 * CAPACITY * cuts.place[4 * i + p] + i;
+        int entry = cuts.straight[i];
+        boolean straight = entry != BoxCuts.NOT_STRAIGHT;
+        int order = straight ? StraightNames.order(entry) : IN_ORDER;
+        for (int p = 0; p < points; p++, order >>= 2) {
+            int place = order & 3;
+            int at = CORNER + 3 * CAPACITY * place + i;
             out.pointX[p] = t[at];
             out.pointY[p] = t[at + CAPACITY];
             out.pointZ[p] = t[at + 2 * CAPACITY];
-            out.separation[p] = cuts.separation[4 * i + p];
-            out.feature[p] = cuts.name[4 * i + p];
+            out.separation[p] =
+                    straight
+                            ? t[CUT_SEPARATION + place * CAPACITY + i]
+                            : cuts.separation[4 * i + p];
+            out.feature[p] = straight ? StraightNames.name(entry, p) : cuts.name[4 * i + p];
         }
     }
 

@@ -3,14 +3,13 @@ package dev.cairn.physics.narrowphase;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CUT_SEPARATION;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.DEEPEST;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ONCE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
 
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.shape.Box;
@@ -29,27 +28,16 @@ final class BoxCuts {
     static final int UNSURE = 0;
 
     /** Of every block: the topology does not depend on the extents. */
-    private static final int[] SLOT_VERTEX = new int[24], SLOT_EDGE = new int[24];
+    static final int[] SLOT_VERTEX = new int[24], SLOT_EDGE = new int[24];
 
     /** The side of a slot is on the first axis beside the face's (or the second), and its sign. */
     private static final boolean[] SIDE_FIRST = new boolean[24], SIDE_POSITIVE = new boolean[24];
 
     /** The column of a side, and the slot of a column. */
-    private static final int[] SIDE_OUTSIDE = new int[24], SIDE_SLOT = new int[24];
+    static final int[] SIDE_OUTSIDE = new int[24], SIDE_SLOT = new int[24];
 
     /** The batch's corner at a slot; and the vertices of the batch's corners, four to a face. */
     private static final int[] SLOT_CORNER = new int[24], CORNER_VERTEX = new int[24];
-
-    /** Pairs of faces, either way round, and the sixteen ways to cut one straight. */
-    private static final int WAYS = 2 * 36 * 16;
-
-    /**
-     * Of each of those the names of the four points in their order, where each stands in the
-     * columns (two bits, the first one lowest), and the names as a word.
-     */
-    private static final int[] ONCE_NAME = new int[4 * WAYS],
-            ONCE_ORDER = new int[WAYS],
-            ONCE_NAMES = new int[WAYS];
 
     static {
         Polyhedron h = Box.cube(1).polyhedron();
@@ -68,33 +56,6 @@ final class BoxCuts {
             SIDE_OUTSIDE[s] = OUTSIDE + side * CAPACITY;
             SIDE_SLOT[(s & ~3) + side] = s;
         }
-        for (int entry = 0; entry < WAYS; entry++) {
-            fillOnce(entry / (16 * 36) != 0, entry / 96 % 6 * 4, entry / 16 % 6 * 4, entry % 16);
-        }
-    }
-
-    /** See {@link #once}. */
-    private static void fillOnce(boolean flip, int begin, int incident, int code) {
-        int slot = SIDE_SLOT[begin + (code >> 2)];
-        int p = code & 3;
-        int kind = flip ? Clipper.VERTEX_A : Clipper.VERTEX_B;
-        int[] found = {
-            kind | SLOT_VERTEX[incident + p],
-            kind | SLOT_VERTEX[incident + ((p + 3) & 3)],
-            crossing(flip, SLOT_EDGE[incident + p], SLOT_EDGE[slot]),
-            crossing(flip, SLOT_EDGE[incident + ((p + 2) & 3)], SLOT_EDGE[slot])
-        };
-        int entry = onceEntry(flip, begin, incident, code);
-        Manifold sorted = new Manifold();
-        for (int k = 0; k < 4; k++) {
-            int at = k & 2;
-            at += found[k] < found[k ^ 1] ? 0 : 1;
-            ONCE_NAME[4 * entry + at] = found[k];
-            ONCE_ORDER[entry] |= k << (2 * at);
-            sorted.feature[at] = found[k];
-        }
-        sorted.pointCount = 4;
-        ONCE_NAMES[entry] = Names.of(sorted);
     }
 
     /** Corners made so far: along the face's axis and the two beside it. */
@@ -122,14 +83,17 @@ final class BoxCuts {
     private final Clipper many = new Clipper();
     private final Reduction reduction = new Reduction();
 
+    /** Not in {@link StraightNames}. */
+    static final int NOT_STRAIGHT = -1;
+
+    /** The entry of each pair in {@link StraightNames}; the following are of the other pairs. */
+    final int[] straight = new int[BoxBatch.CAPACITY];
+
     /** The points of each pair, up to four: names, and separations. */
     final int[] name = new int[4 * BoxBatch.CAPACITY];
 
     /** The same of each pair as a word, see {@link Names}. */
-    final int[] names = new int[BoxBatch.CAPACITY];
-
-    /** In which of the four places of the columns each of them is. */
-    final int[] place = new int[4 * BoxBatch.CAPACITY];
+    private final int[] names = new int[BoxBatch.CAPACITY];
 
     final double[] separation = new double[4 * BoxBatch.CAPACITY];
 
@@ -138,6 +102,11 @@ final class BoxCuts {
 
     /** The least separation that was beyond the margin, of the last pair. */
     double leftOut;
+
+    /** The names of the points of a pair as a word, see {@link Names}. */
+    int names(int i) {
+        return straight[i] == NOT_STRAIGHT ? names[i] : StraightNames.names(straight[i]);
+    }
 
     /**
      * Clips a pair.
@@ -155,13 +124,11 @@ final class BoxCuts {
         boolean positive = t[SIGN + i] > 0;
         int incident = 4 * (int) t[INCIDENT + i];
         int begin = 8 * (int) t[AXIS + i] + (positive ? 4 : 0);
-        int code = (int) t[ONCE + i];
+        int code = (int) t[STRAIGHT + i];
         if (code >= 0) {
-            return once(t, i, code, incident, begin);
+            return straight(t, i, code, incident, begin);
         }
-        for (int p = 0; p < 4; p++) {
-            place[4 * i + p] = p;
-        }
+        straight[i] = NOT_STRAIGHT;
         first = Clipper.ON_PLANE * inner;
         boolean cuts = false;
         for (int slot = begin; slot < begin + 4; slot++) {
@@ -233,29 +200,14 @@ final class BoxCuts {
         return kept;
     }
 
-    /** Names the points of the usual case of bricks, which are in the columns already. */
-    private int once(double[] t, int i, int code, int incident, int begin) {
-        int at = onceEntry(flip, begin, incident, code);
-        int order = ONCE_ORDER[at];
-        int to = 4 * i;
-        int from = CUT_SEPARATION + i;
-        for (int p = 0; p < 4; p++, order >>= 2) {
-            int k = order & 3;
-            name[to + p] = ONCE_NAME[4 * at + p];
-            place[to + p] = k;
-            separation[to + p] = t[from + k * CAPACITY];
-        }
-        names[i] = ONCE_NAMES[at];
+    /** What is cut straight is in the columns already; its names are in a table. */
+    private int straight(double[] t, int i, int code, int incident, int begin) {
+        straight[i] = StraightNames.entry(flip, begin >> 2, incident >> 2, code);
         deepest = t[DEEPEST + i];
         return 4;
     }
 
-    private static int onceEntry(boolean flip, int begin, int incident, int code) {
-        int faces = (flip ? 36 : 0) + 6 * (begin >> 2) + (incident >> 2);
-        return 16 * faces + code;
-    }
-
-    private static int crossing(boolean flip, int incidentEdge, int edge) {
+    static int crossing(boolean flip, int incidentEdge, int edge) {
         return flip
                 ? Clipper.CROSSING | incidentEdge << 15 | edge
                 : Clipper.CROSSING | edge << 15 | incidentEdge;
@@ -371,6 +323,11 @@ final class BoxCuts {
     }
 
     private int name(int cutSide, int slot, int begin) {
+        return name(flip, cutSide, slot, begin);
+    }
+
+    /** What a side plane makes of a side that came from an edge, or from another side plane. */
+    static int name(boolean flip, int cutSide, int slot, int begin) {
         if (cutSide >= 0) {
             return crossing(flip, cutSide, SLOT_EDGE[slot]);
         }

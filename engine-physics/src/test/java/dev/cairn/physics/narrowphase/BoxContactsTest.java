@@ -92,6 +92,23 @@ class BoxContactsTest {
                 return Scene.random(r, a, Box.of(.3 * scale, .5 * scale, scale));
             }
         },
+        /** Any face on any face, overlapping at a corner or along a side. */
+        CORNER_TO_CORNER {
+            @Override
+            Scene first(SplittableRandom r) {
+                Scene s = new Scene(Box.cube(.5), Box.cube(.45));
+                double half = Math.PI / 2;
+                s.qb.rotateXYZ(half * r.nextInt(4), half * r.nextInt(4), half * r.nextInt(4));
+                s.qb.rotateXYZ(1e-4 * Scene.gauss(r), 1e-4 * Scene.gauss(r), 1e-4 * Scene.gauss(r));
+                int axis = r.nextInt(3);
+                for (int k = 0; k < 3; k++) {
+                    double sign = 2 * r.nextInt(2) - 1;
+                    double beside = r.nextInt(4) == 0 ? .02 : .1 + .8 * r.nextDouble();
+                    s.d.setComponent(k, sign * (k == axis ? .949 : beside));
+                }
+                return r.nextBoolean() ? s : s.swapped();
+            }
+        },
         FLAT {
             @Override
             Scene first(SplittableRandom r) {

@@ -61,14 +61,14 @@ public final class BoxAxes {
     }
 
     /**
-     * Clips what one side cuts straight: fills {@link BoxBatch#ONCE} and, where that is not
-     * negative, puts the points in the {@link BoxBatch#CORNER} columns.
+     * Clips what one or two sides cut straight: fills {@link BoxBatch#STRAIGHT} and, where that is
+     * not negative, puts the points in the {@link BoxBatch#CORNER} columns.
      *
      * @param batch after {@link #corners}
      * @param count pairs
      */
-    public static void cutOnce(BoxBatch batch, int count) {
-        BoxOnceWide.run(batch.data, count);
+    public static void cutStraight(BoxBatch batch, int count) {
+        BoxStraightWide.run(batch.data, count);
     }
 
     /**

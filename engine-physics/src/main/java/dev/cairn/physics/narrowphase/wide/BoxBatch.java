@@ -85,7 +85,7 @@ public final class BoxBatch {
     /** Unit normal from A to B, world: columns x, y, z. */
     public static final int NORMAL = 78 * CAPACITY;
 
-    /** Points up to this far apart are contacts, m. Input of {@link BoxOnceWide}. */
+    /** Points up to this far apart are contacts, m. Input of {@link BoxStraightWide}. */
     public static final int MARGIN = 81 * CAPACITY;
 
     /**
@@ -95,16 +95,20 @@ public final class BoxBatch {
     public static final int NEAR = 82 * CAPACITY, STILL_NEAR = 83 * CAPACITY;
 
     /**
-     * -1, or how one side cuts two neighbouring corners off: the last corner of the loop that
-     * stays, plus 4 for a low side, plus 8 for the second axis. The four points are then in place
-     * of the corners.
+     * -1, or how one or two sides cut the incident face straight: {@link #SECOND_WAYS} times the
+     * way of the first, plus 0 or 1 plus that of the second. A way is the last corner of the loop
+     * that stays, plus 4 for a low side; and of the first plus 8 for a side on the second axis. The
+     * four points are then in place of the corners.
      */
-    public static final int ONCE = 84 * CAPACITY;
+    public static final int STRAIGHT = 84 * CAPACITY;
+
+    /** Ways in which a second side can cut, or none. */
+    public static final int SECOND_WAYS = 9;
 
     /** The least separation of those points, m. */
     public static final int DEEPEST = 85 * CAPACITY;
 
-    /** The last corner that stays, 0 to 3. */
+    /** The last corner that stays before a side, 0 to 3; -1 when it does not cut two off. */
     static final int STAYS = 86 * CAPACITY;
 
     /** Where on its edge either corner comes to lie, two columns; then {@link #CUT_SEPARATION}. */
@@ -113,8 +117,17 @@ public final class BoxBatch {
     /** The separations of those points, m: four columns. */
     public static final int CUT_SEPARATION = CUT + 2 * CAPACITY;
 
+    /** 1 when the side that cuts first is on the first axis. */
+    static final int FIRST_ON_U = 93 * CAPACITY;
+
+    /** Of the side that cuts first, then of the second: its sign, 0 for none, and its offset, m. */
+    static final int SIDES = 94 * CAPACITY;
+
+    /** The points, as {@link #CORNER}. */
+    static final int STRAIGHT_POINT = 98 * CAPACITY;
+
     /** All columns. */
-    public final double[] data = new double[93 * CAPACITY];
+    public final double[] data = new double[110 * CAPACITY];
 
     /** A batch of unit quaternions and zeros. */
     public BoxBatch() {

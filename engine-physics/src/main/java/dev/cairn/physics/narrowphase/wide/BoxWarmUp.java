@@ -61,7 +61,7 @@ public final class BoxWarmUp {
             choose(batch.data, round);
             long fourth = System.nanoTime();
             BoxAxes.corners(batch, BoxBatch.CAPACITY);
-            BoxAxes.cutOnce(batch, BoxBatch.CAPACITY);
+            BoxAxes.cutStraight(batch, BoxBatch.CAPACITY);
             BoxAxes.world(batch, BoxBatch.CAPACITY);
             long end = System.nanoTime();
             System.arraycopy(batch.data, 0, pairs.data, 0, RoundBatch.CAPACITY * 15);
