@@ -25,6 +25,9 @@ final class CurvedAxis {
     /** Cosine of 0.02 rad: a disc's axis this near to the best one may bend the separation. */
     private static final double NEARLY = 0.9998;
 
+    /** How often what is nearer is looked for. */
+    private static final int WALKS = 4;
+
     /** Axes that are tried when the polytope met its cap. */
     private static final int STARTS = 12;
 
@@ -95,7 +98,7 @@ final class CurvedAxis {
             double s = 1 / gjk.distance;
             refine.run(p, gjk.vx * s, gjk.vy * s, gjk.vz * s);
             take();
-            betweenFlats(p);
+            settle(p);
             gap = Math.max(0, gjk.distance - separation);
             capped = gjk.capped && gap > 4 * DEEP * p.scale;
         }
@@ -114,22 +117,59 @@ final class CurvedAxis {
         epa.relativeTolerance = finest;
         refine.run(p, epa.axisX, epa.axisY, epa.axisZ);
         take();
-        betweenFlats(p);
+        settle(p);
         if (gjk.distance > 0 && separation > -SHALLOW * p.small) {
             // Nearly touching, any axis is hardly deep; the way to the nearest points tells more.
             double s = 1 / gjk.distance;
-            better(p, gjk.vx * s, gjk.vy * s, gjk.vz * s);
+            double before = separation;
+            better(p, gjk.vx * s, gjk.vy * s, gjk.vz * s, false);
+            if (separation > before) {
+                settle(p);
+            }
         }
         if (epa.capped) {
             tried[0] = epa.axisX;
             tried[1] = epa.axisY;
             tried[2] = epa.axisZ;
             for (int i = 1; i < STARTS && epa.another(tried, i, APART); i++) {
-                better(p, tried[3 * i], tried[3 * i + 1], tried[3 * i + 2]);
+                better(p, tried[3 * i], tried[3 * i + 1], tried[3 * i + 2], true);
             }
         }
         gap = Math.max(0, -epa.lower - separation);
         capped = epa.capped && gap > 4 * DEEP * p.scale;
+    }
+
+    /**
+     * Where what touches along the axis just refined does not meet, a better axis is near: at
+     * another corner of a polyhedron, or between two flats, or, of shapes that are apart, towards
+     * the points that are nearest. Without discs the rough axis tells which corners touch.
+     */
+    private void settle(Pair p) {
+        boolean discs = (p.roundA && !p.spindleA.isThin()) || (p.roundB && !p.spindleB.isThin());
+        if (!discs) {
+            return;
+        }
+        for (int i = 0; i < WALKS; i++) {
+            if (refine.settled()) {
+                return;
+            }
+            double before = separation;
+            double away = Math.abs(separation);
+            double x = away * axisX + refine.meeting.missX;
+            double y = away * axisY + refine.meeting.missY;
+            double z = away * axisZ + refine.meeting.missZ;
+            double length = Math.sqrt(x * x + y * y + z * z);
+            if (length > 0) {
+                better(p, x / length, y / length, z / length, true);
+            }
+            if (!(separation > before)) {
+                better(p, axisX, axisY, axisZ, true);
+            }
+            if (!(separation > before)) {
+                break;
+            }
+        }
+        betweenFlats(p);
     }
 
     /**
@@ -156,7 +196,7 @@ final class CurvedAxis {
         double my = 0.5 * axisY + sign * y;
         double mz = 0.5 * axisZ + sign * z;
         double length = Math.sqrt(mx * mx + my * my + mz * mz);
-        better(p, mx / length, my / length, mz / length);
+        better(p, mx / length, my / length, mz / length, true);
     }
 
     /** Takes over what {@link SegmentBox} found. */
@@ -177,8 +217,8 @@ final class CurvedAxis {
         kindB = refine.kindB;
     }
 
-    private void better(Pair p, double x, double y, double z) {
-        refine.run(p, x, y, z);
+    private void better(Pair p, double x, double y, double z, boolean wide) {
+        refine.run(p, x, y, z, wide);
         if (refine.separation > separation) {
             take();
         }
@@ -205,13 +245,13 @@ final class CurvedAxis {
         ux /= length;
         uz /= length;
         separation = Axes.NEVER;
-        better(p, 0, p.dy < 0 ? -1 : 1, 0);
-        better(p, 0, p.dy < 0 ? 1 : -1, 0);
+        better(p, 0, p.dy < 0 ? -1 : 1, 0, false);
+        better(p, 0, p.dy < 0 ? 1 : -1, 0, false);
         Spindle a = p.spindleA;
-        better(p, a.sideAcross * ux, a.sideAlong, a.sideAcross * uz);
+        better(p, a.sideAcross * ux, a.sideAlong, a.sideAcross * uz, false);
         Spindle b = p.spindleB;
         double along = p.r11 < 0 ? b.sideAlong : -b.sideAlong;
-        better(p, b.sideAcross * ux, along, b.sideAcross * uz);
+        better(p, b.sideAcross * ux, along, b.sideAcross * uz, false);
         gap = slack;
         return true;
     }

@@ -7,8 +7,11 @@ import dev.cairn.physics.shape.Polyhedron;
  * vertices or rims. Everything in A's frame and turned towards B.
  */
 final class Features {
-    static final int MOST = 8;
+    static final int MOST = 16;
     private static final int EDGES = 3;
+
+    /** Sine of the angle, 1e-3 rad, within which a wide look takes in what touches as well. */
+    private static final double WIDE = 0x1p-10;
 
     int flats, lines, points;
     final double[] flatX = new double[MOST], flatY = new double[MOST], flatZ = new double[MOST];
@@ -30,6 +33,15 @@ final class Features {
             ownY = new double[2 * MOST],
             ownZ = new double[2 * MOST];
 
+    /** Half the length of each line of a polyhedron. */
+    final double[] half = new double[MOST];
+
+    /** The faces, edges and vertices of a polyhedron that these are; -1 for hidden ones. */
+    final int[] flatFace = new int[MOST];
+
+    private final int[] lineEdge = new int[MOST], pointVertex = new int[MOST];
+    private final int[] corner = new int[MOST];
+
     /** The axis of the discs. */
     double ax, ay, az;
 
@@ -38,14 +50,19 @@ final class Features {
 
     private final boolean flip;
     private Pair pair = new Pair();
+    private boolean wide;
 
     Features(boolean ofB) {
         flip = ofB;
     }
 
-    /** Looks along a unit direction of A's frame, from the shape outwards. */
-    void gather(Pair p, double dx, double dy, double dz) {
+    /**
+     * Looks along a unit direction of A's frame, from the shape outwards; of a polyhedron at one
+     * corner, or wide, at all that touch up to an angle.
+     */
+    void gather(Pair p, double dx, double dy, double dz, boolean widely) {
         pair = p;
+        wide = widely;
         flats = 0;
         lines = 0;
         points = 0;
@@ -61,6 +78,9 @@ final class Features {
             spindle(flip ? p.spindleB : p.spindleA, y);
         } else {
             polyhedron(flip ? p.b : p.a, x, y, z);
+            if (wide) {
+                spread(flip ? p.b : p.a, x, y, z);
+            }
         }
     }
 
@@ -119,43 +139,157 @@ final class Features {
         ay = 1;
         az = 0;
         int v = support(h, x, y, z);
-        int face = Axes.faceToward(h, v, x, y, z);
-        double fx = h.normalX(face);
-        double fy = h.normalY(face);
-        double fz = h.normalZ(face);
-        if (flip) {
-            flat(-turnX(fx, fy, fz), -turnY(fx, fy, fz), -turnZ(fx, fy, fz));
-        } else {
-            flat(fx, fy, fz);
-        }
-        vertex(MOST + points++, h, v);
+        face(h, Axes.faceToward(h, v, x, y, z));
+        vertex(h, v);
         int edges = nearestEdges(h, v, x, y, z);
         for (int i = 0; i < edges; i++) {
-            int from = h.edgeFrom(edge[i]);
-            int to = h.edgeTo(edge[i]);
-            double ex = h.vertexX(to) - h.vertexX(from);
-            double ey = h.vertexY(to) - h.vertexY(from);
-            double ez = h.vertexZ(to) - h.vertexZ(from);
-            double length = Math.sqrt(ex * ex + ey * ey + ez * ez);
-            ex /= length;
-            ey /= length;
-            ez /= length;
-            if (flip) {
-                line(turnX(ex, ey, ez), turnY(ex, ey, ez), turnZ(ex, ey, ez), 0);
-            } else {
-                line(ex, ey, ez, 0);
-            }
-            // The middle, for of an edge that lies right across both ends are as good.
-            turned(
-                    lines - 1,
-                    0.5 * (h.vertexX(from) + h.vertexX(to)),
-                    0.5 * (h.vertexY(from) + h.vertexY(to)),
-                    0.5 * (h.vertexZ(from) + h.vertexZ(to)));
+            edge(h, edge[i]);
         }
     }
 
-    private void vertex(int at, Polyhedron h, int v) {
-        turned(at, h.vertexX(v), h.vertexY(v), h.vertexZ(v));
+    /** Adds what is connected to the corner by edges that lie across the direction. */
+    private void spread(Polyhedron h, double x, double y, double z) {
+        for (int i = 0; i < points; i++) {
+            int v = pointVertex[i];
+            for (int s = h.spokeBegin(v); s < h.spokeBegin(v + 1); s++) {
+                int to = h.spokeVertex(s);
+                double ex = h.vertexX(to) - h.vertexX(v);
+                double ey = h.vertexY(to) - h.vertexY(v);
+                double ez = h.vertexZ(to) - h.vertexZ(v);
+                double dot = ex * x + ey * y + ez * z;
+                if (dot * dot <= WIDE * WIDE * (ex * ex + ey * ey + ez * ez)) {
+                    edge(h, h.spokeEdge(s));
+                    vertex(h, to);
+                }
+                int f = h.spokeFace(s);
+                if (h.normalX(f) * x + h.normalY(f) * y + h.normalZ(f) * z >= 1 - WIDE * WIDE) {
+                    face(h, f);
+                }
+            }
+        }
+    }
+
+    /**
+     * Faces that were merged from nearly coplanar ones have lost edges and planes: all of two and
+     * three corners are taken, in the order of their numbers, which is the same in a mirror.
+     */
+    private void hidden(Polyhedron h, int face) {
+        int corners = sorted(h, face);
+        for (int i = 0; i < corners; i++) {
+            vertex(h, corner[i]);
+            for (int j = i + 1; j < corners; j++) {
+                if (lines < MOST) {
+                    lineEdge[lines] = -1;
+                    segment(h, corner[i], corner[j]);
+                }
+                for (int k = j + 1; k < corners; k++) {
+                    plane(h, face, corner[i], corner[j], corner[k]);
+                }
+            }
+        }
+    }
+
+    /** The corners of a face, by number, as many as there is room for. */
+    private int sorted(Polyhedron h, int face) {
+        int count = 0;
+        for (int s = h.faceBegin(face); s < h.faceBegin(face + 1); s++) {
+            int v = h.slotVertex(s);
+            int at = Math.min(count, MOST - 1);
+            if (count == MOST && corner[at] < v) {
+                continue;
+            }
+            while (at > 0 && corner[at - 1] > v) {
+                corner[at] = corner[at - 1];
+                at--;
+            }
+            corner[at] = v;
+            count = Math.min(count + 1, MOST);
+        }
+        return count;
+    }
+
+    private void plane(Polyhedron h, int face, int u, int v, int w) {
+        double ex = h.vertexX(v) - h.vertexX(u);
+        double ey = h.vertexY(v) - h.vertexY(u);
+        double ez = h.vertexZ(v) - h.vertexZ(u);
+        double fx = h.vertexX(w) - h.vertexX(u);
+        double fy = h.vertexY(w) - h.vertexY(u);
+        double fz = h.vertexZ(w) - h.vertexZ(u);
+        double x = ey * fz - ez * fy;
+        double y = ez * fx - ex * fz;
+        double z = ex * fy - ey * fx;
+        double length = Math.sqrt(x * x + y * y + z * z);
+        if (flats < MOST && length > 0) {
+            double out = x * h.normalX(face) + y * h.normalY(face) + z * h.normalZ(face);
+            double scale = (out < 0 ? -1 : 1) / length;
+            flatFace[flats] = -1;
+            facing(x * scale, y * scale, z * scale);
+        }
+    }
+
+    private static boolean isNew(int[] known, int count, int item) {
+        for (int i = 0; i < count; i++) {
+            if (known[i] == item) {
+                return false;
+            }
+        }
+        return count < MOST;
+    }
+
+    private void face(Polyhedron h, int face) {
+        if (!isNew(flatFace, flats, face)) {
+            return;
+        }
+        flatFace[flats] = face;
+        facing(h.normalX(face), h.normalY(face), h.normalZ(face));
+        if (wide && h.isRough(face)) {
+            hidden(h, face);
+        }
+    }
+
+    private void facing(double x, double y, double z) {
+        if (flip) {
+            flat(-turnX(x, y, z), -turnY(x, y, z), -turnZ(x, y, z));
+        } else {
+            flat(x, y, z);
+        }
+    }
+
+    private void edge(Polyhedron h, int e) {
+        if (!isNew(lineEdge, lines, e)) {
+            return;
+        }
+        lineEdge[lines] = e;
+        segment(h, h.edgeFrom(e), h.edgeTo(e));
+    }
+
+    private void segment(Polyhedron h, int from, int to) {
+        double ex = h.vertexX(to) - h.vertexX(from);
+        double ey = h.vertexY(to) - h.vertexY(from);
+        double ez = h.vertexZ(to) - h.vertexZ(from);
+        double length = Math.sqrt(ex * ex + ey * ey + ez * ez);
+        half[lines] = 0.5 * length;
+        ex /= length;
+        ey /= length;
+        ez /= length;
+        if (flip) {
+            line(turnX(ex, ey, ez), turnY(ex, ey, ez), turnZ(ex, ey, ez), 0);
+        } else {
+            line(ex, ey, ez, 0);
+        }
+        // The middle, for of an edge that lies right across both ends are as good.
+        turned(
+                lines - 1,
+                0.5 * (h.vertexX(from) + h.vertexX(to)),
+                0.5 * (h.vertexY(from) + h.vertexY(to)),
+                0.5 * (h.vertexZ(from) + h.vertexZ(to)));
+    }
+
+    private void vertex(Polyhedron h, int v) {
+        if (isNew(pointVertex, points, v)) {
+            pointVertex[points] = v;
+            turned(MOST + points++, h.vertexX(v), h.vertexY(v), h.vertexZ(v));
+        }
     }
 
     /** The support vertex; towards the other shape where the direction does not tell. */
@@ -188,15 +322,15 @@ final class Features {
         pz[at] = z + (flip ? pair.dz : 0);
     }
 
-    private double turnX(double x, double y, double z) {
+    double turnX(double x, double y, double z) {
         return pair.r00 * x + pair.r01 * y + pair.r02 * z;
     }
 
-    private double turnY(double x, double y, double z) {
+    double turnY(double x, double y, double z) {
         return pair.r10 * x + pair.r11 * y + pair.r12 * z;
     }
 
-    private double turnZ(double x, double y, double z) {
+    double turnZ(double x, double y, double z) {
         return pair.r20 * x + pair.r21 * y + pair.r22 * z;
     }
 

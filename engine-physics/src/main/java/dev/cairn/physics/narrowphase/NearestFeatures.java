@@ -115,6 +115,11 @@ final class NearestFeatures {
         axisX = nx * scale;
         axisY = ny * scale;
         axisZ = nz * scale;
+        // What rounding left of the product along the edge would count by the edge's length.
+        double rest = (axisX * ux + axisY * uy + axisZ * uz) / (ux * ux + uy * uy + uz * uz);
+        axisX -= rest * ux;
+        axisY -= rest * uy;
+        axisZ -= rest * uz;
         distance = 0.5 * (wx * axisX + wy * axisY + wz * axisZ);
     }
 

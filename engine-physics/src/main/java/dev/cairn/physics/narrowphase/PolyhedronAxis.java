@@ -14,6 +14,12 @@ final class PolyhedronAxis {
     /** Of the pair's scale: nearer than this GJK's direction loses digits that can be regained. */
     private static final double NEAR = 0x1p-10;
 
+    /** Of the pair's scale: a gap between the bounds that the axis may be to blame for. */
+    private static final double DOUBT = 0x1p-47;
+
+    /** Of the pair's scale: separations this close are one. */
+    private static final double ROUNDING = 0x1p-51;
+
     /** The last axes were found by iteration. */
     boolean general;
 
@@ -174,7 +180,21 @@ final class PolyhedronAxis {
         word = gjk.word();
         nearest.measure(pair, gjk);
         points.setAxis(nearest.axisX, nearest.axisY, nearest.axisZ);
-        return nearest.distance;
+        return gjk.distance - gjk.lower > DOUBT * pair.scale ? among() : nearest.distance;
+    }
+
+    /**
+     * Features that are nearly parallel are equally near up to rounding, and GJK may end on a
+     * simplex of others than those that are nearest: all of them compete then.
+     */
+    private double among() {
+        double s = pair.separation(nearest.axisX, nearest.axisY, nearest.axisZ);
+        refine.run(pair, nearest.axisX, nearest.axisY, nearest.axisZ, true);
+        if (refine.separation > s) {
+            s = refine.separation;
+            points.setAxis(refine.axisX, refine.axisY, refine.axisZ);
+        }
+        return s;
     }
 
     /**
@@ -195,7 +215,21 @@ final class PolyhedronAxis {
             double s = 1 / gjk.distance;
             refine.run(pair, gjk.vx * s, gjk.vy * s, gjk.vz * s);
         }
-        return most;
+        return gjk.overlap ? most : towardsNearest(most);
+    }
+
+    /**
+     * Axes that turn about the best one lose but the square of the angle, so rounding can't tell
+     * which of them leads to where the shapes meet; of those, the nearest features do.
+     */
+    private double towardsNearest(double best) {
+        nearest.measure(pair, gjk);
+        double s = pair.separation(nearest.axisX, nearest.axisY, nearest.axisZ);
+        if (!(s >= best - ROUNDING * pair.scale)) {
+            return best;
+        }
+        points.setAxis(nearest.axisX, nearest.axisY, nearest.axisZ);
+        return s;
     }
 
     /**

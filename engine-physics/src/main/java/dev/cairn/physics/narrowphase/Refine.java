@@ -42,6 +42,12 @@ final class Refine {
 
     int kindA, kindB;
 
+    /**
+     * The places of these among the features of either side; of flats and lines the other's is
+     * unknown.
+     */
+    private int placeA, placeB;
+
     /** The best axis of each sum of two kinds. */
     private final double[] best = new double[2 * ROUGH + 1],
             bestX = new double[2 * ROUGH + 1],
@@ -49,36 +55,54 @@ final class Refine {
             bestZ = new double[2 * ROUGH + 1];
 
     private final int[] bestA = new int[2 * ROUGH + 1], bestB = new int[2 * ROUGH + 1];
+    private final int[] atA = new int[2 * ROUGH + 1], atB = new int[2 * ROUGH + 1];
+    private int nowA, nowB;
     private final Features sideA = new Features(false), sideB = new Features(true);
+    private final RimStart start = new RimStart();
+
+    /** See {@link #settled}. */
+    final Meeting meeting = new Meeting(sideA, sideB);
+
     private Pair pair = new Pair();
     private double nx, ny, nz;
     private double startX, startY, startZ;
 
     /** Starts from a unit axis, which is the answer if nothing is better. */
     void run(Pair p, double x, double y, double z) {
+        run(p, x, y, z, false);
+    }
+
+    /** The same; wide, all features of polyhedra that are near compete, not those of one corner. */
+    void run(Pair p, double x, double y, double z, boolean wide) {
         pair = p;
         startX = x;
         startY = y;
         startZ = z;
         Arrays.fill(best, Axes.NEVER);
         tryAxis(x, y, z, ROUGH, ROUGH);
-        sideA.gather(p, x, y, z);
-        sideB.gather(p, -x, -y, -z);
+        sideA.gather(p, x, y, z, wide);
+        sideB.gather(p, -x, -y, -z, wide);
         for (int i = 0; i < sideA.flats; i++) {
+            nowA = i;
             tryAxis(sideA.flatX[i], sideA.flatY[i], sideA.flatZ[i], FLAT, POINT);
         }
         for (int i = 0; i < sideB.flats; i++) {
+            nowB = i;
             tryAxis(sideB.flatX[i], sideB.flatY[i], sideB.flatZ[i], POINT, FLAT);
         }
         for (int i = 0; i < sideA.lines; i++) {
             for (int j = 0; j < sideB.lines; j++) {
+                nowA = i;
+                nowB = j;
                 crossing(i, j);
             }
+            nowA = i;
             for (int j = 0; j < sideB.points; j++) {
                 circle(sideA, i, Features.MOST + j, sideB, LINE, POINT);
             }
         }
         for (int j = 0; j < sideB.lines; j++) {
+            nowB = j;
             for (int i = 0; i < sideA.points; i++) {
                 circle(sideB, j, Features.MOST + i, sideA, POINT, LINE);
             }
@@ -110,6 +134,8 @@ final class Refine {
             bestZ[at] = z;
             bestA[at] = ofA;
             bestB[at] = ofB;
+            atA[at] = nowA;
+            atB[at] = nowB;
         }
     }
 
@@ -130,6 +156,16 @@ final class Refine {
         axisZ = bestZ[at];
         kindA = bestA[at];
         kindB = bestB[at];
+        placeA = atA[at];
+        placeB = atB[at];
+    }
+
+    /**
+     * Whether the axis found is the best of all near ones, see {@link Meeting}, which then tells
+     * the way to a better one.
+     */
+    boolean settled() {
+        return meeting.at(this, pair, placeA, placeB);
     }
 
     /** Scales to unit length first. */
@@ -184,18 +220,10 @@ final class Refine {
         climb(own, line, point, other, startX, startY, startZ, ofA, ofB);
         if (other.radius[point] > 0) {
             double dot = startX * other.ax + startY * other.ay + startZ * other.az;
-            if (Math.abs(dot) > NEARLY) {
-                double sign = dot < 0 ? -1 : 1;
-                climb(
-                        own,
-                        line,
-                        point,
-                        other,
-                        sign * other.ax,
-                        sign * other.ay,
-                        sign * other.az,
-                        ofA,
-                        ofB);
+            if (Math.abs(dot) > NEARLY
+                    && start.onCircle(
+                            own, line, other, point, dot < 0 ? -1 : 1, own == sideA ? 1 : -1)) {
+                climb(own, line, point, other, start.x, start.y, start.z, ofA, ofB);
             }
         }
     }
@@ -318,34 +346,15 @@ final class Refine {
         double a = startX * sideA.ax + startY * sideA.ay + startZ * sideA.az;
         double b = startX * sideB.ax + startY * sideB.ay + startZ * sideB.az;
         boolean rims = sideA.radius[i] > 0 && sideB.radius[j] > 0;
-        if (rims && Math.abs(a) > NEARLY && Math.abs(b) > NEARLY) {
-            between(a < 0 ? -1 : 1, b < 0 ? -1 : 1, cx, cy, cz);
+        if (rims
+                && Math.abs(a) > NEARLY
+                && Math.abs(b) > NEARLY
+                && start.ofRims(sideA, i, a < 0 ? -1 : 1, sideB, j, b < 0 ? -1 : 1, cx, cy, cz)) {
+            nx = start.x;
+            ny = start.y;
+            nz = start.z;
             climb(i, j, cx, cy, cz);
         }
-    }
-
-    /**
-     * Sets n between the axes of two rims, moved towards the other rim by as much as the axes
-     * differ: on the line through both the bend says nothing about the way across.
-     */
-    private void between(double p, double q, double cx, double cy, double cz) {
-        double x = p * sideA.ax - q * sideB.ax;
-        double y = p * sideA.ay - q * sideB.ay;
-        double z = p * sideA.az - q * sideB.az;
-        double apart = Math.sqrt(x * x + y * y + z * z);
-        double along = cx * sideA.ax + cy * sideA.ay + cz * sideA.az;
-        double ox = cx - along * sideA.ax;
-        double oy = cy - along * sideA.ay;
-        double oz = cz - along * sideA.az;
-        double off = Math.sqrt(ox * ox + oy * oy + oz * oz);
-        double f = off > 0 ? apart / off : 0;
-        nx = p * sideA.ax + q * sideB.ax + f * ox;
-        ny = p * sideA.ay + q * sideB.ay + f * oy;
-        nz = p * sideA.az + q * sideB.az + f * oz;
-        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        nx /= length;
-        ny /= length;
-        nz /= length;
     }
 
     private double gu, gv, huu, huv, hvv, value;

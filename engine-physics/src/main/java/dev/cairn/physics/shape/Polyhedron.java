@@ -219,6 +219,17 @@ public final class Polyhedron {
     }
 
     /**
+     * Whether the corners of a face are not in one plane: it was merged from nearly coplanar ones,
+     * and the edges between those are not listed.
+     *
+     * @param face in [0, faceCount)
+     * @return true only of faces with more than three corners
+     */
+    public boolean isRough(int face) {
+        return rough[face];
+    }
+
+    /**
      * Outward unit normal of a face.
      *
      * @param face in [0, faceCount)

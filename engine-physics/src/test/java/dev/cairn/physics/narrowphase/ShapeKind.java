@@ -83,7 +83,8 @@ enum ShapeKind {
         return hull(xyz);
     }
 
-    private static ConvexHull hull(double[] xyz) {
+    /** A hull that can be {@link #scaled} and {@link #mirrored}. */
+    static ConvexHull hull(double[] xyz) {
         ConvexHull hull = ConvexHull.of(xyz);
         POINTS.put(hull, xyz);
         return hull;
