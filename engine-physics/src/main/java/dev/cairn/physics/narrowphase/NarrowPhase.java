@@ -201,7 +201,7 @@ public final class NarrowPhase {
             boolean done =
                     rounds.collide(
                             a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz, margin, out);
-            if (done) {
+            if (done || rounds.sideBySide(a, b, dx, dy, dz, margin, cache, out)) {
                 exact();
                 return rounds.word();
             }

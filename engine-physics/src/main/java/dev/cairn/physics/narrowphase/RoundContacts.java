@@ -25,11 +25,16 @@ public final class RoundContacts {
     /** The word of the last contact. */
     private long word;
 
-    /** Direction of the last axis. */
-    private double axisX, axisY, axisZ;
+    /** Direction of A's segment; of two capsules also that of B's. */
+    double axisX, axisY, axisZ, otherX, otherY, otherZ;
 
     /** From the core of A to that of B, and where on A's core that begins. */
-    private double x, y, z, onA;
+    double x, y, z, onA;
+
+    /** The last pair was two capsules that may lie side by side, and touch. */
+    private boolean lines;
+
+    private final CapsuleLines sideBySide = new CapsuleLines();
 
     /** Creates the scratch of one worker. */
     public RoundContacts() {}
@@ -95,7 +100,7 @@ public final class RoundContacts {
         axisX = 0;
         axisY = 0;
         axisZ = 0;
-        boolean lines = false;
+        lines = false;
         if (a instanceof Capsule first) {
             radiusA = first.radius();
             axis(qAx, qAy, qAz, qAw);
@@ -118,6 +123,9 @@ public final class RoundContacts {
                         dy,
                         dz);
                 double along = ux * axisX + uy * axisY + uz * axisZ;
+                otherX = axisX;
+                otherY = axisY;
+                otherZ = axisZ;
                 axisX = ux;
                 axisY = uy;
                 axisZ = uz;
@@ -145,11 +153,10 @@ public final class RoundContacts {
                 z = dz;
             }
         }
-        return write(lines, radiusA, radiusB, dx, dy, dz, margin, out);
+        return write(radiusA, radiusB, dx, dy, dz, margin, out);
     }
 
     private boolean write(
-            boolean lines,
             double radiusA,
             double radiusB,
             double dx,
@@ -160,6 +167,7 @@ public final class RoundContacts {
         double square = x * x + y * y + z * z;
         double scale = radiusA + radiusB + Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
         if (!(square >= LEAST && square <= MOST && square >= TOUCHING * scale * scale)) {
+            lines = false;
             return false;
         }
         double length = Math.sqrt(square);
@@ -175,6 +183,12 @@ public final class RoundContacts {
         if (lines) {
             return false;
         }
+        single(length, separation, radiusA, out);
+        return true;
+    }
+
+    /** The nearest points. */
+    private void single(double length, double separation, double radiusA, Manifold out) {
         double nx = x / length;
         double ny = y / length;
         double nz = z / length;
@@ -189,6 +203,41 @@ public final class RoundContacts {
         out.separation[0] = separation;
         out.feature[0] = ContactPoints.CLOSEST;
         word = SINGLE;
+    }
+
+    /**
+     * Finds the contact after {@link #collide} left the pair, if it is two capsules that may lie
+     * side by side. The arguments are the same.
+     *
+     * @return false when the pair is none of this class; nothing is written then
+     */
+    boolean sideBySide(
+            Shape a,
+            Shape b,
+            double dx,
+            double dy,
+            double dz,
+            double margin,
+            long cache,
+            Manifold out) {
+        if (!(lines && a instanceof Capsule first && b instanceof Capsule second)) {
+            return false;
+        }
+        double length = Math.sqrt(x * x + y * y + z * z);
+        double separation = length - first.radius() - second.radius();
+        double inner = Math.min(first.radius(), second.radius());
+        boolean before = cache >>> 62 == NarrowPhase.EDGES;
+        double calm = NarrowPhase.CALM * inner;
+        double enough = (before ? 0.5 : 1.5) * calm + (before ? 0.05 : 0.15) * Math.abs(separation);
+        double rounding = out.bound;
+        sideBySide.run(this, first, second, dx, dy, dz, length, margin, calm, out);
+        double wrong = Math.abs(sideBySide.deepest - separation);
+        if (out.pointCount > 0 && wrong <= enough) {
+            out.bound = wrong + rounding;
+            word = Names.of(out) & 0xFFFFFFFFL;
+        } else {
+            single(length, separation, first.radius(), out);
+        }
         return true;
     }
 
