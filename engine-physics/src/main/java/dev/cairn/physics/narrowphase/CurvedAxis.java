@@ -313,8 +313,18 @@ final class CurvedAxis {
             double wz = p.dz;
             double along = wx * p.r01 + wy * p.r11 + wz * p.r21;
             double t = Math.max(-k, Math.min(k, -along));
-            candidate(
-                    wx + t * p.r01, wy + t * p.r11, wz + t * p.r21, Refine.POINT, inside(along, k));
+            double x = wx + t * p.r01;
+            double y = wy + t * p.r11;
+            double z = wz + t * p.r21;
+            int kind = inside(along, k);
+            if (kind == Refine.LINE) {
+                // What rounding left along the segment would count by its length near touching.
+                double rest = x * p.r01 + y * p.r11 + z * p.r21;
+                x -= rest * p.r01;
+                y -= rest * p.r11;
+                z -= rest * p.r21;
+            }
+            candidate(x, y, z, Refine.POINT, kind);
         }
         // Inside both: the difference is along the common perpendicular, u x v with u = y.
         double cx = p.r21;

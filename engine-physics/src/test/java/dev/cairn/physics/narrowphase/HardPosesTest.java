@@ -3,6 +3,7 @@ package dev.cairn.physics.narrowphase;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.Cylinder;
 
@@ -302,6 +303,32 @@ class HardPosesTest {
                         -0.5404087765268559,
                         0.6513672682736691,
                         0.3213944328579491);
+        check(s);
+    }
+
+    /**
+     * Cores that nearly touch: the way from one to the other was not quite at right angles to both:
+     * 1.3e-13 along.
+     */
+    @Test
+    void capsulesWhoseCoresNearlyTouch() {
+        Scene s =
+                new Scene(
+                                Capsule.of(1.7588502350119928, 0.1791306681606125),
+                                Capsule.of(0.4042219162833745, 0.4826905008099538))
+                        .at(1.3874656745913185E-4, -2.7838853873139834E-5, 1.6624403417952563E-4);
+        s.qa =
+                new Quaterniond(
+                        -0.5294780492189418,
+                        0.6605007344724628,
+                        -0.4439541592303871,
+                        0.29376262467965714);
+        s.qb =
+                new Quaterniond(
+                        0.29376599838256,
+                        -0.4439543351484533,
+                        -0.6605008146449003,
+                        0.5294759299067484);
         check(s);
     }
 }
