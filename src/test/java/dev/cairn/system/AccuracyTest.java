@@ -34,6 +34,7 @@ final class AccuracyTest {
                 "A6",
                 "A7",
                 "A8",
+                "A10",
                 "B2",
                 "B4",
                 "B5",

@@ -146,7 +146,19 @@ final class FreeMotion {
                                 metric("quaternion's norm", "ulp", 4)),
                         "",
                         Effort.LONG,
-                        FreeMotion::haul));
+                        FreeMotion::haul),
+                new AccuracyCase(
+                        "A10",
+                        "offset dumbbell",
+                        "balls of 1 and 9 kg, r 0.1 m, 1 m apart, as one body with its origin in"
+                                + " the light one; 10 rad/s about the origin, 10 s",
+                        "the centre of mass goes straight on at 9 m/s, the origin circles it",
+                        List.of(
+                                metric("centre of mass", "m", 1e-12),
+                                metric("origin", "m", Double.POSITIVE_INFINITY)),
+                        "",
+                        Effort.SHORT,
+                        FreeMotion::dumbbell));
     }
 
     private static BodyRef body(PhysicsWorld world, double[] inertia, double[] spin) {
@@ -312,6 +324,38 @@ final class FreeMotion {
             BodyRef body = body(world, MILD, MILD_SPIN);
             trial.run(world, 10);
             return Truths.angle(truth, body.orientation());
+        }
+    }
+
+    /** The mass properties are those of the two balls; the shape in which they are is a box. */
+    private static double[] dumbbell(Trial trial) {
+        double arm = 0.9;
+        double balls = 0.4 * 10 * 0.1 * 0.1;
+        double apart = balls + 1.0 * 9 / 10;
+        try (PhysicsWorld world = trial.world(0, 0, 0)) {
+            BodyRef body =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(
+                                            Box.of(0.6, 0.1, 0.1)
+                                                    .moved(arm, 0, 0, new Quaterniond()))
+                                    .mass(10)
+                                    .inertia(balls, apart, apart)
+                                    .velocity(0, 10 * arm, 0)
+                                    .angularVelocity(0, 0, 10));
+            double centre = 0;
+            double origin = 0;
+            for (int tick = 1; tick <= 600; tick++) {
+                trial.step(world);
+                double t = tick * Trial.TICK;
+                Vector3d truth = new Vector3d(arm, 10 * arm * t, 0);
+                centre = Math.max(centre, truth.distance(body.centreOfMass(new Vector3d())));
+                truth.sub(
+                        Truths.turned(new Vector3d(0, 0, 1), 10 * t)
+                                .transform(new Vector3d(arm, 0, 0)));
+                origin = Math.max(origin, truth.distance(body.position()));
+            }
+            return new double[] {centre, origin};
         }
     }
 
