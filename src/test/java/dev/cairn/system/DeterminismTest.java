@@ -140,8 +140,9 @@ final class DeterminismTest {
         SampleScene scene = SceneRegistry.get(id);
         SceneOptions options = SceneOptions.defaults(scene);
         String alone = null;
-        for (int lanes : new int[] {1, 4, 8}) {
-            for (int workers = 1; workers <= MAX_WORKERS; workers++) {
+        for (int lanes : new int[] {1, 4, 8, 16}) {
+            int most = lanes == 16 ? 1 : MAX_WORKERS;
+            for (int workers = 1; workers <= most; workers++) {
                 SceneReport report =
                         new SceneRun(scene, options, 40, workers, 4).lanes(lanes).run(() -> {});
                 alone = alone == null ? report.digest() : alone;

@@ -29,10 +29,11 @@ import dev.cairn.physics.solver.SolverSettings;
  * @param effort how often the sub-steps of an island may be doubled while its bodies overlap by
  *     more than 1 % of their inner radius, 0 (never) to 4. Thin bodies, heavy landings and bad
  *     starts get what they need, and the rest of the scene does not pay for it. Default 0
- * @param lanes contacts that the solver takes at once: 1 (scalar), 4 or 8, or 0 for what fits this
- *     machine. Speed only: the results are the same. What is asked for by number is warmed up when
- *     the world is made, which takes a second; 0 does so beside a scene that is large enough. Needs
- *     {@code --add-modules=jdk.incubator.vector}; without it the solver is scalar. Default 0
+ * @param lanes contacts that the solver takes at once: 1 (scalar), 4, 8 or 16 (two vectors of 8),
+ *     or 0 for what fits this machine. Speed only: the results are the same. What is asked for by
+ *     number is warmed up when the world is made, which takes a second; 0 does so beside a scene
+ *     that is large enough. Needs {@code --add-modules=jdk.incubator.vector}; without it the solver
+ *     is scalar. Default 0
  * @param speculativeTime contacts are made for pairs that could meet within so many ticks at their
  *     present relative speed (turning included), 0 to 16. Default 1
  * @param speculativeFraction and, besides, for pairs that are closer than this fraction of the
@@ -102,9 +103,10 @@ public record PhysicsSettings(
         Checks.between("unloadSweeps", unloadSweeps, 0, 64);
         Checks.between("loneSweeps", loneSweeps, 0, 4096);
         Checks.between("effort", effort, 0, 4);
-        if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8) {
+        if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16) {
             throw new IllegalArgumentException(
-                    "lanes must be 1, 4 or 8, or 0 for what fits this machine, but is " + lanes);
+                    "lanes must be 1, 4, 8 or 16, or 0 for what fits this machine, but is "
+                            + lanes);
         }
         Checks.between("speculativeTime", speculativeTime, 0, 16);
         Checks.between("speculativeFraction", speculativeFraction, 0, 1);

@@ -101,7 +101,7 @@ public final class PhysicsWorld implements AutoCloseable {
     /**
      * Contacts that the solver takes at once. Any thread.
      *
-     * @return 1 if it is scalar, else 4 or 8
+     * @return 1 if it is scalar, else 4, 8 or 16
      */
     public int lanes() {
         return physics.lanes();

@@ -132,7 +132,7 @@ public final class Main {
 
     @Option(
             names = "--lanes",
-            paramLabel = "auto|1|4|8",
+            paramLabel = "auto|1|4|8|16",
             description = "Contacts that are solved at once; the results do not depend on it.")
     @Nullable String lanes;
 

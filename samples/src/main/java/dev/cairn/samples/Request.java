@@ -177,9 +177,10 @@ record Request(
             case "1" -> 1;
             case "4" -> 4;
             case "8" -> 8;
+            case "16" -> 16;
             default ->
                     throw new UsageException(
-                            "--lanes %s: want auto, 1, 4 or 8; the results are the same"
+                            "--lanes %s: want auto, 1, 4, 8 or 16; the results are the same"
                                     .formatted(text));
         };
     }

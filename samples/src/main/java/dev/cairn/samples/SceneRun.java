@@ -104,7 +104,7 @@ public final class SceneRun {
     /**
      * Asks for a number of contacts that are solved at once; the results do not depend on it.
      *
-     * @param count 1, 4 or 8, or 0 for what fits this machine
+     * @param count 1, 4, 8 or 16, or 0 for what fits this machine
      * @return this
      */
     public SceneRun lanes(int count) {

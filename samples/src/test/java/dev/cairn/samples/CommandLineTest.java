@@ -53,7 +53,7 @@ class CommandLineTest {
                 "--workers 0                    | from 1 to 256",
                 "--workers 1000                 | from 1 to 256",
                 "--substeps 0                   | from 1 to 64",
-                "--lanes 16                     | auto, 1, 4 or 8",
+                "--lanes 32                     | auto, 1, 4, 8 or 16",
                 "--seed x                       | --seed x",
                 "--scene pyramid --set bse=5    | did you mean base?",
                 "--scene pyramid --set base=x   | whole number from 1 to 400",

@@ -156,7 +156,7 @@ final class Colouring {
                 start[colours] = end;
                 size[colours++] = n;
                 tally[c] = end;
-                end += (n + rows.lanes - 1) / rows.lanes * rows.lanes;
+                end += (n + rows.group - 1) / rows.group * rows.group;
             }
         }
         for (int k = from; k < to; k++) {
@@ -182,7 +182,7 @@ final class Colouring {
     private void pad(ConstraintRows rows) {
         for (int c = 0; c < colours; c++) {
             int end = start[c + 1];
-            int groupStart = end - rows.lanes;
+            int groupStart = end - rows.group;
             for (int j = groupStart; j < end; j++) {
                 Arrays.fill(rows.link, j * ConstraintRows.LINK, (j + 1) * ConstraintRows.LINK, 0);
                 rows.unloaded[j] = 0;

@@ -100,8 +100,11 @@ final class ConstraintRows {
     /** Places to a chunk, the unit of work: a multiple of every number of lanes. */
     static final int CHUNK = 32;
 
-    /** Rows to a group. */
+    /** Rows to a vector. */
     final int lanes;
+
+    /** Rows that a colour is padded to multiples of: one vector, or two. */
+    final int group;
 
     /** Contacts with points, in the order of the contact store: rows of the store, their places. */
     int count;
@@ -130,7 +133,12 @@ final class ConstraintRows {
     int[] bouncer = {};
 
     ConstraintRows(int lanes) {
+        this(lanes, lanes);
+    }
+
+    ConstraintRows(int lanes, int group) {
         this.lanes = lanes;
+        this.group = group;
     }
 
     /** Index of field 0 of the row at place {@code j}. */

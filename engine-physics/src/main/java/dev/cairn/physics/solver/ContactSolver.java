@@ -65,7 +65,8 @@ public final class ContactSolver {
 
     ContactSolver(SolverSettings settings, Sweeps sweeps) {
         this.sweeps = sweeps;
-        passes = new Passes(settings, sweeps.lanes());
+        int lanes = sweeps.lanes();
+        passes = new Passes(settings, lanes, lanes == 1 ? 1 : Math.max(lanes, settings.lanes()));
         paces = new SubStep[settings.effort() + 1];
         for (int e = 0; e < paces.length; e++) {
             paces[e] = new SubStep();
@@ -97,10 +98,10 @@ public final class ContactSolver {
     /**
      * Rows that are solved at once.
      *
-     * @return 1 (scalar), 4 or 8
+     * @return 1 (scalar), 4, 8 or 16
      */
     public int lanes() {
-        return rows.lanes;
+        return rows.group;
     }
 
     /**

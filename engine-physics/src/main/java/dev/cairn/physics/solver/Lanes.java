@@ -16,15 +16,18 @@ final class Lanes {
     private static final AtomicBoolean TOLD = new AtomicBoolean();
     private static final String MODULE = "jdk.incubator.vector";
 
-    private static final @Nullable WideSweeps[] MADE = new WideSweeps[9];
+    /** Doubles of the largest vector. */
+    private static final int LARGEST = 8;
+
+    private static final @Nullable WideSweeps[] MADE = new WideSweeps[LARGEST + 1];
 
     private Lanes() {}
 
     /**
      * Sweeps of {@code lanes} rows at once.
      *
-     * @param lanes 1 (scalar), 4 or 8: as asked for, ready to use; or 0 for as many doubles as this
-     *     machine's vectors hold, for use when they are warm
+     * @param lanes 1 (scalar), 4, 8 or 16: as asked for, ready to use, 16 as two vectors of 8; or 0
+     *     for as many doubles as this machine's vectors hold, for use when they are warm
      */
     static Sweeps sweeps(int lanes) {
         if (lanes == 1) {
@@ -43,7 +46,7 @@ final class Lanes {
             }
             return new ScalarSweeps();
         }
-        int wanted = lanes == 0 ? Math.min(8, Preferred.lanes()) : lanes;
+        int wanted = Math.min(LARGEST, lanes == 0 ? Preferred.lanes() : lanes);
         if (wanted < 4) { // two lanes are slower than scalar code
             return new ScalarSweeps();
         }

@@ -39,9 +39,9 @@ final class Passes {
     /** Whether bodies have the inertia of their load. */
     boolean loaded;
 
-    Passes(SolverSettings settings, int lanes) {
+    Passes(SolverSettings settings, int lanes, int group) {
         this.settings = settings;
-        rows = new ConstraintRows(lanes);
+        rows = new ConstraintRows(lanes, group);
     }
 
     /** Size of gravity, m/s². */

@@ -39,7 +39,7 @@ package dev.cairn.physics.solver;
  * @param effort how often the sub-steps of an island may be doubled while its bodies overlap by
  *     more than 1 % of their inner radius, 0 (never) to 4. Thin bodies, heavy landings and bad
  *     starts get what they need; the rest of the scene does not pay for it.
- * @param lanes contacts that are solved at once: 1 (scalar), 4 or 8, or 0 for what fits this
+ * @param lanes contacts that are solved at once: 1 (scalar), 4, 8 or 16, or 0 for what fits this
  *     machine. Speed only: the results are the same. Without the module {@code
  *     jdk.incubator.vector} it is always 1.
  */
@@ -91,9 +91,10 @@ public record SolverSettings(
         check("unloadSweeps", unloadSweeps, 0, 64);
         check("loneSweeps", loneSweeps, 0, 4096);
         check("effort", effort, 0, MOST_EFFORT);
-        if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8) {
+        if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16) {
             throw new IllegalArgumentException(
-                    "lanes must be 1, 4 or 8, or 0 for what fits this machine, but is " + lanes);
+                    "lanes must be 1, 4, 8 or 16, or 0 for what fits this machine, but is "
+                            + lanes);
         }
     }
 
@@ -236,7 +237,7 @@ public record SolverSettings(
     /**
      * These settings with another number of lanes.
      *
-     * @param value 1, 4 or 8, or 0 for what fits this machine
+     * @param value 1, 4, 8 or 16, or 0 for what fits this machine
      * @return new settings
      * @throws IllegalArgumentException if the value is none of those
      */
