@@ -116,11 +116,21 @@ final class LaneFriction implements LaneKernels.Friction {
         return any.compare(VectorOperators.GT, 0.0).anyTrue();
     }
 
-    /** Marks the lanes that press without a warm start: they need another round. */
+    /** Marks the lanes that press without a good warm start: they need another round. */
     private static boolean mark(double[] d, int o, double[] st, int g, int marks) {
+        int l = o + LAMBDA * L;
+        var f1 = DoubleVector.fromArray(S, d, l);
+        var f2 = DoubleVector.fromArray(S, d, l + L);
+        var limit = DoubleVector.fromArray(S, st, LIMIT);
+        var stale =
+                f1.mul(f1)
+                        .add(f2.mul(f2))
+                        .compare(VectorOperators.GT, limit.mul(limit).mul(Rub.STALE));
+        var cold = DoubleVector.fromArray(S, d, o + COLD * L);
+        cold = cold.blend(DoubleVector.fromArray(S, st, marks + g), stale);
+        cold.intoArray(d, o + COLD * L);
         var rubs =
-                DoubleVector.fromArray(S, d, o + COLD * L)
-                        .compare(VectorOperators.GT, 0.0)
+                cold.compare(VectorOperators.GT, 0.0)
                         .and(
                                 DoubleVector.fromArray(S, st, marks + g)
                                         .compare(VectorOperators.GT, 0.0))

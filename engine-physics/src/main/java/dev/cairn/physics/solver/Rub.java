@@ -51,6 +51,14 @@ final class Rub {
 
     static final int STEPS = 3;
 
+    /**
+     * A contact whose friction starts with more than four times what its normals now allow,
+     * squared, has the warm start of a blow. What it loses of it pushes the bodies along the normal
+     * too, so that the two have to agree anew, as in a contact that begins: else a cluster of boxes
+     * gained energy.
+     */
+    static final double STALE = 16;
+
     private Rub() {}
 
     /**

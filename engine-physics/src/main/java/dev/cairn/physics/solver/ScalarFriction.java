@@ -47,6 +47,14 @@ final class ScalarFriction {
         return normal;
     }
 
+    /** Whether friction has the warm start of a blow, see {@link Rub#STALE}. */
+    static boolean isStale(double[] d, int o, int lanes, int points) {
+        double limit = d[o + FRICTION * lanes] * ScalarNormals.sum(d, o, lanes, points);
+        double f1 = d[o + LAMBDA * lanes];
+        double f2 = d[o + (LAMBDA + 1) * lanes];
+        return f1 * f1 + f2 * f2 > limit * limit * Rub.STALE;
+    }
+
     private static void slide(
             double[] d,
             int o,

@@ -109,8 +109,8 @@ final class ScalarSweeps implements Sweeps {
             int a = link[l];
             int b = link[l + 1];
             ScalarNormals.separate(d, o, lanes, body, a, b, n);
-            // a contact without a warm start has its normals and its friction still to agree on who
-            // stops what
+            // a contact without a warm start, or with that of a blow, has its normals and its
+            // friction still to agree on who stops what
             boolean cold = d[o + COLD * lanes] > 0;
             boolean moved =
                     hard(d, o, lanes, body, a, b, n, sub.inverse, sub.sweeps, HARD, scratch);
@@ -119,6 +119,7 @@ final class ScalarSweeps implements Sweeps {
                 hard(d, o, lanes, body, a, b, n, sub.inverse, more, NONE, scratch);
             }
             if (d[o + FRICTION * lanes] > 0) {
+                cold |= ScalarFriction.isStale(d, o, lanes, n);
                 double normal = ScalarFriction.rub(d, o, lanes, body, a, b, n);
                 for (int round = 1; cold && normal > 0 && round < sub.coldRounds; round++) {
                     hard(d, o, lanes, body, a, b, n, sub.inverse, sub.landing, NONE, scratch);

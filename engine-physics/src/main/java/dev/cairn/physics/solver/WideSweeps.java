@@ -139,7 +139,7 @@ final class WideSweeps implements Sweeps {
                 Level.WARNING,
                 (wanted
                                 ? "The contact solver is slower with the lanes that were asked for:"
-                                      + " sweeps of "
+                                        + " sweeps of "
                                 : "The contact solver stays scalar: sweeps of ")
                         + lanes()
                         + " lanes took "
