@@ -4,6 +4,8 @@ import dev.cairn.benchmarks.peer.PairCalls;
 import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.NarrowPhase.Method;
+import dev.cairn.physics.narrowphase.wide.BoxAxes;
+import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
@@ -23,10 +25,19 @@ import java.util.Locale;
 public final class PairTimes {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
-    /** Repetitions; the fastest is told, and the median. */
+    /** Repetitions at least; the fastest is told. */
     private static final int REPETITIONS = 1000;
 
+    /**
+     * And for so long at least, ns of CPU time: what ran before has left code that is compiled anew
+     * for other shapes, in the background.
+     */
+    private static final long LEAST_TIME = 2_000_000_000L;
+
     private static final int PEER_REPETITIONS = 300;
+
+    /** How long the kernels may take to compile, ns. */
+    private static final long LONGEST_WARM_UP = 60_000_000_000L;
 
     /** Sets of pairs, 256 each, whose iterations are counted. */
     private static final int ITERATION_SETS = 40;
@@ -120,7 +131,8 @@ public final class PairTimes {
         long[] words = new long[PairSet.SIZE];
         double fastest = Double.MAX_VALUE;
         int points = 0;
-        for (int k = 0; k < REPETITIONS; k++) {
+        long until = THREADS.getCurrentThreadCpuTime() + LEAST_TIME;
+        for (int k = 0; k < REPETITIONS || THREADS.getCurrentThreadCpuTime() < until; k++) {
             if (moves) {
                 set.move(k);
             }
@@ -130,7 +142,7 @@ public final class PairTimes {
                 points += manifold.pointCount;
             }
             long nanos = THREADS.getCurrentThreadCpuTime() - begin;
-            fastest = Math.min(fastest, nanos / (double) PairSet.SIZE);
+            fastest = faster(fastest, nanos, PairSet.SIZE);
         }
         if (points < 0) {
             throw new IllegalStateException("no points");
@@ -144,7 +156,8 @@ public final class PairTimes {
         NarrowPhase n = new NarrowPhase(method);
         double fastest = Double.MAX_VALUE;
         double sum = 0;
-        for (int k = 0; k < REPETITIONS; k++) {
+        long until = THREADS.getCurrentThreadCpuTime() + LEAST_TIME;
+        for (int k = 0; k < REPETITIONS || THREADS.getCurrentThreadCpuTime() < until; k++) {
             set.move(k);
             long begin = THREADS.getCurrentThreadCpuTime();
             for (int i = 0; i < PairSet.SIZE; i++) {
@@ -152,7 +165,7 @@ public final class PairTimes {
                 words[i] = n.distanceWord();
             }
             long nanos = THREADS.getCurrentThreadCpuTime() - begin;
-            fastest = Math.min(fastest, nanos / (double) PairSet.SIZE);
+            fastest = faster(fastest, nanos, PairSet.SIZE);
         }
         if (Double.isNaN(sum)) {
             throw new IllegalStateException("a distance of " + kind + " is NaN");
@@ -178,15 +191,34 @@ public final class PairTimes {
         return steps[steps.length / 2] + "/" + rare + "/" + steps[steps.length - 1];
     }
 
+    /** A clock that stood still tells nothing. */
+    private static double faster(double fastest, long nanos, int pairs) {
+        return nanos > 0 ? Math.min(fastest, nanos / (double) pairs) : fastest;
+    }
+
+    private static boolean ready() {
+        return BoxWarmUp.ready() || !BoxAxes.wide();
+    }
+
     private static double stage(PairSet.Kind kind) {
         double fastest = Double.MAX_VALUE;
         try (StageSet set = new StageSet(kind)) {
-            for (int k = 0; k < REPETITIONS; k++) {
+            // The stage goes without lanes until their kernels are compiled in the background.
+            long patience = System.nanoTime() + LONGEST_WARM_UP;
+            for (int k = 0; !ready() && System.nanoTime() < patience; k++) {
+                set.move(k);
+                set.run();
+            }
+            if (!ready()) {
+                System.out.print(" (without lanes)");
+            }
+            long until = THREADS.getCurrentThreadCpuTime() + LEAST_TIME;
+            for (int k = 0; k < REPETITIONS || THREADS.getCurrentThreadCpuTime() < until; k++) {
                 set.move(k);
                 long begin = THREADS.getCurrentThreadCpuTime();
                 set.run();
                 long nanos = THREADS.getCurrentThreadCpuTime() - begin;
-                fastest = Math.min(fastest, nanos / (double) StageSet.ROWS);
+                fastest = faster(fastest, nanos, StageSet.ROWS);
             }
         }
         return fastest;
