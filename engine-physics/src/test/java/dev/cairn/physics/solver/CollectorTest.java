@@ -52,7 +52,7 @@ final class CollectorTest {
                 if ((changes & 1) != 0) {
                     press(row);
                 }
-                if ((changes & 2) != 0) {
+                if ((changes & 2) != 0 && contacts.pointCount[row] > 0) {
                     contacts.pointCount[row] = 1 + random.nextInt(ContactStore.POINTS);
                 }
                 if ((changes & 4) != 0) {

@@ -1,0 +1,54 @@
+package dev.cairn.physics;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.shape.Box;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.Arrays;
+
+/** What the load sweep keeps while contacts are the same is what it would make anew. */
+class LoadSweepTest {
+    private static final int TICKS = 240;
+
+    /**
+     * A stack that falls by less than the margin: its contacts are there before they carry; then a
+     * box that lands on it and one that slides in from the side. The same with a box far away that
+     * touches the ground in every other tick, so that contacts never are those of the tick before.
+     */
+    @Test
+    void loadsAreTheSameWhateverIsKept() {
+        double[] kept = scales(false);
+        double[] anew = scales(true);
+        assertArrayEquals(anew, kept, 0.0);
+        double most = Arrays.stream(kept).max().orElseThrow();
+        assertTrue(most > 4, "nothing carries a load: " + most);
+    }
+
+    /** Scale of the inertia of each body of the stack after each tick. */
+    private static double[] scales(boolean disturbed) {
+        try (PhysicsWorld world = Scenes.awake().workers(2).build()) {
+            Scenes.ground(world);
+            Body box = Body.dynamic().shape(Box.cube(0.5)).mass(1);
+            for (int i = 0; i < 5; i++) {
+                world.add(box.at(0, 0.5 + 1.004 * i, 0));
+            }
+            world.add(box.at(0.2, 7, 0));
+            world.add(box.at(3, 0.5, 0).velocity(-4, 0, 0));
+            box.velocity(0, 0, 0);
+            BodyStore b = world.physics.table.bodies;
+            int count = b.slotCount;
+            BodyRef far = world.add(box.at(30, 5, 0));
+            double[] all = new double[TICKS * count];
+            for (int tick = 0; tick < TICKS; tick++) {
+                far.teleport(30, disturbed && tick % 2 == 0 ? 0.5 : 5, 0);
+                world.step(Scenes.STEP);
+                System.arraycopy(b.inertiaScale, 0, all, tick * count, count);
+            }
+            return all;
+        }
+    }
+}
