@@ -35,7 +35,7 @@ class EveryPairTest {
     /**
      * Of the size of the pair: round shapes that are nearly parallel lose digits, others do not.
      */
-    private static final double ROUND = 1e-9;
+    private static final double ROUND = 1e-10;
 
     private static final double FLAT = 1e-12;
 

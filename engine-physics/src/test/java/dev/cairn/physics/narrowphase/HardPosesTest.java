@@ -61,7 +61,10 @@ class HardPosesTest {
         check(s);
     }
 
-    /** Nor on the circle of an edge that passes the axis of a rim by 1e-8: 3.5e-10. */
+    /**
+     * Of two edges on whose circles Newton arrives, only one touches: 3.5e-10 where either would
+     * do.
+     */
     @Test
     void aRimOverAnEdgeNearlyInItsPlane() {
         Scene s =
