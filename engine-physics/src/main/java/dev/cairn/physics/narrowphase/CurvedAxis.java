@@ -25,9 +25,6 @@ final class CurvedAxis {
     /** Cosine of 0.02 rad: a disc's axis this near to the best one may bend the separation. */
     private static final double NEARLY = 0.9998;
 
-    /** How often what is nearer is looked for. */
-    private static final int WALKS = 4;
-
     /** Axes that are tried when the polytope met its cap. */
     private static final int STARTS = 12;
 
@@ -46,6 +43,7 @@ final class CurvedAxis {
     int kindA, kindB;
 
     private final Refine refine = new Refine();
+    private final Walk walk = new Walk(refine);
 
     /** Cosine of the angle, 0.3 rad, between axes that count as different ones. */
     private static final double APART = 0.955;
@@ -149,27 +147,11 @@ final class CurvedAxis {
         if (!discs) {
             return;
         }
-        for (int i = 0; i < WALKS; i++) {
-            if (refine.settled()) {
-                return;
-            }
-            double before = separation;
-            double away = Math.abs(separation);
-            double x = away * axisX + refine.meeting.missX;
-            double y = away * axisY + refine.meeting.missY;
-            double z = away * axisZ + refine.meeting.missZ;
-            double length = Math.sqrt(x * x + y * y + z * z);
-            if (length > 0) {
-                better(p, x / length, y / length, z / length, true);
-            }
-            if (!(separation > before)) {
-                better(p, axisX, axisY, axisZ, true);
-            }
-            if (!(separation > before)) {
-                break;
-            }
+        boolean settled = walk.on(p);
+        take();
+        if (!settled) {
+            betweenFlats(p);
         }
-        betweenFlats(p);
     }
 
     /**

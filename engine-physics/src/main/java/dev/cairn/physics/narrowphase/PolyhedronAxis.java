@@ -47,6 +47,7 @@ final class PolyhedronAxis {
     private final ContactPoints points;
     private final boolean fifteen;
     private final Refine refine = new Refine();
+    private final Walk walk = new Walk(refine);
     private final NearestFeatures nearest = new NearestFeatures();
     private final double[] tried = new double[3 * 16];
 
@@ -199,12 +200,14 @@ final class PolyhedronAxis {
 
     /**
      * Shapes that are apart by so little that the difference of their nearest points has lost
-     * digits: all features near the axes known so far compete, as for round shapes.
+     * digits: all features near the axes known so far compete, as for round shapes, and where what
+     * touches along the best of them does not meet, those towards where it would.
      */
     private double nearlyTouching(double best) {
         double most = best;
         refine.run(pair, points.axisX, points.axisY, points.axisZ);
         for (int i = 0; i < 2; i++) {
+            walk.on(pair);
             if (refine.separation > most) {
                 most = refine.separation;
                 points.setAxis(refine.axisX, refine.axisY, refine.axisZ);
