@@ -230,6 +230,11 @@ public final class NarrowPhase {
         return word;
     }
 
+    /** Whether the last pair of hulls took what was proven at another pose, see {@link Proof}. */
+    boolean proven() {
+        return polyhedra.warm.proven;
+    }
+
     /**
      * How much nearer a pair of boxes or hulls must come for another point; after {@link #collide}.
      *

@@ -23,6 +23,10 @@ final class Pair {
 
     double radiusA, radiusB;
     double r00, r01, r02, r10, r11, r12, r20, r21, r22;
+
+    /** The quaternion of {@code r}, unit up to rounding. */
+    double qx, qy, qz, qw;
+
     double w00, w01, w02, w10, w11, w12, w20, w21, w22;
     double dx, dy, dz;
 
@@ -67,11 +71,11 @@ final class Pair {
         dx = w00 * wx + w10 * wy + w20 * wz;
         dy = w01 * wx + w11 * wy + w21 * wz;
         dz = w02 * wx + w12 * wy + w22 * wz;
-        relative(
-                aw * bx - ax * bw - ay * bz + az * by,
-                aw * by + ax * bz - ay * bw - az * bx,
-                aw * bz - ax * by + ay * bx - az * bw,
-                aw * bw + ax * bx + ay * by + az * bz);
+        qx = aw * bx - ax * bw - ay * bz + az * by;
+        qy = aw * by + ax * bz - ay * bw - az * bx;
+        qz = aw * bz - ax * by + ay * bx - az * bw;
+        qw = aw * bw + ax * bx + ay * by + az * bz;
+        relative(qx, qy, qz, qw);
         scale =
                 shapeA.outerRadius()
                         + shapeB.outerRadius()

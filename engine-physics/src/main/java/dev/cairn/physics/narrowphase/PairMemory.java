@@ -3,14 +3,18 @@ package dev.cairn.physics.narrowphase;
 /**
  * What {@link NarrowPhase} keeps of a pair with a hull between ticks, beside the {@link Word}: the
  * polytope that the last search ended with (vertices by their numbers and faces by their corners,
- * no place), then two edges that separated best though a face held the contact. What was left by
- * other shapes or at another pose costs time, never correctness.
+ * no place), two edges that separated best though a face held the contact, and a {@link Proof}.
+ * What was left at another pose costs time, never correctness; what other shapes left has to be
+ * forgotten.
  */
 public final class PairMemory {
     private PairMemory() {}
 
     /** Numbers to a pair. */
-    public static final int SIZE = Polytope.SIZE + 1;
+    public static final int SIZE = Polytope.SIZE + 1 + Proof.SIZE;
+
+    /** Where the edges and the proof are. */
+    static final int CROSSING = Polytope.SIZE, PROOF = CROSSING + 1;
 
     /**
      * Empties a place.
@@ -20,6 +24,7 @@ public final class PairMemory {
      */
     public static void forget(long[] memory, int at) {
         Polytope.forget(memory, at);
-        memory[at + Polytope.SIZE] = 0;
+        memory[at + CROSSING] = 0;
+        Proof.forget(memory, at + PROOF);
     }
 }

@@ -15,9 +15,11 @@ import dev.cairn.physics.shape.Shape;
  */
 final class Polyhedra {
     /** Cosine of 0.1 rad: nearer axes are the same direction, seen through rounding. */
-    private static final double NEARLY_PARALLEL = 0.995;
+    static final double NEARLY_PARALLEL = 0.995;
 
     static final long[] NOTHING = {};
+
+    private static final double NONE = Double.POSITIVE_INFINITY;
 
     private final boolean specialised;
     private final Pair pair;
@@ -35,6 +37,12 @@ final class Polyhedra {
 
     /** By how much the signed distance may be larger than the best axis tells, m. */
     private double gap;
+
+    /** Along the best face that was weighed, m; {@link #NONE} when that alone did not decide. */
+    private double rival;
+
+    /** That face is on B. */
+    private boolean rivalOnB;
 
     /** See {@link NarrowPhase#leftOut}. */
     double leftOut;
@@ -76,13 +84,22 @@ final class Polyhedra {
         boolean remembers = hulls && memory.length > 0;
         search.remember(remembers ? memory : NOTHING, at);
         if (hulls && cache != 0) {
-            long crossing = remembers ? memory[at + Polytope.SIZE] : 0;
+            long crossing = remembers ? memory[at + PairMemory.CROSSING] : 0;
+            if (remembers) {
+                warm.proof.recall(pair, memory, at + PairMemory.PROOF);
+            } else {
+                warm.proof.none();
+            }
             long word = warm.collide(margin, cache, crossing, out);
             if (warm.done) {
-                if (remembers) {
-                    memory[at + Polytope.SIZE] = 0;
+                boolean apart = out.pointCount == 0;
+                if (remembers && !warm.proven) {
+                    memory[at + PairMemory.CROSSING] = 0;
+                    if (!apart) {
+                        keep(memory, at, warm.separation, warm.upper, NONE);
+                    }
                 }
-                leftOut = out.pointCount == 0 ? warm.separation : points.clipper.leftOut;
+                leftOut = apart ? warm.separation : leftOut(word);
                 return word;
             }
         } else {
@@ -100,9 +117,12 @@ final class Polyhedra {
             gap = search.gap;
         }
         if (remembers) {
-            memory[at + Polytope.SIZE] = warm.crossing();
+            memory[at + PairMemory.CROSSING] = warm.crossing();
         }
         long word = manifold(margin, cache, out);
+        if (remembers && out.pointCount > 0) {
+            keep(memory, at, axes.best(), axes.best() + gap, rival);
+        }
         if (!hulls || word == 0) {
             return word;
         }
@@ -115,8 +135,21 @@ final class Polyhedra {
                 : word | NarrowPhase.NO_EDGE << 47;
     }
 
+    /** Keeps what is known of the present pose, see {@link Proof}. */
+    private void keep(long[] memory, int at, double low, double high, double faces) {
+        boolean onB = faces != NONE && rivalOnB;
+        int face = faces == NONE ? 0 : onB ? axes.faceB : axes.faceA;
+        Proof.keep(pair, memory, at + PairMemory.PROOF, low, high, faces, face, onB);
+    }
+
+    private double leftOut(long word) {
+        return word >>> 62 == EDGES ? Double.NaN : points.clipper.leftOut;
+    }
+
     private long manifold(double margin, long cache, Manifold out) {
         double best = axes.best();
+        double faces = Math.max(axes.separationA, axes.separationB);
+        rival = NONE;
         if (best > margin) {
             leftOut = best;
         }
@@ -128,11 +161,13 @@ final class Polyhedra {
         }
         long before = cache >>> 62;
         boolean flip = chooseFace(cache, CALM * pair.inner);
+        rivalOnB = flip;
         if (depthOfPoints && crosses(flip, best, before == EDGES)) {
             out.pointCount = 0;
             out.patch = 0;
             pointContact(margin, best, out);
             if (out.pointCount > 0) {
+                rival = faces;
                 out.bound = Math.abs(best - deepest(out)) + gap + rounding();
                 return word(EDGES, Names.of(out));
             }
@@ -154,7 +189,8 @@ final class Polyhedra {
         if (out.pointCount == 0) {
             return word(flip ? FACE_B : FACE_A, 0);
         }
-        leftOut = kind == EDGES ? Double.NaN : points.clipper.leftOut;
+        rival = kind == EDGES ? NONE : faces;
+        leftOut = leftOut(kind << 62);
         out.bound = Math.abs(best - deepest(out)) + gap + rounding();
         return word(kind, Names.of(out));
     }
@@ -236,6 +272,10 @@ final class Polyhedra {
 
     /** How much truer a point contact must be. */
     private double better(double best, boolean before) {
+        return better(pair, best, before);
+    }
+
+    static double better(Pair pair, double best, boolean before) {
         double calm = CALM * pair.inner;
         return before ? 0.5 * calm + 0.05 * Math.abs(best) : 1.5 * calm + 0.15 * Math.abs(best);
     }

@@ -132,6 +132,7 @@ final class PolyhedronAxis {
         } else {
             double s = 1 / gjk.distance;
             axes.snap(pair, gjk.vx * s, gjk.vy * s, gjk.vz * s);
+            gap = Math.max(0, gjk.distance - axes.best());
         }
     }
 

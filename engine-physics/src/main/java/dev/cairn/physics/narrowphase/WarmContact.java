@@ -41,12 +41,25 @@ final class WarmContact {
     private final Axes axes;
     private final ContactPoints points;
     private final PolyhedronAxis search;
+    private final Inside inside = new Inside();
+    private final CrossingEdges cross;
+
+    /** What is known from an earlier pose. */
+    final Proof proof = new Proof();
 
     /** See {@link Safeguard}. */
     boolean secondBound = true;
 
     /** The contact of the last {@link #collide} is complete. */
     boolean done;
+
+    /** By the {@link #proof} alone; else {@link #upper} is what bounds the signed distance, m. */
+    boolean proven;
+
+    double upper;
+
+    /** Nothing but the proof is tried; two edges of a known axis are best by it. */
+    private boolean proofOnly, edgesBest;
 
     /** The axes of the last {@link #collide} are known to be the best, up to {@link #gap}. */
     boolean certain;
@@ -67,14 +80,8 @@ final class WarmContact {
     /** A direction that is near to the best one, from A to B in A's frame. */
     double axisX, axisY, axisZ;
 
-    /** Two edges in A's frame: where they begin, and where they lead. */
-    private double ax, ay, az, bx, by, bz, ux, uy, uz, vx, vy, vz;
-
     /** Another face than that of the last tick is tried. */
     private boolean second;
-
-    /** The face that the point of {@link #within} is nearest to. */
-    private int nearest;
 
     /** The deepest corner that was clipped. */
     private int deepest;
@@ -84,11 +91,15 @@ final class WarmContact {
         this.axes = axes;
         this.points = points;
         this.search = search;
+        this.cross = new CrossingEdges(pair, axes, inside);
     }
 
     /** Nothing is known. */
     void forget() {
         done = false;
+        proven = false;
+        proofOnly = false;
+        edgesBest = false;
         certain = false;
         clipped = false;
         second = false;
@@ -105,18 +116,45 @@ final class WarmContact {
      */
     long collide(double margin, long cache, long crossing, Manifold out) {
         forget();
-        long kind = cache >>> 62;
-        if (crossing != 0 && kind != EDGES) {
-            int ea = (int) (crossing >>> 15) & 0x7FFF;
-            int eb = (int) crossing & 0x7FFF;
-            if (ea < pair.a.edgeCount() && eb < pair.b.edgeCount()) {
-                edges(ea, eb);
+        boolean byEdges = cache >>> 62 == EDGES;
+        if (secondBound && proof.tells(CALM * pair.inner) && (byEdges || crossing != 0)) {
+            proofOnly = true;
+            edgesBest = !byEdges && !proof.same && provenBest(crossing);
+            long word = last(margin, cache, out);
+            if (done) {
+                return word;
+            }
+            out.pointCount = 0;
+            out.patch = 0;
+            forget();
+        }
+        if (crossing != 0 && !byEdges) {
+            if (exist(crossing)) {
+                edges((int) (crossing >>> 15) & 0x7FFF, (int) crossing & 0x7FFF);
             }
             if (certain) {
                 return 0;
             }
             forget();
         }
+        return last(margin, cache, out);
+    }
+
+    private boolean exist(long crossing) {
+        return ((crossing >>> 15) & 0x7FFF) < pair.a.edgeCount()
+                && (crossing & 0x7FFF) < pair.b.edgeCount();
+    }
+
+    /** Whether the proof tells that no direction is much better than that of two edges. */
+    private boolean provenBest(long crossing) {
+        return exist(crossing)
+                && cross.place((int) (crossing >>> 15) & 0x7FFF, (int) crossing & 0x7FFF)
+                && proof.high - cross.along <= enough(cross.along);
+    }
+
+    /** Tries the features of the last tick. */
+    private long last(double margin, long cache, Manifold out) {
+        long kind = cache >>> 62;
         int face = Word.faceOf(cache);
         int hint = Word.hint(cache);
         if (kind == FACE_A && face < pair.a.faceCount() && hint < pair.b.vertexCount()) {
@@ -126,6 +164,9 @@ final class WarmContact {
             return onB(face, hint, margin, cache, out);
         }
         if (kind == EDGES && face < pair.a.edgeCount() && hint < pair.b.edgeCount()) {
+            if (proofOnly) {
+                return provenEdges(face, hint, margin, out);
+            }
             edges(face, hint);
         }
         return 0;
@@ -183,6 +224,11 @@ final class WarmContact {
         }
         double calm = CALM * pair.inner;
         face = at;
+        boolean known = secondBound && proof.refers(s, calm);
+        known = known && (proof.directs(s, calm) || (edgesBest && besideEdges(flip)));
+        if (proofOnly && !known) {
+            return 0;
+        }
         points.face(flip, v, margin, calm, (int) cache, out);
         axisX = points.axisX;
         axisY = points.axisY;
@@ -191,46 +237,38 @@ final class WarmContact {
             return 0;
         }
         double least = Polyhedra.deepest(out);
-        double upper = secondBound ? upper(flip, at) : s;
-        if (secondBound && least - s <= calm && !settled(s, least, upper, calm)) {
-            Clipper c = points.clipper;
-            Polyhedron reference = flip ? pair.b : pair.a;
-            upper = Math.min(upper, -within(reference, c.x[deepest], c.y[deepest], c.z[deepest]));
+        double low = Math.max(s, proof.low);
+        proven = known && proof.agrees(low, least, calm);
+        if (proofOnly && !proven) {
+            return 0;
         }
-        if (secondBound && least - s <= calm && !settled(s, least, upper, calm)) {
-            upper = Math.min(upper, search.upper());
+        upper = proof.high;
+        if (!proven) {
+            upper = secondBound ? upper(flip, at, s, least, calm) : s;
         }
-        if (secondBound && !settled(s, least, upper, calm)) {
+        if (!proven && secondBound && !Proof.settles(s, s, least, upper, upper, calm)) {
             return other(flip, least - s <= calm, margin, cache, out);
         }
         done = true;
-        out.bound = wrong(s, least, upper) + 0x1p-48 * pair.scale;
+        out.bound = Proof.wrong(low, least, upper) + 0x1p-48 * pair.scale;
         return Word.withHint(Word.of(kind, at, Names.of(out)), v);
     }
 
-    /** What the depth at the points may be wrong by. */
-    private static double wrong(double s, double least, double upper) {
-        return Math.max(Math.abs(least - s), Math.abs(upper - least));
-    }
-
-    /** Whether any signed distance between the bounds would leave the face contact as it is. */
-    private static boolean settled(double s, double least, double upper, double calm) {
-        double smallest = s > 0 ? s : Math.max(0, -upper);
-        return upper - s <= calm && wrong(s, least, upper) <= 1.5 * calm + 0.15 * smallest;
-    }
-
-    /** How deep a point of the one shape is inside the other; minus infinity when it is not. */
-    private double within(Polyhedron h, double x, double y, double z) {
-        double least = Double.MAX_VALUE;
-        int faces = h.faceCount();
-        for (int f = 0; f < faces; f++) {
-            double s = h.offset(f) - (h.normalX(f) * x + h.normalY(f) * y + h.normalZ(f) * z);
-            if (s < least) {
-                least = s;
-                nearest = f;
-            }
+    /** An upper bound of the signed distance from all that may give one; tries until it settles. */
+    private double upper(boolean flip, int at, double s, double least, double calm) {
+        double best = Math.min(proof.high, upper(flip, at));
+        if (least - s <= calm && !Proof.settles(s, s, least, best, best, calm)) {
+            Clipper c = points.clipper;
+            Polyhedron reference = flip ? pair.b : pair.a;
+            best =
+                    Math.min(
+                            best,
+                            -inside.within(reference, c.x[deepest], c.y[deepest], c.z[deepest]));
         }
-        return least >= 0 ? least : Double.NEGATIVE_INFINITY;
+        if (least - s <= calm && !Proof.settles(s, s, least, best, best, calm)) {
+            best = Math.min(best, search.upper());
+        }
+        return best;
     }
 
     /**
@@ -250,11 +288,13 @@ final class WarmContact {
             return flip
                     ? onA(points.incidentFace, id, margin, cache, out)
                     : onB(points.incidentFace, id, margin, cache, out);
-        } else if (!second && deep && nearest != face) {
+        } else if (!second && deep && inside.nearest != face) {
             second = true;
             out.pointCount = 0;
             int v = points.incidentVertex;
-            return flip ? onB(nearest, v, margin, cache, out) : onA(nearest, v, margin, cache, out);
+            return flip
+                    ? onB(inside.nearest, v, margin, cache, out)
+                    : onA(inside.nearest, v, margin, cache, out);
         }
         if (!certain) {
             out.pointCount = 0;
@@ -282,9 +322,11 @@ final class WarmContact {
         double part = 1.0 / c.count;
         double low = c.separation[deepest];
         double rise = s * part - low;
-        double edge = inside(reference, face, c.x[deepest], c.y[deepest], c.z[deepest]);
+        double edge = Inside.face(reference, face, c.x[deepest], c.y[deepest], c.z[deepest]);
         double slope =
-                c.count == 1 ? 0 : inside(reference, face, x * part, y * part, z * part) - edge;
+                c.count == 1
+                        ? 0
+                        : Inside.face(reference, face, x * part, y * part, z * part) - edge;
         // A point between the deepest corner and the middle: how far inside it is at least grows
         // evenly.
         double from = edge >= 0 ? 0 : -edge / slope;
@@ -307,140 +349,81 @@ final class WarmContact {
         double need = -low * (Math.sqrt(1 + steep * steep) - steep) * 1.0625;
         double at = slope > 0 ? Math.max(from, Math.min(1, (need - edge) / slope)) : from;
         double d = -(low + at * rise);
-        return -Math.max(0, depth(d, Math.max(0, edge + at * slope), high, beside));
+        return -Math.max(0, Inside.depth(p, d, Math.max(0, edge + at * slope), high, beside));
     }
 
-    /** The lower bound of the depth from a disc and the ball; see the class. */
-    private double depth(double d, double r, double high, double beside) {
-        double radii = pair.a.innerRadius() + pair.b.innerRadius();
-        double k = (radii - r - beside) / (high + d);
-        double least = Math.min(d, (r + k * d) / Math.sqrt(1 + k * k));
-        return least <= high ? least : 0;
-    }
-
-    /** How far inside all sides of a face the foot of a point is. */
-    private static double inside(Polyhedron h, int face, double x, double y, double z) {
-        double least = Double.MAX_VALUE;
-        int end = h.faceBegin(face + 1);
-        for (int i = h.faceBegin(face); i < end; i++) {
-            double s = h.sideOffset(i) - (h.sideX(i) * x + h.sideY(i) * y + h.sideZ(i) * z);
-            least = s < least ? s : least;
+    /** The point of two edges where the proof tells that it is the answer still. */
+    private long provenEdges(int ea, int eb, double margin, Manifold out) {
+        if (!cross.place(ea, eb)) {
+            return 0;
         }
-        return least;
+        double s = cross.along;
+        double enough = enough(s);
+        if (!(proof.high - s <= enough && s - proof.low <= enough)) {
+            return 0;
+        }
+        axes.edgeA = ea;
+        axes.edgeB = eb;
+        axes.edgeX = cross.axisX;
+        axes.edgeY = cross.axisY;
+        axes.edgeZ = cross.axisZ;
+        axes.separationEdge = s;
+        if (!(proof.same || noFace()) || !points.crossing(margin, out)) {
+            return 0;
+        }
+        done = true;
+        proven = true;
+        out.bound = Proof.wrong(proof.low, s, proof.high) + 0x1p-48 * pair.scale;
+        return Word.withHint(Word.of(EDGES, 0, Names.of(out)) | (long) ea << 47, eb);
+    }
+
+    /** The best face is another direction and separates by much less. */
+    private boolean noFace() {
+        double most = Math.max(Math.abs(proof.low), Math.abs(proof.high));
+        if (!(proof.low - proof.rival > Polyhedra.better(pair, most, true))) {
+            return false;
+        }
+        axes.faceA = proof.face;
+        axes.faceB = proof.face;
+        return !besideEdges(proof.onB);
+    }
+
+    /** Whether the face of the axes is nearly the same direction as the edges. */
+    private boolean besideEdges(boolean flip) {
+        points.faceAxis(flip);
+        double cosine =
+                points.axisX * cross.axisX
+                        + points.axisY * cross.axisY
+                        + points.axisZ * cross.axisZ;
+        return cosine > Polyhedra.NEARLY_PARALLEL;
+    }
+
+    /** What two edges may leave open. */
+    private double enough(double s) {
+        return EDGE_GAP * CALM * pair.inner - EDGE_SHARE * Math.min(s, 0);
     }
 
     /** Fills the axes when two edges are still those that separate best. */
     private void edges(int ea, int eb) {
-        Pair p = pair;
-        axes.rawX = p.dx;
-        axes.rawY = p.dy;
-        axes.rawZ = p.dz;
-        if (axes.cross(p, ea, eb) == 0) {
+        if (!cross.place(ea, eb)) {
             return;
         }
-        axisX = axes.cx;
-        axisY = axes.cy;
-        axisZ = axes.cz;
-        int from = p.a.edgeFrom(ea);
-        int to = p.a.edgeTo(ea);
-        ax = p.a.vertexX(from);
-        ay = p.a.vertexY(from);
-        az = p.a.vertexZ(from);
-        ux = p.a.vertexX(to) - ax;
-        uy = p.a.vertexY(to) - ay;
-        uz = p.a.vertexZ(to) - az;
-        p.vertexB(p.b.edgeTo(eb));
-        vx = p.px;
-        vy = p.py;
-        vz = p.pz;
-        p.vertexB(p.b.edgeFrom(eb));
-        bx = p.px;
-        by = p.py;
-        bz = p.pz;
-        vx -= bx;
-        vy -= by;
-        vz -= bz;
-        double s = (bx - ax) * axisX + (by - ay) * axisY + (bz - az) * axisZ;
-        if (!supports(from, p.b.edgeFrom(eb), axisX, axisY, axisZ, s)) {
+        axisX = cross.axisX;
+        axisY = cross.axisY;
+        axisZ = cross.axisZ;
+        if (!cross.support()) {
             return;
         }
-        double enough = EDGE_GAP * CALM * p.inner - EDGE_SHARE * Math.min(s, 0);
-        double upper = secondBound ? upperOfEdges(s, enough) : s;
-        if (upper - s > enough) {
-            upper = Math.min(upper, search.upper());
+        double s = cross.along;
+        double enough = enough(s);
+        double high = secondBound ? cross.upper(enough) : s;
+        if (high - s > enough) {
+            high = Math.min(high, search.upper());
         }
-        if (upper - s <= enough) {
+        if (high - s <= enough) {
             certain = true;
-            gap = upper - s;
-            axes.snapTo(p, ea, eb, axisX, axisY, axisZ, s);
+            gap = high - s;
+            axes.snapTo(pair, ea, eb, axisX, axisY, axisZ, s);
         }
-    }
-
-    /**
-     * An upper bound of the signed distance of two edges u from a and v from b; tries until enough.
-     */
-    private double upperOfEdges(double s, double enough) {
-        Pair p = pair;
-        double rx = bx - ax;
-        double ry = by - ay;
-        double rz = bz - az;
-        double uu = ux * ux + uy * uy + uz * uz;
-        double vv = vx * vx + vy * vy + vz * vz;
-        double uv = ux * vx + uy * vy + uz * vz;
-        double ur = ux * rx + uy * ry + uz * rz;
-        double vr = vx * rx + vy * ry + vz * rz;
-        double det = uu * vv - uv * uv;
-        double f = (ur * vv - vr * uv) / det;
-        double g = (ur * uv - vr * uu) / det;
-        double alongU = Math.min(f, 1 - f);
-        double alongV = Math.min(g, 1 - g);
-        if (!(alongU >= 0 && alongV >= 0)) {
-            return Double.POSITIVE_INFINITY;
-        }
-        if (s >= 0) {
-            return s;
-        }
-        double high = axisX * p.dx + axisY * p.dy + axisZ * p.dz;
-        double square = p.dx * p.dx + p.dy * p.dy + p.dz * p.dz;
-        double beside = Math.sqrt(Math.max(0, square - high * high));
-        // Distances from the sides of the parallelogram: |u x v| / |v| and / |u|.
-        double r = Math.sqrt(det) * Math.min(alongU / Math.sqrt(vv), alongV / Math.sqrt(uu));
-        double upper = -Math.max(0, depth(-s, r, high, beside));
-        if (upper - s > enough) {
-            double inA = within(p.a, bx + g * vx, by + g * vy, bz + g * vz);
-            upper = Math.min(upper, -inA);
-        }
-        if (upper - s > enough) {
-            // The point of A, in B's frame.
-            double x = ax + f * ux - p.dx;
-            double y = ay + f * uy - p.dy;
-            double z = az + f * uz - p.dz;
-            double inB =
-                    within(
-                            p.b,
-                            p.r00 * x + p.r10 * y + p.r20 * z,
-                            p.r01 * x + p.r11 * y + p.r21 * z,
-                            p.r02 * x + p.r12 * y + p.r22 * z);
-            upper = Math.min(upper, -inB);
-        }
-        return upper;
-    }
-
-    /** Whether no vertex reaches farther along the axis than the edges do. */
-    private boolean supports(int va, int vb, double nx, double ny, double nz, double s) {
-        Pair p = pair;
-        int a = p.a.climb(nx, ny, nz, va);
-        int b =
-                p.b.climb(
-                        -(p.r00 * nx + p.r10 * ny + p.r20 * nz),
-                        -(p.r01 * nx + p.r11 * ny + p.r21 * nz),
-                        -(p.r02 * nx + p.r12 * ny + p.r22 * nz),
-                        vb);
-        p.vertexB(b);
-        double t =
-                (p.px - p.a.vertexX(a)) * nx
-                        + (p.py - p.a.vertexY(a)) * ny
-                        + (p.pz - p.a.vertexZ(a)) * nz;
-        return t >= s - 0x1p-46 * p.scale;
     }
 }
