@@ -199,8 +199,12 @@ public final class ContactRows {
         c.cache[to] = c.cache[from];
         c.keeps[to] = c.keeps[from];
         if (c.keeps[from]) {
-            int k = ContactStore.KEPT;
-            System.arraycopy(c.kept, k * from, c.kept, k * to, k);
+            int source = ContactStore.keptAt(from);
+            int target = ContactStore.keptAt(to);
+            for (int n = 0; n < ContactStore.KEPT; n++) {
+                c.kept[target + ContactStore.KEPT_ROWS * n] =
+                        c.kept[source + ContactStore.KEPT_ROWS * n];
+            }
         }
         if (c.memory.length > 0) {
             int n = PairMemory.SIZE;

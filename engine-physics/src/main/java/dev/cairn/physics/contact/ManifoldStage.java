@@ -14,6 +14,7 @@ import dev.cairn.physics.narrowphase.RoundContacts;
 import dev.cairn.physics.narrowphase.RoundPairs;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
+import dev.cairn.physics.narrowphase.wide.KeptBatch;
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
@@ -36,6 +37,9 @@ public final class ManifoldStage {
 
     /** At rest few pairs of a batch have moved; lanes would be empty. */
     private static final int MOVED_FOR_LANES = 8;
+
+    /** Fewer kept rows of a block are renewed one by one. */
+    private static final int KEPT_FOR_LANES = 12;
 
     /** Some 40 nanoseconds each. */
     private static final int ROUND_PER_BLOCK = 128;
@@ -223,51 +227,90 @@ public final class ManifoldStage {
     }
 
     private void boxes(int begin, int count, Scratch own) {
-        BodyStore s = bodies;
-        ContactStore c = contacts;
-        int[] order = kinds.order();
+        boolean lanes = kinds.begin(PairKinds.ROUND) >= PAIRS_FOR_LANES && BoxWarmUp.ready();
+        int moved = lanes ? renewWide(begin, count, own) : renewOnes(begin, count, own);
         BoxContacts batch = own.boxes;
-        int moved = 0;
-        for (int i = 0; i < count; i++) {
-            int row = order[begin + i];
-            int a = c.bodyA[row];
-            int b = c.bodyB[row];
-            double margin = margin(a, b);
-            if (recycler.renew(row, margin)) {
-                continue;
-            }
-            own.row[moved] = row;
-            own.margin[moved] = margin;
-            batch.put(
-                    moved++,
-                    (Box) s.shape[a],
-                    (Box) s.shape[b],
-                    s.orientationX[a],
-                    s.orientationY[a],
-                    s.orientationZ[a],
-                    s.orientationW[a],
-                    s.orientationX[b],
-                    s.orientationY[b],
-                    s.orientationZ[b],
-                    s.orientationW[b],
-                    s.positionX[b] - s.positionX[a],
-                    s.positionY[b] - s.positionY[a],
-                    s.positionZ[b] - s.positionZ[a],
-                    Math.min(s.innerRadius[a], s.innerRadius[b]),
-                    margin,
-                    c.cache[row]);
-        }
-        batch.useLanes(
-                kinds.begin(PairKinds.ROUND) >= PAIRS_FOR_LANES
-                        && moved >= MOVED_FOR_LANES
-                        && BoxWarmUp.ready());
+        batch.useLanes(lanes && moved >= MOVED_FOR_LANES);
         batch.run(moved);
         for (int i = 0; i < moved; i++) {
             int row = own.row[i];
-            c.cache[row] = batch.take(i, own.manifold);
+            contacts.cache[row] = batch.take(i, own.manifold);
             points.store(row, own.manifold, own.points);
             recycler.keep(row, own.manifold, batch.leftOut(i), own.margin[i]);
         }
+    }
+
+    /** Renews what has hardly moved, and puts the rest into the batch; returns how many. */
+    private int renewOnes(int begin, int count, Scratch own) {
+        ContactStore c = contacts;
+        int[] order = kinds.order();
+        int moved = 0;
+        for (int i = begin; i < begin + count; i++) {
+            int row = order[i];
+            double margin = margin(c.bodyA[row], c.bodyB[row]);
+            if (!recycler.renew(row, margin)) {
+                put(moved++, row, margin, own);
+            }
+        }
+        return moved;
+    }
+
+    /** The same in lanes, a row to a lane, where the rows lie side by side. */
+    private int renewWide(int begin, int count, Scratch own) {
+        ContactStore c = contacts;
+        int[] order = kinds.order();
+        int first = order[begin] & -KeptBatch.LANES;
+        int places = order[begin + count - 1] - first + 1;
+        int keeps = 0;
+        for (int i = begin; i < begin + count; i++) {
+            keeps += c.keeps[order[i]] ? 1 : 0;
+        }
+        if (keeps < KEPT_FOR_LANES || places > KeptBatch.CAPACITY) {
+            return renewOnes(begin, count, own);
+        }
+        KeptBatch kept = own.kept;
+        for (int i = begin; i < begin + count; i++) {
+            int row = order[i];
+            if (c.keeps[row]) {
+                recycler.put(kept, row - first, row, bounds);
+            }
+        }
+        kept.run(places, c.kept, ContactStore.keptAt(first), reach, settings.speculativeFraction());
+        int moved = 0;
+        for (int i = begin; i < begin + count; i++) {
+            int row = order[i];
+            if (!c.keeps[row] || !recycler.take(kept, row - first, row)) {
+                put(moved++, row, margin(c.bodyA[row], c.bodyB[row]), own);
+            }
+        }
+        return moved;
+    }
+
+    private void put(int i, int row, double margin, Scratch own) {
+        BodyStore s = bodies;
+        ContactStore c = contacts;
+        int a = c.bodyA[row];
+        int b = c.bodyB[row];
+        own.row[i] = row;
+        own.margin[i] = margin;
+        own.boxes.put(
+                i,
+                (Box) s.shape[a],
+                (Box) s.shape[b],
+                s.orientationX[a],
+                s.orientationY[a],
+                s.orientationZ[a],
+                s.orientationW[a],
+                s.orientationX[b],
+                s.orientationY[b],
+                s.orientationZ[b],
+                s.orientationW[b],
+                s.positionX[b] - s.positionX[a],
+                s.positionY[b] - s.positionY[a],
+                s.positionZ[b] - s.positionZ[a],
+                Math.min(s.innerRadius[a], s.innerRadius[b]),
+                margin,
+                c.cache[row]);
     }
 
     private void collide(int row, Scratch own) {
@@ -323,6 +366,7 @@ public final class ManifoldStage {
     private static final class Scratch {
         final NarrowPhase narrowPhase = new NarrowPhase();
         final BoxContacts boxes = new BoxContacts(narrowPhase);
+        final KeptBatch kept = new KeptBatch();
         final RoundContacts round = new RoundContacts();
         final RoundPairs roundPairs = new RoundPairs();
         final int[] row = new int[BOXES_PER_BLOCK];

@@ -10,6 +10,8 @@ import dev.cairn.physics.narrowphase.RoundContacts;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.Arrays;
 
 /**
@@ -30,9 +32,17 @@ final class PairKinds {
     private static final int KINDS = 3;
     private static final int ROWS_PER_BLOCK = 512;
 
+    private static final int SLOTS_PER_BLOCK = 2048;
+
+    private final BlockJob shapeJob = this::shapeBlock;
     private final BlockJob countJob = this::countBlock;
     private final BlockJob writeJob = this::writeBlock;
     private final int[] begin = new int[KINDS + 1];
+
+    /** Of each body the shape when it was last looked at, and its kind. */
+    private @Nullable Shape[] seen = {};
+
+    private byte[] kindOfBody = {};
     private byte[] kind = {};
     private int[] sorted = {};
     private int[] cursor = {};
@@ -50,7 +60,12 @@ final class PairKinds {
             sorted = new int[rows.active.length];
             cursor = new int[KINDS * Blocks.count(kind.length, ROWS_PER_BLOCK)];
         }
+        if (seen.length < bodyStore.slotCount) {
+            seen = Arrays.copyOf(seen, bodyStore.shape.length);
+            kindOfBody = Arrays.copyOf(kindOfBody, seen.length);
+        }
         Arrays.fill(cursor, 0, KINDS * blocks, 0);
+        jobs.run(shapeJob, Blocks.count(bodyStore.slotCount, SLOTS_PER_BLOCK));
         jobs.run(countJob, blocks);
         int sum = 0;
         boolean mixed = false;
@@ -81,6 +96,25 @@ final class PairKinds {
         return order;
     }
 
+    /** A shape that is another one than before gets its kind; the shapes' own memory is far. */
+    private void shapeBlock(int block, int worker) {
+        int end = Blocks.end(block, SLOTS_PER_BLOCK, bodies.slotCount);
+        for (int slot = Blocks.begin(block, SLOTS_PER_BLOCK); slot < end; slot++) {
+            Shape shape = bodies.shape[slot];
+            if (shape != seen[slot]) {
+                seen[slot] = shape;
+                kindOfBody[slot] = (byte) kindOf(shape);
+            }
+        }
+    }
+
+    private static int kindOf(@Nullable Shape shape) {
+        if (shape instanceof Box box && BoxContacts.fits(box)) {
+            return BOXES;
+        }
+        return shape != null && RoundContacts.fits(shape) ? ROUND : OTHERS;
+    }
+
     private void countBlock(int block, int worker) {
         int end = Blocks.end(block, ROWS_PER_BLOCK, contacts.activeCount);
         int boxes = 0;
@@ -88,25 +122,16 @@ final class PairKinds {
         int first = Blocks.begin(block, ROWS_PER_BLOCK);
         for (int i = first; i < end; i++) {
             int row = contacts.active[i];
-            Shape a = bodies.shape[contacts.bodyA[row]];
-            Shape b = bodies.shape[contacts.bodyB[row]];
-            int of = OTHERS;
-            if (batched(a) && batched(b)) {
-                of = BOXES;
-                boxes++;
-            } else if (RoundContacts.fits(a) && RoundContacts.fits(b)) {
-                of = ROUND;
-                round++;
-            }
+            byte a = kindOfBody[contacts.bodyA[row]];
+            byte b = kindOfBody[contacts.bodyB[row]];
+            int of = a == b ? a : OTHERS;
             kind[i] = (byte) of;
+            boxes += of == BOXES ? 1 : 0;
+            round += of == ROUND ? 1 : 0;
         }
         cursor[KINDS * block + BOXES] = boxes;
         cursor[KINDS * block + ROUND] = round;
         cursor[KINDS * block + OTHERS] = end - first - boxes - round;
-    }
-
-    private static boolean batched(Shape shape) {
-        return shape instanceof Box box && BoxContacts.fits(box);
     }
 
     private void writeBlock(int block, int worker) {

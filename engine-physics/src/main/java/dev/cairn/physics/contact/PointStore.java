@@ -65,7 +65,6 @@ final class PointStore {
                     m.pointY[p] - dy,
                     m.pointZ[p] - dz);
             c.separation[at] = m.separation[p];
-            c.totalNormalImpulse[at] = 0;
         }
     }
 
@@ -83,6 +82,7 @@ final class PointStore {
             c.feature[at] = m.feature[p];
             c.normalImpulse[at] = 0;
             c.preload[at] = 0;
+            c.totalNormalImpulse[at] = 0;
             own.unmatched[p] = true;
             for (int q = 0; q < before; q++) {
                 if (own.feature[q] == m.feature[p] && !Double.isNaN(own.x[q])) {

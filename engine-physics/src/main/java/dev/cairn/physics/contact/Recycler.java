@@ -1,9 +1,18 @@
 package dev.cairn.physics.contact;
 
+import static dev.cairn.physics.narrowphase.wide.KeptBatch.CAPACITY;
+import static dev.cairn.physics.narrowphase.wide.KeptBatch.CENTRE;
+import static dev.cairn.physics.narrowphase.wide.KeptBatch.GAP;
+import static dev.cairn.physics.narrowphase.wide.KeptBatch.LIMIT;
+import static dev.cairn.physics.narrowphase.wide.KeptBatch.PLANE;
+import static dev.cairn.physics.narrowphase.wide.KeptBatch.POINT;
+import static dev.cairn.physics.narrowphase.wide.KeptBatch.SPIN;
+
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.Word;
+import dev.cairn.physics.narrowphase.wide.KeptBatch;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Polyhedron;
@@ -33,8 +42,8 @@ final class Recycler {
     /** Of the smaller inner radius: how far a pair may move before it is collided again. */
     static final double SHARE = 0x1p-12;
 
-    /** Places in a row of {@link ContactStore#kept}. */
-    private static final int CENTRE = 4, OFFSET = 7, SPIN = 8, LIMIT = 9, GAP = 10, POINT = 12;
+    /** Between the numbers of a row in {@link ContactStore#kept}. */
+    private static final int N = ContactStore.KEPT_ROWS;
 
     private BodyStore s = new BodyStore();
     private ContactStore c = new ContactStore();
@@ -62,8 +71,8 @@ final class Recycler {
             return false;
         }
         double[] k = c.kept;
-        int at = ContactStore.KEPT * row;
-        double room = k[at + GAP] - margin;
+        int at = ContactStore.keptAt(row);
+        double room = k[at + N * GAP] - margin;
         if (!(room > 0)) {
             return false;
         }
@@ -82,21 +91,21 @@ final class Recycler {
         double ey = s.positionY[i] - s.positionY[r];
         double ez = s.positionZ[i] - s.positionZ[r];
         double qx = rw * ix - rx * iw - ry * iz + rz * iy - k[at];
-        double qy = rw * iy - ry * iw - rz * ix + rx * iz - k[at + 1];
-        double qz = rw * iz - rz * iw - rx * iy + ry * ix - k[at + 2];
-        double qw = rw * iw + rx * ix + ry * iy + rz * iz - k[at + 3];
+        double qy = rw * iy - ry * iw - rz * ix + rx * iz - k[at + N];
+        double qz = rw * iz - rz * iw - rx * iy + ry * ix - k[at + N * 2];
+        double qw = rw * iw + rx * ix + ry * iy + rz * iz - k[at + N * 3];
         // e in the reference's axes, by v + 2 u x (u x v + w v) with u = -q.
         double tx = 2 * (rz * ey - ry * ez);
         double ty = 2 * (rx * ez - rz * ex);
         double tz = 2 * (ry * ex - rx * ey);
-        double cx = ex + rw * tx + (rz * ty - ry * tz) - k[at + CENTRE];
-        double cy = ey + rw * ty + (rx * tz - rz * tx) - k[at + CENTRE + 1];
-        double cz = ez + rw * tz + (ry * tx - rx * ty) - k[at + CENTRE + 2];
+        double cx = ex + rw * tx + (rz * ty - ry * tz) - k[at + N * CENTRE];
+        double cy = ey + rw * ty + (rx * tz - rz * tx) - k[at + N * (CENTRE + 1)];
+        double cz = ez + rw * tz + (ry * tx - rx * ty) - k[at + N * (CENTRE + 2)];
         double moved =
                 2
                         * ((cx * cx + cy * cy + cz * cz)
-                                + k[at + SPIN] * (qx * qx + qy * qy + (qz * qz + qw * qw)));
-        if (!(moved <= k[at + LIMIT] && moved < room * room)) {
+                                + k[at + N * SPIN] * (qx * qx + qy * qy + (qz * qz + qw * qw)));
+        if (!(moved <= k[at + N * LIMIT] && moved < room * room)) {
             return false;
         }
         if (c.pointCount[row] == 0) {
@@ -161,20 +170,21 @@ final class Recycler {
         double m21 = 2 * (iy * iz + iw * ix);
         double m22 = 1 - 2 * (ix * ix + iy * iy);
         double[] k = c.kept;
-        int at = ContactStore.KEPT * row;
-        double before = ex * nx + ey * ny + ez * nz - k[at + OFFSET];
+        int at = ContactStore.keptAt(row);
+        double before = ex * nx + ey * ny + ez * nz - k[at + N * PLANE];
         int to = ContactStore.POINTS * row;
         int end = to + c.pointCount[row];
         double[] anchors = c.anchors;
         int incident = ContactStore.anchor(to) + (flip ? 0 : 3);
         int reference = ContactStore.anchor(to) + (flip ? 3 : 0);
         double farthest = -Double.MAX_VALUE;
-        for (int p = at + POINT;
+        for (int p = at + N * POINT;
                 to < end;
-                to++, p += 3, incident += ContactStore.ANCHORS, reference += ContactStore.ANCHORS) {
-            double x = m00 * k[p] + m01 * k[p + 1] + m02 * k[p + 2];
-            double y = m10 * k[p] + m11 * k[p + 1] + m12 * k[p + 2];
-            double z = m20 * k[p] + m21 * k[p + 1] + m22 * k[p + 2];
+                to++, p += 3 * N, incident += ContactStore.ANCHORS,
+                        reference += ContactStore.ANCHORS) {
+            double x = m00 * k[p] + m01 * k[p + N] + m02 * k[p + 2 * N];
+            double y = m10 * k[p] + m11 * k[p + N] + m12 * k[p + 2 * N];
+            double z = m20 * k[p] + m21 * k[p + N] + m22 * k[p + 2 * N];
             double separation = x * nx + y * ny + z * nz + before;
             farthest = separation > farthest ? separation : farthest;
             // Anchors are midway between the surfaces.
@@ -189,9 +199,105 @@ final class Recycler {
             anchors[reference + 1] = y + ey;
             anchors[reference + 2] = z + ez;
             c.separation[to] = separation;
-            c.totalNormalImpulse[to] = 0;
         }
         return farthest;
+    }
+
+    /** Puts a pair of boxes that is kept into a batch; see {@link #renew}. */
+    void put(KeptBatch batch, int place, int row, BoundsStage bounds) {
+        double[] t = batch.data;
+        int a = c.bodyA[row];
+        int b = c.bodyB[row];
+        t[KeptBatch.AHEAD + place] = bounds.aheadX[b] - bounds.aheadX[a];
+        t[KeptBatch.AHEAD + CAPACITY + place] = bounds.aheadY[b] - bounds.aheadY[a];
+        t[KeptBatch.AHEAD + 2 * CAPACITY + place] = bounds.aheadZ[b] - bounds.aheadZ[a];
+        t[KeptBatch.ARC_A + place] = bounds.turn[a];
+        t[KeptBatch.ARC_B + place] = bounds.turn[b];
+        t[KeptBatch.INNER + place] = Math.min(s.innerRadius[a], s.innerRadius[b]);
+        long word = c.cache[row];
+        boolean flip = Word.onFaceOfB(word);
+        int r = flip ? b : a;
+        int i = flip ? a : b;
+        t[KeptBatch.TURN_R + place] = s.orientationX[r];
+        t[KeptBatch.TURN_R + CAPACITY + place] = s.orientationY[r];
+        t[KeptBatch.TURN_R + 2 * CAPACITY + place] = s.orientationZ[r];
+        t[KeptBatch.TURN_R + 3 * CAPACITY + place] = s.orientationW[r];
+        t[KeptBatch.TURN_I + place] = s.orientationX[i];
+        t[KeptBatch.TURN_I + CAPACITY + place] = s.orientationY[i];
+        t[KeptBatch.TURN_I + 2 * CAPACITY + place] = s.orientationZ[i];
+        t[KeptBatch.TURN_I + 3 * CAPACITY + place] = s.orientationW[i];
+        t[KeptBatch.OFFSET + place] = s.positionX[i] - s.positionX[r];
+        t[KeptBatch.OFFSET + CAPACITY + place] = s.positionY[i] - s.positionY[r];
+        t[KeptBatch.OFFSET + 2 * CAPACITY + place] = s.positionZ[i] - s.positionZ[r];
+        int face = Word.faceOf(word);
+        t[KeptBatch.AXIS + place] = face >> 1;
+        t[KeptBatch.SIGN + place] = (face & 1) == 0 ? -1 : 1;
+    }
+
+    /**
+     * Renews a row from a batch that has run.
+     *
+     * @return false when the pair must be collided
+     */
+    boolean take(KeptBatch batch, int place, int row) {
+        double[] t = batch.data;
+        if (t[KeptBatch.STAYS + place] == 0) {
+            return false;
+        }
+        int count = c.pointCount[row];
+        if (count == 0) {
+            return true;
+        }
+        boolean flip = flip(row);
+        double sign = flip ? -1 : 1;
+        double[] head = c.head;
+        int h = ContactStore.head(row);
+        head[h] = sign * t[KeptBatch.NORMAL + place];
+        head[h + 1] = sign * t[KeptBatch.NORMAL + CAPACITY + place];
+        head[h + 2] = sign * t[KeptBatch.NORMAL + 2 * CAPACITY + place];
+        int first = ContactStore.POINTS * row;
+        int o = ContactStore.anchor(first);
+        double farthest;
+        if (flip) {
+            farthest = anchors(t, place, count, c.anchors, o, o + 3);
+        } else {
+            farthest = anchors(t, place, count, c.anchors, o + 3, o);
+        }
+        double[] separation = c.separation;
+        for (int p = 0; p < count; p++) {
+            double s = t[KeptBatch.SEPARATION + p * CAPACITY + place];
+            separation[first + p] = s;
+        }
+        return farthest <= t[KeptBatch.MARGIN + place];
+    }
+
+    private static double anchors(double[] t, int place, int count, double[] to, int i, int r) {
+        double most = t[KeptBatch.SEPARATION + place];
+        point(t, KeptBatch.ANCHOR + place, to, i, r);
+        if (count == 1) {
+            return most;
+        }
+        most = Math.max(most, t[KeptBatch.SEPARATION + CAPACITY + place]);
+        point(t, KeptBatch.ANCHOR + 6 * CAPACITY + place, to, i + 6, r + 6);
+        if (count == 2) {
+            return most;
+        }
+        most = Math.max(most, t[KeptBatch.SEPARATION + 2 * CAPACITY + place]);
+        point(t, KeptBatch.ANCHOR + 12 * CAPACITY + place, to, i + 12, r + 12);
+        if (count == 3) {
+            return most;
+        }
+        point(t, KeptBatch.ANCHOR + 18 * CAPACITY + place, to, i + 18, r + 18);
+        return Math.max(most, t[KeptBatch.SEPARATION + 3 * CAPACITY + place]);
+    }
+
+    private static void point(double[] t, int from, double[] to, int i, int r) {
+        to[i] = t[from];
+        to[i + 1] = t[from + CAPACITY];
+        to[i + 2] = t[from + 2 * CAPACITY];
+        to[r] = t[from + 3 * CAPACITY];
+        to[r + 1] = t[from + 4 * CAPACITY];
+        to[r + 2] = t[from + 5 * CAPACITY];
     }
 
     /** The reference is B. */
@@ -239,22 +345,22 @@ final class Recycler {
         double ey = s.positionY[i] - s.positionY[r];
         double ez = s.positionZ[i] - s.positionZ[r];
         double[] k = c.kept;
-        int at = ContactStore.KEPT * row;
+        int at = ContactStore.keptAt(row);
         k[at] = rw * ix - rx * iw - ry * iz + rz * iy;
-        k[at + 1] = rw * iy - ry * iw - rz * ix + rx * iz;
-        k[at + 2] = rw * iz - rz * iw - rx * iy + ry * ix;
-        k[at + 3] = rw * iw + rx * ix + ry * iy + rz * iz;
+        k[at + N] = rw * iy - ry * iw - rz * ix + rx * iz;
+        k[at + N * 2] = rw * iz - rz * iw - rx * iy + ry * ix;
+        k[at + N * 3] = rw * iw + rx * ix + ry * iy + rz * iz;
         double tx = 2 * (rz * ey - ry * ez);
         double ty = 2 * (rx * ez - rz * ex);
         double tz = 2 * (ry * ex - rx * ey);
-        k[at + CENTRE] = ex + rw * tx + (rz * ty - ry * tz);
-        k[at + CENTRE + 1] = ey + rw * ty + (rx * tz - rz * tx);
-        k[at + CENTRE + 2] = ez + rw * tz + (ry * tx - rx * ty);
-        k[at + OFFSET] = offset(s.shape[r], Word.faceOf(c.cache[row]));
-        k[at + SPIN] = 4 * s.outerRadius[i] * s.outerRadius[i];
-        k[at + LIMIT] = apart ? Double.MAX_VALUE : allowed * allowed;
-        k[at + GAP] = gap;
-        keepPoints(m, flip, at + POINT, ix, iy, iz, iw, ex, ey, ez);
+        k[at + N * CENTRE] = ex + rw * tx + (rz * ty - ry * tz);
+        k[at + N * (CENTRE + 1)] = ey + rw * ty + (rx * tz - rz * tx);
+        k[at + N * (CENTRE + 2)] = ez + rw * tz + (ry * tx - rx * ty);
+        k[at + N * PLANE] = offset(s.shape[r], Word.faceOf(c.cache[row]));
+        k[at + N * SPIN] = 4 * s.outerRadius[i] * s.outerRadius[i];
+        k[at + N * LIMIT] = apart ? Double.MAX_VALUE : allowed * allowed;
+        k[at + N * GAP] = gap;
+        keepPoints(m, flip, at + N * POINT, ix, iy, iz, iw, ex, ey, ez);
     }
 
     /** How far the plane of a face is from the centre of its shape, m. */
@@ -300,10 +406,10 @@ final class Recycler {
                 y -= ey;
                 z -= ez;
             }
-            int to = at + 3 * p;
+            int to = at + 3 * N * p;
             k[to] = m00 * x + m10 * y + m20 * z;
-            k[to + 1] = m01 * x + m11 * y + m21 * z;
-            k[to + 2] = m02 * x + m12 * y + m22 * z;
+            k[to + N] = m01 * x + m11 * y + m21 * z;
+            k[to + 2 * N] = m02 * x + m12 * y + m22 * z;
         }
     }
 }

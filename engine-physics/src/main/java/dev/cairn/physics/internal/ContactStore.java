@@ -40,6 +40,9 @@ public final class ContactStore {
     /** Numbers per row in {@link #kept}. */
     public static final int KEPT = 24;
 
+    /** Rows whose numbers in {@link #kept} lie together: the first of each, then the second. */
+    public static final int KEPT_ROWS = 4;
+
     /** Rows in use. */
     public int count;
 
@@ -92,6 +95,8 @@ public final class ContactStore {
 
     /**
      * Relative pose and points when a pair of boxes was last collided; the manifold stage's own.
+     * Number n of a row is at {@code keptAt(row) + KEPT_ROWS * n}, so lanes read four rows as they
+     * lie.
      */
     public double[] kept = {};
 
@@ -145,6 +150,16 @@ public final class ContactStore {
      */
     public static int anchor(int point) {
         return START + ANCHORS * point;
+    }
+
+    /**
+     * Where a row begins in {@link #kept}; a group of rows begins at a cache line, as there.
+     *
+     * @param row of the contact
+     * @return index; the row's numbers follow, {@link #KEPT_ROWS} apart
+     */
+    public static int keptAt(int row) {
+        return START + KEPT * (row & -KEPT_ROWS) + (row & (KEPT_ROWS - 1));
     }
 
     /**
@@ -381,7 +396,7 @@ public final class ContactStore {
         touching = Arrays.copyOf(touching, n);
         cache = Arrays.copyOf(cache, n);
         keeps = Arrays.copyOf(keeps, n);
-        kept = Arrays.copyOf(kept, n * KEPT);
+        kept = Arrays.copyOf(kept, keptAt(n + KEPT_ROWS));
         anchors = Arrays.copyOf(anchors, anchor(m));
         separation = Arrays.copyOf(separation, m);
         feature = Arrays.copyOf(feature, m);
