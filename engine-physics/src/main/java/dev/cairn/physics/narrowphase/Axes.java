@@ -20,6 +20,9 @@ final class Axes {
     int faceA, faceB;
     double separationA, separationB;
 
+    /** The vertices that these faces met, where they were not found by the fifteen axes. */
+    int vertexOfB, vertexOfA;
+
     /**
      * Edges and their common unit perpendicular from A to B; {@code separationEdge} is {@link
      * #NEVER} without.
@@ -255,8 +258,10 @@ final class Axes {
         boolean edges = separationEdge > NEVER;
         faceA = edges ? faceAtEdge(p.a, edgeA, x, y, z) : faceToward(p.a, va, x, y, z);
         separationA = p.faceSeparationA(faceA);
+        vertexOfB = p.end;
         faceB = edges ? faceAtEdge(p.b, edgeB, -bx, -by, -bz) : faceToward(p.b, vb, -bx, -by, -bz);
         separationB = p.faceSeparationB(faceB);
+        vertexOfA = p.end;
         // What a feature tells does not depend on how the search came to it; the axis as it came
         // from there does, in the last bits.
         double most = Math.max(separationEdge, Math.max(separationA, separationB));
@@ -282,8 +287,10 @@ final class Axes {
         double bz = p.r02 * x + p.r12 * y + p.r22 * z;
         faceA = faceBeside(p.a, ea, x, y, z);
         separationA = p.faceSeparationA(faceA, p.b.edgeFrom(eb));
+        vertexOfB = p.end;
         faceB = faceBeside(p.b, eb, -bx, -by, -bz);
         separationB = p.faceSeparationB(faceB, p.a.edgeFrom(ea));
+        vertexOfA = p.end;
     }
 
     /** Of the two faces of an edge, the one whose normal is nearer to a direction. */

@@ -45,6 +45,9 @@ final class Pair {
     /** A support point of B in A's frame, see {@link #vertexB}. */
     double px, py, pz;
 
+    /** The vertex that the last {@link #faceSeparationA} or {@link #faceSeparationB} met. */
+    int end;
+
     void set(
             Shape shapeA,
             Shape shapeB,
@@ -224,7 +227,8 @@ final class Pair {
         double x = a.normalX(face);
         double y = a.normalY(face);
         double z = a.normalZ(face);
-        vertexB(endB(-x, -y, -z));
+        end = endB(-x, -y, -z);
+        vertexB(end);
         return px * x + py * y + pz * z - a.offset(face);
     }
 
@@ -237,6 +241,7 @@ final class Pair {
         double ay = r10 * x + r11 * y + r12 * z;
         double az = r20 * x + r21 * y + r22 * z;
         int v = endA(-ax, -ay, -az);
+        end = v;
         double ux = vertexAX(v) - dx;
         double uy = vertexAY(v) - dy;
         double uz = vertexAZ(v) - dz;
@@ -248,12 +253,13 @@ final class Pair {
         double x = a.normalX(face);
         double y = a.normalY(face);
         double z = a.normalZ(face);
-        vertexB(
+        end =
                 b.climb(
                         -(r00 * x + r10 * y + r20 * z),
                         -(r01 * x + r11 * y + r21 * z),
                         -(r02 * x + r12 * y + r22 * z),
-                        near));
+                        near);
+        vertexB(end);
         return px * x + py * y + pz * z - a.offset(face);
     }
 
@@ -266,6 +272,7 @@ final class Pair {
         double ay = r10 * x + r11 * y + r12 * z;
         double az = r20 * x + r21 * y + r22 * z;
         int v = a.climb(-ax, -ay, -az, near);
+        end = v;
         return (a.vertexX(v) - dx) * ax
                 + (a.vertexY(v) - dy) * ay
                 + (a.vertexZ(v) - dz) * az

@@ -177,7 +177,13 @@ final class Polyhedra {
                 warm.clipped && flip == warm.onB && warm.face == (flip ? axes.faceB : axes.faceA);
         if (!clipped) {
             out.pointCount = 0;
-            points.face(flip, margin, CALM * pair.inner, (int) cache, out);
+            double calm = CALM * pair.inner;
+            if (warm.certain) {
+                int v = flip ? axes.vertexOfA : axes.vertexOfB;
+                points.face(flip, v, margin, calm, (int) cache, out);
+            } else {
+                points.face(flip, margin, calm, (int) cache, out);
+            }
         }
         long kind = flip ? FACE_B : FACE_A;
         if (out.pointCount == 0 || (depthOfPoints && strays(out, flip, best, before == EDGES))) {
@@ -216,6 +222,7 @@ final class Polyhedra {
             if (s >= enough) {
                 axes.faceA = last;
                 axes.separationA = s;
+                axes.vertexOfB = pair.end;
             }
         }
         if (calmFace && before == FACE_B && last != axes.faceB && last < pair.b.faceCount()) {
@@ -223,6 +230,7 @@ final class Polyhedra {
             if (s >= enough) {
                 axes.faceB = last;
                 axes.separationB = s;
+                axes.vertexOfA = pair.end;
             }
         }
         double bias = before == FACE_A ? calm : before == FACE_B ? -calm : 0x1p-40 * pair.scale;
