@@ -131,8 +131,8 @@ public final class PairSet {
      * @param tick any
      */
     public void move(int tick) {
-        int f = tick % (2 * FRAMES);
-        f = f < FRAMES ? f : 2 * FRAMES - 1 - f;
+        int f = tick % (2 * FRAMES - 2);
+        f = f < FRAMES ? f : 2 * FRAMES - 2 - f;
         for (int i = 0; i < SIZE; i++) {
             offset[i] = frames[FRAMES * i + f];
             turnB[i] = framesB[FRAMES * i + f];

@@ -207,6 +207,7 @@ public final class NarrowPhase {
             }
         }
         if (method == Method.SPECIALISED
+                && (a instanceof Sphere || b instanceof Sphere)
                 && ballBox.collide(
                         a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz, margin, out)) {
             exact();

@@ -86,7 +86,7 @@ final class Polyhedra {
         if (hulls && cache != 0) {
             long crossing = remembers ? memory[at + PairMemory.CROSSING] : 0;
             if (remembers) {
-                warm.proof.recall(pair, memory, at + PairMemory.PROOF);
+                warm.proof.recall(pair, memory, at + PairMemory.PROOF, CALM * pair.inner);
             } else {
                 warm.proof.none();
             }

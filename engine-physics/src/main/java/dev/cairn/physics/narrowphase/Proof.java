@@ -47,25 +47,35 @@ final class Proof {
         same = false;
     }
 
-    /** Takes what a place tells about the present pose. */
-    void recall(Pair p, long[] memory, int at) {
+    /**
+     * Takes what a place tells about the present pose; nothing when the move alone is more than any
+     * depth may be wrong by.
+     */
+    void recall(Pair p, long[] memory, int at, double calm) {
+        boolean second = movesB(p);
+        double ex = centreX(p, second) - Double.longBitsToDouble(memory[at + CENTRE]);
+        double ey = centreY(p, second) - Double.longBitsToDouble(memory[at + CENTRE + 1]);
+        double ez = centreZ(p, second) - Double.longBitsToDouble(memory[at + CENTRE + 2]);
+        double slide = ex * ex + ey * ey + ez * ez;
+        low = Double.longBitsToDouble(memory[at + LOW]);
+        high = Double.longBitsToDouble(memory[at + HIGH]);
+        double most = 1.5 * calm + 0.15 * Math.max(Math.abs(low), Math.abs(high));
+        if (2 * slide > most * most) {
+            none();
+            return;
+        }
         double x = p.qx - Double.longBitsToDouble(memory[at]);
         double y = p.qy - Double.longBitsToDouble(memory[at + 1]);
         double z = p.qz - Double.longBitsToDouble(memory[at + 2]);
         double w = p.qw - Double.longBitsToDouble(memory[at + 3]);
-        boolean second = movesB(p);
-        double radius = second ? p.b.outerRadius() : p.a.outerRadius();
-        double ex = centreX(p, second) - Double.longBitsToDouble(memory[at + CENTRE]);
-        double ey = centreY(p, second) - Double.longBitsToDouble(memory[at + CENTRE + 1]);
-        double ez = centreZ(p, second) - Double.longBitsToDouble(memory[at + CENTRE + 2]);
         double turn = 4 * (x * x + y * y + (z * z + w * w));
-        double slide = ex * ex + ey * ey + ez * ez;
+        double radius = second ? p.b.outerRadius() : p.a.outerRadius();
         same = turn + slide == 0;
         double rounding = same ? 0 : ROUNDING * p.scale;
         double moved = Math.sqrt(2 * (slide + radius * radius * turn)) + rounding;
         double ofFaces = Math.sqrt(2 * (slide + 4 * p.scale * p.scale * turn)) + rounding;
-        low = Double.longBitsToDouble(memory[at + LOW]) - moved;
-        high = Double.longBitsToDouble(memory[at + HIGH]) + moved;
+        low -= moved;
+        high += moved;
         rival = Math.min(high, Double.longBitsToDouble(memory[at + RIVAL]) + ofFaces);
         face = (int) memory[at + FACE] >>> 1;
         onB = (memory[at + FACE] & 1) != 0;
