@@ -37,23 +37,15 @@ final class Clipper {
     /** The least separation that was beyond the margin, m; infinite when none was. */
     double leftOut;
 
-    /**
-     * What the side after a corner came from: an edge of the incident shape, or the complement of a
-     * reference slot.
-     */
-    private int[] side = new int[32];
-
     /** How far beyond the side plane at hand each corner is. */
     private double[] beyond = new double[32];
 
-    /** How far from a side plane each corner counts as on it. */
-    private double[] slack = new double[32];
+    /**
+     * What is cut and what is made of it, by turns: to exchange two references is less work for a
+     * collector than to exchange one for each column.
+     */
+    private Polygon whole = new Polygon(32), rest = new Polygon(32);
 
-    private double[] nextX = new double[32],
-            nextY = new double[32],
-            nextZ = new double[32],
-            nextSlack = new double[32];
-    private int[] nextFeature = new int[32], nextSide = new int[32];
     private int made;
     private boolean flip;
     private int last;
@@ -85,15 +77,16 @@ final class Clipper {
         double offset = reference.offset(face);
         int kept = 0;
         leftOut = Double.POSITIVE_INFINITY;
+        Polygon w = whole;
         for (int i = 0; i < count; i++) {
-            double s = nx * x[i] + ny * y[i] + nz * z[i] - offset;
+            double s = nx * w.x[i] + ny * w.y[i] + nz * w.z[i] - offset;
             if (s > margin) {
                 leftOut = s < leftOut ? s : leftOut;
             } else {
-                x[kept] = x[i];
-                y[kept] = y[i];
-                z[kept] = z[i];
-                feature[kept] = feature[i];
+                x[kept] = w.x[i];
+                y[kept] = w.y[i];
+                z[kept] = w.z[i];
+                feature[kept] = w.feature[i];
                 separation[kept++] = s;
             }
         }
@@ -108,24 +101,25 @@ final class Clipper {
             grow(need);
         }
         int kind = flip ? VERTEX_A : VERTEX_B;
+        Polygon w = whole;
         for (int i = 0; i < count; i++) {
             int v = other.slotVertex(begin + i);
             if (flip) {
                 double ux = other.vertexX(v) - p.dx;
                 double uy = other.vertexY(v) - p.dy;
                 double uz = other.vertexZ(v) - p.dz;
-                x[i] = p.r00 * ux + p.r10 * uy + p.r20 * uz;
-                y[i] = p.r01 * ux + p.r11 * uy + p.r21 * uz;
-                z[i] = p.r02 * ux + p.r12 * uy + p.r22 * uz;
+                w.x[i] = p.r00 * ux + p.r10 * uy + p.r20 * uz;
+                w.y[i] = p.r01 * ux + p.r11 * uy + p.r21 * uz;
+                w.z[i] = p.r02 * ux + p.r12 * uy + p.r22 * uz;
             } else {
                 p.vertexB(v);
-                x[i] = p.px;
-                y[i] = p.py;
-                z[i] = p.pz;
+                w.x[i] = p.px;
+                w.y[i] = p.py;
+                w.z[i] = p.pz;
             }
-            feature[i] = kind | v;
-            slack[i] = slack(feature[i]);
-            side[i] = other.slotEdge(begin + i);
+            w.feature[i] = kind | v;
+            w.slack[i] = slack(kind | v);
+            w.side[i] = other.slotEdge(begin + i);
         }
     }
 
@@ -142,15 +136,9 @@ final class Clipper {
         z = Arrays.copyOf(z, need);
         separation = Arrays.copyOf(separation, need);
         feature = Arrays.copyOf(feature, need);
-        side = Arrays.copyOf(side, need);
-        slack = Arrays.copyOf(slack, need);
         beyond = new double[need];
-        nextSlack = new double[need];
-        nextX = new double[need];
-        nextY = new double[need];
-        nextZ = new double[need];
-        nextFeature = new int[need];
-        nextSide = new int[need];
+        whole = new Polygon(need);
+        rest = new Polygon(need);
     }
 
     /**
@@ -162,12 +150,13 @@ final class Clipper {
         double sy = reference.sideY(slot);
         double sz = reference.sideZ(slot);
         double so = reference.sideOffset(slot);
+        Polygon p = whole;
         int corners = count;
         int outside = 0;
         for (int i = 0; i < corners; i++) {
-            double s = sx * x[i] + sy * y[i] + sz * z[i] - so;
+            double s = sx * p.x[i] + sy * p.y[i] + sz * p.z[i] - so;
             beyond[i] = s;
-            outside += s > slack[i] ? 1 : 0;
+            outside += s > p.slack[i] ? 1 : 0;
         }
         if (outside == 0) {
             return;
@@ -175,25 +164,31 @@ final class Clipper {
         made = 0;
         if (outside < corners) {
             emitAll(slot, face);
+            whole = rest;
+            rest = p;
         }
-        swap();
+        count = made;
     }
 
     private void emitAll(int slot, int face) {
+        Polygon p = whole;
         int corners = count;
         for (int i = 0; i < corners; i++) {
             int j = i + 1 == corners ? 0 : i + 1;
             double here = beyond[i];
             double there = beyond[j];
-            if (here <= slack[i]) {
-                boolean out = there > slack[j];
-                boolean inside = here < -slack[i];
-                emit(x[i], y[i], z[i], feature[i], slack[i], out && !inside ? ~slot : side[i]);
+            double slack = p.slack[i];
+            int side = p.side[i];
+            if (here <= slack) {
+                boolean out = there > p.slack[j];
+                boolean inside = here < -slack;
+                int leaving = out && !inside ? ~slot : side;
+                emit(p.x[i], p.y[i], p.z[i], p.feature[i], slack, leaving);
                 if (out && inside) {
-                    cross(i, j, here, there, slot, face, ~slot);
+                    cross(i, j, here / (here - there), name(side, slot, face), ~slot);
                 }
-            } else if (there < -slack[j]) {
-                cross(i, j, here, there, slot, face, side[i]);
+            } else if (there < -p.slack[j]) {
+                cross(i, j, here / (here - there), name(side, slot, face), side);
             }
         }
     }
@@ -203,21 +198,21 @@ final class Clipper {
     }
 
     private void emit(double px, double py, double pz, int name, double own, int leaving) {
-        nextX[made] = px;
-        nextY[made] = py;
-        nextZ[made] = pz;
-        nextFeature[made] = name;
-        nextSlack[made] = own;
-        nextSide[made++] = leaving;
+        Polygon p = rest;
+        p.x[made] = px;
+        p.y[made] = py;
+        p.z[made] = pz;
+        p.feature[made] = name;
+        p.slack[made] = own;
+        p.side[made++] = leaving;
     }
 
-    private void cross(int i, int j, double here, double there, int slot, int face, int leaving) {
-        double t = here / (here - there);
-        int name = name(side[i], slot, face);
+    private void cross(int i, int j, double t, int name, int leaving) {
+        Polygon p = whole;
         emit(
-                x[i] + t * (x[j] - x[i]),
-                y[i] + t * (y[j] - y[i]),
-                z[i] + t * (z[j] - z[i]),
+                p.x[i] + t * (p.x[j] - p.x[i]),
+                p.y[i] + t * (p.y[j] - p.y[i]),
+                p.z[i] + t * (p.z[j] - p.z[i]),
                 name,
                 slack(name),
                 leaving);
@@ -236,25 +231,28 @@ final class Clipper {
         return kind | reference.slotVertex(after == ~cutSide ? after : slot);
     }
 
-    private void swap() {
-        double[] t = x;
-        x = nextX;
-        nextX = t;
-        t = y;
-        y = nextY;
-        nextY = t;
-        t = z;
-        z = nextZ;
-        nextZ = t;
-        t = slack;
-        slack = nextSlack;
-        nextSlack = t;
-        int[] u = feature;
-        feature = nextFeature;
-        nextFeature = u;
-        u = side;
-        side = nextSide;
-        nextSide = u;
-        count = made;
+    /** Corners in the reference's frame. */
+    private static final class Polygon {
+        final double[] x, y, z;
+
+        /** How far from a side plane each corner counts as on it. */
+        final double[] slack;
+
+        final int[] feature;
+
+        /**
+         * What the side after a corner came from: an edge of the incident shape, or the complement
+         * of a reference slot.
+         */
+        final int[] side;
+
+        Polygon(int room) {
+            x = new double[room];
+            y = new double[room];
+            z = new double[room];
+            slack = new double[room];
+            feature = new int[room];
+            side = new int[room];
+        }
     }
 }

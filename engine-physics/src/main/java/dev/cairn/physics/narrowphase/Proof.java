@@ -69,14 +69,17 @@ final class Proof {
         double z = p.qz - Double.longBitsToDouble(memory[at + 2]);
         double w = p.qw - Double.longBitsToDouble(memory[at + 3]);
         double turn = 4 * (x * x + y * y + (z * z + w * w));
-        double radius = second ? p.b.outerRadius() : p.a.outerRadius();
+        rival = Double.longBitsToDouble(memory[at + RIVAL]);
         same = turn + slide == 0;
-        double rounding = same ? 0 : ROUNDING * p.scale;
-        double moved = Math.sqrt(2 * (slide + radius * radius * turn)) + rounding;
-        double ofFaces = Math.sqrt(2 * (slide + 4 * p.scale * p.scale * turn)) + rounding;
-        low -= moved;
-        high += moved;
-        rival = Math.min(high, Double.longBitsToDouble(memory[at + RIVAL]) + ofFaces);
+        if (!same) {
+            double radius = second ? p.b.outerRadius() : p.a.outerRadius();
+            double rounding = ROUNDING * p.scale;
+            double moved = Math.sqrt(2 * (slide + radius * radius * turn)) + rounding;
+            low -= moved;
+            high += moved;
+            rival += Math.sqrt(2 * (slide + 4 * p.scale * p.scale * turn)) + rounding;
+        }
+        rival = Math.min(high, rival);
         face = (int) memory[at + FACE] >>> 1;
         onB = (memory[at + FACE] & 1) != 0;
     }
