@@ -105,7 +105,9 @@ final class LanePrepare implements RowFiller {
         for (int j = from; j < to; j += L) {
             int o = START + j * FIELDS;
             if (j + L < to) {
-                scratch[TOUCHED * L] = Touch.contacts(rows, contacts, j + L, j + 2 * L);
+                scratch[TOUCHED * L] =
+                        Touch.contacts(rows, contacts, j + L, j + 2 * L)
+                                + Touch.rows(rows, j + L, j + 2 * L);
             }
             int n = 0;
             boolean rough = false;

@@ -141,6 +141,7 @@ final class Passes {
     void relax(Sweeps sweeps, SubStep sub, int from, int to, double[] scratch) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
+            scratch[Scratch.PACKED] = Touch.rows(rows, j, last);
             sweeps.relax(rows, body.state, sub, j, last, scratch);
         }
     }

@@ -32,6 +32,17 @@ final class Touch {
         return sum;
     }
 
+    /** The same for a range of rows, which lie in one piece. */
+    static double rows(ConstraintRows rows, int from, int to) {
+        double sum = 0;
+        double[] d = rows.row;
+        int end = ConstraintRows.START + to * ConstraintRows.FIELDS;
+        for (int i = ConstraintRows.START + from * ConstraintRows.FIELDS; i < end; i += LINE) {
+            sum += d[i];
+        }
+        return sum;
+    }
+
     /** The same for what the solver leaves in a contact. */
     static double results(ConstraintRows rows, ContactStore c, int from, int to) {
         double sum = 0;
