@@ -31,11 +31,15 @@ public final class BoundsStage {
     private final PhysicsSettings settings;
     private final BlockJob job = this::block;
 
-    /** Velocity at the end of the tick if nothing is in the way, m/s; 0 for fixed bodies. */
-    double[] aheadX = {}, aheadY = {}, aheadZ = {};
+    /** Numbers of a body in {@link #ahead}. */
+    static final int AHEAD = 4;
 
-    /** How far turning may carry a surface out within the reach of time, m; 0 for fixed bodies. */
-    double[] turn = {};
+    /**
+     * Of each body, one after the other: velocity at the end of the tick if nothing is in the way,
+     * m/s, world x, y and z; and how far turning may carry a surface out within the reach of time,
+     * m. All 0 for fixed bodies.
+     */
+    double[] ahead = {};
 
     private byte[] state = {};
     private double[] box = {};
@@ -71,10 +75,7 @@ public final class BoundsStage {
             return;
         }
         int n = Math.max(capacity, Math.max(64, state.length + (state.length >> 1)));
-        aheadX = Arrays.copyOf(aheadX, n);
-        aheadY = Arrays.copyOf(aheadY, n);
-        aheadZ = Arrays.copyOf(aheadZ, n);
-        turn = Arrays.copyOf(turn, n);
+        ahead = Arrays.copyOf(ahead, AHEAD * n);
         state = Arrays.copyOf(state, n);
         box = Arrays.copyOf(box, 6 * n);
         blockChanges = new int[Blocks.count(n, BODIES_PER_BLOCK)];
@@ -143,10 +144,7 @@ public final class BoundsStage {
         box[at + 3] += store.positionX[slot];
         box[at + 4] += store.positionY[slot];
         box[at + 5] += store.positionZ[slot];
-        aheadX[slot] = 0;
-        aheadY[slot] = 0;
-        aheadZ[slot] = 0;
-        turn[slot] = 0;
+        setAhead(slot, 0, 0, 0, 0);
         target.place(slot, true, box, at);
     }
 
@@ -173,10 +171,15 @@ public final class BoundsStage {
      * @param slot of the body
      */
     public void rest(int slot) {
-        aheadX[slot] = step * gravityX;
-        aheadY[slot] = step * gravityY;
-        aheadZ[slot] = step * gravityZ;
-        turn[slot] = 0;
+        setAhead(slot, step * gravityX, step * gravityY, step * gravityZ, 0);
+    }
+
+    private void setAhead(int slot, double x, double y, double z, double arc) {
+        int at = AHEAD * slot;
+        ahead[at] = x;
+        ahead[at + 1] = y;
+        ahead[at + 2] = z;
+        ahead[at + 3] = arc;
     }
 
     /**
@@ -246,13 +249,10 @@ public final class BoundsStage {
         if (!valid) {
             return INVALID;
         }
-        aheadX[s] = vx;
-        aheadY[s] = vy;
-        aheadZ[s] = vz;
         double reach = step * settings.speculativeTime();
         double inner = b.innerRadius[s];
         double arc = Math.min(spin * outer * reach, outer - inner);
-        turn[s] = arc;
+        setAhead(s, vx, vy, vz, arc);
         b.shape[s].bounds(
                 b.orientationX[s],
                 b.orientationY[s],

@@ -17,8 +17,6 @@ import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
 import dev.cairn.physics.narrowphase.wide.KeptBatch;
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
 import dev.cairn.physics.shape.Box;
-import dev.cairn.physics.shape.Capsule;
-import dev.cairn.physics.shape.Sphere;
 
 import java.util.Arrays;
 
@@ -147,27 +145,29 @@ public final class ManifoldStage {
     }
 
     private void roundBatch(int begin, int count, Scratch own) {
-        BodyStore s = bodies;
-        ContactStore c = contacts;
-        int[] order = kinds.order();
         RoundPairs batch = own.roundPairs;
+        int[] order = kinds.order();
         for (int i = 0; i < count; i++) {
-            int row = order[begin + i];
-            int a = c.bodyA[row];
-            int b = c.bodyB[row];
-            batch.put(
-                    i,
-                    s.positionX[b] - s.positionX[a],
-                    s.positionY[b] - s.positionY[a],
-                    s.positionZ[b] - s.positionZ[a],
-                    margin(a, b));
-            putRound(i, false, a, batch);
-            putRound(i, true, b, batch);
+            putRound(i, order[begin + i], batch);
         }
         batch.run(count);
+        ContactStore c = contacts;
         for (int i = 0; i < count; i++) {
             int row = order[begin + i];
-            if (batch.take(i, own.manifold)) {
+            int first = ContactStore.POINTS * row;
+            if (batch.touches(i)
+                    && c.pointCount[row] == 1
+                    && c.feature[first] == RoundPairs.NAME
+                    && c.cache[row] == RoundPairs.SINGLE) {
+                // The same point as in the last tick: it keeps its name and its impulses.
+                c.separation[first] =
+                        batch.write(
+                                i,
+                                c.head,
+                                ContactStore.head(row),
+                                c.anchors,
+                                ContactStore.anchor(first));
+            } else if (batch.take(i, own.manifold)) {
                 c.cache[row] = RoundPairs.word(own.manifold);
                 points.store(row, own.manifold, own.points);
             } else {
@@ -176,20 +176,40 @@ public final class ManifoldStage {
         }
     }
 
-    private void putRound(int i, boolean second, int body, RoundPairs batch) {
+    private void putRound(int i, int row, RoundPairs batch) {
         BodyStore s = bodies;
-        if (s.shape[body] instanceof Capsule capsule) {
-            batch.capsule(
-                    i,
-                    second,
-                    capsule,
-                    s.orientationX[body],
-                    s.orientationY[body],
-                    s.orientationZ[body],
-                    s.orientationW[body]);
-        } else {
-            batch.ball(i, second, (Sphere) s.shape[body]);
+        double[] sizes = kinds.sizes();
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        double halfA = sizes[PairKinds.SIZES * a + 1];
+        double halfB = sizes[PairKinds.SIZES * b + 1];
+        batch.put(
+                i,
+                s.positionX[b] - s.positionX[a],
+                s.positionY[b] - s.positionY[a],
+                s.positionZ[b] - s.positionZ[a],
+                margin(a, b),
+                sizes[PairKinds.SIZES * a],
+                halfA,
+                sizes[PairKinds.SIZES * b],
+                halfB);
+        if (halfA != 0) {
+            turn(i, false, a, batch);
         }
+        if (halfB != 0) {
+            turn(i, true, b, batch);
+        }
+    }
+
+    private void turn(int i, boolean second, int body, RoundPairs batch) {
+        BodyStore s = bodies;
+        batch.turn(
+                i,
+                second,
+                s.orientationX[body],
+                s.orientationY[body],
+                s.orientationZ[body],
+                s.orientationW[body]);
     }
 
     private void roundOnes(int begin, int end, Scratch own) {
@@ -352,13 +372,16 @@ public final class ManifoldStage {
 
     /** The speculative margin of a pair; see the package's essay. */
     private double margin(int a, int b) {
-        double vx = bounds.aheadX[b] - bounds.aheadX[a];
-        double vy = bounds.aheadY[b] - bounds.aheadY[a];
-        double vz = bounds.aheadZ[b] - bounds.aheadZ[a];
+        double[] ahead = bounds.ahead;
+        int i = BoundsStage.AHEAD * a;
+        int j = BoundsStage.AHEAD * b;
+        double vx = ahead[j] - ahead[i];
+        double vy = ahead[j + 1] - ahead[i + 1];
+        double vz = ahead[j + 2] - ahead[i + 2];
         double smaller = Math.min(bodies.innerRadius[a], bodies.innerRadius[b]);
         return reach * Math.sqrt(vx * vx + vy * vy + vz * vz)
-                + bounds.turn[a]
-                + bounds.turn[b]
+                + ahead[i + 3]
+                + ahead[j + 3]
                 + settings.speculativeFraction() * smaller;
     }
 

@@ -8,7 +8,9 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.BoxContacts;
 import dev.cairn.physics.narrowphase.RoundContacts;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
 
 import org.jspecify.annotations.Nullable;
 
@@ -29,6 +31,9 @@ final class PairKinds {
     /** All the rest: one after another. */
     static final int OTHERS = 2;
 
+    /** Numbers for each body in {@link #sizes}. */
+    static final int SIZES = 4;
+
     private static final int KINDS = 3;
     private static final int ROWS_PER_BLOCK = 512;
 
@@ -43,6 +48,10 @@ final class PairKinds {
     private @Nullable Shape[] seen = {};
 
     private byte[] kindOfBody = {};
+
+    /** Of each body of the first two kinds: half extents, or radius and half length, m. */
+    private double[] size = {};
+
     private byte[] kind = {};
     private int[] sorted = {};
     private int[] cursor = {};
@@ -63,6 +72,7 @@ final class PairKinds {
         if (seen.length < bodyStore.slotCount) {
             seen = Arrays.copyOf(seen, bodyStore.shape.length);
             kindOfBody = Arrays.copyOf(kindOfBody, seen.length);
+            size = Arrays.copyOf(size, SIZES * seen.length);
         }
         Arrays.fill(cursor, 0, KINDS * blocks, 0);
         jobs.run(shapeJob, Blocks.count(bodyStore.slotCount, SLOTS_PER_BLOCK));
@@ -91,6 +101,14 @@ final class PairKinds {
         return begin[pairKind];
     }
 
+    /**
+     * Sizes of the bodies, {@link #SIZES} numbers each: half extents of a box, radius and half
+     * length of a capsule, radius and 0 of a ball, m.
+     */
+    double[] sizes() {
+        return size;
+    }
+
     /** The rows, sorted by kind. */
     int[] order() {
         return order;
@@ -104,7 +122,22 @@ final class PairKinds {
             if (shape != seen[slot]) {
                 seen[slot] = shape;
                 kindOfBody[slot] = (byte) kindOf(shape);
+                measure(shape, SIZES * slot);
             }
+        }
+    }
+
+    private void measure(@Nullable Shape shape, int at) {
+        if (shape instanceof Box box) {
+            size[at] = box.halfX();
+            size[at + 1] = box.halfY();
+            size[at + 2] = box.halfZ();
+        } else if (shape instanceof Capsule capsule) {
+            size[at] = capsule.radius();
+            size[at + 1] = capsule.halfLength();
+        } else if (shape instanceof Sphere ball) {
+            size[at] = ball.radius();
+            size[at + 1] = 0;
         }
     }
 

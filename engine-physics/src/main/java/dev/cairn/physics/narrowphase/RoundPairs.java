@@ -16,8 +16,6 @@ import static dev.cairn.physics.narrowphase.wide.RoundBatch.TURN_A;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.TURN_B;
 
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
-import dev.cairn.physics.shape.Capsule;
-import dev.cairn.physics.shape.Sphere;
 
 /**
  * Contacts of balls and capsules in batches, a pair to a lane: the same bits as {@link
@@ -30,54 +28,61 @@ public final class RoundPairs {
     private final double[] t = batch.data;
     private boolean capsules;
 
+    /** The name of a single point. */
+    public static final int NAME = ContactPoints.CLOSEST;
+
+    /** The word of a pair with a single point, see {@link #word}. */
+    public static final long SINGLE = RoundContacts.SINGLE;
+
     /** An empty batch. */
     public RoundPairs() {}
 
     /**
-     * Puts a pair into the batch; its shapes are put after it.
+     * Puts a pair into the batch.
      *
      * @param i its place, 0 to {@link RoundBatch#CAPACITY} - 1; 0 begins a new batch
      * @param dx centre of B minus centre of A, world axes, m
      * @param dy see {@code dx}
      * @param dz see {@code dx}
      * @param margin points up to this far apart are reported, m, not negative
+     * @param radiusA radius of A, m
+     * @param halfA half length of A, m; 0 for a ball
+     * @param radiusB radius of B, m
+     * @param halfB half length of B, m; 0 for a ball
      */
-    public void put(int i, double dx, double dy, double dz, double margin) {
+    public void put(
+            int i,
+            double dx,
+            double dy,
+            double dz,
+            double margin,
+            double radiusA,
+            double halfA,
+            double radiusB,
+            double halfB) {
         capsules &= i != 0;
+        capsules |= halfA != 0 || halfB != 0;
         t[OFFSET + i] = dx;
         t[OFFSET + CAPACITY + i] = dy;
         t[OFFSET + 2 * CAPACITY + i] = dz;
         t[MARGIN + i] = margin;
+        t[RADIUS_A + i] = radiusA;
+        t[HALF_A + i] = halfA;
+        t[RADIUS_B + i] = radiusB;
+        t[HALF_B + i] = halfB;
     }
 
     /**
-     * Puts a ball.
+     * Puts the orientation of a capsule.
      *
      * @param i the pair
      * @param second whether it is B
-     * @param ball the shape
-     */
-    public void ball(int i, boolean second, Sphere ball) {
-        t[(second ? RADIUS_B : RADIUS_A) + i] = ball.radius();
-        t[(second ? HALF_B : HALF_A) + i] = 0;
-    }
-
-    /**
-     * Puts a capsule.
-     *
-     * @param i the pair
-     * @param second whether it is B
-     * @param capsule the shape
-     * @param qx its orientation, world from body, unit quaternion
+     * @param qx world from body, unit quaternion
      * @param qy see {@code qx}
      * @param qz see {@code qx}
      * @param qw see {@code qx}
      */
-    public void capsule(
-            int i, boolean second, Capsule capsule, double qx, double qy, double qz, double qw) {
-        capsules = true;
-        t[(second ? RADIUS_B : RADIUS_A) + i] = capsule.radius();
-        t[(second ? HALF_B : HALF_A) + i] = capsule.halfLength();
+    public void turn(int i, boolean second, double qx, double qy, double qz, double qw) {
         int turn = (second ? TURN_B : TURN_A) + i;
         t[turn] = qx;
         t[turn + CAPACITY] = qy;
@@ -122,6 +127,42 @@ public final class RoundPairs {
             out.feature[0] = ContactPoints.CLOSEST;
         }
         return true;
+    }
+
+    /**
+     * Whether a pair has one point, after {@link #run}.
+     *
+     * @param i its place
+     * @return false when it is apart, or {@link NarrowPhase} must find it
+     */
+    public boolean touches(int i) {
+        return t[KIND + i] == RoundBatch.ONE_POINT;
+    }
+
+    /**
+     * Writes the contact of a pair that {@link #touches}, without more.
+     *
+     * @param i its place
+     * @param normal receives the unit normal from A to B
+     * @param n where
+     * @param anchors receives the point from A's centre, then from B's, world, m
+     * @param p where
+     * @return the separation, m
+     */
+    public double write(int i, double[] normal, int n, double[] anchors, int p) {
+        normal[n] = t[NORMAL + i];
+        normal[n + 1] = t[NORMAL + CAPACITY + i];
+        normal[n + 2] = t[NORMAL + 2 * CAPACITY + i];
+        double x = t[POINT + i];
+        double y = t[POINT + CAPACITY + i];
+        double z = t[POINT + 2 * CAPACITY + i];
+        anchors[p] = x;
+        anchors[p + 1] = y;
+        anchors[p + 2] = z;
+        anchors[p + 3] = x - t[OFFSET + i];
+        anchors[p + 4] = y - t[OFFSET + CAPACITY + i];
+        anchors[p + 5] = z - t[OFFSET + 2 * CAPACITY + i];
+        return t[SEPARATION + i];
     }
 
     /**

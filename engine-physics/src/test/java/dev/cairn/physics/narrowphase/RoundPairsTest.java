@@ -8,7 +8,6 @@ import dev.cairn.physics.narrowphase.wide.BoxAxes;
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Shape;
-import dev.cairn.physics.shape.Sphere;
 
 import org.junit.jupiter.api.Test;
 
@@ -37,16 +36,22 @@ class RoundPairsTest {
     }
 
     private static void put(RoundPairs batch, int i, Scene s, double margin) {
-        batch.put(i, s.d.x, s.d.y, s.d.z, margin);
-        for (int side = 0; side < 2; side++) {
-            Shape shape = side == 0 ? s.a : s.b;
-            if (shape instanceof Capsule c) {
-                var q = side == 0 ? s.qa : s.qb;
-                batch.capsule(i, side == 1, c, q.x, q.y, q.z, q.w);
-            } else {
-                batch.ball(i, side == 1, (Sphere) shape);
-            }
-        }
+        batch.put(
+                i,
+                s.d.x,
+                s.d.y,
+                s.d.z,
+                margin,
+                s.a.innerRadius(),
+                half(s.a),
+                s.b.innerRadius(),
+                half(s.b));
+        batch.turn(i, false, s.qa.x, s.qa.y, s.qa.z, s.qa.w);
+        batch.turn(i, true, s.qb.x, s.qb.y, s.qb.z, s.qb.w);
+    }
+
+    private static double half(Shape shape) {
+        return shape instanceof Capsule c ? c.halfLength() : 0;
     }
 
     @Test
