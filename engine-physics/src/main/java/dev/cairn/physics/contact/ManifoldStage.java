@@ -254,10 +254,38 @@ public final class ManifoldStage {
         batch.run(moved);
         for (int i = 0; i < moved; i++) {
             int row = own.row[i];
-            contacts.cache[row] = batch.take(i, own.manifold);
-            points.store(row, own.manifold, own.points);
-            recycler.keep(row, own.manifold, batch.leftOut(i), own.margin[i]);
+            if (!same(i, row, own)) {
+                contacts.cache[row] = batch.take(i, own.manifold);
+                points.store(row, own.manifold, own.points);
+                recycler.keep(row, own.manifold, batch.leftOut(i), own.margin[i]);
+            }
         }
+    }
+
+    /**
+     * Four points of a pair that moves, with the names of the last tick, go straight into the row.
+     */
+    private boolean same(int i, int row, Scratch own) {
+        ContactStore c = contacts;
+        BoxContacts batch = own.boxes;
+        int first = ContactStore.POINTS * row;
+        if (c.pointCount[row] != 4
+                || !batch.sameStraight(i, c.feature, first)
+                || recycler.stays(row, false, batch.leftOut(i), own.margin[i])) {
+            return false;
+        }
+        c.keeps[row] = false;
+        c.patch[row] = 0;
+        c.cache[row] =
+                batch.write(
+                        i,
+                        c.head,
+                        ContactStore.head(row),
+                        c.anchors,
+                        ContactStore.anchor(first),
+                        c.separation,
+                        first);
+        return true;
     }
 
     /** Renews what has hardly moved, and puts the rest into the batch; returns how many. */

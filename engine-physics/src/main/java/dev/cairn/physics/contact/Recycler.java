@@ -316,22 +316,14 @@ final class Recycler {
      *     is apart a lower bound of its distance; NaN when the contact is not one of a face
      */
     void keep(int row, Manifold m, double gap, double margin) {
+        boolean apart = m.pointCount == 0;
         c.keeps[row] = false;
-        if (Double.isNaN(gap)) {
+        if (!stays(row, apart, gap, margin)) {
             return;
         }
         int a = c.bodyA[row];
         int b = c.bodyB[row];
-        double inner = Math.min(s.innerRadius[a], s.innerRadius[b]);
-        boolean apart = m.pointCount == 0;
-        double allowed = apart ? gap - margin : SHARE * inner;
-        double vx = s.velocityX[b] - s.velocityX[a];
-        double vy = s.velocityY[b] - s.velocityY[a];
-        double vz = s.velocityZ[b] - s.velocityZ[a];
-        // Who will be elsewhere in the next tick need not be remembered.
-        if (!(stepSquared * (vx * vx + vy * vy + vz * vz) < allowed * allowed)) {
-            return;
-        }
+        double allowed = allowed(a, b, apart, gap, margin);
         c.keeps[row] = true;
         boolean flip = flip(row);
         int r = flip ? b : a;
@@ -364,6 +356,27 @@ final class Recycler {
         k[at + N * LIMIT] = apart ? Double.MAX_VALUE : allowed * allowed;
         k[at + N * GAP] = gap;
         keepPoints(m, flip, at + N * POINT, ix, iy, iz, iw, ex, ey, ez);
+    }
+
+    /**
+     * Whether a pair is worth keeping: who will be elsewhere in the next tick need not be
+     * remembered. The arguments are those of {@link #keep}.
+     */
+    boolean stays(int row, boolean apart, double gap, double margin) {
+        if (Double.isNaN(gap)) {
+            return false;
+        }
+        int a = c.bodyA[row];
+        int b = c.bodyB[row];
+        double allowed = allowed(a, b, apart, gap, margin);
+        double vx = s.velocityX[b] - s.velocityX[a];
+        double vy = s.velocityY[b] - s.velocityY[a];
+        double vz = s.velocityZ[b] - s.velocityZ[a];
+        return stepSquared * (vx * vx + vy * vy + vz * vz) < allowed * allowed;
+    }
+
+    private double allowed(int a, int b, boolean apart, double gap, double margin) {
+        return apart ? gap - margin : SHARE * Math.min(s.innerRadius[a], s.innerRadius[b]);
     }
 
     /** How far the plane of a face is from the centre of its shape, m. */

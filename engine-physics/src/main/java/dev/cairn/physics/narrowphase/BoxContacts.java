@@ -43,9 +43,6 @@ public final class BoxContacts {
      */
     private static final double THINNEST = 1e-9;
 
-    /** The first point in the first place, and so on; two bits each. */
-    private static final int IN_ORDER = 0b11_10_01_00;
-
     private static final Box NONE = Box.cube(1);
     private static final byte APART = 0;
     private static final byte FACE = 1;
@@ -262,19 +259,107 @@ public final class BoxContacts {
         out.normalZ = t[NORMAL + 2 * CAPACITY + i];
         int entry = cuts.straight[i];
         boolean straight = entry != BoxCuts.NOT_STRAIGHT;
-        int order = straight ? StraightNames.order(entry) : IN_ORDER;
-        for (int p = 0; p < points; p++, order >>= 2) {
-            int place = order & 3;
-            int at = CORNER + 3 * CAPACITY * place + i;
+        if (straight) {
+            straight(i, entry, out);
+            return;
+        }
+        for (int p = 0; p < points; p++) {
+            int at = CORNER + 3 * CAPACITY * p + i;
             out.pointX[p] = t[at];
             out.pointY[p] = t[at + CAPACITY];
             out.pointZ[p] = t[at + 2 * CAPACITY];
-            out.separation[p] =
-                    straight
-                            ? t[CUT_SEPARATION + place * CAPACITY + i]
-                            : cuts.separation[4 * i + p];
-            out.feature[p] = straight ? StraightNames.name(entry, p) : cuts.name[4 * i + p];
+            out.separation[p] = cuts.separation[4 * i + p];
+            out.feature[p] = cuts.name[4 * i + p];
         }
+    }
+
+    /** Without a loop, so that indices are checked once. */
+    private void straight(int i, int entry, Manifold out) {
+        int order = StraightNames.order(entry);
+        straight(i, entry, 0, order & 3, out);
+        straight(i, entry, 1, order >> 2 & 3, out);
+        straight(i, entry, 2, order >> 4 & 3, out);
+        straight(i, entry, 3, order >> 6 & 3, out);
+    }
+
+    private void straight(int i, int entry, int p, int place, Manifold out) {
+        int at = CORNER + 3 * CAPACITY * place + i;
+        out.pointX[p] = t[at];
+        out.pointY[p] = t[at + CAPACITY];
+        out.pointZ[p] = t[at + 2 * CAPACITY];
+        out.separation[p] = t[CUT_SEPARATION + place * CAPACITY + i];
+        out.feature[p] = StraightNames.name(entry, p);
+    }
+
+    /**
+     * Whether a pair has four points that were cut straight, with the same names as in the last
+     * tick; after {@link #run}, instead of {@link #take}.
+     *
+     * @param i its place
+     * @param names of the last tick, four from {@code first} on
+     * @param first where they begin
+     * @return false when {@link #take} must tell
+     */
+    public boolean sameStraight(int i, int[] names, int first) {
+        if (!wide || kind[i] != FACE || cuts.straight[i] == BoxCuts.NOT_STRAIGHT) {
+            return false;
+        }
+        int entry = cuts.straight[i];
+        return names[first] == StraightNames.name(entry, 0)
+                && names[first + 1] == StraightNames.name(entry, 1)
+                && names[first + 2] == StraightNames.name(entry, 2)
+                && names[first + 3] == StraightNames.name(entry, 3)
+                && !strays(i, deepest[i]);
+    }
+
+    /**
+     * Writes the contact of a pair of {@link #sameStraight}.
+     *
+     * @param i its place
+     * @param normal receives the unit normal from A to B, world
+     * @param n where
+     * @param anchors receives of each point its place from A's centre, then from B's, world, m
+     * @param at where
+     * @param separation receives the separations, m
+     * @param first where
+     * @return the word to pass next time
+     */
+    public long write(
+            int i,
+            double[] normal,
+            int n,
+            double[] anchors,
+            int at,
+            double[] separation,
+            int first) {
+        normal[n] = t[NORMAL + i];
+        normal[n + 1] = t[NORMAL + CAPACITY + i];
+        normal[n + 2] = t[NORMAL + 2 * CAPACITY + i];
+        int entry = cuts.straight[i];
+        int order = StraightNames.order(entry);
+        separation[first] = write(i, order & 3, anchors, at);
+        separation[first + 1] = write(i, order >> 2 & 3, anchors, at + 6);
+        separation[first + 2] = write(i, order >> 4 & 3, anchors, at + 12);
+        separation[first + 3] = write(i, order >> 6 & 3, anchors, at + 18);
+        int face = 2 * (int) t[AXIS + i] + (t[SIGN + i] > 0 ? 1 : 0);
+        return Word.of(
+                t[FLIP + i] != 0 ? NarrowPhase.FACE_B : NarrowPhase.FACE_A,
+                face,
+                StraightNames.names(entry));
+    }
+
+    private double write(int i, int place, double[] anchors, int at) {
+        int from = CORNER + 3 * CAPACITY * place + i;
+        double x = t[from];
+        double y = t[from + CAPACITY];
+        double z = t[from + 2 * CAPACITY];
+        anchors[at] = x;
+        anchors[at + 1] = y;
+        anchors[at + 2] = z;
+        anchors[at + 3] = x - t[OFFSET + i];
+        anchors[at + 4] = y - t[OFFSET + CAPACITY + i];
+        anchors[at + 5] = z - t[OFFSET + 2 * CAPACITY + i];
+        return t[CUT_SEPARATION + place * CAPACITY + i];
     }
 
     /** Decides whether a pair is apart, and else on its face. */

@@ -72,6 +72,10 @@ public final class BoxWarmUp {
             pairs.run(RoundBatch.CAPACITY, false);
             kept.run(KeptBatch.CAPACITY, numbers, 0, 1, 1);
             others = Math.min(others, System.nanoTime() - fifth);
+            int places = 1 + round % KeptBatch.CAPACITY;
+            int first = random.nextInt((KeptBatch.CAPACITY - places) / KeptBatch.LANES + 1);
+            kept.run(places, numbers, first * KeptBatch.LANES * KeptBatch.KEPT, 1, 1);
+            pairs.run(1 + round % RoundBatch.CAPACITY, round % 2 == 0);
             scalar = Math.min(scalar, second - start);
             axes = Math.min(axes, third - second);
             faces = Math.min(faces, end - fourth);
