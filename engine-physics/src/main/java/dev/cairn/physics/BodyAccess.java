@@ -315,9 +315,7 @@ final class BodyAccess {
         table.jumps[s]++;
         table.places++;
         wake(s);
-        bodies.positionX[s] = px;
-        bodies.positionY[s] = py;
-        bodies.positionZ[s] = pz;
+        bodies.place(s, px, py, pz);
         bodies.orientationX[s] = qx;
         bodies.orientationY[s] = qy;
         bodies.orientationZ[s] = qz;

@@ -252,9 +252,7 @@ final class BodyTable {
         b.shape[s] = shape;
         b.innerRadius[s] = shape.innerRadius();
         b.outerRadius[s] = shape.outerRadius();
-        b.positionX[s] = body.x + com[0];
-        b.positionY[s] = body.y + com[1];
-        b.positionZ[s] = body.z + com[2];
+        b.place(s, body.x + com[0], body.y + com[1], body.z + com[2]);
         b.orientationX[s] = body.qx;
         b.orientationY[s] = body.qy;
         b.orientationZ[s] = body.qz;

@@ -19,6 +19,9 @@ final class Digest {
             h = mix(h, b.positionX[s]);
             h = mix(h, b.positionY[s]);
             h = mix(h, b.positionZ[s]);
+            for (int i = 3 * s; b.isFar && i < 3 * s + 3; i++) {
+                h = b.positionLow[i] != 0 ? mix(h, b.positionLow[i]) : h;
+            }
             h = mix(h, b.orientationX[s]);
             h = mix(h, b.orientationY[s]);
             h = mix(h, b.orientationZ[s]);

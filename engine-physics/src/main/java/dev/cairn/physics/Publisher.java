@@ -201,9 +201,7 @@ final class Publisher {
                 table.comY[s],
                 table.comZ[s],
                 com);
-        b.positionX[s] = chunk.in(X)[row] + com[0];
-        b.positionY[s] = chunk.in(Y)[row] + com[1];
-        b.positionZ[s] = chunk.in(Z)[row] + com[2];
+        b.place(s, chunk.in(X)[row] + com[0], chunk.in(Y)[row] + com[1], chunk.in(Z)[row] + com[2]);
         b.velocityX[s] = 0;
         b.velocityY[s] = 0;
         b.velocityZ[s] = 0;

@@ -295,6 +295,10 @@ public final class BroadPhase {
         }
     }
 
+    /**
+     * A body's pairs are told in the order of slots: the tree's shape follows from the rounding of
+     * boxes, and would make another order of the same scene elsewhere.
+     */
     private void queryBlock(int block, int worker) {
         if (secondPass && !again[block]) {
             return;
@@ -303,12 +307,16 @@ public final class BroadPhase {
         int count = 0;
         for (int i = Blocks.begin(block, PROXIES_PER_BLOCK); i < end; i++) {
             int slot = movedSlots[i];
+            int first = count;
             if (where[slot] == DYNAMIC) {
                 count = query(dynamicTree, slot, found[block], count, stacks[worker]);
                 count = query(staticTree, slot, found[block], count, stacks[worker]);
                 count = queryEndless(slot, found[block], count);
             } else if (where[slot] != OUT) {
                 count = query(dynamicTree, slot, found[block], count, stacks[worker]);
+            }
+            if (count - first > 1 && count <= found[block].length) {
+                Arrays.sort(found[block], first, count);
             }
         }
         foundCount[block] = count;

@@ -185,9 +185,9 @@ public final class ManifoldStage {
         double halfB = sizes[PairKinds.SIZES * b + 1];
         batch.put(
                 i,
-                s.positionX[b] - s.positionX[a],
-                s.positionY[b] - s.positionY[a],
-                s.positionZ[b] - s.positionZ[a],
+                s.apartX(a, b),
+                s.apartY(a, b),
+                s.apartZ(a, b),
                 margin(a, b),
                 sizes[PairKinds.SIZES * a],
                 halfA,
@@ -232,9 +232,9 @@ public final class ManifoldStage {
                             s.orientationY[b],
                             s.orientationZ[b],
                             s.orientationW[b],
-                            s.positionX[b] - s.positionX[a],
-                            s.positionY[b] - s.positionY[a],
-                            s.positionZ[b] - s.positionZ[a],
+                            s.apartX(a, b),
+                            s.apartY(a, b),
+                            s.apartZ(a, b),
                             margin(a, b),
                             own.manifold);
             if (done) {
@@ -353,9 +353,9 @@ public final class ManifoldStage {
                 s.orientationY[b],
                 s.orientationZ[b],
                 s.orientationW[b],
-                s.positionX[b] - s.positionX[a],
-                s.positionY[b] - s.positionY[a],
-                s.positionZ[b] - s.positionZ[a],
+                s.apartX(a, b),
+                s.apartY(a, b),
+                s.apartZ(a, b),
                 Math.min(s.innerRadius[a], s.innerRadius[b]),
                 margin,
                 c.cache[row]);
@@ -386,9 +386,9 @@ public final class ManifoldStage {
                         s.orientationY[b],
                         s.orientationZ[b],
                         s.orientationW[b],
-                        s.positionX[b] - s.positionX[a],
-                        s.positionY[b] - s.positionY[a],
-                        s.positionZ[b] - s.positionZ[a],
+                        s.apartX(a, b),
+                        s.apartY(a, b),
+                        s.apartZ(a, b),
                         margin,
                         c.cache[row],
                         own.manifold);

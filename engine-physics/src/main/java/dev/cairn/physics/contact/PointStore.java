@@ -50,9 +50,9 @@ final class PointStore {
         BodyStore s = bodies;
         int a = c.bodyA[row];
         int b = c.bodyB[row];
-        double dx = s.positionX[b] - s.positionX[a];
-        double dy = s.positionY[b] - s.positionY[a];
-        double dz = s.positionZ[b] - s.positionZ[a];
+        double dx = s.apartX(a, b);
+        double dy = s.apartY(a, b);
+        double dz = s.apartZ(a, b);
         c.patch[row] = m.patch;
         int at = ContactStore.POINTS * row;
         for (int p = 0; p < m.pointCount; p++, at++) {

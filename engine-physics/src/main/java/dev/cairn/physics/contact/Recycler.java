@@ -87,9 +87,9 @@ final class Recycler {
         double iy = s.orientationY[i];
         double iz = s.orientationZ[i];
         double iw = s.orientationW[i];
-        double ex = s.positionX[i] - s.positionX[r];
-        double ey = s.positionY[i] - s.positionY[r];
-        double ez = s.positionZ[i] - s.positionZ[r];
+        double ex = s.apartX(r, i);
+        double ey = s.apartY(r, i);
+        double ez = s.apartZ(r, i);
         double qx = rw * ix - rx * iw - ry * iz + rz * iy - k[at];
         double qy = rw * iy - ry * iw - rz * ix + rx * iz - k[at + N];
         double qz = rw * iz - rz * iw - rx * iy + ry * ix - k[at + N * 2];
@@ -229,9 +229,9 @@ final class Recycler {
         t[KeptBatch.TURN_I + CAPACITY + place] = s.orientationY[i];
         t[KeptBatch.TURN_I + 2 * CAPACITY + place] = s.orientationZ[i];
         t[KeptBatch.TURN_I + 3 * CAPACITY + place] = s.orientationW[i];
-        t[KeptBatch.OFFSET + place] = s.positionX[i] - s.positionX[r];
-        t[KeptBatch.OFFSET + CAPACITY + place] = s.positionY[i] - s.positionY[r];
-        t[KeptBatch.OFFSET + 2 * CAPACITY + place] = s.positionZ[i] - s.positionZ[r];
+        t[KeptBatch.OFFSET + place] = s.apartX(r, i);
+        t[KeptBatch.OFFSET + CAPACITY + place] = s.apartY(r, i);
+        t[KeptBatch.OFFSET + 2 * CAPACITY + place] = s.apartZ(r, i);
         int face = Word.faceOf(word);
         t[KeptBatch.AXIS + place] = face >> 1;
         t[KeptBatch.SIGN + place] = (face & 1) == 0 ? -1 : 1;
@@ -336,9 +336,9 @@ final class Recycler {
         double iy = s.orientationY[i];
         double iz = s.orientationZ[i];
         double iw = s.orientationW[i];
-        double ex = s.positionX[i] - s.positionX[r];
-        double ey = s.positionY[i] - s.positionY[r];
-        double ez = s.positionZ[i] - s.positionZ[r];
+        double ex = s.apartX(r, i);
+        double ey = s.apartY(r, i);
+        double ez = s.apartZ(r, i);
         double[] k = c.kept;
         int at = ContactStore.keptAt(row);
         k[at] = rw * ix - rx * iw - ry * iz + rz * iy;

@@ -49,6 +49,21 @@ public final class BodyStore {
     /** Centre of mass, world, m. */
     public double[] positionX = {}, positionY = {}, positionZ = {};
 
+    /**
+     * What the position lacks, m, 3 to a slot: the centre is at position and this together. 0
+     * nearer to the origin than {@link #FAR}; kept by {@link #move}.
+     */
+    public double[] positionLow = {};
+
+    /** Whether a position has ever lacked something. */
+    public boolean isFar;
+
+    /**
+     * Outer radii from the origin beyond which the rounding of a position, 2^-53 of it, is more
+     * than 2^-41 of the body, and is kept.
+     */
+    public static final double FAR = 4096;
+
     /** Unit quaternion worldFromBody. */
     public double[] orientationX = {}, orientationY = {}, orientationZ = {}, orientationW = {};
 
@@ -158,6 +173,7 @@ public final class BodyStore {
         positionX = Arrays.copyOf(positionX, n);
         positionY = Arrays.copyOf(positionY, n);
         positionZ = Arrays.copyOf(positionZ, n);
+        positionLow = Arrays.copyOf(positionLow, 3 * n);
         orientationX = Arrays.copyOf(orientationX, n);
         orientationY = Arrays.copyOf(orientationY, n);
         orientationZ = Arrays.copyOf(orientationZ, n);
@@ -206,5 +222,130 @@ public final class BodyStore {
         int old = gravityScale.length;
         gravityScale = Arrays.copyOf(gravityScale, n);
         Arrays.fill(gravityScale, old, n, 1.0);
+    }
+
+    /**
+     * Puts a body somewhere.
+     *
+     * @param slot whose
+     * @param x centre of mass, world, m
+     * @param y centre of mass, world, m
+     * @param z centre of mass, world, m
+     */
+    public void place(int slot, double x, double y, double z) {
+        positionX[slot] = x;
+        positionY[slot] = y;
+        positionZ[slot] = z;
+        Arrays.fill(positionLow, 3 * slot, 3 * slot + 3, 0.0);
+    }
+
+    /**
+     * Moves a body. Far from the origin what rounding takes of the position is kept beside it, so
+     * that a stack stands there as it stands at the origin. Any worker, one to a body.
+     *
+     * @param slot whose
+     * @param dx movement, world, m
+     * @param dy movement, world, m
+     * @param dz movement, world, m
+     */
+    public void move(int slot, double dx, double dy, double dz) {
+        if (!isFar && !isFar(slot)) {
+            positionX[slot] += dx;
+            positionY[slot] += dy;
+            positionZ[slot] += dz;
+            return;
+        }
+        double[] low = positionLow;
+        int k = 3 * slot;
+        double x = positionX[slot];
+        double y = positionY[slot];
+        double z = positionZ[slot];
+        // a low part of 0 must not turn a movement of -0
+        double stepX = low[k] == 0 ? dx : dx + low[k];
+        double stepY = low[k + 1] == 0 ? dy : dy + low[k + 1];
+        double stepZ = low[k + 2] == 0 ? dz : dz + low[k + 2];
+        positionX[slot] = x + stepX;
+        positionY[slot] = y + stepY;
+        positionZ[slot] = z + stepZ;
+        boolean far = isFar(slot);
+        lack(slot, far ? lost(x, stepX) : 0, far ? lost(y, stepY) : 0, far ? lost(z, stepZ) : 0);
+    }
+
+    /**
+     * Sets what a position lacks.
+     *
+     * @param slot whose
+     * @param x world, m
+     * @param y world, m
+     * @param z world, m
+     */
+    public void lack(int slot, double x, double y, double z) {
+        positionLow[3 * slot] = x;
+        positionLow[3 * slot + 1] = y;
+        positionLow[3 * slot + 2] = z;
+        if (x != 0 || y != 0 || z != 0) {
+            isFar = true; // by whoever finds one; only saves looking
+        }
+    }
+
+    /**
+     * Whether a body is so far away that what its position lacks is kept.
+     *
+     * @param slot whose
+     * @return whether a coordinate is beyond {@link #FAR} outer radii
+     */
+    public boolean isFar(int slot) {
+        double limit = FAR * outerRadius[slot];
+        return Math.abs(positionX[slot]) > limit
+                || Math.abs(positionY[slot]) > limit
+                || Math.abs(positionZ[slot]) > limit;
+    }
+
+    /** Exact error of {@code a + b} (Knuth's two-sum, The Art of Computer Programming 2, 4.2.2). */
+    private static double lost(double a, double b) {
+        double sum = a + b;
+        double part = sum - a;
+        return (a - (sum - part)) + (b - part);
+    }
+
+    /**
+     * From one centre to another.
+     *
+     * @param a slot
+     * @param b slot
+     * @return world x, m
+     */
+    public double apartX(int a, int b) {
+        double d = positionX[b] - positionX[a];
+        return isFar ? apart(d, 3 * a, 3 * b) : d;
+    }
+
+    /**
+     * From one centre to another.
+     *
+     * @param a slot
+     * @param b slot
+     * @return world y, m
+     */
+    public double apartY(int a, int b) {
+        double d = positionY[b] - positionY[a];
+        return isFar ? apart(d, 3 * a + 1, 3 * b + 1) : d;
+    }
+
+    /**
+     * From one centre to another.
+     *
+     * @param a slot
+     * @param b slot
+     * @return world z, m
+     */
+    public double apartZ(int a, int b) {
+        double d = positionZ[b] - positionZ[a];
+        return isFar ? apart(d, 3 * a + 2, 3 * b + 2) : d;
+    }
+
+    private double apart(double d, int i, int j) {
+        double low = positionLow[j] - positionLow[i];
+        return low == 0 ? d : d + low;
     }
 }

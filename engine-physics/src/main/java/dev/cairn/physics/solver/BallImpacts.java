@@ -161,9 +161,9 @@ final class BallImpacts {
         int j = rows.link[l + 1];
         impacts.accelerate(i, g, acceleration, 0);
         impacts.accelerate(j, g, acceleration, 3);
-        double px = distance(store.positionX[a], store.positionX[b], i, j, 0);
-        double py = distance(store.positionY[a], store.positionY[b], i, j, 1);
-        double pz = distance(store.positionZ[a], store.positionZ[b], i, j, 2);
+        double px = distance(store.apartX(a, b), i, j, 0);
+        double py = distance(store.apartY(a, b), i, j, 1);
+        double pz = distance(store.apartZ(a, b), i, j, 2);
         double vx = s[j] - s[i];
         double vy = s[j + 1] - s[i + 1];
         double vz = s[j + 2] - s[i + 2];
@@ -217,9 +217,9 @@ final class BallImpacts {
         return Double.POSITIVE_INFINITY;
     }
 
-    private double distance(double from, double to, int i, int j, int axis) {
+    private double distance(double apart, int i, int j, int axis) {
         int p = SolverBodies.P + axis;
-        return to - from + (bodies.state[j + p] - bodies.state[i + p]);
+        return apart + (bodies.state[j + p] - bodies.state[i + p]);
     }
 
     /**
@@ -295,9 +295,9 @@ final class BallImpacts {
         int b = contacts.bodyB[source];
         impacts.accelerate(i, g, acceleration, 0);
         impacts.accelerate(j, g, acceleration, 3);
-        double px = distance(store.positionX[a], store.positionX[b], i, j, 0);
-        double py = distance(store.positionY[a], store.positionY[b], i, j, 1);
-        double pz = distance(store.positionZ[a], store.positionZ[b], i, j, 2);
+        double px = distance(store.apartX(a, b), i, j, 0);
+        double py = distance(store.apartY(a, b), i, j, 1);
+        double pz = distance(store.apartZ(a, b), i, j, 2);
         double ax = acceleration[3] - acceleration[0];
         double ay = acceleration[4] - acceleration[1];
         double az = acceleration[5] - acceleration[2];

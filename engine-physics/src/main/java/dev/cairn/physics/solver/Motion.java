@@ -37,6 +37,9 @@ final class Motion {
         double half = 0.5 * t * t;
         double[] c = s.carry;
         int q = 12 * i;
+        if (b.isFar) {
+            remember(b, c, q, i);
+        }
         b.positionX[i] =
                 add(
                         c,
@@ -58,11 +61,27 @@ final class Motion {
                         b.positionZ[i],
                         t * b.velocityZ[i],
                         t * lost(c, q + 5, b.velocityZ[i]) + half * az);
+        if (b.isFar || b.isFar(i)) {
+            boolean far = b.isFar(i);
+            b.lack(i, far ? c[q] : 0, far ? c[q + 1] : 0, far ? c[q + 2] : 0);
+        }
         b.velocityX[i] = add(c, q + 3, b.velocityX[i], t * ax, 0);
         b.velocityY[i] = add(c, q + 4, b.velocityY[i], t * ay, 0);
         b.velocityZ[i] = add(c, q + 5, b.velocityZ[i], t * az, 0);
         s.state[SolverBodies.offset(i) + LOADED] = 0;
         spin(b, s, i, t, substeps);
+    }
+
+    /** What the position has lacked since the body had contacts is where its flight starts. */
+    private static void remember(BodyStore b, double[] c, int q, int i) {
+        double[] low = b.positionLow;
+        int k = 3 * i;
+        if (low[k] != 0 || low[k + 1] != 0 || low[k + 2] != 0) {
+            System.arraycopy(low, k, c, q, 3);
+            c[q + 6] = b.positionX[i];
+            c[q + 7] = b.positionY[i];
+            c[q + 8] = b.positionZ[i];
+        }
     }
 
     /**

@@ -141,9 +141,11 @@ final class Restraint {
         double x = (locks & 1) == 0 ? 1 : 0;
         double y = (locks & 2) == 0 ? 1 : 0;
         double w = (locks & 4) == 0 ? 1 : 0;
-        b.positionX[i] += x * (f1 * b.velocityX[i] + f2 * ax);
-        b.positionY[i] += y * (f1 * b.velocityY[i] + f2 * ay);
-        b.positionZ[i] += w * (f1 * b.velocityZ[i] + f2 * az);
+        b.move(
+                i,
+                x * (f1 * b.velocityX[i] + f2 * ax),
+                y * (f1 * b.velocityY[i] + f2 * ay),
+                w * (f1 * b.velocityZ[i] + f2 * az));
         b.velocityX[i] = x * (e * b.velocityX[i] + f1 * ax);
         b.velocityY[i] = y * (e * b.velocityY[i] + f1 * ay);
         b.velocityZ[i] = w * (e * b.velocityZ[i] + f1 * az);

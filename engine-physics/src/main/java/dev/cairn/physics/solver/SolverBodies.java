@@ -201,9 +201,7 @@ final class SolverBodies {
         b.angularVelocityX[i] = world(i, o + V + 3, 0);
         b.angularVelocityY[i] = world(i, o + V + 3, 1);
         b.angularVelocityZ[i] = world(i, o + V + 3, 2);
-        b.positionX[i] += s[o + P];
-        b.positionY[i] += s[o + P + 1];
-        b.positionZ[i] += s[o + P + 2];
+        b.move(i, s[o + P], s[o + P + 1], s[o + P + 2]);
         if ((b.restraint[i] & BodyStore.LIMITED) != 0) {
             Restraint.limit(b, i);
         }
