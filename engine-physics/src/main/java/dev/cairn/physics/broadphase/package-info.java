@@ -18,8 +18,9 @@
  * <p>Invariants: every pair of fat boxes that overlap, not both static, is in the pair set after
  * the pairs phase, exactly once; nothing is dropped at a capacity: a buffer that was too small says
  * how much it lacked, grows between phases, and its block runs again. An idle static body costs
- * nothing. The order of new pairs depends on the history of boxes only. The pair set is asked for
- * membership and never iterated.
+ * nothing. Pairs come in the order of the bodies that asked, those of one body in the order of
+ * slots: on the tree's shape nothing hangs. The pair set is asked for membership and never
+ * iterated.
  *
  * <p>Sources: the insertion by surface area and the rotations of box trees follow E. Catto,
  * "Dynamic bounding volume hierarchies" (GDC 2019), and D. Goldsmith and J. Salmon, "Automatic
