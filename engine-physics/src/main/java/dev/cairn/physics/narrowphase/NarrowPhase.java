@@ -442,7 +442,7 @@ public final class NarrowPhase {
             points.single(reach * ax, reach * ay, reach * az, d, ContactPoints.CLOSEST, out);
         } else if (!pair.roundB && d > 0) {
             points.nearest(out);
-        } else {
+        } else if (pair.roundB || !polyhedra.crossing(d, out)) {
             pair.vertexB(pair.supportB(-ax, -ay, -az, 0));
             double reach = pair.radiusB + half;
             points.single(

@@ -191,6 +191,46 @@ class ShapeQueriesTest {
         assertTrue(hits > 150, hits + " hits");
     }
 
+    /**
+     * Pushed into each other by a little, along the way on which they are nearest: edges that cross
+     * among them, whose vertices are far from where they do.
+     */
+    @Test
+    void pointsOfShapesThatOverlapLieOnBoth() {
+        SplittableRandom r = new SplittableRandom(29);
+        int[] kinds = {0, 1, 5};
+        int overlapping = 0;
+        for (int i = 0; i < 6000; i++) {
+            Shape a = shape(kinds[i % 3]);
+            Shape b = shape(kinds[i / 3 % 3]);
+            Vector3d p = vector(r, 1).normalize(2.5);
+            Quaterniond q = turn(r);
+            Quaterniond u = turn(r);
+            at.set(a, p.x, p.y, p.z, q.x, q.y, q.z, q.w);
+            other.set(b, 0, 0, 0, u.x, u.y, u.z, u.w);
+            double gap = queries.closest(at, other, closest);
+            double depth = StrictMath.pow(10, -1 - 8 * r.nextDouble());
+            p.add(
+                    new Vector3d(closest.normalX(), closest.normalY(), closest.normalZ())
+                            .mul(gap + depth));
+            at.set(a, p.x, p.y, p.z, q.x, q.y, q.z, q.w);
+            double d = queries.closest(at, other, closest);
+            if (d > 0) {
+                continue;
+            }
+            overlapping++;
+            String where = "seed 29 pair " + i + " " + a + " and " + b + ", " + -d + " deep";
+            Vector3d pa = new Vector3d(closest.pointAX(), closest.pointAY(), closest.pointAZ());
+            Vector3d pb = new Vector3d(closest.pointBX(), closest.pointBY(), closest.pointBZ());
+            assertEquals(-d, pa.distance(pb), 1e-12, where);
+            double onA = outside(a, q.transformInverse(new Vector3d(pa).sub(p)));
+            double onB = outside(b, u.transformInverse(new Vector3d(pb)));
+            assertEquals(0, onA, 1e-7, where + " A");
+            assertEquals(0, onB, 1e-7, where + " B");
+        }
+        assertTrue(overlapping > 5900, overlapping + " overlap");
+    }
+
     @Test
     void closestPointsLieOnBothShapes() {
         SplittableRandom r = new SplittableRandom(23);
@@ -210,12 +250,10 @@ class ShapeQueriesTest {
             Vector3d pa = new Vector3d(closest.pointAX(), closest.pointAY(), closest.pointAZ());
             Vector3d pb = new Vector3d(closest.pointBX(), closest.pointBY(), closest.pointBZ());
             assertEquals(Math.abs(d), pa.distance(pb), 1e-12, where);
-            if (d > 0) {
-                double onA = outside(a, q.transformInverse(new Vector3d(pa).sub(p)));
-                double onB = outside(b, u.transformInverse(new Vector3d(pb)));
-                assertEquals(0, onA, 1e-7, where + " A");
-                assertEquals(0, onB, 1e-7, where + " B");
-            }
+            double onA = outside(a, q.transformInverse(new Vector3d(pa).sub(p)));
+            double onB = outside(b, u.transformInverse(new Vector3d(pb)));
+            assertEquals(0, onA, 1e-7, where + " A");
+            assertEquals(0, onB, 1e-7, where + " B");
         }
     }
 
