@@ -134,4 +134,35 @@ class FarTest {
             assertEquals(0.0, b.positionLow[0]);
         }
     }
+
+    /** Who goes out there keeps his bits whether somebody is there already or not. */
+    @Test
+    void whoCrossesTheBoundIsNoMatterOfOthers() {
+        assertEquals(leaves(false), leaves(true));
+    }
+
+    private static List<Double> leaves(boolean withFar) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).gravity(0, 0, 0).build()) {
+            double bound = BodyStore.FAR;
+            BodyRef body =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Sphere.of(1))
+                                    .at(bound - 0.0101, 0, 0)
+                                    .velocity(0.3, 0, 0)
+                                    .damping(0.1, 0));
+            if (withFar) {
+                world.add(Body.dynamic().shape(Sphere.of(1)).at(1e7, 0, 0).velocity(0.1, 0, 0));
+            }
+            BodyStore b = world.physics.table.bodies;
+            List<Double> path = new ArrayList<>();
+            for (int tick = 0; tick < 6; tick++) {
+                world.step(Scenes.STEP);
+                path.add(body.position().x);
+                path.add(b.positionLow[0]);
+            }
+            assertTrue(path.getFirst() < bound && path.get(10) > bound, path.toString());
+            return path;
+        }
+    }
 }

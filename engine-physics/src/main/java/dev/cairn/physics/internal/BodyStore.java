@@ -249,14 +249,17 @@ public final class BodyStore {
      * @param dz movement, world, m
      */
     public void move(int slot, double dx, double dy, double dz) {
-        if (!isFar && !isFar(slot)) {
+        double[] low = positionLow;
+        int k = 3 * slot;
+        // by where the body is now, never by whether others are far: they are found meanwhile
+        boolean far = isFar(slot);
+        boolean lacks = isFar && (low[k] != 0 || low[k + 1] != 0 || low[k + 2] != 0);
+        if (!far && !lacks) {
             positionX[slot] += dx;
             positionY[slot] += dy;
             positionZ[slot] += dz;
             return;
         }
-        double[] low = positionLow;
-        int k = 3 * slot;
         double x = positionX[slot];
         double y = positionY[slot];
         double z = positionZ[slot];
@@ -267,7 +270,6 @@ public final class BodyStore {
         positionX[slot] = x + stepX;
         positionY[slot] = y + stepY;
         positionZ[slot] = z + stepZ;
-        boolean far = isFar(slot);
         lack(slot, far ? lost(x, stepX) : 0, far ? lost(y, stepY) : 0, far ? lost(z, stepZ) : 0);
     }
 

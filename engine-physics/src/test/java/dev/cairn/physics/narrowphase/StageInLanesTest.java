@@ -148,19 +148,11 @@ class StageInLanesTest {
         }
     }
 
-    private static void waitForLanes() throws InterruptedException {
-        long patience = System.nanoTime() + 120_000_000_000L;
-        while (BoxAxes.wide() && !BoxWarmUp.ready()) {
-            assertTrue(System.nanoTime() < patience, "the kernels were not compiled in 120 s");
-            Thread.sleep(20);
-        }
-    }
-
     /** The first row of a lot is not always the first of a group that is kept together. */
     @ParameterizedTest
     @ValueSource(booleans = {true, false})
     void aLotInLanesIsTheSameAsSmallLots(boolean box) throws InterruptedException {
-        waitForLanes();
+        assertTrue(BoxWarmUp.finish() || !BoxAxes.wide(), "the kernels were not compiled");
         SplittableRandom r = new SplittableRandom(81);
         Scene[] scenes = new Scene[ROWS];
         for (int row = 0; row < ROWS; row++) {

@@ -1,5 +1,7 @@
 package dev.cairn.physics.narrowphase.wide;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.Random;
 
 /**
@@ -13,7 +15,7 @@ public final class BoxWarmUp {
     private static final int MOST = 100_000;
     private static final Object LOCK = new Object();
 
-    private static volatile boolean begun;
+    private static volatile @Nullable Thread thread;
     private static volatile boolean ready;
 
     private BoxWarmUp() {}
@@ -25,21 +27,36 @@ public final class BoxWarmUp {
      * @return false on a machine without lanes
      */
     public static boolean ready() {
-        if (!begun && BoxAxes.wide()) {
+        if (thread == null && BoxAxes.wide()) {
             begin();
         }
         return ready;
     }
 
-    private static void begin() {
+    /**
+     * Waits until the thread has come to its end, some seconds; for tests. Any thread.
+     *
+     * @return {@link #ready}
+     * @throws InterruptedException if the caller is interrupted
+     */
+    public static boolean finish() throws InterruptedException {
+        if (!ready() && BoxAxes.wide()) {
+            begin().join();
+        }
+        return ready;
+    }
+
+    private static Thread begin() {
         synchronized (LOCK) {
-            if (begun) {
-                return;
+            Thread known = thread;
+            if (known != null) {
+                return known;
             }
-            begun = true;
-            Thread thread = new Thread(BoxWarmUp::run, "cairn-warm-up-boxes");
-            thread.setDaemon(true);
-            thread.start();
+            Thread made = new Thread(BoxWarmUp::run, "cairn-warm-up-boxes");
+            made.setDaemon(true);
+            made.start();
+            thread = made;
+            return made;
         }
     }
 
