@@ -177,31 +177,6 @@ final class CurvedContact {
         }
     }
 
-    /** One point of the pair whose axis was found last. */
-    void witness(Manifold out) {
-        nx = axis.axisX;
-        ny = axis.axisY;
-        nz = axis.axisZ;
-        separation = axis.separation - pair.radiusA - pair.radiusB;
-        patchA.fill(pair, false, nx, ny, nz);
-        patchB.fill(pair, true, -nx, -ny, -nz);
-        out.pointCount = 0;
-        lines(Double.MAX_VALUE, 0x1p-40 * pair.scale, out);
-        boolean told = false;
-        for (int i = 0; i < out.pointCount && !told; i++) {
-            // Of two lines side by side, an end of what they share.
-            told = Math.abs(out.separation[i] - separation) <= 0x1p-40 * pair.scale;
-            if (told) {
-                out.pointX[0] = out.pointX[i];
-                out.pointY[0] = out.pointY[i];
-                out.pointZ[0] = out.pointZ[i];
-            }
-        }
-        if (!told) {
-            single(out);
-        }
-    }
-
     /** One point, midway between the surfaces along the axis. */
     private void single(Manifold out) {
         double half = 0.5 * separation;

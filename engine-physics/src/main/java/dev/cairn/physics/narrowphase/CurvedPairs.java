@@ -190,16 +190,16 @@ final class CurvedPairs {
         return axis.separation - pair.radiusA - pair.radiusB;
     }
 
-    /** One point for the pair of the last {@link #distance}. */
-    void witness(double d, Manifold out) {
-        if (planeLast != 0) {
-            plane.witness(d, out);
-            if (planeLast > 0) {
-                swap(lastX, lastY, lastZ, out);
-            }
-            return;
+    /** One point for the pair of the last {@link #distance}; false when none is a half-space. */
+    boolean witnessOfPlane(double d, Manifold out) {
+        if (planeLast == 0) {
+            return false;
         }
-        contact.witness(out);
+        plane.witness(d, out);
+        if (planeLast > 0) {
+            swap(lastX, lastY, lastZ, out);
+        }
+        return true;
     }
 
     private void axisFromWorld(double x, double y, double z) {

@@ -43,6 +43,7 @@ public final class NarrowPhase {
     private final RoundContacts rounds = new RoundContacts();
     private final BallBox ballBox = new BallBox();
     private final CurvedPairs curved;
+    private final Witness witness = new Witness();
     private boolean curvedLast;
     private long[] memory = Polyhedra.NOTHING;
     private int memoryAt;
@@ -377,82 +378,13 @@ public final class NarrowPhase {
             double dz,
             Manifold out) {
         double d = distance(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
-        double nx = axisX();
-        double ny = axisY();
-        double nz = axisZ();
-        out.pointCount = 0;
         out.capped = capped();
-        witness(d, out);
-        double x = out.pointX[0];
-        double y = out.pointY[0];
-        double z = out.pointZ[0];
-        // Of flats that face each other the nearest vertex may be beside the other flat; a corner
-        // of the contact never is.
-        double slack = 0x1p-40 * pair.scale;
-        collide(
-                a,
-                b,
-                qAx,
-                qAy,
-                qAz,
-                qAw,
-                qBx,
-                qBy,
-                qBz,
-                qBw,
-                dx,
-                dy,
-                dz,
-                Math.max(d, 0) + slack,
-                0,
-                out);
-        double cosine = out.normalX * nx + out.normalY * ny + out.normalZ * nz;
-        for (int i = 0; i < out.pointCount; i++) {
-            if (Math.abs(out.separation[i] - d) <= slack && cosine >= 1 - 1e-12) {
-                x = out.pointX[i];
-                y = out.pointY[i];
-                z = out.pointZ[i];
-                break;
-            }
+        if (curvedLast && curved.witnessOfPlane(d, out)) {
+            return d;
         }
-        out.pointCount = 1;
-        out.normalX = nx;
-        out.normalY = ny;
-        out.normalZ = nz;
-        out.pointX[0] = x;
-        out.pointY[0] = y;
-        out.pointZ[0] = z;
-        out.separation[0] = d;
-        out.feature[0] = ContactPoints.CLOSEST;
+        witness.find(pair, points.axisX, points.axisY, points.axisZ, d);
+        points.single(witness.x, witness.y, witness.z, d, ContactPoints.CLOSEST, out);
         return d;
-    }
-
-    /** One point from the axis that {@link #distance} left. */
-    private void witness(double d, Manifold out) {
-        if (curvedLast) {
-            curved.witness(d, out);
-            return;
-        }
-        double half = d / 2;
-        double ax = points.axisX;
-        double ay = points.axisY;
-        double az = points.axisZ;
-        if (pair.roundA) {
-            double reach = pair.radiusA + half;
-            points.single(reach * ax, reach * ay, reach * az, d, ContactPoints.CLOSEST, out);
-        } else if (!pair.roundB && d > 0) {
-            points.nearest(out);
-        } else if (pair.roundB || !polyhedra.crossing(d, out)) {
-            pair.vertexB(pair.supportB(-ax, -ay, -az, 0));
-            double reach = pair.radiusB + half;
-            points.single(
-                    pair.px - reach * ax,
-                    pair.py - reach * ay,
-                    pair.pz - reach * az,
-                    d,
-                    ContactPoints.CLOSEST,
-                    out);
-        }
     }
 
     /** Final classes, so this is up to three comparisons, most often one. */

@@ -63,18 +63,6 @@ final class Polyhedra {
         return search.distance(a, b, cache);
     }
 
-    /**
-     * Where two edges cross, if the last {@link #distance} was theirs: their vertices are not near
-     * each other.
-     */
-    boolean crossing(double distance, Manifold out) {
-        return distance <= 0
-                && axes.separationEdge == distance
-                && axes.separationA < distance
-                && axes.separationB < distance
-                && points.crossing(Double.MAX_VALUE, out);
-    }
-
     /** What to pass to the next {@link #distance}. */
     long distanceWord() {
         return search.word;

@@ -62,8 +62,8 @@ public final class Closest {
     }
 
     /**
-     * The nearest point of the first shape; of overlapping shapes, the other point moved by
-     * distance x normal.
+     * The nearest point of the first shape; of overlapping shapes, a deepest one. It is on the
+     * surface, and distance x normal from {@link #pointBX}.
      *
      * @return world, m
      */
@@ -90,7 +90,7 @@ public final class Closest {
     }
 
     /**
-     * The nearest point of the second shape; of overlapping shapes, a deepest one.
+     * The nearest point of the second shape, see {@link #pointAX}.
      *
      * @return world, m
      */

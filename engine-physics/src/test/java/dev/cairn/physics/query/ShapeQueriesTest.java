@@ -31,15 +31,22 @@ class ShapeQueriesTest {
     private final Closest closest = new Closest();
 
     private static Shape shape(int i) {
+        return shape(i, 1);
+    }
+
+    private static Shape shape(int i, double size) {
         return switch (i % 6) {
-            case 0 -> Sphere.of(.7);
-            case 1 -> Box.of(.5, .8, .3);
-            case 2 -> Capsule.of(.4, .6);
-            case 3 -> Cylinder.of(.6, .5);
-            case 4 -> Cone.of(.7, .6);
+            case 0 -> Sphere.of(.7 * size);
+            case 1 -> Box.of(.5 * size, .8 * size, .3 * size);
+            case 2 -> Capsule.of(.4 * size, .6 * size);
+            case 3 -> Cylinder.of(.6 * size, .5 * size);
+            case 4 -> Cone.of(.7 * size, .6 * size);
             default ->
                     ConvexHull.of(
-                            new double[] {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1});
+                            new double[] {
+                                size, 0, 0, -size, 0, 0, 0, size, 0, 0, -size, 0, 0, 0, size, 0, 0,
+                                -size
+                            });
         };
     }
 
@@ -59,7 +66,7 @@ class ShapeQueriesTest {
                     Math.max(
                             across - c.radius() * (c.halfHeight() - p.y) / (2 * c.halfHeight()),
                             -c.halfHeight() - p.y);
-            default -> Math.abs(p.x) + Math.abs(p.y) + Math.abs(p.z) - 1;
+            default -> Math.abs(p.x) + Math.abs(p.y) + Math.abs(p.z) - shape.outerRadius();
         };
     }
 
@@ -191,69 +198,122 @@ class ShapeQueriesTest {
         assertTrue(hits > 150, hits + " hits");
     }
 
+    /** Turned by quarters, about the shape's axis, and a little askew: flats and lines face. */
+    private static Quaterniond nearlyUpright(SplittableRandom r) {
+        Quaterniond q =
+                new Quaterniond()
+                        .rotateX(Math.PI / 2 * r.nextInt(4))
+                        .rotateY(Math.PI / 2 * r.nextInt(4))
+                        .rotateZ(Math.PI / 2 * r.nextInt(4));
+        if (r.nextBoolean()) {
+            q.rotateY(6 * r.nextDouble());
+        }
+        if (r.nextBoolean()) {
+            Vector3d axis = vector(r, 1).normalize();
+            q.rotateAxis(StrictMath.pow(10, -1 - 11 * r.nextDouble()), axis.x, axis.y, axis.z);
+        }
+        return q.normalize();
+    }
+
+    /** Places one shape of each pair so that the signed distance is what is asked for. */
+    private void bring(Shape a, Vector3d p, Quaterniond q, double distance) {
+        at.set(a, p.x, p.y, p.z, q.x, q.y, q.z, q.w);
+        double by = queries.closest(at, other, closest) - distance;
+        p.add(new Vector3d(closest.normalX(), closest.normalY(), closest.normalZ()).mul(by));
+    }
+
     /**
-     * Pushed into each other by a little, along the way on which they are nearest: edges that cross
-     * among them, whose vertices are far from where they do.
+     * The points are where they should be: each on its shape's surface, up to a bar, and d n apart.
+     * Of these two truths the first is from the implicit functions of the shapes.
      */
+    private double pointsLieOnBoth(
+            Shape a, Vector3d p, Quaterniond q, Shape b, Quaterniond u, double bar, String where) {
+        at.set(a, p.x, p.y, p.z, q.x, q.y, q.z, q.w);
+        double d = queries.closest(at, other, closest);
+        where += " " + a + " and " + b + ", " + d + " m apart";
+        assertEquals(queries.distance(at, other), d, 0.0, where);
+        assertEquals(d <= 0, queries.overlaps(at, other), where);
+        Vector3d pa = new Vector3d(closest.pointAX(), closest.pointAY(), closest.pointAZ());
+        Vector3d pb = new Vector3d(closest.pointBX(), closest.pointBY(), closest.pointBZ());
+        Vector3d n = new Vector3d(closest.normalX(), closest.normalY(), closest.normalZ());
+        assertEquals(0, n.mul(d).add(pa).distance(pb), 1e-14 * (1 + Math.abs(d)), where);
+        double onA = outside(a, q.transformInverse(new Vector3d(pa).sub(p)));
+        double onB = outside(b, u.transformInverse(new Vector3d(pb)));
+        assertEquals(0, onA, bar, where + ": A");
+        assertEquals(0, onB, bar, where + ": B");
+        return d;
+    }
+
+    /** Pushed into each other by a little along the way on which they are nearest. */
     @Test
-    void pointsOfShapesThatOverlapLieOnBoth() {
+    void pointsOfShapesThatOverlapALittleLieOnBoth() {
         SplittableRandom r = new SplittableRandom(29);
-        int[] kinds = {0, 1, 5};
         int overlapping = 0;
-        for (int i = 0; i < 6000; i++) {
-            Shape a = shape(kinds[i % 3]);
-            Shape b = shape(kinds[i / 3 % 3]);
+        for (int i = 0; i < 7200; i++) {
+            double size = i % 4 == 0 ? StrictMath.pow(10, -3 * r.nextDouble()) : 1;
+            Shape a = shape(i, size);
+            Shape b = shape(i / 6);
             Vector3d p = vector(r, 1).normalize(2.5);
             Quaterniond q = turn(r);
             Quaterniond u = turn(r);
-            at.set(a, p.x, p.y, p.z, q.x, q.y, q.z, q.w);
             other.set(b, 0, 0, 0, u.x, u.y, u.z, u.w);
-            double gap = queries.closest(at, other, closest);
-            double depth = StrictMath.pow(10, -1 - 8 * r.nextDouble());
-            p.add(
-                    new Vector3d(closest.normalX(), closest.normalY(), closest.normalZ())
-                            .mul(gap + depth));
-            at.set(a, p.x, p.y, p.z, q.x, q.y, q.z, q.w);
-            double d = queries.closest(at, other, closest);
-            if (d > 0) {
-                continue;
-            }
-            overlapping++;
-            String where = "seed 29 pair " + i + " " + a + " and " + b + ", " + -d + " deep";
-            Vector3d pa = new Vector3d(closest.pointAX(), closest.pointAY(), closest.pointAZ());
-            Vector3d pb = new Vector3d(closest.pointBX(), closest.pointBY(), closest.pointBZ());
-            assertEquals(-d, pa.distance(pb), 1e-12, where);
-            double onA = outside(a, q.transformInverse(new Vector3d(pa).sub(p)));
-            double onB = outside(b, u.transformInverse(new Vector3d(pb)));
-            assertEquals(0, onA, 1e-7, where + " A");
-            assertEquals(0, onB, 1e-7, where + " B");
+            bring(a, p, q, -size * StrictMath.pow(10, -1 - 8 * r.nextDouble()));
+            double d = pointsLieOnBoth(a, p, q, b, u, 1e-10, "seed 29 pair " + i);
+            overlapping += d < 0 ? 1 : 0;
         }
-        assertTrue(overlapping > 5900, overlapping + " overlap");
+        assertTrue(overlapping > 7000, overlapping + " overlap");
+    }
+
+    @Test
+    void pointsOfShapesThatOverlapByMuchLieOnBoth() {
+        SplittableRandom r = new SplittableRandom(30);
+        int overlapping = 0;
+        for (int i = 0; i < 7200; i++) {
+            Shape a = shape(i);
+            Shape b = shape(i / 6);
+            Vector3d p = vector(r, 1).normalize(1.25 * r.nextDouble());
+            Quaterniond q = turn(r);
+            Quaterniond u = turn(r);
+            other.set(b, 0, 0, 0, u.x, u.y, u.z, u.w);
+            double d = pointsLieOnBoth(a, p, q, b, u, 1e-10, "seed 30 pair " + i);
+            overlapping += d < 0 ? 1 : 0;
+        }
+        assertTrue(overlapping > 5000, overlapping + " overlap");
     }
 
     @Test
     void closestPointsLieOnBothShapes() {
         SplittableRandom r = new SplittableRandom(23);
-        for (int i = 0; i < 600; i++) {
+        for (int i = 0; i < 7200; i++) {
             Shape a = shape(i);
             Shape b = shape(i / 6);
-            Vector3d p = vector(r, 2);
-            // Every third pair is parallel, so that whole faces are near.
-            Quaterniond q = i % 3 == 0 ? new Quaterniond() : turn(r);
-            Quaterniond u = i % 3 == 0 ? new Quaterniond() : turn(r);
-            at.set(a, p.x, p.y, p.z, q.x, q.y, q.z, q.w);
+            Vector3d p = vector(r, i % 5 == 0 ? 20 : 2);
+            Quaterniond q = turn(r);
+            Quaterniond u = turn(r);
             other.set(b, 0, 0, 0, u.x, u.y, u.z, u.w);
-            String where = "seed 23 pair " + i + " " + a + " and " + b;
-            double d = queries.closest(at, other, closest);
-            assertEquals(queries.distance(at, other), d, 0.0, where);
-            assertEquals(d <= 0, queries.overlaps(at, other), where);
-            Vector3d pa = new Vector3d(closest.pointAX(), closest.pointAY(), closest.pointAZ());
-            Vector3d pb = new Vector3d(closest.pointBX(), closest.pointBY(), closest.pointBZ());
-            assertEquals(Math.abs(d), pa.distance(pb), 1e-12, where);
-            double onA = outside(a, q.transformInverse(new Vector3d(pa).sub(p)));
-            double onB = outside(b, u.transformInverse(new Vector3d(pb)));
-            assertEquals(0, onA, 1e-7, where + " A");
-            assertEquals(0, onB, 1e-7, where + " B");
+            pointsLieOnBoth(a, p, q, b, u, 1e-10, "seed 23 pair " + i);
+        }
+    }
+
+    /**
+     * Faces, sides and edges that are parallel up to 1e-12 to 0.1 rad: where two axes are equal up
+     * to rounding, 1e-16, either may be told, and what touches along them is up to sqrt(1e-16)
+     * apart.
+     */
+    @Test
+    void pointsOfShapesThatAreNearlyParallelLieOnBoth() {
+        SplittableRandom r = new SplittableRandom(31);
+        for (int i = 0; i < 14_400; i++) {
+            Shape a = shape(i);
+            Shape b = shape(i / 6);
+            Vector3d p = vector(r, 1).normalize(i / 36 % 3 == 0 ? 1.25 * r.nextDouble() : 2.5);
+            Quaterniond q = nearlyUpright(r);
+            Quaterniond u = nearlyUpright(r);
+            other.set(b, 0, 0, 0, u.x, u.y, u.z, u.w);
+            if (i / 36 % 3 == 1) {
+                bring(a, p, q, -StrictMath.pow(10, -1 - 8 * r.nextDouble()));
+            }
+            pointsLieOnBoth(a, p, q, b, u, 1e-8, "seed 31 pair " + i);
         }
     }
 
