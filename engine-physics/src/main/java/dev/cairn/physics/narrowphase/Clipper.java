@@ -41,15 +41,21 @@ final class Clipper {
     private double[] beyond = new double[32];
 
     /**
-     * What is cut and what is made of it, by turns: to exchange two references is less work for a
-     * collector than to exchange one for each column.
+     * Corners of what is cut and of what is made of it, by turns, in the reference's frame: four
+     * numbers each, the last of which is how far from a side plane the corner counts as on it.
      */
-    private Polygon whole = new Polygon(32), rest = new Polygon(32);
+    private double[] whole = new double[4 * 32], rest = new double[4 * 32];
 
-    private int made;
+    /**
+     * Of each corner its name and, in the lower half, what the side after it came from: an edge of
+     * the incident shape, or the complement of a reference slot.
+     */
+    private long[] names = new long[32], restNames = new long[32];
+
     private boolean flip;
     private int last;
-    private double first, later;
+    private double onPlane, stillOnPlane;
+    private double vx, vy, vz;
     private Polyhedron reference = dev.cairn.physics.shape.Box.cube(1).polyhedron();
 
     /**
@@ -61,66 +67,208 @@ final class Clipper {
     void clip(Pair p, boolean flip, int face, int incident, double margin, int last) {
         this.flip = flip;
         this.last = last;
-        first = ON_PLANE * p.inner;
-        later = STILL_ON_PLANE * p.inner;
+        onPlane = ON_PLANE * p.inner;
+        stillOnPlane = STILL_ON_PLANE * p.inner;
         reference = flip ? p.b : p.a;
         Polyhedron other = flip ? p.a : p.b;
         int begin = reference.faceBegin(face);
         int end = reference.faceBegin(face + 1);
-        load(p, other, incident, end - begin);
-        for (int slot = begin; slot < end && count > 0; slot++) {
+        int first = other.faceBegin(incident);
+        int corners = other.faceBegin(incident + 1) - first;
+        int need = corners + 2 * (end - begin) + 2;
+        if (need > x.length) {
+            grow(need);
+        }
+        int slot = begin;
+        if (corners == 3) {
+            slot = triangle(p, other, first, face, begin, end);
+        } else {
+            load(p, other, first, corners);
+        }
+        for (; slot < end && count > 0; slot++) {
             cut(slot, face);
         }
+        within(face, margin);
+    }
+
+    /** Keeps what is up to the margin from the face. */
+    private void within(int face, double margin) {
         double nx = reference.normalX(face);
         double ny = reference.normalY(face);
         double nz = reference.normalZ(face);
         double offset = reference.offset(face);
         int kept = 0;
         leftOut = Double.POSITIVE_INFINITY;
-        Polygon w = whole;
+        double[] w = whole;
         for (int i = 0; i < count; i++) {
-            double s = nx * w.x[i] + ny * w.y[i] + nz * w.z[i] - offset;
+            double px = w[4 * i];
+            double py = w[4 * i + 1];
+            double pz = w[4 * i + 2];
+            double s = nx * px + ny * py + nz * pz - offset;
             if (s > margin) {
                 leftOut = s < leftOut ? s : leftOut;
             } else {
-                x[kept] = w.x[i];
-                y[kept] = w.y[i];
-                z[kept] = w.z[i];
-                feature[kept] = w.feature[i];
+                x[kept] = px;
+                y[kept] = py;
+                z[kept] = pz;
+                feature[kept] = (int) (names[i] >>> 32);
                 separation[kept++] = s;
             }
         }
         count = kept;
     }
 
-    private void load(Pair p, Polyhedron other, int incident, int sides) {
-        int begin = other.faceBegin(incident);
-        count = other.faceBegin(incident + 1) - begin;
-        int need = count + 2 * sides + 2;
-        if (need > x.length) {
-            grow(need);
-        }
+    private void load(Pair p, Polyhedron other, int begin, int corners) {
         int kind = flip ? VERTEX_A : VERTEX_B;
-        Polygon w = whole;
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < corners; i++) {
             int v = other.slotVertex(begin + i);
-            if (flip) {
-                double ux = other.vertexX(v) - p.dx;
-                double uy = other.vertexY(v) - p.dy;
-                double uz = other.vertexZ(v) - p.dz;
-                w.x[i] = p.r00 * ux + p.r10 * uy + p.r20 * uz;
-                w.y[i] = p.r01 * ux + p.r11 * uy + p.r21 * uz;
-                w.z[i] = p.r02 * ux + p.r12 * uy + p.r22 * uz;
-            } else {
-                p.vertexB(v);
-                w.x[i] = p.px;
-                w.y[i] = p.py;
-                w.z[i] = p.pz;
-            }
-            w.feature[i] = kind | v;
-            w.slack[i] = slack(kind | v);
-            w.side[i] = other.slotEdge(begin + i);
+            corner(p, other, v);
+            put(whole, names, i, vx, vy, vz, kind | v, slack(kind | v), other.slotEdge(begin + i));
         }
+        count = corners;
+    }
+
+    /** Puts a vertex of the incident shape, in the reference's frame, into v. */
+    private void corner(Pair p, Polyhedron other, int v) {
+        if (flip) {
+            double ux = other.vertexX(v) - p.dx;
+            double uy = other.vertexY(v) - p.dy;
+            double uz = other.vertexZ(v) - p.dz;
+            vx = p.r00 * ux + p.r10 * uy + p.r20 * uz;
+            vy = p.r01 * ux + p.r11 * uy + p.r21 * uz;
+            vz = p.r02 * ux + p.r12 * uy + p.r22 * uz;
+        } else {
+            double ux = other.vertexX(v);
+            double uy = other.vertexY(v);
+            double uz = other.vertexZ(v);
+            vx = p.r00 * ux + p.r01 * uy + p.r02 * uz + p.dx;
+            vy = p.r10 * ux + p.r11 * uy + p.r12 * uz + p.dy;
+            vz = p.r20 * ux + p.r21 * uy + p.r22 * uz + p.dz;
+        }
+    }
+
+    /**
+     * Cuts a triangle by the first side that has a corner of it beyond; returns the next slot. Most
+     * faces of hulls are triangles; until then its corners need no memory.
+     */
+    private int triangle(Pair p, Polyhedron other, int at, int face, int begin, int end) {
+        Polyhedron h = reference;
+        int kind = flip ? VERTEX_A : VERTEX_B;
+        int v0 = other.slotVertex(at);
+        int v1 = other.slotVertex(at + 1);
+        int v2 = other.slotVertex(at + 2);
+        corner(p, other, v0);
+        double x0 = vx;
+        double y0 = vy;
+        double z0 = vz;
+        corner(p, other, v1);
+        double x1 = vx;
+        double y1 = vy;
+        double z1 = vz;
+        corner(p, other, v2);
+        double x2 = vx;
+        double y2 = vy;
+        double z2 = vz;
+        int n0 = kind | v0;
+        int n1 = kind | v1;
+        int n2 = kind | v2;
+        double s0 = slack(n0);
+        double s1 = slack(n1);
+        double s2 = slack(n2);
+        int e0 = other.slotEdge(at);
+        int e1 = other.slotEdge(at + 1);
+        int e2 = other.slotEdge(at + 2);
+        double[] w = whole;
+        long[] n = names;
+        for (int slot = begin; slot < end; slot++) {
+            double sx = h.sideX(slot);
+            double sy = h.sideY(slot);
+            double sz = h.sideZ(slot);
+            double so = h.sideOffset(slot);
+            double b0 = sx * x0 + sy * y0 + sz * z0 - so;
+            double b1 = sx * x1 + sy * y1 + sz * z1 - so;
+            double b2 = sx * x2 + sy * y2 + sz * z2 - so;
+            if (b0 > s0 || b1 > s1 || b2 > s2) {
+                int m = side(w, n, 0, x0, y0, z0, x1, y1, z1, b0, b1, s0, s1, n0, e0, slot, face);
+                m = side(w, n, m, x1, y1, z1, x2, y2, z2, b1, b2, s1, s2, n1, e1, slot, face);
+                count = side(w, n, m, x2, y2, z2, x0, y0, z0, b2, b0, s2, s0, n2, e2, slot, face);
+                return slot + 1;
+            }
+        }
+        put(w, n, 0, x0, y0, z0, n0, s0, e0);
+        put(w, n, 1, x1, y1, z1, n1, s1, e1);
+        put(w, n, 2, x2, y2, z2, n2, s2, e2);
+        count = 3;
+        return end;
+    }
+
+    /**
+     * Writes what is left of a side of the polygon, from corner p to corner q: p and where the side
+     * crosses the plane, or one of them, or nothing. Corners on the plane stay as they are;
+     * crossings are made only between clear sides.
+     *
+     * @param here how far p is beyond the plane
+     * @param slack of p, {@code next} that of q
+     * @param corner name of p
+     * @param edge what the side came from
+     * @return corners written
+     */
+    private int side(
+            double[] w,
+            long[] named,
+            int from,
+            double px,
+            double py,
+            double pz,
+            double qx,
+            double qy,
+            double qz,
+            double here,
+            double there,
+            double slack,
+            double next,
+            int corner,
+            int edge,
+            int slot,
+            int face) {
+        int at = from;
+        boolean kept = here <= slack;
+        boolean crosses = !kept && there < -next;
+        int leaving = edge;
+        if (kept) {
+            boolean out = there > next;
+            boolean inside = here < -slack;
+            crosses = out && inside;
+            put(w, named, at++, px, py, pz, corner, slack, out && !inside ? ~slot : edge);
+            leaving = ~slot;
+        }
+        if (crosses) {
+            double t = here / (here - there);
+            int name = name(edge, slot, face);
+            double cx = px + t * (qx - px);
+            double cy = py + t * (qy - py);
+            double cz = pz + t * (qz - pz);
+            put(w, named, at++, cx, cy, cz, name, slack(name), leaving);
+        }
+        return at;
+    }
+
+    /** Writes a corner. */
+    private static void put(
+            double[] w,
+            long[] named,
+            int at,
+            double px,
+            double py,
+            double pz,
+            int name,
+            double own,
+            int leaving) {
+        w[4 * at] = px;
+        w[4 * at + 1] = py;
+        w[4 * at + 2] = pz;
+        w[4 * at + 3] = own;
+        named[at] = (long) name << 32 | (leaving & 0xFFFFFFFFL);
     }
 
     /** Makes room for a number of corners that are put here from elsewhere. */
@@ -137,85 +285,66 @@ final class Clipper {
         separation = Arrays.copyOf(separation, need);
         feature = Arrays.copyOf(feature, need);
         beyond = new double[need];
-        whole = new Polygon(need);
-        rest = new Polygon(need);
+        whole = new double[4 * need];
+        rest = new double[4 * need];
+        names = new long[need];
+        restNames = new long[need];
     }
 
-    /**
-     * Cuts by the side plane at a slot. Corners on the plane stay as they are; crossings are made
-     * only between clear sides.
-     */
+    /** Cuts by the side plane at a slot. */
     private void cut(int slot, int face) {
         double sx = reference.sideX(slot);
         double sy = reference.sideY(slot);
         double sz = reference.sideZ(slot);
         double so = reference.sideOffset(slot);
-        Polygon p = whole;
+        double[] w = whole;
         int corners = count;
         int outside = 0;
         for (int i = 0; i < corners; i++) {
-            double s = sx * p.x[i] + sy * p.y[i] + sz * p.z[i] - so;
+            double s = sx * w[4 * i] + sy * w[4 * i + 1] + sz * w[4 * i + 2] - so;
             beyond[i] = s;
-            outside += s > p.slack[i] ? 1 : 0;
+            outside += s > w[4 * i + 3] ? 1 : 0;
         }
         if (outside == 0) {
             return;
         }
-        made = 0;
+        int made = 0;
         if (outside < corners) {
-            emitAll(slot, face);
-            whole = rest;
-            rest = p;
+            double[] q = rest;
+            long[] n = names;
+            long[] m = restNames;
+            for (int i = 0; i < corners; i++) {
+                int j = i + 1 == corners ? 0 : i + 1;
+                made =
+                        side(
+                                q,
+                                m,
+                                made,
+                                w[4 * i],
+                                w[4 * i + 1],
+                                w[4 * i + 2],
+                                w[4 * j],
+                                w[4 * j + 1],
+                                w[4 * j + 2],
+                                beyond[i],
+                                beyond[j],
+                                w[4 * i + 3],
+                                w[4 * j + 3],
+                                (int) (n[i] >>> 32),
+                                (int) n[i],
+                                slot,
+                                face);
+            }
+            whole = q;
+            rest = w;
+            names = m;
+            restNames = n;
         }
         count = made;
     }
 
-    private void emitAll(int slot, int face) {
-        Polygon p = whole;
-        int corners = count;
-        for (int i = 0; i < corners; i++) {
-            int j = i + 1 == corners ? 0 : i + 1;
-            double here = beyond[i];
-            double there = beyond[j];
-            double slack = p.slack[i];
-            int side = p.side[i];
-            if (here <= slack) {
-                boolean out = there > p.slack[j];
-                boolean inside = here < -slack;
-                int leaving = out && !inside ? ~slot : side;
-                emit(p.x[i], p.y[i], p.z[i], p.feature[i], slack, leaving);
-                if (out && inside) {
-                    cross(i, j, here / (here - there), name(side, slot, face), ~slot);
-                }
-            } else if (there < -p.slack[j]) {
-                cross(i, j, here / (here - there), name(side, slot, face), side);
-            }
-        }
-    }
-
     private double slack(int name) {
-        return last != 0 && Names.holds(last, name) ? later : first;
-    }
-
-    private void emit(double px, double py, double pz, int name, double own, int leaving) {
-        Polygon p = rest;
-        p.x[made] = px;
-        p.y[made] = py;
-        p.z[made] = pz;
-        p.feature[made] = name;
-        p.slack[made] = own;
-        p.side[made++] = leaving;
-    }
-
-    private void cross(int i, int j, double t, int name, int leaving) {
-        Polygon p = whole;
-        emit(
-                p.x[i] + t * (p.x[j] - p.x[i]),
-                p.y[i] + t * (p.y[j] - p.y[i]),
-                p.z[i] + t * (p.z[j] - p.z[i]),
-                name,
-                slack(name),
-                leaving);
+        return last != 0 && Names.holds(last, name) ? stillOnPlane : onPlane;
     }
 
     /** Names the crossing of a polygon side with a reference side. */
@@ -229,30 +358,5 @@ final class Clipper {
         int end = reference.faceBegin(face + 1);
         int after = slot + 1 == end ? begin : slot + 1;
         return kind | reference.slotVertex(after == ~cutSide ? after : slot);
-    }
-
-    /** Corners in the reference's frame. */
-    private static final class Polygon {
-        final double[] x, y, z;
-
-        /** How far from a side plane each corner counts as on it. */
-        final double[] slack;
-
-        final int[] feature;
-
-        /**
-         * What the side after a corner came from: an edge of the incident shape, or the complement
-         * of a reference slot.
-         */
-        final int[] side;
-
-        Polygon(int room) {
-            x = new double[room];
-            y = new double[room];
-            z = new double[room];
-            slack = new double[room];
-            feature = new int[room];
-            side = new int[room];
-        }
     }
 }
