@@ -282,7 +282,8 @@ public final class PairSet {
         contacts.run(BoxBatch.CAPACITY);
         int points = 0;
         for (int k = 0; k < BoxBatch.CAPACITY; k++) {
-            words[begin + k] = contacts.take(k, out);
+            int i = begin + k;
+            words[i] = contacts.take(k, (Box) a[i], (Box) b[i], out);
             points += out.pointCount;
         }
         return points;

@@ -255,7 +255,10 @@ public final class ManifoldStage {
         for (int i = 0; i < moved; i++) {
             int row = own.row[i];
             if (!same(i, row, own)) {
-                contacts.cache[row] = batch.take(i, own.manifold);
+                BodyStore s = bodies;
+                Box a = (Box) s.shape[contacts.bodyA[row]];
+                Box b = (Box) s.shape[contacts.bodyB[row]];
+                contacts.cache[row] = batch.take(i, a, b, own.manifold);
                 points.store(row, own.manifold, own.points);
                 recycler.keep(row, own.manifold, batch.leftOut(i), own.margin[i]);
             }

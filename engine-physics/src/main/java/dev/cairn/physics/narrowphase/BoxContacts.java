@@ -1,17 +1,18 @@
 package dev.cairn.physics.narrowphase;
 
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.BOUND;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CUT_SEPARATION;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.INNER;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.LAST;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.NEAR;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OFFSET;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
@@ -19,7 +20,7 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_EDGE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.STILL_NEAR;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_B;
 
@@ -27,12 +28,11 @@ import dev.cairn.physics.narrowphase.wide.BoxAxes;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.shape.Box;
 
-import java.util.Arrays;
-
 /**
- * Contacts of pairs of boxes in batches: the fifteen axes of all pairs by {@link BoxAxes}, then
- * pair by pair what {@link NarrowPhase} does, by the same rules and with the same results, for face
- * contacts and pairs that are apart. The rest (an edge, a corner) goes to {@link NarrowPhase}.
+ * Contacts of pairs of boxes in batches, by the same rules as {@link NarrowPhase} and with the same
+ * results, for face contacts and pairs that are apart. The rest (an edge, a corner) goes to {@link
+ * NarrowPhase}. With lanes, face contacts that were such in the last tick and are cut straight are
+ * found from beginning to end by {@link BoxAxes}; the others, and all without lanes, pair by pair.
  *
  * <p>One instance per worker; not thread-safe; allocates nothing.
  */
@@ -43,7 +43,6 @@ public final class BoxContacts {
      */
     private static final double THINNEST = 1e-9;
 
-    private static final Box NONE = Box.cube(1);
     private static final byte APART = 0;
     private static final byte FACE = 1;
 
@@ -55,16 +54,16 @@ public final class BoxContacts {
     private final BoxCuts cuts = new BoxCuts();
     private boolean wide = BoxAxes.wide();
 
-    /** Of each pair: what was put, and what was found. */
-    private final double[] inner = new double[CAPACITY],
-            margin = new double[CAPACITY],
-            best = new double[CAPACITY],
+    /** Pairs whose contact was found by lanes alone, a bit each. */
+    private int settled;
+
+    /** Of each of the others what was found. */
+    private final double[] best = new double[CAPACITY],
             separation = new double[CAPACITY],
             deepest = new double[CAPACITY],
             leftOut = new double[CAPACITY];
 
     private final long[] word = new long[CAPACITY];
-    private final Box[] shapeA = new Box[CAPACITY], shapeB = new Box[CAPACITY];
     private final byte[] kind = new byte[CAPACITY];
     private final int[] pointCount = new int[CAPACITY];
 
@@ -80,8 +79,6 @@ public final class BoxContacts {
      */
     public BoxContacts(NarrowPhase single) {
         this.single = single;
-        Arrays.fill(shapeA, NONE);
-        Arrays.fill(shapeB, NONE);
     }
 
     /**
@@ -144,6 +141,7 @@ public final class BoxContacts {
             double innerRadius,
             double distance,
             long cache) {
+        double[] t = this.t;
         t[TURN_A + i] = qAx;
         t[TURN_A + CAPACITY + i] = qAy;
         t[TURN_A + 2 * CAPACITY + i] = qAz;
@@ -162,13 +160,9 @@ public final class BoxContacts {
         t[HALF_B + CAPACITY + i] = b.halfY();
         t[HALF_B + 2 * CAPACITY + i] = b.halfZ();
         t[MARGIN + i] = distance;
-        t[NEAR + i] = Clipper.ON_PLANE * innerRadius;
-        t[STILL_NEAR + i] = Clipper.STILL_ON_PLANE * innerRadius;
-        inner[i] = innerRadius;
-        margin[i] = distance;
+        t[INNER + i] = innerRadius;
+        t[LAST + i] = cache >>> 47;
         word[i] = cache;
-        shapeA[i] = a;
-        shapeB[i] = b;
     }
 
     /**
@@ -177,18 +171,29 @@ public final class BoxContacts {
      * @param count how many
      */
     public void run(int count) {
-        BoxAxes.run(batch, count, wide);
+        settled = 0;
         if (!wide) {
+            BoxAxes.scalar(batch, count);
             return;
         }
-        for (int i = 0; i < count; i++) {
+        int all = (int) ((1L << count) - 1);
+        BoxAxes.faces(batch, count);
+        int others = BoxAxes.choose(batch, count) & all;
+        chooseOthers(others);
+        BoxAxes.corners(batch, count);
+        settled = BoxAxes.cutStraight(batch, count) & all & ~others;
+        // What has chosen its face in lanes, but needs its edges.
+        int unproven = all & ~others & ~settled;
+        BoxAxes.edges(batch, unproven);
+        for (int bits = unproven; bits != 0; bits &= bits - 1) {
+            int i = Integer.numberOfTrailingZeros(bits);
+            load(i);
             choose(i);
         }
-        BoxAxes.corners(batch, count);
-        BoxAxes.cutStraight(batch, count);
-        for (int i = 0; i < count; i++) {
+        for (int bits = all & ~settled; bits != 0; bits &= bits - 1) {
+            int i = Integer.numberOfTrailingZeros(bits);
             if (kind[i] == FACE) {
-                int points = cuts.clip(t, i, inner[i], margin[i], (int) word[i]);
+                int points = cuts.clip(t, i, t[INNER + i], t[MARGIN + i], (int) word[i]);
                 deepest[i] = cuts.deepest;
                 leftOut[i] = cuts.leftOut;
                 pointCount[i] = points;
@@ -197,47 +202,84 @@ public final class BoxContacts {
         BoxAxes.world(batch, count);
     }
 
+    /** The axes of edges matter only where those of faces do not part a pair. */
+    private void chooseOthers(int others) {
+        int near = 0;
+        for (int bits = others; bits != 0; bits &= bits - 1) {
+            int i = Integer.numberOfTrailingZeros(bits);
+            if (!apart(i)) {
+                near |= 1 << i;
+            }
+        }
+        BoxAxes.edges(batch, near);
+        for (int bits = near; bits != 0; bits &= bits - 1) {
+            int i = Integer.numberOfTrailingZeros(bits);
+            load(i);
+            choose(i);
+        }
+    }
+
     /**
      * The contact of one pair, after {@link #run}; once per pair. The result is that of {@link
-     * NarrowPhase#collide}; of {@link Manifold#bound} only the rounding differs.
+     * NarrowPhase#collide}; {@link Manifold#bound} may be larger.
      *
      * @param i its place
+     * @param a first shape, as it was put
+     * @param b second shape, as it was put
      * @param out receives the contact
      * @return the word to pass next time
      */
-    public long take(int i, Manifold out) {
-        if (!wide) {
+    public long take(int i, Box a, Box b, Manifold out) {
+        out.patch = 0;
+        out.capped = false;
+        if (isSettled(i)) {
+            out.bound = t[BOUND + i];
+            copyNormal(i, out);
+            return StraightPoints.copy(t, i, out);
+        }
+        return takeOther(i, a, b, out);
+    }
+
+    private boolean isSettled(int i) {
+        return (settled >>> i & 1) != 0;
+    }
+
+    private long takeOther(int i, Box a, Box b, Manifold out) {
+        if (!wide && !apart(i)) {
             choose(i);
         }
         out.pointCount = 0;
-        out.patch = 0;
         out.bound = 0;
-        out.capped = false;
         if (kind[i] == APART) {
             return word[i];
         }
         int face = 2 * (int) t[AXIS + i] + (t[SIGN + i] > 0 ? 1 : 0);
         boolean flip = t[FLIP + i] != 0;
+        double inner = t[INNER + i];
         double least =
                 wide
                         ? deepest[i]
-                        : faces.face(t, i, flip, face, inner[i], margin[i], (int) word[i], out);
+                        : faces.face(t, i, flip, face, inner, t[MARGIN + i], (int) word[i], out);
         if (!wide) {
             leftOut[i] = faces.leftOut;
         }
         int points = wide ? pointCount[i] : out.pointCount;
         if (points == 0 || strays(i, least)) {
             leftOut[i] = Double.NaN;
-            return single(i, out);
-        }
-        if (wide) {
-            copy(i, points, out);
+            return single(i, a, b, out);
         }
         out.bound = Math.abs(best[i] - least) + 0x1p-48 * scale(i);
+        if (wide) {
+            copyNormal(i, out);
+            if (t[STRAIGHT + i] >= 0) {
+                return StraightPoints.copy(t, i, out);
+            }
+            copy(i, points, out);
+        }
         return Word.of(
                 flip ? NarrowPhase.FACE_B : NarrowPhase.FACE_A,
                 face,
-                wide ? cuts.names(i) : Names.of(out));
+                wide ? cuts.names[i] : Names.of(out));
     }
 
     /**
@@ -249,20 +291,17 @@ public final class BoxContacts {
      *     is neither apart nor on a face
      */
     public double leftOut(int i) {
-        return leftOut[i];
+        return isSettled(i) ? Double.POSITIVE_INFINITY : leftOut[i];
+    }
+
+    private void copyNormal(int i, Manifold out) {
+        out.normalX = t[NORMAL + i];
+        out.normalY = t[NORMAL + CAPACITY + i];
+        out.normalZ = t[NORMAL + 2 * CAPACITY + i];
     }
 
     private void copy(int i, int points, Manifold out) {
         out.pointCount = points;
-        out.normalX = t[NORMAL + i];
-        out.normalY = t[NORMAL + CAPACITY + i];
-        out.normalZ = t[NORMAL + 2 * CAPACITY + i];
-        int entry = cuts.straight[i];
-        boolean straight = entry != BoxCuts.NOT_STRAIGHT;
-        if (straight) {
-            straight(i, entry, out);
-            return;
-        }
         for (int p = 0; p < points; p++) {
             int at = CORNER + 3 * CAPACITY * p + i;
             out.pointX[p] = t[at];
@@ -271,24 +310,6 @@ public final class BoxContacts {
             out.separation[p] = cuts.separation[4 * i + p];
             out.feature[p] = cuts.name[4 * i + p];
         }
-    }
-
-    /** Without a loop, so that indices are checked once. */
-    private void straight(int i, int entry, Manifold out) {
-        int order = StraightNames.order(entry);
-        straight(i, entry, 0, order & 3, out);
-        straight(i, entry, 1, order >> 2 & 3, out);
-        straight(i, entry, 2, order >> 4 & 3, out);
-        straight(i, entry, 3, order >> 6 & 3, out);
-    }
-
-    private void straight(int i, int entry, int p, int place, Manifold out) {
-        int at = CORNER + 3 * CAPACITY * place + i;
-        out.pointX[p] = t[at];
-        out.pointY[p] = t[at + CAPACITY];
-        out.pointZ[p] = t[at + 2 * CAPACITY];
-        out.separation[p] = t[CUT_SEPARATION + place * CAPACITY + i];
-        out.feature[p] = StraightNames.name(entry, p);
     }
 
     /**
@@ -301,15 +322,11 @@ public final class BoxContacts {
      * @return false when {@link #take} must tell
      */
     public boolean sameStraight(int i, int[] names, int first) {
-        if (!wide || kind[i] != FACE || cuts.straight[i] == BoxCuts.NOT_STRAIGHT) {
+        if (!isSettled(i)
+                && (!wide || kind[i] != FACE || t[STRAIGHT + i] < 0 || strays(i, deepest[i]))) {
             return false;
         }
-        int entry = cuts.straight[i];
-        return names[first] == StraightNames.name(entry, 0)
-                && names[first + 1] == StraightNames.name(entry, 1)
-                && names[first + 2] == StraightNames.name(entry, 2)
-                && names[first + 3] == StraightNames.name(entry, 3)
-                && !strays(i, deepest[i]);
+        return StraightPoints.named(t, i, names, first);
     }
 
     /**
@@ -332,61 +349,43 @@ public final class BoxContacts {
             int at,
             double[] separation,
             int first) {
-        normal[n] = t[NORMAL + i];
-        normal[n + 1] = t[NORMAL + CAPACITY + i];
-        normal[n + 2] = t[NORMAL + 2 * CAPACITY + i];
-        int entry = cuts.straight[i];
-        int order = StraightNames.order(entry);
-        separation[first] = write(i, order & 3, anchors, at);
-        separation[first + 1] = write(i, order >> 2 & 3, anchors, at + 6);
-        separation[first + 2] = write(i, order >> 4 & 3, anchors, at + 12);
-        separation[first + 3] = write(i, order >> 6 & 3, anchors, at + 18);
-        int face = 2 * (int) t[AXIS + i] + (t[SIGN + i] > 0 ? 1 : 0);
-        return Word.of(
-                t[FLIP + i] != 0 ? NarrowPhase.FACE_B : NarrowPhase.FACE_A,
-                face,
-                StraightNames.names(entry));
+        return StraightPoints.write(t, i, normal, n, anchors, at, separation, first);
     }
 
-    private double write(int i, int place, double[] anchors, int at) {
-        int from = CORNER + 3 * CAPACITY * place + i;
-        double x = t[from];
-        double y = t[from + CAPACITY];
-        double z = t[from + 2 * CAPACITY];
-        anchors[at] = x;
-        anchors[at + 1] = y;
-        anchors[at + 2] = z;
-        anchors[at + 3] = x - t[OFFSET + i];
-        anchors[at + 4] = y - t[OFFSET + CAPACITY + i];
-        anchors[at + 5] = z - t[OFFSET + 2 * CAPACITY + i];
-        return t[CUT_SEPARATION + place * CAPACITY + i];
-    }
-
-    /** Decides whether a pair is apart, and else on its face. */
-    private void choose(int i) {
-        long cache = word[i];
-        double distance = margin[i];
-        kind[i] = APART;
+    private void load(int i) {
         separationA = t[SEPARATION_A + i];
         faceA = (int) t[FACE_A + i];
         separationB = t[SEPARATION_B + i];
         faceB = (int) t[FACE_B + i];
-        if (stillApart(i, cache, distance)) {
-            return;
+    }
+
+    /** Whether a pair is apart by an axis of a face. */
+    private boolean apart(int i) {
+        load(i);
+        double distance = t[MARGIN + i];
+        kind[i] = APART;
+        if (stillApart(i, word[i], distance)) {
+            return true;
         }
         leftOut[i] = separationA;
         if (separationA > distance) {
             word[i] = Word.of(NarrowPhase.FACE_A, faceA, 0);
-            return;
+            return true;
         }
         leftOut[i] = separationB;
         if (separationB > distance) {
             word[i] = Word.of(NarrowPhase.FACE_B, faceB, 0);
-            return;
+            return true;
         }
+        return false;
+    }
+
+    /** Decides whether a pair that was loaded is apart by edges, and else on its face. */
+    private void choose(int i) {
         best[i] = Math.max(Math.max(separationA, separationB), t[SEPARATION_EDGE + i]);
         leftOut[i] = best[i];
-        if (best[i] > distance) {
+        if (best[i] > t[MARGIN + i]) {
+            kind[i] = APART;
             boolean onB = separationB > separationA;
             word[i] =
                     onB
@@ -395,7 +394,7 @@ public final class BoxContacts {
             return;
         }
         kind[i] = FACE;
-        boolean flip = chooseFace(i, cache, NarrowPhase.CALM * inner[i]);
+        boolean flip = chooseFace(i, word[i], NarrowPhase.CALM * t[INNER + i]);
         int face = flip ? faceB : faceA;
         separation[i] = flip ? separationB : separationA;
         t[FLIP + i] = flip ? 1 : 0;
@@ -405,7 +404,7 @@ public final class BoxContacts {
 
     /** Whether the face contact tells another depth than the best axis, see {@link NarrowPhase}. */
     private boolean strays(int i, double least) {
-        double calm = NarrowPhase.CALM * inner[i];
+        double calm = NarrowPhase.CALM * t[INNER + i];
         double depth = Math.abs(best[i]);
         double better =
                 word[i] >>> 62 == NarrowPhase.EDGES
@@ -414,10 +413,10 @@ public final class BoxContacts {
         return Math.abs(least - best[i]) > better || best[i] - separation[i] > better;
     }
 
-    private long single(int i, Manifold out) {
+    private long single(int i, Box a, Box b, Manifold out) {
         return single.collide(
-                shapeA[i],
-                shapeB[i],
+                a,
+                b,
                 t[TURN_A + i],
                 t[TURN_A + CAPACITY + i],
                 t[TURN_A + 2 * CAPACITY + i],
@@ -429,7 +428,7 @@ public final class BoxContacts {
                 t[OFFSET + i],
                 t[OFFSET + CAPACITY + i],
                 t[OFFSET + 2 * CAPACITY + i],
-                margin[i],
+                t[MARGIN + i],
                 word[i],
                 out);
     }
@@ -513,8 +512,15 @@ public final class BoxContacts {
         if (before != NarrowPhase.FACE_A && before != NarrowPhase.FACE_B) {
             double far = Math.max(Math.abs(t[CENTRE + i]), Math.abs(t[CENTRE + CAPACITY + i]));
             far = Math.max(far, Math.abs(t[CENTRE + 2 * CAPACITY + i]));
-            bias = 0x1p-40 * (shapeA[i].outerRadius() + shapeB[i].outerRadius() + far);
+            bias = 0x1p-40 * (outerRadius(HALF_A + i) + outerRadius(HALF_B + i) + far);
         }
         return separationB > separationA + bias;
+    }
+
+    private double outerRadius(int half) {
+        double x = t[half];
+        double y = t[half + CAPACITY];
+        double z = t[half + 2 * CAPACITY];
+        return Math.sqrt(x * x + y * y + z * z);
     }
 }

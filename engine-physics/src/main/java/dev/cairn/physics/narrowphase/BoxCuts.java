@@ -37,7 +37,7 @@ final class BoxCuts {
     static final int[] SIDE_OUTSIDE = new int[24], SIDE_SLOT = new int[24];
 
     /** The batch's corner at a slot; and the vertices of the batch's corners, four to a face. */
-    private static final int[] SLOT_CORNER = new int[24], CORNER_VERTEX = new int[24];
+    static final int[] SLOT_CORNER = new int[24], CORNER_VERTEX = new int[24];
 
     static {
         Polyhedron h = Box.cube(1).polyhedron();
@@ -83,17 +83,11 @@ final class BoxCuts {
     private final Clipper many = new Clipper();
     private final Reduction reduction = new Reduction();
 
-    /** Not in {@link StraightNames}. */
-    static final int NOT_STRAIGHT = -1;
-
-    /** The entry of each pair in {@link StraightNames}; the following are of the other pairs. */
-    final int[] straight = new int[BoxBatch.CAPACITY];
-
-    /** The points of each pair, up to four: names, and separations. */
+    /** Of pairs that are not cut straight, up to four points: names, and separations. */
     final int[] name = new int[4 * BoxBatch.CAPACITY];
 
     /** The same of each pair as a word, see {@link Names}. */
-    private final int[] names = new int[BoxBatch.CAPACITY];
+    final int[] names = new int[BoxBatch.CAPACITY];
 
     final double[] separation = new double[4 * BoxBatch.CAPACITY];
 
@@ -103,13 +97,8 @@ final class BoxCuts {
     /** The least separation that was beyond the margin, of the last pair. */
     double leftOut;
 
-    /** The names of the points of a pair as a word, see {@link Names}. */
-    int names(int i) {
-        return straight[i] == NOT_STRAIGHT ? names[i] : StraightNames.names(straight[i]);
-    }
-
     /**
-     * Clips a pair.
+     * Clips a pair, unless it was cut straight.
      *
      * @param t columns of the batch
      * @param i the pair
@@ -124,11 +113,10 @@ final class BoxCuts {
         boolean positive = t[SIGN + i] > 0;
         int incident = 4 * (int) t[INCIDENT + i];
         int begin = 8 * (int) t[AXIS + i] + (positive ? 4 : 0);
-        int code = (int) t[STRAIGHT + i];
-        if (code >= 0) {
-            return straight(t, i, code, incident, begin);
+        if (t[STRAIGHT + i] >= 0) {
+            deepest = t[DEEPEST + i];
+            return 4;
         }
-        straight[i] = NOT_STRAIGHT;
         first = Clipper.ON_PLANE * inner;
         boolean cuts = false;
         for (int slot = begin; slot < begin + 4; slot++) {
@@ -198,13 +186,6 @@ final class BoxCuts {
         deepest = least;
         names[i] = hash;
         return kept;
-    }
-
-    /** What is cut straight is in the columns already; its names are in a table. */
-    private int straight(double[] t, int i, int code, int incident, int begin) {
-        straight[i] = StraightNames.entry(flip, begin >> 2, incident >> 2, code);
-        deepest = t[DEEPEST + i];
-        return 4;
     }
 
     static int crossing(boolean flip, int incidentEdge, int edge) {

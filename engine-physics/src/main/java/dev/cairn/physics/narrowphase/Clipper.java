@@ -1,5 +1,6 @@
 package dev.cairn.physics.narrowphase;
 
+import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.shape.Polyhedron;
 
 import java.util.Arrays;
@@ -19,13 +20,13 @@ final class Clipper {
      * Of the smaller shape's inner radius: corners this near to a side plane count as on it, so
      * that flush boxes keep their names.
      */
-    static final double ON_PLANE = 1e-5;
+    static final double ON_PLANE = BoxBatch.ON_PLANE;
 
     /**
      * The same for a corner that was a point of the last tick: it leaves the plane later than it
      * came, so that boxes that sway a little keep their names too.
      */
-    static final double STILL_ON_PLANE = 1e-3;
+    static final double STILL_ON_PLANE = BoxBatch.STILL_ON_PLANE;
 
     double[] x = new double[32],
             y = new double[32],

@@ -1,5 +1,6 @@
 package dev.cairn.physics.narrowphase;
 
+import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Shape;
@@ -30,7 +31,7 @@ public final class NarrowPhase {
     /**
      * Of the smaller inner radius: what one kind of contact must be better by to replace another.
      */
-    static final double CALM = 1e-3;
+    static final double CALM = BoxBatch.CALM;
 
     private final Method method;
     private final Pair pair = new Pair();

@@ -1,59 +1,52 @@
 package dev.cairn.physics.narrowphase;
 
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_WAYS;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.WAYS;
+
+import dev.cairn.physics.narrowphase.wide.BoxBatch;
 
 import java.util.Arrays;
 
 /**
- * The names of the four points that one side of a face, or two beside each other, leave of another
- * box's face when each cuts two neighbouring corners off: a table of all pairs of faces and ways of
- * {@link dev.cairn.physics.narrowphase.wide.BoxBatch#STRAIGHT}. Filled by cutting loops of names as
- * {@link Clipper} does.
+ * The names of the four points that are left of a box's face when no side of another box's face
+ * cuts it, or one side, or two beside each other that cut two neighbouring corners off each: a
+ * table of all {@linkplain BoxBatch#entry pairs of faces and ways}. Filled by cutting loops of
+ * names as {@link Clipper} does.
  */
 final class StraightNames {
-    /** Ways in which the first side can cut. */
-    private static final int FIRST_WAYS = 16;
-
-    private static final int WAYS = 2 * 36 * FIRST_WAYS * SECOND_WAYS;
+    private static final int FACES = 72;
 
     /** Four to an entry, ascending as unsigned numbers. */
-    private static final int[] NAME = new int[4 * WAYS];
+    private static final int[] NAME = new int[4 * FACES * WAYS];
 
     /** Where each of the four stands in the columns: two bits, the first one lowest. */
-    private static final byte[] ORDER = new byte[WAYS];
+    private static final byte[] ORDER = new byte[FACES * WAYS];
 
-    /** The four as a word, see {@link Names}. */
-    private static final int[] NAMES = new int[WAYS];
+    /** The face and the four names, see {@link Word}. */
+    private static final long[] WORD = new long[FACES * WAYS];
 
     static {
         Loop loop = new Loop();
-        for (int faces = 0; faces < 72; faces++) {
+        for (int faces = 0; faces < FACES; faces++) {
             boolean flip = faces >= 36;
-            int begin = 4 * (faces / 6 % 6);
-            int incident = 4 * (faces % 6);
-            for (int first = 0; first < FIRST_WAYS; first++) {
-                for (int second = 0; second < SECOND_WAYS; second++) {
-                    loop.begin(flip, begin, incident);
-                    loop.cut(first & 3, BoxCuts.SIDE_SLOT[begin + (first >> 2)]);
-                    if (second > 0) {
-                        int other = ((first >> 3) ^ 1) << 1;
-                        int low = (second - 1) >> 2;
-                        loop.cut((second - 1) & 3, BoxCuts.SIDE_SLOT[begin + other + low]);
-                    }
-                    fill((faces * FIRST_WAYS + first) * SECOND_WAYS + second, loop.name);
+            int face = faces / 6 % 6;
+            int incident = faces % 6;
+            for (int way = 0; way < WAYS; way++) {
+                loop.begin(flip, 4 * face, 4 * incident);
+                if (way > 0) {
+                    loop.cut((way - 1) / SECOND_WAYS, (way - 1) % SECOND_WAYS);
                 }
+                fill(BoxBatch.entry(flip, face, incident, way), flip, face, loop);
             }
         }
     }
 
     private StraightNames() {}
 
-    private static void fill(int entry, int[] loop) {
-        // In the columns: stays, stays again, leaves, enters.
+    private static void fill(int entry, boolean flip, int face, Loop loop) {
         long[] sorted = new long[4];
         for (int k = 0; k < 4; k++) {
-            int place = k == 0 ? 0 : k == 1 ? 2 : k == 2 ? 3 : 1;
-            sorted[k] = (loop[k] & 0xFFFFFFFFL) << 2 | place;
+            sorted[k] = (loop.name[k] & 0xFFFFFFFFL) << 2 | loop.place[k];
         }
         Arrays.sort(sorted);
         Manifold names = new Manifold();
@@ -63,13 +56,8 @@ final class StraightNames {
             names.feature[k] = NAME[4 * entry + k];
             ORDER[entry] |= (byte) ((sorted[k] & 3) << (2 * k));
         }
-        NAMES[entry] = Names.of(names);
-    }
-
-    /** The entry of a way to cut a face, with the other box's face. */
-    static int entry(boolean flip, int face, int incident, int way) {
-        int faces = (flip ? 36 : 0) + 6 * face + incident;
-        return faces * (FIRST_WAYS * SECOND_WAYS) + way;
+        long kind = flip ? NarrowPhase.FACE_B : NarrowPhase.FACE_A;
+        WORD[entry] = Word.of(kind, face, Names.of(names));
     }
 
     /** The name of a point, 0 to 3 in order. */
@@ -82,14 +70,17 @@ final class StraightNames {
         return ORDER[entry];
     }
 
-    /** The four as a word, see {@link Names}. */
-    static int names(int entry) {
-        return NAMES[entry];
+    /** The face and the four names, see {@link Word}. */
+    static long word(int entry) {
+        return WORD[entry];
     }
 
-    /** The names of four corners and of what the sides between them came from. */
+    /** The names of four corners, where they stand, and what the sides between them came from. */
     private static final class Loop {
-        final int[] name = new int[4], side = new int[4];
+        /** The place of a corner when the first side cuts edges along the first axis, or not. */
+        private static final int[] ALONG_FIRST = {0, 1, 2, 3}, ALONG_SECOND = {0, 2, 1, 3};
+
+        int[] name = new int[4], side = new int[4], place = new int[4];
         boolean flip;
         int begin;
 
@@ -100,11 +91,33 @@ final class StraightNames {
             for (int k = 0; k < 4; k++) {
                 name[k] = kind | BoxCuts.SLOT_VERTEX[incident + k];
                 side[k] = BoxCuts.SLOT_EDGE[incident + k];
+                place[k] = BoxCuts.SLOT_CORNER[incident + k];
             }
         }
 
-        /** Cuts off the two corners after one; the loop then begins there. */
-        void cut(int stays, int slot) {
+        /** See {@link BoxBatch#entry}. */
+        void cut(int first, int second) {
+            int[] placeOf = (first & 2) == 0 ? ALONG_FIRST : ALONG_SECOND;
+            for (int k = 0; k < 4; k++) {
+                place[k] = placeOf[place[k]];
+            }
+            // Low ends are the places 0 and 2 of the first side, 0 and 1 of the second.
+            cutOff((first & 1) != 0 ? 0b0101 : 0b1010, first >> 2);
+            if (second > 0) {
+                int other = ((first >> 3) ^ 1) << 1;
+                cutOff(((second - 1) & 1) != 0 ? 0b0011 : 0b1100, other + ((second - 1) >> 1));
+            }
+        }
+
+        /** Cuts two neighbours off; the loop then begins at the last corner that stays. */
+        private void cutOff(int places, int sideNumber) {
+            int slot = BoxCuts.SIDE_SLOT[begin + sideNumber];
+            int stays = 0;
+            while ((places >> place[stays] & 1) != 0
+                    || (places >> place[(stays + 1) & 3] & 1) == 0) {
+                stays++;
+            }
+            int leaves = (stays + 1) & 3;
             int enters = (stays + 2) & 3;
             int back = (stays + 3) & 3;
             int[] names = {
@@ -113,9 +126,9 @@ final class StraightNames {
                 BoxCuts.name(flip, side[enters], slot, begin),
                 name[back]
             };
-            int[] sides = {side[stays], ~slot, side[enters], side[back]};
-            System.arraycopy(names, 0, name, 0, 4);
-            System.arraycopy(sides, 0, side, 0, 4);
+            side = new int[] {side[stays], ~slot, side[enters], side[back]};
+            place = new int[] {place[stays], place[leaves], place[enters], place[back]};
+            name = names;
         }
     }
 }

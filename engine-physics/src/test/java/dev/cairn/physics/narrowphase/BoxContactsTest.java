@@ -200,7 +200,7 @@ class BoxContactsTest {
                     String where = "seed 71 round " + round + " tick " + tick + " pair " + i;
                     double margin = .02 * inner(s);
                     long word = s.collide(single, margin, words[i], expected);
-                    long got = batch.take(i, actual);
+                    long got = batch.take(i, (Box) s.a, (Box) s.b, actual);
                     same(expected, actual, where);
                     assertEquals(word, got, where);
                     touching += expected.pointCount > 0 ? 1 : 0;

@@ -25,28 +25,58 @@ public final class BoxAxes {
     }
 
     /**
-     * Fills the result columns of the first pairs of a batch; what follows them up to the next
-     * multiple of the lanes is overwritten too.
+     * Fills the columns from {@link BoxBatch#WORLD} to {@link BoxBatch#EDGE} of the first pairs of
+     * a batch, one pair after another.
      *
      * @param batch whose input columns are filled
      * @param count pairs, 0 to {@link BoxBatch#CAPACITY}
-     * @param wide whether to use lanes; only where {@link #wide()}
      */
-    public static void run(BoxBatch batch, int count, boolean wide) {
-        if (wide) {
-            BoxAxesWide.run(batch.data, count);
-        } else {
-            BoxAxesScalar.run(batch.data, count);
-        }
+    public static void scalar(BoxBatch batch, int count) {
+        BoxAxesScalar.run(batch.data, count);
     }
 
     /**
-     * Whether there are lanes. {@link #corners} and {@link #world} are only for machines that have.
+     * Whether there are lanes. What follows is only for machines that have; all of it overwrites
+     * what follows the pairs up to the next multiple of the lanes.
      *
      * @return false without the Vector API
      */
     public static boolean wide() {
         return WIDE;
+    }
+
+    /**
+     * The axes of faces: fills the columns from {@link BoxBatch#WORLD} to {@link BoxBatch#FACE_B}.
+     *
+     * @param batch whose input columns are filled
+     * @param count pairs
+     */
+    public static void faces(BoxBatch batch, int count) {
+        BoxAxesWide.faces(batch.data, count);
+    }
+
+    /**
+     * The axes of edges: fills {@link BoxBatch#SEPARATION_EDGE} and {@link BoxBatch#EDGE} of some
+     * pairs, and perhaps of their neighbours.
+     *
+     * @param batch after {@link #faces}
+     * @param pairs a bit each
+     */
+    public static void edges(BoxBatch batch, int pairs) {
+        BoxAxesWide.edges(batch.data, pairs);
+    }
+
+    /**
+     * Chooses the face of pairs that had one of their two best faces in the last tick and are not
+     * apart by these: fills {@link BoxBatch#FLIP}, {@link BoxBatch#AXIS} and {@link BoxBatch#SIGN},
+     * of other pairs with anything.
+     *
+     * @param batch after {@link #faces}
+     * @param count pairs
+     * @return the others, a bit each
+     */
+    public static int choose(BoxBatch batch, int count) {
+        return BoxFacesWide.choose(batch.data, count);
     }
 
     /**
@@ -61,14 +91,16 @@ public final class BoxAxes {
     }
 
     /**
-     * Clips what one or two sides cut straight: fills {@link BoxBatch#STRAIGHT} and, where that is
-     * not negative, puts the points in the {@link BoxBatch#CORNER} columns.
+     * Clips what no, one or two sides cut straight: fills {@link BoxBatch#STRAIGHT} and, where that
+     * is not negative, puts the points in the {@link BoxBatch#CORNER} columns.
      *
      * @param batch after {@link #corners}
      * @param count pairs
+     * @return of the pairs that were cut straight those, a bit each, whose face {@link #choose}
+     *     chose and whose contact no axis of edges can change
      */
-    public static void cutStraight(BoxBatch batch, int count) {
-        BoxStraightWide.run(batch.data, count);
+    public static int cutStraight(BoxBatch batch, int count) {
+        return BoxStraightWide.run(batch.data, count);
     }
 
     /**

@@ -23,8 +23,6 @@ import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
-import java.util.Arrays;
-
 /**
  * The kernels of {@link BoxAxes}: a pair to a lane. Vectors stay in local variables of one method,
  * for only the JDK's own methods are sure to be inlined; what crosses to the next kernel goes
@@ -41,20 +39,28 @@ final class BoxAxesWide {
         return LANES >= 4;
     }
 
-    static void run(double[] t, int count) {
+    static void faces(double[] t, int count) {
         int end = (count + LANES - 1) / LANES * LANES;
         world(t, end);
         relative(t, end);
         facesOfA(t, end);
         facesOfB(t, end);
-        Arrays.fill(t, SEPARATION_EDGE, SEPARATION_EDGE + end, -Double.MAX_VALUE);
-        Arrays.fill(t, SIGNED_SQUARE, SIGNED_SQUARE + end, -Double.MAX_VALUE);
-        Arrays.fill(t, SQUARE, SQUARE + end, 1);
-        Arrays.fill(t, EDGE, EDGE + end, -1);
-        edges(t, end, 0, CAPACITY, 2 * CAPACITY, 0);
-        edges(t, end, CAPACITY, 0, 2 * CAPACITY, 1);
-        edges(t, end, 2 * CAPACITY, 0, CAPACITY, 2);
-        for (int i = 0; i < end; i += LANES) {
+    }
+
+    /** The groups of lanes in which a bit is set. */
+    static void edges(double[] t, int pairs) {
+        int group = (int) ((1L << LANES) - 1);
+        for (int i = 0; i < CAPACITY; i += LANES) {
+            if ((pairs >>> i & group) == 0) {
+                continue;
+            }
+            DoubleVector.broadcast(S, -Double.MAX_VALUE).intoArray(t, SEPARATION_EDGE + i);
+            DoubleVector.broadcast(S, -Double.MAX_VALUE).intoArray(t, SIGNED_SQUARE + i);
+            DoubleVector.broadcast(S, 1).intoArray(t, SQUARE + i);
+            DoubleVector.broadcast(S, -1).intoArray(t, EDGE + i);
+            edges(t, i, 0, CAPACITY, 2 * CAPACITY, 0);
+            edges(t, i, CAPACITY, 0, 2 * CAPACITY, 1);
+            edges(t, i, 2 * CAPACITY, 0, CAPACITY, 2);
             DoubleVector.fromArray(S, t, SEPARATION_EDGE + i)
                     .div(DoubleVector.fromArray(S, t, SQUARE + i).sqrt())
                     .intoArray(t, SEPARATION_EDGE + i);
@@ -212,94 +218,93 @@ final class BoxAxesWide {
      * compared by {@code s |s| square'} against {@code s' |s'| square}: nine roots and divisions
      * would cost more than all the rest.
      *
+     * @param i the first pair of the lanes
      * @param j column of B's axis
      * @param k column of B's next axis
      * @param l column of B's last axis
      * @param pair number of the axis
      */
-    private static void edges(double[] t, int end, int j, int k, int l, int pair) {
-        for (int i = 0; i < end; i += LANES) {
-            DoubleVector x = DoubleVector.fromArray(S, t, RELATIVE + j + i);
-            DoubleVector y = DoubleVector.fromArray(S, t, RELATIVE + 3 * CAPACITY + j + i);
-            DoubleVector z = DoubleVector.fromArray(S, t, RELATIVE + 6 * CAPACITY + j + i);
-            DoubleVector ux = DoubleVector.fromArray(S, t, RELATIVE + k + i);
-            DoubleVector uy = DoubleVector.fromArray(S, t, RELATIVE + 3 * CAPACITY + k + i);
-            DoubleVector uz = DoubleVector.fromArray(S, t, RELATIVE + 6 * CAPACITY + k + i);
-            DoubleVector vx = DoubleVector.fromArray(S, t, RELATIVE + l + i);
-            DoubleVector vy = DoubleVector.fromArray(S, t, RELATIVE + 3 * CAPACITY + l + i);
-            DoubleVector vz = DoubleVector.fromArray(S, t, RELATIVE + 6 * CAPACITY + l + i);
-            DoubleVector dx = DoubleVector.fromArray(S, t, CENTRE + i);
-            DoubleVector dy = DoubleVector.fromArray(S, t, CENTRE + CAPACITY + i);
-            DoubleVector dz = DoubleVector.fromArray(S, t, CENTRE + 2 * CAPACITY + i);
-            DoubleVector ax = DoubleVector.fromArray(S, t, HALF_A + i);
-            DoubleVector ay = DoubleVector.fromArray(S, t, HALF_A + CAPACITY + i);
-            DoubleVector az = DoubleVector.fromArray(S, t, HALF_A + 2 * CAPACITY + i);
-            DoubleVector h1 = DoubleVector.fromArray(S, t, HALF_B + k + i);
-            DoubleVector h2 = DoubleVector.fromArray(S, t, HALF_B + l + i);
-            DoubleVector xx = x.mul(x);
-            DoubleVector yy = y.mul(y);
-            DoubleVector zz = z.mul(z);
-            DoubleVector bx = x.abs();
-            DoubleVector by = y.abs();
-            DoubleVector bz = z.abs();
-            DoubleVector most = DoubleVector.fromArray(S, t, SEPARATION_EDGE + i);
-            DoubleVector mostSquare = DoubleVector.fromArray(S, t, SIGNED_SQUARE + i);
-            DoubleVector below = DoubleVector.fromArray(S, t, SQUARE + i);
-            DoubleVector name = DoubleVector.fromArray(S, t, EDGE + i);
+    private static void edges(double[] t, int i, int j, int k, int l, int pair) {
+        DoubleVector x = DoubleVector.fromArray(S, t, RELATIVE + j + i);
+        DoubleVector y = DoubleVector.fromArray(S, t, RELATIVE + 3 * CAPACITY + j + i);
+        DoubleVector z = DoubleVector.fromArray(S, t, RELATIVE + 6 * CAPACITY + j + i);
+        DoubleVector ux = DoubleVector.fromArray(S, t, RELATIVE + k + i);
+        DoubleVector uy = DoubleVector.fromArray(S, t, RELATIVE + 3 * CAPACITY + k + i);
+        DoubleVector uz = DoubleVector.fromArray(S, t, RELATIVE + 6 * CAPACITY + k + i);
+        DoubleVector vx = DoubleVector.fromArray(S, t, RELATIVE + l + i);
+        DoubleVector vy = DoubleVector.fromArray(S, t, RELATIVE + 3 * CAPACITY + l + i);
+        DoubleVector vz = DoubleVector.fromArray(S, t, RELATIVE + 6 * CAPACITY + l + i);
+        DoubleVector dx = DoubleVector.fromArray(S, t, CENTRE + i);
+        DoubleVector dy = DoubleVector.fromArray(S, t, CENTRE + CAPACITY + i);
+        DoubleVector dz = DoubleVector.fromArray(S, t, CENTRE + 2 * CAPACITY + i);
+        DoubleVector ax = DoubleVector.fromArray(S, t, HALF_A + i);
+        DoubleVector ay = DoubleVector.fromArray(S, t, HALF_A + CAPACITY + i);
+        DoubleVector az = DoubleVector.fromArray(S, t, HALF_A + 2 * CAPACITY + i);
+        DoubleVector h1 = DoubleVector.fromArray(S, t, HALF_B + k + i);
+        DoubleVector h2 = DoubleVector.fromArray(S, t, HALF_B + l + i);
+        DoubleVector xx = x.mul(x);
+        DoubleVector yy = y.mul(y);
+        DoubleVector zz = z.mul(z);
+        DoubleVector bx = x.abs();
+        DoubleVector by = y.abs();
+        DoubleVector bz = z.abs();
+        DoubleVector most = DoubleVector.fromArray(S, t, SEPARATION_EDGE + i);
+        DoubleVector mostSquare = DoubleVector.fromArray(S, t, SIGNED_SQUARE + i);
+        DoubleVector below = DoubleVector.fromArray(S, t, SQUARE + i);
+        DoubleVector name = DoubleVector.fromArray(S, t, EDGE + i);
 
-            DoubleVector square = yy.add(zz);
-            DoubleVector along =
-                    dz.mul(y)
-                            .sub(dy.mul(z))
-                            .abs()
-                            .sub(ay.mul(bz))
-                            .sub(az.mul(by))
-                            .sub(h1.mul(uz.mul(y).sub(uy.mul(z)).abs()))
-                            .sub(h2.mul(vz.mul(y).sub(vy.mul(z)).abs()));
-            DoubleVector s = along.mul(along.abs());
-            VectorMask<Double> better =
-                    square.compare(VectorOperators.GT, BoxAxes.PARALLEL)
-                            .and(s.mul(below).compare(VectorOperators.GT, mostSquare.mul(square)));
-            most = most.blend(along, better);
-            mostSquare = mostSquare.blend(s, better);
-            below = below.blend(square, better);
-            name = name.blend(pair, better);
+        DoubleVector square = yy.add(zz);
+        DoubleVector along =
+                dz.mul(y)
+                        .sub(dy.mul(z))
+                        .abs()
+                        .sub(ay.mul(bz))
+                        .sub(az.mul(by))
+                        .sub(h1.mul(uz.mul(y).sub(uy.mul(z)).abs()))
+                        .sub(h2.mul(vz.mul(y).sub(vy.mul(z)).abs()));
+        DoubleVector s = along.mul(along.abs());
+        VectorMask<Double> better =
+                square.compare(VectorOperators.GT, BoxAxes.PARALLEL)
+                        .and(s.mul(below).compare(VectorOperators.GT, mostSquare.mul(square)));
+        most = most.blend(along, better);
+        mostSquare = mostSquare.blend(s, better);
+        below = below.blend(square, better);
+        name = name.blend(pair, better);
 
-            square = xx.add(zz);
-            along =
-                    dx.mul(z)
-                            .sub(dz.mul(x))
-                            .abs()
-                            .sub(ax.mul(bz))
-                            .sub(az.mul(bx))
-                            .sub(h1.mul(ux.mul(z).sub(uz.mul(x)).abs()))
-                            .sub(h2.mul(vx.mul(z).sub(vz.mul(x)).abs()));
-            s = along.mul(along.abs());
-            better =
-                    square.compare(VectorOperators.GT, BoxAxes.PARALLEL)
-                            .and(s.mul(below).compare(VectorOperators.GT, mostSquare.mul(square)));
-            most = most.blend(along, better);
-            mostSquare = mostSquare.blend(s, better);
-            below = below.blend(square, better);
-            name = name.blend(3 + pair, better);
+        square = xx.add(zz);
+        along =
+                dx.mul(z)
+                        .sub(dz.mul(x))
+                        .abs()
+                        .sub(ax.mul(bz))
+                        .sub(az.mul(bx))
+                        .sub(h1.mul(ux.mul(z).sub(uz.mul(x)).abs()))
+                        .sub(h2.mul(vx.mul(z).sub(vz.mul(x)).abs()));
+        s = along.mul(along.abs());
+        better =
+                square.compare(VectorOperators.GT, BoxAxes.PARALLEL)
+                        .and(s.mul(below).compare(VectorOperators.GT, mostSquare.mul(square)));
+        most = most.blend(along, better);
+        mostSquare = mostSquare.blend(s, better);
+        below = below.blend(square, better);
+        name = name.blend(3 + pair, better);
 
-            square = xx.add(yy);
-            along =
-                    dy.mul(x)
-                            .sub(dx.mul(y))
-                            .abs()
-                            .sub(ax.mul(by))
-                            .sub(ay.mul(bx))
-                            .sub(h1.mul(uy.mul(x).sub(ux.mul(y)).abs()))
-                            .sub(h2.mul(vy.mul(x).sub(vx.mul(y)).abs()));
-            s = along.mul(along.abs());
-            better =
-                    square.compare(VectorOperators.GT, BoxAxes.PARALLEL)
-                            .and(s.mul(below).compare(VectorOperators.GT, mostSquare.mul(square)));
-            most.blend(along, better).intoArray(t, SEPARATION_EDGE + i);
-            mostSquare.blend(s, better).intoArray(t, SIGNED_SQUARE + i);
-            below.blend(square, better).intoArray(t, SQUARE + i);
-            name.blend(6 + pair, better).intoArray(t, EDGE + i);
-        }
+        square = xx.add(yy);
+        along =
+                dy.mul(x)
+                        .sub(dx.mul(y))
+                        .abs()
+                        .sub(ax.mul(by))
+                        .sub(ay.mul(bx))
+                        .sub(h1.mul(uy.mul(x).sub(ux.mul(y)).abs()))
+                        .sub(h2.mul(vy.mul(x).sub(vx.mul(y)).abs()));
+        s = along.mul(along.abs());
+        better =
+                square.compare(VectorOperators.GT, BoxAxes.PARALLEL)
+                        .and(s.mul(below).compare(VectorOperators.GT, mostSquare.mul(square)));
+        most.blend(along, better).intoArray(t, SEPARATION_EDGE + i);
+        mostSquare.blend(s, better).intoArray(t, SIGNED_SQUARE + i);
+        below.blend(square, better).intoArray(t, SQUARE + i);
+        name.blend(6 + pair, better).intoArray(t, EDGE + i);
     }
 }

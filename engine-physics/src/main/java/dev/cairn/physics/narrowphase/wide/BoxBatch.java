@@ -9,6 +9,18 @@ public final class BoxBatch {
     /** Pairs in a batch; a multiple of every number of lanes. */
     public static final int CAPACITY = 32;
 
+    /**
+     * Of the smaller inner radius: by how much a face may be worse than the best one and stay the
+     * reference.
+     */
+    public static final double CALM = 1e-3;
+
+    /** Of the smaller inner radius: corners nearer to a side plane count as on it. */
+    public static final double ON_PLANE = 1e-5;
+
+    /** The same for corners that were points of the last tick. */
+    public static final double STILL_ON_PLANE = 1e-3;
+
     /** Orientation of A, world from body, unit quaternion: columns x, y, z, w. */
     public static final int TURN_A = 0;
 
@@ -85,49 +97,75 @@ public final class BoxBatch {
     /** Unit normal from A to B, world: columns x, y, z. */
     public static final int NORMAL = 78 * CAPACITY;
 
-    /** Points up to this far apart are contacts, m. Input of {@link BoxStraightWide}. */
+    /** Points up to this far apart are contacts, m. */
     public static final int MARGIN = 81 * CAPACITY;
 
-    /**
-     * How near a corner must be to a side plane to count as on it, m; and the same for a corner
-     * that was a point of the last tick.
-     */
-    public static final int NEAR = 82 * CAPACITY, STILL_NEAR = 83 * CAPACITY;
+    /** The smaller inner radius, m. */
+    public static final int INNER = 82 * CAPACITY;
 
     /**
-     * -1, or how one or two sides cut the incident face straight: {@link #SECOND_WAYS} times the
-     * way of the first, plus 0 or 1 plus that of the second. A way is the last corner of the loop
-     * that stays, plus 4 for a low side; and of the first plus 8 for a side on the second axis. The
-     * four points are then in place of the corners.
+     * Of the word of the last tick: {@link #KIND} times its kind (1 face of A, 2 face of B) plus
+     * its face.
      */
-    public static final int STRAIGHT = 84 * CAPACITY;
+    public static final int LAST = 83 * CAPACITY;
+
+    /** More than any number of a face. */
+    public static final int KIND = 1 << 15;
+
+    /** The separation along the chosen face, and the larger one of both boxes' faces, m. */
+    static final int SEPARATION = 84 * CAPACITY, SEPARATION_FACES = 85 * CAPACITY;
+
+    /**
+     * -1, or how no, one or two sides cut the incident face straight, together with both faces:
+     * {@link #entry}. The four points are then in place of the corners.
+     */
+    public static final int STRAIGHT = 86 * CAPACITY;
+
+    /** Ways to cut straight: none, or one of 16 of a first side and one of 5 of a second. */
+    public static final int WAYS = 81;
 
     /** Ways in which a second side can cut, or none. */
-    public static final int SECOND_WAYS = 9;
+    public static final int SECOND_WAYS = 5;
 
     /** The least separation of those points, m. */
-    public static final int DEEPEST = 85 * CAPACITY;
+    public static final int DEEPEST = 87 * CAPACITY;
 
-    /** The last corner that stays before a side, 0 to 3; -1 when it does not cut two off. */
-    static final int STAYS = 86 * CAPACITY;
+    /** Their separations, m: four columns. */
+    public static final int CUT_SEPARATION = 88 * CAPACITY;
 
-    /** Where on its edge either corner comes to lie, two columns; then {@link #CUT_SEPARATION}. */
-    static final int CUT = 87 * CAPACITY;
+    /** By how much {@link #DEEPEST} may differ from the signed distance, m. */
+    public static final int BOUND = 92 * CAPACITY;
 
-    /** The separations of those points, m: four columns. */
-    public static final int CUT_SEPARATION = CUT + 2 * CAPACITY;
+    /** Of the side that cuts second: its sign, 0 for none, and its offset, m. */
+    static final int SECOND = 93 * CAPACITY;
 
-    /** 1 when the side that cuts first is on the first axis. */
-    static final int FIRST_ON_U = 93 * CAPACITY;
+    /** 1 when the second side is on the first axis. */
+    static final int SECOND_ON_U = 95 * CAPACITY;
 
-    /** Of the side that cuts first, then of the second: its sign, 0 for none, and its offset, m. */
-    static final int SIDES = 94 * CAPACITY;
+    /** 1 when it cuts the edge of corner 0 from there, see {@link BoxStraightWide}. */
+    static final int SECOND_FROM_LOW = 96 * CAPACITY;
 
     /** The points, as {@link #CORNER}. */
-    static final int STRAIGHT_POINT = 98 * CAPACITY;
+    static final int STRAIGHT_POINT = 97 * CAPACITY;
 
     /** All columns. */
-    public final double[] data = new double[110 * CAPACITY];
+    public final double[] data = new double[109 * CAPACITY];
+
+    /**
+     * The number of a way to cut a face.
+     *
+     * @param flip whether the face is B's
+     * @param face that cuts
+     * @param incident face that is cut
+     * @param way 0 when no side cuts; else 1 + {@link #SECOND_WAYS} w + v. Here w is 4 times the
+     *     side (0 high, 1 low on the first axis, 2 and 3 on the second), plus 2 when it cuts edges
+     *     along the second axis of the incident face, plus 1 when it cuts their low ends; and v is
+     *     0 when no other side cuts, else 1, plus 2 for a low side, plus 1 for low ends
+     * @return 0 to 72 {@link #WAYS} - 1
+     */
+    public static int entry(boolean flip, int face, int incident, int way) {
+        return (((flip ? 6 : 0) + face) * 6 + incident) * WAYS + way;
+    }
 
     /** A batch of unit quaternions and zeros. */
     public BoxBatch() {

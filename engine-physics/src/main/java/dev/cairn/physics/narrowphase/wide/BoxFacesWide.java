@@ -4,15 +4,25 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_A;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.INNER;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.KIND;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.LAST;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.ROWS;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_A;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_B;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_FACES;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
 
@@ -31,6 +41,42 @@ final class BoxFacesWide {
     private static final int LANES = S.length();
 
     private BoxFacesWide() {}
+
+    /**
+     * Chooses by the rules of {@code BoxContacts.chooseFace} where the face of the last tick is
+     * still the best one of its box; returns the other pairs, a bit each.
+     */
+    static int choose(double[] t, int count) {
+        int others = 0;
+        for (int i = 0; i < count; i += LANES) {
+            DoubleVector onA = DoubleVector.fromArray(S, t, SEPARATION_A + i);
+            DoubleVector onB = DoubleVector.fromArray(S, t, SEPARATION_B + i);
+            DoubleVector faceA = DoubleVector.fromArray(S, t, FACE_A + i);
+            DoubleVector faceB = DoubleVector.fromArray(S, t, FACE_B + i);
+            DoubleVector last = DoubleVector.fromArray(S, t, LAST + i);
+            DoubleVector margin = DoubleVector.fromArray(S, t, MARGIN + i);
+            VectorMask<Double> beforeA = last.compare(VectorOperators.EQ, faceA.add(KIND));
+            VectorMask<Double> beforeB = last.compare(VectorOperators.EQ, faceB.add(2.0 * KIND));
+            DoubleVector calm = DoubleVector.fromArray(S, t, INNER + i).mul(BoxBatch.CALM);
+            VectorMask<Double> flip =
+                    onB.compare(VectorOperators.GT, onA.add(calm.neg().blend(calm, beforeA)));
+            DoubleVector face = faceA.blend(faceB, flip);
+            DoubleVector axis =
+                    DoubleVector.zero(S)
+                            .blend(1, face.compare(VectorOperators.GE, 2))
+                            .blend(2, face.compare(VectorOperators.GE, 4));
+            DoubleVector.zero(S).blend(1, flip).intoArray(t, FLIP + i);
+            axis.intoArray(t, AXIS + i);
+            face.sub(axis.mul(2)).mul(2).sub(1).intoArray(t, SIGN + i);
+            onA.blend(onB, flip).intoArray(t, SEPARATION + i);
+            DoubleVector most = onA.blend(onB, onB.compare(VectorOperators.GT, onA));
+            most.intoArray(t, SEPARATION_FACES + i);
+            VectorMask<Double> usual =
+                    beforeA.or(beforeB).and(most.compare(VectorOperators.LE, margin));
+            others |= (int) usual.not().toLong() << i;
+        }
+        return others;
+    }
 
     /** Fills the columns from INCIDENT to CORNER; reads FLIP, AXIS and SIGN. */
     static void corners(double[] t, int count) {
@@ -171,8 +217,17 @@ final class BoxFacesWide {
                 p3.intoArray(t, corner + 9 * CAPACITY);
                 DoubleVector limit = DoubleVector.fromArray(S, t, HALF + k * CAPACITY + i);
                 int sides = OUTSIDE + 2 * (k - 1) * CAPACITY + i;
-                p0.max(p1).max(p2.max(p3)).sub(limit).intoArray(t, sides);
-                p0.min(p1).min(p2.min(p3)).neg().sub(limit).intoArray(t, sides + CAPACITY);
+                // Cheaper than max and min, which mind the signs of zeros.
+                VectorMask<Double> up = p1.compare(VectorOperators.GT, p0);
+                DoubleVector high = p0.blend(p1, up);
+                DoubleVector below = p1.blend(p0, up);
+                up = p3.compare(VectorOperators.GT, p2);
+                DoubleVector high2 = p2.blend(p3, up);
+                DoubleVector below2 = p3.blend(p2, up);
+                high = high.blend(high2, high2.compare(VectorOperators.GT, high));
+                below = below.blend(below2, below2.compare(VectorOperators.LT, below));
+                high.sub(limit).intoArray(t, sides);
+                below.neg().sub(limit).intoArray(t, sides + CAPACITY);
             }
         }
     }

@@ -1,24 +1,30 @@
 package dev.cairn.physics.narrowphase.wide;
 
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.BOUND;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CUT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CUT_SEPARATION;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.DEEPEST;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FIRST_ON_U;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.INNER;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.NEAR;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_FROM_LOW;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_ON_U;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_WAYS;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIDES;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_FACES;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.STAYS;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.STILL_NEAR;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT_POINT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.WAYS;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
@@ -26,257 +32,356 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The usual cases of bricks, a pair to a lane: one side of the chosen face cuts two neighbouring
- * corners of the incident face off, and after it perhaps one of the sides beside it two of what is
- * left; all corners are clear of both, and all points are within the margin. Each of the two
- * corners moves along its edge to the side, so four points are left. The operations on each number
- * are those of {@code narrowphase.Clipper}. Other pairs keep their corners.
+ * The usual cases of boxes on boxes, a pair to a lane: no side of the chosen face cuts the incident
+ * face; or one side cuts two neighbouring corners off, and after it perhaps one of the sides beside
+ * it two of what is left; all corners are clear of both, and all points are within the margin. Each
+ * of the two corners moves along its edge to the side, so four points are left. The operations on
+ * each number are those of {@code narrowphase.Clipper}. Other pairs keep their corners.
+ *
+ * <p>The four corners, and later points, are called p, q, r and w: p and w are corners 0 and 3, q
+ * and r corners 1 and 2, or 2 and 1, so that the first side cuts the edges pq and rw, and the
+ * second one pr and qw.
  */
 final class BoxStraightWide {
     private static final VectorSpecies<Double> S = DoubleVector.SPECIES_PREFERRED;
     private static final int LANES = S.length();
 
+    private static final int P = STRAIGHT_POINT;
+    private static final int Q = P + 3 * CAPACITY;
+    private static final int R = Q + 3 * CAPACITY;
+    private static final int W = R + 3 * CAPACITY;
+
+    /**
+     * Of the scale: more than the rounding of a separation along the cross product of two edges,
+     * whose length may be 2^-20.
+     */
+    private static final double ROUNDING = 0x1p-26;
+
+    /** A little less than what {@code BoxContacts.strays} allows of {@link BoxBatch#CALM}. */
+    private static final double STRAYS = 1.498 * BoxBatch.CALM;
+
     private BoxStraightWide() {}
 
-    /**
-     * Puts points in the place of corners: in the order of the loop the last corner that stays, the
-     * first that stays again, and where the loop leaves and enters. Fills STRAIGHT, CUT_SEPARATION
-     * and DEEPEST.
-     */
-    static void run(double[] t, int count) {
-        sides(t, count);
+    /** Fills STRAIGHT, CUT_SEPARATION, DEEPEST, BOUND; returns a bit for each proven pair. */
+    static int run(double[] t, int count) {
+        int proven = 0;
         for (int i = 0; i < count; i += LANES) {
-            if (DoubleVector.fromArray(S, t, STRAIGHT + i)
-                    .compare(VectorOperators.GE, 0)
-                    .anyTrue()) {
-                for (int k = 0; k < 3; k++) {
-                    loop(t, k * CAPACITY + i, i);
-                }
-                cut(t, i, SIDES);
-                if (DoubleVector.fromArray(S, t, SIDES + 2 * CAPACITY + i)
-                        .compare(VectorOperators.NE, 0)
-                        .anyTrue()) {
-                    cut(t, i, SIDES + 2 * CAPACITY);
-                }
-                finish(t, i);
+            first(t, i);
+            if (DoubleVector.fromArray(S, t, SECOND + i).compare(VectorOperators.NE, 0).anyTrue()) {
+                second(t, i);
             }
+            finish(t, i);
+            proven |= prove(t, i);
         }
+        return proven;
     }
 
-    private static void cut(double[] t, int i, int side) {
-        choose(t, i, side);
-        name(t, i, side);
-        for (int k = 0; k < 3; k++) {
-            move(t, k * CAPACITY + i, i, side);
-        }
-    }
+    /** The side that cuts first, in the order of the face's loop; which cuts after it. */
+    private static void first(double[] t, int i) {
+        DoubleVector inner = DoubleVector.fromArray(S, t, INNER + i);
+        DoubleVector near = inner.mul(BoxBatch.ON_PLANE);
+        VectorMask<Double> highU =
+                DoubleVector.fromArray(S, t, OUTSIDE + i).compare(VectorOperators.GT, near);
+        VectorMask<Double> lowU =
+                DoubleVector.fromArray(S, t, OUTSIDE + CAPACITY + i)
+                        .compare(VectorOperators.GT, near);
+        VectorMask<Double> highV =
+                DoubleVector.fromArray(S, t, OUTSIDE + 2 * CAPACITY + i)
+                        .compare(VectorOperators.GT, near);
+        VectorMask<Double> lowV =
+                DoubleVector.fromArray(S, t, OUTSIDE + 3 * CAPACITY + i)
+                        .compare(VectorOperators.GT, near);
+        VectorMask<Double> onU = highU.or(lowU);
+        VectorMask<Double> onV = highV.or(lowV);
+        VectorMask<Double> cuts = onU.or(onV);
+        VectorMask<Double> opposite = highU.and(lowU).or(highV.and(lowV));
+        // The loop of sides is low v, high u, high v, low u on faces 1, 2 and 5, and low u, high v,
+        // high u, low v on the others.
+        VectorMask<Double> odd =
+                DoubleVector.fromArray(S, t, AXIS + i)
+                        .compare(VectorOperators.EQ, 1)
+                        .xor(DoubleVector.fromArray(S, t, SIGN + i).compare(VectorOperators.GT, 0));
+        VectorMask<Double> before = highU.and(highV).xor(odd.not());
+        VectorMask<Double> firstU = onU.and(before.or(onV.not()));
+        DoubleVector one = DoubleVector.broadcast(S, 1);
+        DoubleVector zero = DoubleVector.zero(S);
+        DoubleVector signU = one.blend(-1, lowU);
+        DoubleVector signV = one.blend(-1, lowV);
+        DoubleVector halfU = DoubleVector.fromArray(S, t, HALF + CAPACITY + i);
+        DoubleVector halfV = DoubleVector.fromArray(S, t, HALF + 2 * CAPACITY + i);
+        DoubleVector sign = signV.blend(signU, firstU);
+        DoubleVector limit = halfV.blend(halfU, firstU);
+        zero.blend(signU.blend(signV, firstU), onU.and(onV)).intoArray(t, SECOND + i);
+        halfU.blend(halfV, firstU).intoArray(t, SECOND + CAPACITY + i);
+        one.blend(0, firstU).intoArray(t, SECOND_ON_U + i);
 
-    /** Which side cuts first, in the order of the face's loop, and which after it. */
-    private static void sides(double[] t, int count) {
-        for (int i = 0; i < count; i += LANES) {
-            DoubleVector near = DoubleVector.fromArray(S, t, NEAR + i);
-            VectorMask<Double> highU =
-                    DoubleVector.fromArray(S, t, OUTSIDE + i).compare(VectorOperators.GT, near);
-            VectorMask<Double> lowU =
-                    DoubleVector.fromArray(S, t, OUTSIDE + CAPACITY + i)
-                            .compare(VectorOperators.GT, near);
-            VectorMask<Double> highV =
-                    DoubleVector.fromArray(S, t, OUTSIDE + 2 * CAPACITY + i)
-                            .compare(VectorOperators.GT, near);
-            VectorMask<Double> lowV =
-                    DoubleVector.fromArray(S, t, OUTSIDE + 3 * CAPACITY + i)
-                            .compare(VectorOperators.GT, near);
-            VectorMask<Double> onU = highU.or(lowU);
-            VectorMask<Double> onV = highV.or(lowV);
-            VectorMask<Double> opposite = highU.and(lowU).or(highV.and(lowV));
-            VectorMask<Double> fits = onU.or(onV).andNot(opposite);
-            // The loop of sides is low v, high u, high v, low u on faces 1, 2 and 5, and low u,
-            // high v, high u, low v on the others.
-            VectorMask<Double> odd =
-                    DoubleVector.fromArray(S, t, AXIS + i)
-                            .compare(VectorOperators.EQ, 1)
-                            .xor(
-                                    DoubleVector.fromArray(S, t, SIGN + i)
-                                            .compare(VectorOperators.GT, 0));
-            VectorMask<Double> before = highU.and(highV).xor(odd.not());
-            VectorMask<Double> firstU = onU.and(before.or(onV.not()));
-            DoubleVector one = DoubleVector.broadcast(S, 1);
-            DoubleVector signU = one.blend(-1, lowU);
-            DoubleVector signV = one.blend(-1, lowV);
-            DoubleVector halfU = DoubleVector.fromArray(S, t, HALF + CAPACITY + i);
-            DoubleVector halfV = DoubleVector.fromArray(S, t, HALF + 2 * CAPACITY + i);
-            DoubleVector.zero(S).blend(1, firstU).intoArray(t, FIRST_ON_U + i);
-            signV.blend(signU, firstU).intoArray(t, SIDES + i);
-            halfV.blend(halfU, firstU).intoArray(t, SIDES + CAPACITY + i);
-            signU.blend(signV, firstU)
-                    .blend(0, onU.and(onV).not())
-                    .intoArray(t, SIDES + 2 * CAPACITY + i);
-            halfU.blend(halfV, firstU).intoArray(t, SIDES + 3 * CAPACITY + i);
-            DoubleVector.broadcast(S, -1).blend(0, fits).intoArray(t, STRAIGHT + i);
-        }
-    }
-
-    /**
-     * Puts the corners in the places where a cut leaves its points. Their loop is 0, 1, 3, 2 on
-     * incident faces 1, 2 and 5, and 0, 2, 3, 1 on the others; that of the places 0, 2, 3, 1.
-     */
-    private static void loop(double[] t, int column, int i) {
-        DoubleVector face = DoubleVector.fromArray(S, t, INCIDENT + i);
-        VectorMask<Double> forward =
-                face.compare(VectorOperators.EQ, 1)
-                        .or(face.compare(VectorOperators.EQ, 2))
-                        .or(face.compare(VectorOperators.EQ, 5));
-        int from = CORNER + column;
-        int to = STRAIGHT_POINT + column;
-        DoubleVector one = DoubleVector.fromArray(S, t, from + 3 * CAPACITY);
-        DoubleVector two = DoubleVector.fromArray(S, t, from + 6 * CAPACITY);
-        DoubleVector.fromArray(S, t, from).intoArray(t, to);
-        one.blend(two, forward).intoArray(t, to + 3 * CAPACITY);
-        two.blend(one, forward).intoArray(t, to + 6 * CAPACITY);
-        DoubleVector.fromArray(S, t, from + 9 * CAPACITY).intoArray(t, to + 9 * CAPACITY);
-    }
-
-    /** Which corners a side cuts off, -1 in STAYS for others than two, and where on their edges. */
-    private static void choose(double[] t, int i, int side) {
-        VectorMask<Double> onU =
-                DoubleVector.fromArray(S, t, FIRST_ON_U + i)
-                        .compare(VectorOperators.EQ, side == SIDES ? 1 : 0);
-        DoubleVector sign = DoubleVector.fromArray(S, t, side + i);
-        DoubleVector limit = DoubleVector.fromArray(S, t, side + CAPACITY + i);
-        int u = STRAIGHT_POINT + CAPACITY + i;
+        int u = CORNER + CAPACITY + i;
         int v = u + CAPACITY;
         DoubleVector s0 =
                 DoubleVector.fromArray(S, t, v)
-                        .blend(DoubleVector.fromArray(S, t, u), onU)
-                        .mul(sign)
-                        .sub(limit);
-        DoubleVector s3 =
-                DoubleVector.fromArray(S, t, v + 3 * CAPACITY)
-                        .blend(DoubleVector.fromArray(S, t, u + 3 * CAPACITY), onU)
+                        .blend(DoubleVector.fromArray(S, t, u), firstU)
                         .mul(sign)
                         .sub(limit);
         DoubleVector s1 =
-                DoubleVector.fromArray(S, t, v + 6 * CAPACITY)
-                        .blend(DoubleVector.fromArray(S, t, u + 6 * CAPACITY), onU)
+                DoubleVector.fromArray(S, t, v + 3 * CAPACITY)
+                        .blend(DoubleVector.fromArray(S, t, u + 3 * CAPACITY), firstU)
                         .mul(sign)
                         .sub(limit);
         DoubleVector s2 =
-                DoubleVector.fromArray(S, t, v + 9 * CAPACITY)
-                        .blend(DoubleVector.fromArray(S, t, u + 9 * CAPACITY), onU)
+                DoubleVector.fromArray(S, t, v + 6 * CAPACITY)
+                        .blend(DoubleVector.fromArray(S, t, u + 6 * CAPACITY), firstU)
                         .mul(sign)
                         .sub(limit);
-        VectorMask<Double> clear =
-                s0.abs()
-                        .min(s1.abs())
-                        .min(s2.abs().min(s3.abs()))
-                        .compare(VectorOperators.GT, DoubleVector.fromArray(S, t, STILL_NEAR + i));
+        DoubleVector s3 =
+                DoubleVector.fromArray(S, t, v + 9 * CAPACITY)
+                        .blend(DoubleVector.fromArray(S, t, u + 9 * CAPACITY), firstU)
+                        .mul(sign)
+                        .sub(limit);
+        DoubleVector still = inner.mul(BoxBatch.STILL_ON_PLANE);
         VectorMask<Double> out0 = s0.compare(VectorOperators.GT, 0);
         VectorMask<Double> out1 = s1.compare(VectorOperators.GT, 0);
         // Two neighbours are outside when the opposite corners are not.
-        VectorMask<Double> neighbours =
-                clear.and(out0.xor(s2.compare(VectorOperators.GT, 0)))
-                        .and(out1.xor(s3.compare(VectorOperators.GT, 0)));
-        // The last corner that stays: 3 for 0 and 1 outside, 0 for 1 and 2, 1 for 2 and 3.
-        VectorMask<Double> is3 = out0.and(out1);
-        VectorMask<Double> is2 = out0.andNot(out1);
-        VectorMask<Double> is0 = out1.andNot(out0);
-        DoubleVector sP = s1.blend(s0, is0).blend(s2, is2).blend(s3, is3);
-        DoubleVector sOut = s2.blend(s1, is0).blend(s3, is2).blend(s0, is3);
-        DoubleVector sIn = s3.blend(s2, is0).blend(s0, is2).blend(s1, is3);
-        DoubleVector sQ = s0.blend(s3, is0).blend(s1, is2).blend(s2, is3);
-        sP.div(sP.sub(sOut)).intoArray(t, CUT + i);
-        sIn.div(sIn.sub(sQ)).intoArray(t, CUT + CAPACITY + i);
-        DoubleVector.broadcast(S, 1)
-                .blend(0, is0)
-                .blend(2, is2)
-                .blend(3, is3)
-                .blend(-1, neighbours.not())
-                .intoArray(t, STAYS + i);
-    }
-
-    /** Adds the way of a side to the code of a pair, or takes the pair out. */
-    private static void name(double[] t, int i, int side) {
-        boolean first = side == SIDES;
-        VectorMask<Double> onU =
-                DoubleVector.fromArray(S, t, FIRST_ON_U + i).compare(VectorOperators.EQ, 1);
-        DoubleVector sign = DoubleVector.fromArray(S, t, side + i);
-        DoubleVector stays = DoubleVector.fromArray(S, t, STAYS + i);
-        VectorMask<Double> none = sign.compare(VectorOperators.EQ, 0);
+        VectorMask<Double> two =
+                s0.abs()
+                        .compare(VectorOperators.GT, still)
+                        .and(s1.abs().compare(VectorOperators.GT, still))
+                        .and(s2.abs().compare(VectorOperators.GT, still))
+                        .and(s3.abs().compare(VectorOperators.GT, still))
+                        .and(out0.xor(s3.compare(VectorOperators.GT, 0)))
+                        .and(out1.xor(s2.compare(VectorOperators.GT, 0)));
+        VectorMask<Double> along = out0.xor(out1).not().and(cuts);
+        // The loop of corners is 0, 1, 3, 2 on incident faces 1, 2 and 5, and 0, 2, 3, 1 on the
+        // others; an edge is cut from the corner that comes first.
+        DoubleVector face = DoubleVector.fromArray(S, t, INCIDENT + i);
+        VectorMask<Double> fromP =
+                face.compare(VectorOperators.EQ, 1)
+                        .or(face.compare(VectorOperators.EQ, 2))
+                        .or(face.compare(VectorOperators.EQ, 5))
+                        .xor(along);
+        one.blend(0, fromP).intoArray(t, SECOND_FROM_LOW + i);
+        VectorMask<Double> low = out0.and(cuts);
+        VectorMask<Double> high = cuts.andNot(out0);
+        DoubleVector sq = s1.blend(s2, along);
+        DoubleVector sr = s2.blend(s1, along);
+        DoubleVector begin = sq.blend(s0, fromP);
+        DoubleVector cutPq = begin.div(begin.sub(s0.blend(sq, fromP)));
+        begin = sr.blend(s3, fromP);
+        DoubleVector cutRw = begin.div(begin.sub(s3.blend(sr, fromP)));
+        for (int k = 0; k < 3 * CAPACITY; k += CAPACITY) {
+            int from = CORNER + k + i;
+            DoubleVector p = DoubleVector.fromArray(S, t, from);
+            DoubleVector x1 = DoubleVector.fromArray(S, t, from + 3 * CAPACITY);
+            DoubleVector x2 = DoubleVector.fromArray(S, t, from + 6 * CAPACITY);
+            DoubleVector w = DoubleVector.fromArray(S, t, from + 9 * CAPACITY);
+            DoubleVector q = x1.blend(x2, along);
+            DoubleVector r = x2.blend(x1, along);
+            begin = q.blend(p, fromP);
+            DoubleVector pq = begin.add(cutPq.mul(p.blend(q, fromP).sub(begin)));
+            begin = r.blend(w, fromP);
+            DoubleVector rw = begin.add(cutRw.mul(w.blend(r, fromP).sub(begin)));
+            p.blend(pq, low).intoArray(t, P + k + i);
+            q.blend(pq, high).intoArray(t, Q + k + i);
+            r.blend(rw, low).intoArray(t, R + k + i);
+            w.blend(rw, high).intoArray(t, W + k + i);
+        }
         DoubleVector way =
-                stays.add(DoubleVector.zero(S).blend(4, sign.compare(VectorOperators.LT, 0)))
-                        .add(first ? 8 : 1)
-                        .sub(DoubleVector.zero(S).blend(first ? 8 : 0, onU))
-                        .mul(first ? SECOND_WAYS : 1)
-                        .blend(0, none);
-        DoubleVector code = DoubleVector.fromArray(S, t, STRAIGHT + i);
-        VectorMask<Double> fits =
-                code.compare(VectorOperators.GE, 0)
-                        .and(stays.compare(VectorOperators.GE, 0).or(none));
-        DoubleVector.broadcast(S, -1).blend(code.add(way), fits).intoArray(t, STRAIGHT + i);
+                zero.blend(2 * 4 * SECOND_WAYS, firstU.not())
+                        .add(zero.blend(4 * SECOND_WAYS, sign.compare(VectorOperators.LT, 0)))
+                        .add(zero.blend(2 * SECOND_WAYS, along))
+                        .add(one.blend(1 + SECOND_WAYS, low))
+                        .blend(0, cuts.not());
+        way.blend(-1, two.or(cuts.not()).andNot(opposite).not()).intoArray(t, STRAIGHT + i);
     }
 
-    /** Moves a coordinate of the corners that a side cuts off; those of other pairs stay. */
-    private static void move(double[] t, int column, int i, int side) {
-        VectorMask<Double> none =
-                DoubleVector.fromArray(S, t, side + i).compare(VectorOperators.EQ, 0);
-        DoubleVector p = DoubleVector.fromArray(S, t, STAYS + i);
-        VectorMask<Double> is0 = p.compare(VectorOperators.EQ, 0);
-        VectorMask<Double> is2 = p.compare(VectorOperators.EQ, 2);
-        VectorMask<Double> is3 = p.compare(VectorOperators.EQ, 3);
-        int at = STRAIGHT_POINT + column;
-        DoubleVector x0 = DoubleVector.fromArray(S, t, at);
-        DoubleVector x3 = DoubleVector.fromArray(S, t, at + 3 * CAPACITY);
-        DoubleVector x1 = DoubleVector.fromArray(S, t, at + 6 * CAPACITY);
-        DoubleVector x2 = DoubleVector.fromArray(S, t, at + 9 * CAPACITY);
-        DoubleVector stay = x1.blend(x0, is0).blend(x2, is2).blend(x3, is3);
-        DoubleVector out = x2.blend(x1, is0).blend(x3, is2).blend(x0, is3);
-        DoubleVector in = x3.blend(x2, is0).blend(x0, is2).blend(x1, is3);
-        DoubleVector back = x0.blend(x3, is0).blend(x1, is2).blend(x2, is3);
-        DoubleVector leave = stay.add(DoubleVector.fromArray(S, t, CUT + i).mul(out.sub(stay)));
-        DoubleVector enter =
-                in.add(DoubleVector.fromArray(S, t, CUT + CAPACITY + i).mul(back.sub(in)));
-        stay.blend(x0, none).intoArray(t, at);
-        back.blend(x3, none).intoArray(t, at + 3 * CAPACITY);
-        leave.blend(x1, none).intoArray(t, at + 6 * CAPACITY);
-        enter.blend(x2, none).intoArray(t, at + 9 * CAPACITY);
+    /** The side that cuts after the first, of the pairs that have one. */
+    private static void second(double[] t, int i) {
+        DoubleVector sign = DoubleVector.fromArray(S, t, SECOND + i);
+        VectorMask<Double> cuts = sign.compare(VectorOperators.NE, 0);
+        DoubleVector limit = DoubleVector.fromArray(S, t, SECOND + CAPACITY + i);
+        VectorMask<Double> onU =
+                DoubleVector.fromArray(S, t, SECOND_ON_U + i).compare(VectorOperators.NE, 0);
+        VectorMask<Double> fromP =
+                DoubleVector.fromArray(S, t, SECOND_FROM_LOW + i).compare(VectorOperators.NE, 0);
+        int u = CAPACITY + i;
+        int v = u + CAPACITY;
+        DoubleVector sp =
+                DoubleVector.fromArray(S, t, P + v)
+                        .blend(DoubleVector.fromArray(S, t, P + u), onU)
+                        .mul(sign)
+                        .sub(limit);
+        DoubleVector sq =
+                DoubleVector.fromArray(S, t, Q + v)
+                        .blend(DoubleVector.fromArray(S, t, Q + u), onU)
+                        .mul(sign)
+                        .sub(limit);
+        DoubleVector sr =
+                DoubleVector.fromArray(S, t, R + v)
+                        .blend(DoubleVector.fromArray(S, t, R + u), onU)
+                        .mul(sign)
+                        .sub(limit);
+        DoubleVector sw =
+                DoubleVector.fromArray(S, t, W + v)
+                        .blend(DoubleVector.fromArray(S, t, W + u), onU)
+                        .mul(sign)
+                        .sub(limit);
+        DoubleVector still = DoubleVector.fromArray(S, t, INNER + i).mul(BoxBatch.STILL_ON_PLANE);
+        VectorMask<Double> low = sp.compare(VectorOperators.GT, 0);
+        VectorMask<Double> fits =
+                sp.abs()
+                        .compare(VectorOperators.GT, still)
+                        .and(sq.abs().compare(VectorOperators.GT, still))
+                        .and(sr.abs().compare(VectorOperators.GT, still))
+                        .and(sw.abs().compare(VectorOperators.GT, still))
+                        .and(low.xor(sr.compare(VectorOperators.GT, 0)))
+                        .and(low.xor(sw.compare(VectorOperators.GT, 0)))
+                        .and(low.xor(sq.compare(VectorOperators.GT, 0)).not());
+        VectorMask<Double> high = cuts.andNot(low);
+        DoubleVector begin = sr.blend(sp, fromP);
+        DoubleVector cutPr = begin.div(begin.sub(sp.blend(sr, fromP)));
+        begin = sq.blend(sw, fromP);
+        DoubleVector cutQw = begin.div(begin.sub(sw.blend(sq, fromP)));
+        DoubleVector way = DoubleVector.fromArray(S, t, STRAIGHT + i);
+        VectorMask<Double> missed = fits.not().and(cuts).or(way.compare(VectorOperators.LT, 0));
+        DoubleVector zero = DoubleVector.zero(S);
+        way.add(zero.blend(1, cuts))
+                .add(zero.blend(2, sign.compare(VectorOperators.LT, 0)))
+                .add(zero.blend(1, low.and(cuts)))
+                .blend(-1, missed)
+                .intoArray(t, STRAIGHT + i);
+        low = low.and(cuts);
+        for (int k = i; k < 3 * CAPACITY; k += CAPACITY) {
+            DoubleVector p = DoubleVector.fromArray(S, t, P + k);
+            DoubleVector q = DoubleVector.fromArray(S, t, Q + k);
+            DoubleVector r = DoubleVector.fromArray(S, t, R + k);
+            DoubleVector w = DoubleVector.fromArray(S, t, W + k);
+            begin = r.blend(p, fromP);
+            DoubleVector pr = begin.add(cutPr.mul(p.blend(r, fromP).sub(begin)));
+            begin = q.blend(w, fromP);
+            DoubleVector qw = begin.add(cutQw.mul(w.blend(q, fromP).sub(begin)));
+            p.blend(pr, low).intoArray(t, P + k);
+            q.blend(qw, low).intoArray(t, Q + k);
+            r.blend(pr, high).intoArray(t, R + k);
+            w.blend(qw, high).intoArray(t, W + k);
+        }
     }
 
     /** Separations, and points midway between the surfaces in the place of the corners. */
     private static void finish(double[] t, int i) {
-        DoubleVector code = DoubleVector.fromArray(S, t, STRAIGHT + i);
+        DoubleVector way = DoubleVector.fromArray(S, t, STRAIGHT + i);
         DoubleVector sign = DoubleVector.fromArray(S, t, SIGN + i);
         DoubleVector height = DoubleVector.fromArray(S, t, HALF + i);
-        int from = STRAIGHT_POINT + i;
-        DoubleVector highest = DoubleVector.broadcast(S, -Double.MAX_VALUE);
+        DoubleVector margin = DoubleVector.fromArray(S, t, MARGIN + i);
+        VectorMask<Double> fits = way.compare(VectorOperators.GE, 0);
         DoubleVector deepest = DoubleVector.broadcast(S, Double.MAX_VALUE);
         for (int p = 0; p < 4; p++) {
             DoubleVector s =
-                    DoubleVector.fromArray(S, t, from + 3 * p * CAPACITY).mul(sign).sub(height);
+                    DoubleVector.fromArray(S, t, P + 3 * p * CAPACITY + i).mul(sign).sub(height);
             s.intoArray(t, CUT_SEPARATION + p * CAPACITY + i);
-            highest = highest.max(s);
-            deepest = deepest.min(s);
+            fits = fits.and(s.compare(VectorOperators.LE, margin));
+            deepest = deepest.blend(s, s.compare(VectorOperators.LT, deepest));
         }
         deepest.intoArray(t, DEEPEST + i);
-        VectorMask<Double> fits =
-                code.compare(VectorOperators.GE, 0)
-                        .and(
-                                highest.compare(
-                                        VectorOperators.LE,
-                                        DoubleVector.fromArray(S, t, MARGIN + i)));
-        code.blend(-1, fits.not()).intoArray(t, STRAIGHT + i);
-        int to = CORNER + i;
-        for (int p = 0; p < 12; p += 3) {
-            int at = p * CAPACITY;
-            DoubleVector half =
-                    DoubleVector.fromArray(S, t, CUT_SEPARATION + p / 3 * CAPACITY + i).mul(0.5);
-            DoubleVector n = DoubleVector.fromArray(S, t, from + at).sub(sign.mul(half));
-            DoubleVector.fromArray(S, t, to + at).blend(n, fits).intoArray(t, to + at);
-            for (int k = 1; k < 3; k++) {
-                at += CAPACITY;
-                DoubleVector.fromArray(S, t, to + at)
-                        .blend(DoubleVector.fromArray(S, t, from + at), fits)
-                        .intoArray(t, to + at);
+        DoubleVector faces =
+                DoubleVector.fromArray(S, t, FLIP + i)
+                        .mul(6)
+                        .add(DoubleVector.fromArray(S, t, AXIS + i).mul(2))
+                        .add(sign.mul(.5).add(.5))
+                        .mul(6)
+                        .add(DoubleVector.fromArray(S, t, INCIDENT + i));
+        faces.mul(WAYS).add(way).blend(-1, fits.not()).intoArray(t, STRAIGHT + i);
+        for (int p = 0; p < 12 * CAPACITY; p += 3 * CAPACITY) {
+            DoubleVector half = DoubleVector.fromArray(S, t, CUT_SEPARATION + p / 3 + i).mul(0.5);
+            DoubleVector n = DoubleVector.fromArray(S, t, P + p + i).sub(sign.mul(half));
+            int to = CORNER + p + i;
+            DoubleVector.fromArray(S, t, to).blend(n, fits).intoArray(t, to);
+            for (int k = CAPACITY; k < 3 * CAPACITY; k += CAPACITY) {
+                DoubleVector.fromArray(S, t, to + k)
+                        .blend(DoubleVector.fromArray(S, t, P + p + k + i), fits)
+                        .intoArray(t, to + k);
             }
         }
+    }
+
+    /**
+     * Whether the axes of edges can be left out. Each point of the patch lies on the incident face
+     * and, h above it, in the reference face up to e. Along a unit vector at an angle of a to the
+     * normal the boxes are separated by at most
+     *
+     * <pre>  h cos a - (w - e) sin a,</pre>
+     *
+     * with h the largest separation of a point and w the least width of the patch: take the
+     * outermost points on either side. Between 0 and 90 degrees that is at most h when w - e is at
+     * least -h. Beyond 90 degrees take points of the reference box's other face, H farther down:
+     * then it is at most h when h plus the least separation is at least -H. A convex patch of area
+     * F and perimeter L is at least 2 F / L wide, and L is at most that of the reference face. So
+     * the signed distance is between the largest separation along a face normal and h; where all
+     * decisions are the same for each of these values, edges cannot change them.
+     */
+    private static int prove(double[] t, int i) {
+        DoubleVector s0 = DoubleVector.fromArray(S, t, CUT_SEPARATION + i);
+        DoubleVector s1 = DoubleVector.fromArray(S, t, CUT_SEPARATION + CAPACITY + i);
+        DoubleVector s2 = DoubleVector.fromArray(S, t, CUT_SEPARATION + 2 * CAPACITY + i);
+        DoubleVector s3 = DoubleVector.fromArray(S, t, CUT_SEPARATION + 3 * CAPACITY + i);
+        s0 = s0.blend(s1, s1.compare(VectorOperators.GT, s0));
+        s2 = s2.blend(s3, s3.compare(VectorOperators.GT, s2));
+        DoubleVector highest = s0.blend(s2, s2.compare(VectorOperators.GT, s0));
+        DoubleVector deepest = DoubleVector.fromArray(S, t, DEEPEST + i);
+        DoubleVector inner = DoubleVector.fromArray(S, t, INNER + i);
+        int u = CAPACITY + i;
+        int v = u + CAPACITY;
+        DoubleVector pwU =
+                DoubleVector.fromArray(S, t, W + u).sub(DoubleVector.fromArray(S, t, P + u));
+        DoubleVector pwV =
+                DoubleVector.fromArray(S, t, W + v).sub(DoubleVector.fromArray(S, t, P + v));
+        DoubleVector qrU =
+                DoubleVector.fromArray(S, t, R + u).sub(DoubleVector.fromArray(S, t, Q + u));
+        DoubleVector qrV =
+                DoubleVector.fromArray(S, t, R + v).sub(DoubleVector.fromArray(S, t, Q + v));
+        DoubleVector twice = pwU.mul(qrV).sub(pwV.mul(qrU)).abs();
+        DoubleVector beside = inner.mul(4 * BoxBatch.ON_PLANE);
+        DoubleVector around =
+                DoubleVector.fromArray(S, t, HALF + u)
+                        .add(DoubleVector.fromArray(S, t, HALF + v))
+                        .add(beside)
+                        .mul(4.0001);
+        VectorMask<Double> wide =
+                twice.compare(VectorOperators.GT, beside.sub(highest).mul(around))
+                        .and(twice.compare(VectorOperators.GT, beside.mul(around)));
+        VectorMask<Double> shallow =
+                highest.add(deepest)
+                        .add(DoubleVector.fromArray(S, t, HALF + i))
+                        .compare(VectorOperators.GT, 0);
+        DoubleVector scale =
+                DoubleVector.fromArray(S, t, HALF_A + i)
+                        .add(DoubleVector.fromArray(S, t, HALF_A + u))
+                        .add(DoubleVector.fromArray(S, t, HALF_A + v))
+                        .add(DoubleVector.fromArray(S, t, HALF_B + i))
+                        .add(DoubleVector.fromArray(S, t, HALF_B + u))
+                        .add(DoubleVector.fromArray(S, t, HALF_B + v))
+                        .add(DoubleVector.fromArray(S, t, CENTRE + i).abs())
+                        .add(DoubleVector.fromArray(S, t, CENTRE + u).abs())
+                        .add(DoubleVector.fromArray(S, t, CENTRE + v).abs());
+        DoubleVector faces = DoubleVector.fromArray(S, t, SEPARATION_FACES + i);
+        DoubleVector most = highest.add(scale.mul(ROUNDING));
+        most = most.blend(faces, faces.compare(VectorOperators.GT, most));
+        DoubleVector separation = DoubleVector.fromArray(S, t, SEPARATION + i);
+        DoubleVector above = most.sub(deepest);
+        DoubleVector below = deepest.sub(faces);
+        DoubleVector wrong = above.blend(below, below.compare(VectorOperators.GT, above));
+        wrong.add(scale.mul(0x1p-48)).intoArray(t, BOUND + i);
+        DoubleVector allowed = inner.mul(STRAYS);
+        return (int)
+                        DoubleVector.fromArray(S, t, STRAIGHT + i)
+                                .compare(VectorOperators.GE, 0)
+                                .and(wide)
+                                .and(shallow)
+                                .and(
+                                        most.compare(
+                                                VectorOperators.LE,
+                                                DoubleVector.fromArray(S, t, MARGIN + i)))
+                                .and(wrong.compare(VectorOperators.LT, allowed))
+                                .and(most.sub(separation).compare(VectorOperators.LT, allowed))
+                                .toLong()
+                << i;
     }
 }

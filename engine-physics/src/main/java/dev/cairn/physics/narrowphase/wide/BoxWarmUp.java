@@ -73,12 +73,14 @@ public final class BoxWarmUp {
         for (int round = 0; round < MOST; round++) {
             fill(batch.data, random);
             long start = System.nanoTime();
-            BoxAxes.run(batch, BoxBatch.CAPACITY, false);
+            BoxAxes.scalar(batch, BoxBatch.CAPACITY);
             long second = System.nanoTime();
-            BoxAxes.run(batch, BoxBatch.CAPACITY, true);
+            BoxAxes.faces(batch, BoxBatch.CAPACITY);
+            BoxAxes.edges(batch, -1);
             long third = System.nanoTime();
             choose(batch.data, round);
             long fourth = System.nanoTime();
+            BoxAxes.choose(batch, BoxBatch.CAPACITY);
             BoxAxes.corners(batch, BoxBatch.CAPACITY);
             BoxAxes.cutStraight(batch, BoxBatch.CAPACITY);
             BoxAxes.world(batch, BoxBatch.CAPACITY);
