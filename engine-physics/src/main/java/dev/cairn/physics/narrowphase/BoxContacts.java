@@ -15,6 +15,7 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.LAST;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OFFSET;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_B;
@@ -303,7 +304,7 @@ public final class BoxContacts {
     private void copy(int i, int points, Manifold out) {
         out.pointCount = points;
         for (int p = 0; p < points; p++) {
-            int at = CORNER + 3 * CAPACITY * p + i;
+            int at = CORNER + POINT * p + i;
             out.pointX[p] = t[at];
             out.pointY[p] = t[at + CAPACITY];
             out.pointZ[p] = t[at + 2 * CAPACITY];

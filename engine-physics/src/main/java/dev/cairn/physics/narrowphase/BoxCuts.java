@@ -8,6 +8,7 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
 
@@ -165,7 +166,7 @@ final class BoxCuts {
         int kept = 0;
         int to = CORNER + i;
         int from = to;
-        for (int k = 0; k < 4; k++, from += 3 * CAPACITY) {
+        for (int k = 0; k < 4; k++, from += POINT) {
             double height = t[from];
             double s = (positive ? height : -height) - limit;
             if (s > margin) {
@@ -181,7 +182,7 @@ final class BoxCuts {
                 t[to + CAPACITY] = t[from + CAPACITY];
                 t[to + 2 * CAPACITY] = t[from + 2 * CAPACITY];
             }
-            to += 3 * CAPACITY;
+            to += POINT;
         }
         deepest = least;
         names[i] = hash;
@@ -200,7 +201,7 @@ final class BoxCuts {
         made = 4;
         order = 0x3210;
         for (int k = 0; k < 4; k++) {
-            int at = CORNER + 3 * CAPACITY * SLOT_CORNER[incident + k] + i;
+            int at = CORNER + POINT * SLOT_CORNER[incident + k] + i;
             n[k] = t[at];
             u[k] = t[at + CAPACITY];
             v[k] = t[at + 2 * CAPACITY];
@@ -395,7 +396,7 @@ final class BoxCuts {
             int k = (int) chosen & 15;
             double s = beyond[k];
             least = s < least ? s : least;
-            int to = CORNER + 3 * CAPACITY * p + i;
+            int to = CORNER + POINT * p + i;
             t[to] = positive ? n[k] - s / 2 : n[k] + s / 2;
             t[to + CAPACITY] = u[k];
             t[to + 2 * CAPACITY] = v[k];

@@ -2,9 +2,9 @@ package dev.cairn.physics.narrowphase;
 
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CUT_SEPARATION;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OFFSET;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
 
 /**
@@ -27,21 +27,48 @@ final class StraightPoints {
     static long copy(double[] t, int i, Manifold out) {
         int entry = (int) t[STRAIGHT + i];
         int order = StraightNames.order(entry);
+        int a = at(order, i);
+        int b = at(order >> 2, i);
+        int c = at(order >> 4, i);
+        int d = at(order >> 6, i);
+        double ax = t[a];
+        double ay = t[a + CAPACITY];
+        double az = t[a + 2 * CAPACITY];
+        double as = t[a + 3 * CAPACITY];
+        double bx = t[b];
+        double by = t[b + CAPACITY];
+        double bz = t[b + 2 * CAPACITY];
+        double bs = t[b + 3 * CAPACITY];
+        double cx = t[c];
+        double cy = t[c + CAPACITY];
+        double cz = t[c + 2 * CAPACITY];
+        double cs = t[c + 3 * CAPACITY];
+        double dx = t[d];
+        double dy = t[d + CAPACITY];
+        double dz = t[d + 2 * CAPACITY];
+        double ds = t[d + 3 * CAPACITY];
         out.pointCount = 4;
-        copy(t, i, entry, 0, order & 3, out);
-        copy(t, i, entry, 1, order >> 2 & 3, out);
-        copy(t, i, entry, 2, order >> 4 & 3, out);
-        copy(t, i, entry, 3, order >> 6 & 3, out);
+        four(out.pointX, ax, bx, cx, dx);
+        four(out.pointY, ay, by, cy, dy);
+        four(out.pointZ, az, bz, cz, dz);
+        four(out.separation, as, bs, cs, ds);
+        int[] name = out.feature;
+        name[3] = StraightNames.name(entry, 3);
+        name[0] = StraightNames.name(entry, 0);
+        name[1] = StraightNames.name(entry, 1);
+        name[2] = StraightNames.name(entry, 2);
         return StraightNames.word(entry);
     }
 
-    private static void copy(double[] t, int i, int entry, int p, int place, Manifold out) {
-        int at = CORNER + 3 * CAPACITY * place + i;
-        out.pointX[p] = t[at];
-        out.pointY[p] = t[at + CAPACITY];
-        out.pointZ[p] = t[at + 2 * CAPACITY];
-        out.separation[p] = t[CUT_SEPARATION + place * CAPACITY + i];
-        out.feature[p] = StraightNames.name(entry, p);
+    private static int at(int place, int i) {
+        return CORNER + POINT * (place & 3) + i;
+    }
+
+    private static void four(double[] to, double a, double b, double c, double d) {
+        to[0] = a;
+        to[1] = b;
+        to[2] = c;
+        to[3] = d;
     }
 
     /** Writes the contact but the names, see {@link BoxContacts#write}; returns the word. */
@@ -59,24 +86,24 @@ final class StraightPoints {
         normal[n + 2] = t[NORMAL + 2 * CAPACITY + i];
         int entry = (int) t[STRAIGHT + i];
         int order = StraightNames.order(entry);
-        separation[first] = write(t, i, order & 3, anchors, at);
-        separation[first + 1] = write(t, i, order >> 2 & 3, anchors, at + 6);
-        separation[first + 2] = write(t, i, order >> 4 & 3, anchors, at + 12);
-        separation[first + 3] = write(t, i, order >> 6 & 3, anchors, at + 18);
+        separation[first] = write(t, i, at(order, i), anchors, at);
+        separation[first + 1] = write(t, i, at(order >> 2, i), anchors, at + 6);
+        separation[first + 2] = write(t, i, at(order >> 4, i), anchors, at + 12);
+        separation[first + 3] = write(t, i, at(order >> 6, i), anchors, at + 18);
         return StraightNames.word(entry);
     }
 
-    private static double write(double[] t, int i, int place, double[] anchors, int at) {
-        int from = CORNER + 3 * CAPACITY * place + i;
+    private static double write(double[] t, int i, int from, double[] anchors, int at) {
         double x = t[from];
         double y = t[from + CAPACITY];
         double z = t[from + 2 * CAPACITY];
+        double s = t[from + 3 * CAPACITY];
         anchors[at] = x;
         anchors[at + 1] = y;
         anchors[at + 2] = z;
         anchors[at + 3] = x - t[OFFSET + i];
         anchors[at + 4] = y - t[OFFSET + CAPACITY + i];
         anchors[at + 5] = z - t[OFFSET + 2 * CAPACITY + i];
-        return t[CUT_SEPARATION + place * CAPACITY + i];
+        return s;
     }
 }

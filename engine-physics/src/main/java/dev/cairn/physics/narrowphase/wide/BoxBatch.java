@@ -89,37 +89,41 @@ public final class BoxBatch {
 
     /**
      * The corners of the incident face in the frame of the chosen face's box, in that order of
-     * axes: three columns each. Corner bits 0 and 1 are the signs on the two axes beside the face's
-     * own. What is written there in their place, up to four points, is turned into world axes.
+     * axes: {@link #POINT} columns each, the last one for a separation. Corner bits 0 and 1 are the
+     * signs on the two axes beside the face's own. What is written there in their place, up to four
+     * points, is turned into world axes.
      */
     public static final int CORNER = 66 * CAPACITY;
 
+    /** From a point to the next one. */
+    public static final int POINT = 4 * CAPACITY;
+
     /** Unit normal from A to B, world: columns x, y, z. */
-    public static final int NORMAL = 78 * CAPACITY;
+    public static final int NORMAL = 82 * CAPACITY;
 
     /** Points up to this far apart are contacts, m. */
-    public static final int MARGIN = 81 * CAPACITY;
+    public static final int MARGIN = 85 * CAPACITY;
 
     /** The smaller inner radius, m. */
-    public static final int INNER = 82 * CAPACITY;
+    public static final int INNER = 86 * CAPACITY;
 
     /**
      * Of the word of the last tick: {@link #KIND} times its kind (1 face of A, 2 face of B) plus
      * its face.
      */
-    public static final int LAST = 83 * CAPACITY;
+    public static final int LAST = 87 * CAPACITY;
 
     /** More than any number of a face. */
     public static final int KIND = 1 << 15;
 
     /** The separation along the chosen face, and the larger one of both boxes' faces, m. */
-    static final int SEPARATION = 84 * CAPACITY, SEPARATION_FACES = 85 * CAPACITY;
+    static final int SEPARATION = 88 * CAPACITY, SEPARATION_FACES = 89 * CAPACITY;
 
     /**
      * -1, or how no, one or two sides cut the incident face straight, together with both faces:
      * {@link #entry}. The four points are then in place of the corners.
      */
-    public static final int STRAIGHT = 86 * CAPACITY;
+    public static final int STRAIGHT = 90 * CAPACITY;
 
     /** Ways to cut straight: none, or one of 16 of a first side and one of 5 of a second. */
     public static final int WAYS = 81;
@@ -128,10 +132,7 @@ public final class BoxBatch {
     public static final int SECOND_WAYS = 5;
 
     /** The least separation of those points, m. */
-    public static final int DEEPEST = 87 * CAPACITY;
-
-    /** Their separations, m: four columns. */
-    public static final int CUT_SEPARATION = 88 * CAPACITY;
+    public static final int DEEPEST = 91 * CAPACITY;
 
     /** By how much {@link #DEEPEST} may differ from the signed distance, m. */
     public static final int BOUND = 92 * CAPACITY;
@@ -149,7 +150,7 @@ public final class BoxBatch {
     static final int STRAIGHT_POINT = 97 * CAPACITY;
 
     /** All columns. */
-    public final double[] data = new double[109 * CAPACITY];
+    public final double[] data = new double[113 * CAPACITY];
 
     /**
      * The number of a way to cut a face.

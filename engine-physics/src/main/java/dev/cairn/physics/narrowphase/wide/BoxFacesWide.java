@@ -17,7 +17,10 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.LAST;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT_POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.ROWS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_A;
@@ -194,9 +197,9 @@ final class BoxFacesWide {
             DoubleVector c = nz.mul(z0);
             DoubleVector d = nz.mul(z1);
             a.add(ny.mul(y0)).add(c).add(after).intoArray(t, CORNER + i);
-            b.add(ny.mul(y1)).add(c).add(after).intoArray(t, CORNER + 3 * CAPACITY + i);
-            a.add(ny.mul(y2)).add(d).add(after).intoArray(t, CORNER + 6 * CAPACITY + i);
-            b.add(ny.mul(y3)).add(d).add(after).intoArray(t, CORNER + 9 * CAPACITY + i);
+            b.add(ny.mul(y1)).add(c).add(after).intoArray(t, CORNER + POINT + i);
+            a.add(ny.mul(y2)).add(d).add(after).intoArray(t, CORNER + 2 * POINT + i);
+            b.add(ny.mul(y3)).add(d).add(after).intoArray(t, CORNER + 3 * POINT + i);
 
             for (int k = 1; k < 3; k++) {
                 int row = ROWS + 3 * k * CAPACITY + i;
@@ -212,9 +215,9 @@ final class BoxFacesWide {
                 DoubleVector p2 = a.add(ry.mul(y2)).add(d).add(after);
                 DoubleVector p3 = b.add(ry.mul(y3)).add(d).add(after);
                 p0.intoArray(t, corner);
-                p1.intoArray(t, corner + 3 * CAPACITY);
-                p2.intoArray(t, corner + 6 * CAPACITY);
-                p3.intoArray(t, corner + 9 * CAPACITY);
+                p1.intoArray(t, corner + POINT);
+                p2.intoArray(t, corner + 2 * POINT);
+                p3.intoArray(t, corner + 3 * POINT);
                 DoubleVector limit = DoubleVector.fromArray(S, t, HALF + k * CAPACITY + i);
                 int sides = OUTSIDE + 2 * (k - 1) * CAPACITY + i;
                 // Cheaper than max and min, which mind the signs of zeros.
@@ -264,10 +267,16 @@ final class BoxFacesWide {
             DoubleVector axis = DoubleVector.fromArray(S, t, AXIS + i);
             VectorMask<Double> isX = axis.compare(VectorOperators.EQ, 0);
             VectorMask<Double> isZ = axis.compare(VectorOperators.EQ, 2);
-            for (int at = CORNER + i; at < NORMAL; at += 3 * CAPACITY) {
-                DoubleVector n = DoubleVector.fromArray(S, t, at);
-                DoubleVector u = DoubleVector.fromArray(S, t, at + CAPACITY);
-                DoubleVector v = DoubleVector.fromArray(S, t, at + 2 * CAPACITY);
+            boolean straight =
+                    DoubleVector.fromArray(S, t, STRAIGHT + i)
+                            .compare(VectorOperators.GE, 0)
+                            .allTrue();
+            int from = straight ? STRAIGHT_POINT : CORNER;
+            for (int p = i; p < 4 * POINT; p += POINT) {
+                int at = CORNER + p;
+                DoubleVector n = DoubleVector.fromArray(S, t, from + p);
+                DoubleVector u = DoubleVector.fromArray(S, t, from + p + CAPACITY);
+                DoubleVector v = DoubleVector.fromArray(S, t, from + p + 2 * CAPACITY);
                 DoubleVector x = u.blend(n, isX);
                 DoubleVector y = n.blend(u, isX).blend(v, isZ);
                 DoubleVector z = v.blend(n, isZ);

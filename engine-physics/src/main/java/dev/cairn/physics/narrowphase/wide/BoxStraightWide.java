@@ -5,7 +5,6 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.BOUND;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CUT_SEPARATION;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.DEEPEST;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
@@ -15,6 +14,7 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.INNER;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_FROM_LOW;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_ON_U;
@@ -47,9 +47,10 @@ final class BoxStraightWide {
     private static final int LANES = S.length();
 
     private static final int P = STRAIGHT_POINT;
-    private static final int Q = P + 3 * CAPACITY;
-    private static final int R = Q + 3 * CAPACITY;
-    private static final int W = R + 3 * CAPACITY;
+    private static final int Q = P + POINT;
+    private static final int R = Q + POINT;
+    private static final int W = R + POINT;
+    private static final int SEPARATIONS = CORNER + 3 * CAPACITY;
 
     /**
      * Of the scale: more than the rounding of a separation along the cross product of two edges,
@@ -62,7 +63,7 @@ final class BoxStraightWide {
 
     private BoxStraightWide() {}
 
-    /** Fills STRAIGHT, CUT_SEPARATION, DEEPEST, BOUND; returns a bit for each proven pair. */
+    /** Fills STRAIGHT, separations, DEEPEST, BOUND; returns a bit for each proven pair. */
     static int run(double[] t, int count) {
         int proven = 0;
         for (int i = 0; i < count; i += LANES) {
@@ -123,18 +124,18 @@ final class BoxStraightWide {
                         .mul(sign)
                         .sub(limit);
         DoubleVector s1 =
-                DoubleVector.fromArray(S, t, v + 3 * CAPACITY)
-                        .blend(DoubleVector.fromArray(S, t, u + 3 * CAPACITY), firstU)
+                DoubleVector.fromArray(S, t, v + POINT)
+                        .blend(DoubleVector.fromArray(S, t, u + POINT), firstU)
                         .mul(sign)
                         .sub(limit);
         DoubleVector s2 =
-                DoubleVector.fromArray(S, t, v + 6 * CAPACITY)
-                        .blend(DoubleVector.fromArray(S, t, u + 6 * CAPACITY), firstU)
+                DoubleVector.fromArray(S, t, v + 2 * POINT)
+                        .blend(DoubleVector.fromArray(S, t, u + 2 * POINT), firstU)
                         .mul(sign)
                         .sub(limit);
         DoubleVector s3 =
-                DoubleVector.fromArray(S, t, v + 9 * CAPACITY)
-                        .blend(DoubleVector.fromArray(S, t, u + 9 * CAPACITY), firstU)
+                DoubleVector.fromArray(S, t, v + 3 * POINT)
+                        .blend(DoubleVector.fromArray(S, t, u + 3 * POINT), firstU)
                         .mul(sign)
                         .sub(limit);
         DoubleVector still = inner.mul(BoxBatch.STILL_ON_PLANE);
@@ -170,9 +171,9 @@ final class BoxStraightWide {
         for (int k = 0; k < 3 * CAPACITY; k += CAPACITY) {
             int from = CORNER + k + i;
             DoubleVector p = DoubleVector.fromArray(S, t, from);
-            DoubleVector x1 = DoubleVector.fromArray(S, t, from + 3 * CAPACITY);
-            DoubleVector x2 = DoubleVector.fromArray(S, t, from + 6 * CAPACITY);
-            DoubleVector w = DoubleVector.fromArray(S, t, from + 9 * CAPACITY);
+            DoubleVector x1 = DoubleVector.fromArray(S, t, from + POINT);
+            DoubleVector x2 = DoubleVector.fromArray(S, t, from + 2 * POINT);
+            DoubleVector w = DoubleVector.fromArray(S, t, from + 3 * POINT);
             DoubleVector q = x1.blend(x2, along);
             DoubleVector r = x2.blend(x1, along);
             begin = q.blend(p, fromP);
@@ -265,7 +266,10 @@ final class BoxStraightWide {
         }
     }
 
-    /** Separations, and points midway between the surfaces in the place of the corners. */
+    /**
+     * Separations, and points midway between the surfaces; they take the place of the corners where
+     * not all pairs of the lanes have some.
+     */
     private static void finish(double[] t, int i) {
         DoubleVector way = DoubleVector.fromArray(S, t, STRAIGHT + i);
         DoubleVector sign = DoubleVector.fromArray(S, t, SIGN + i);
@@ -273,10 +277,11 @@ final class BoxStraightWide {
         DoubleVector margin = DoubleVector.fromArray(S, t, MARGIN + i);
         VectorMask<Double> fits = way.compare(VectorOperators.GE, 0);
         DoubleVector deepest = DoubleVector.broadcast(S, Double.MAX_VALUE);
-        for (int p = 0; p < 4; p++) {
-            DoubleVector s =
-                    DoubleVector.fromArray(S, t, P + 3 * p * CAPACITY + i).mul(sign).sub(height);
-            s.intoArray(t, CUT_SEPARATION + p * CAPACITY + i);
+        for (int p = i; p < 4 * POINT; p += POINT) {
+            DoubleVector n = DoubleVector.fromArray(S, t, P + p);
+            DoubleVector s = n.mul(sign).sub(height);
+            s.intoArray(t, CORNER + p + 3 * CAPACITY);
+            n.sub(sign.mul(s.mul(0.5))).intoArray(t, P + p);
             fits = fits.and(s.compare(VectorOperators.LE, margin));
             deepest = deepest.blend(s, s.compare(VectorOperators.LT, deepest));
         }
@@ -289,15 +294,14 @@ final class BoxStraightWide {
                         .mul(6)
                         .add(DoubleVector.fromArray(S, t, INCIDENT + i));
         faces.mul(WAYS).add(way).blend(-1, fits.not()).intoArray(t, STRAIGHT + i);
-        for (int p = 0; p < 12 * CAPACITY; p += 3 * CAPACITY) {
-            DoubleVector half = DoubleVector.fromArray(S, t, CUT_SEPARATION + p / 3 + i).mul(0.5);
-            DoubleVector n = DoubleVector.fromArray(S, t, P + p + i).sub(sign.mul(half));
-            int to = CORNER + p + i;
-            DoubleVector.fromArray(S, t, to).blend(n, fits).intoArray(t, to);
-            for (int k = CAPACITY; k < 3 * CAPACITY; k += CAPACITY) {
-                DoubleVector.fromArray(S, t, to + k)
-                        .blend(DoubleVector.fromArray(S, t, P + p + k + i), fits)
-                        .intoArray(t, to + k);
+        if (fits.allTrue()) {
+            return;
+        }
+        for (int p = i; p < 4 * POINT; p += POINT) {
+            for (int k = p; k < p + 3 * CAPACITY; k += CAPACITY) {
+                DoubleVector.fromArray(S, t, CORNER + k)
+                        .blend(DoubleVector.fromArray(S, t, P + k), fits)
+                        .intoArray(t, CORNER + k);
             }
         }
     }
@@ -318,10 +322,10 @@ final class BoxStraightWide {
      * decisions are the same for each of these values, edges cannot change them.
      */
     private static int prove(double[] t, int i) {
-        DoubleVector s0 = DoubleVector.fromArray(S, t, CUT_SEPARATION + i);
-        DoubleVector s1 = DoubleVector.fromArray(S, t, CUT_SEPARATION + CAPACITY + i);
-        DoubleVector s2 = DoubleVector.fromArray(S, t, CUT_SEPARATION + 2 * CAPACITY + i);
-        DoubleVector s3 = DoubleVector.fromArray(S, t, CUT_SEPARATION + 3 * CAPACITY + i);
+        DoubleVector s0 = DoubleVector.fromArray(S, t, SEPARATIONS + i);
+        DoubleVector s1 = DoubleVector.fromArray(S, t, SEPARATIONS + POINT + i);
+        DoubleVector s2 = DoubleVector.fromArray(S, t, SEPARATIONS + 2 * POINT + i);
+        DoubleVector s3 = DoubleVector.fromArray(S, t, SEPARATIONS + 3 * POINT + i);
         s0 = s0.blend(s1, s1.compare(VectorOperators.GT, s0));
         s2 = s2.blend(s3, s3.compare(VectorOperators.GT, s2));
         DoubleVector highest = s0.blend(s2, s2.compare(VectorOperators.GT, s0));
