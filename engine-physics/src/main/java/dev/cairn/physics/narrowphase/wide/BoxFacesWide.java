@@ -19,14 +19,14 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT_POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.ROWS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_FACES;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT_POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
 
 import jdk.incubator.vector.DoubleVector;

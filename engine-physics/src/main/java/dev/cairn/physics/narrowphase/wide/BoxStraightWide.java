@@ -50,7 +50,6 @@ final class BoxStraightWide {
     private static final int Q = P + POINT;
     private static final int R = Q + POINT;
     private static final int W = R + POINT;
-    private static final int SEPARATIONS = CORNER + 3 * CAPACITY;
 
     /**
      * Of the scale: more than the rounding of a separation along the cross product of two edges,
@@ -71,8 +70,8 @@ final class BoxStraightWide {
             if (DoubleVector.fromArray(S, t, SECOND + i).compare(VectorOperators.NE, 0).anyTrue()) {
                 second(t, i);
             }
-            finish(t, i);
-            proven |= prove(t, i);
+            proven |= finish(t, i);
+            place(t, i);
         }
         return proven;
     }
@@ -168,23 +167,51 @@ final class BoxStraightWide {
         DoubleVector cutPq = begin.div(begin.sub(s0.blend(sq, fromP)));
         begin = sr.blend(s3, fromP);
         DoubleVector cutRw = begin.div(begin.sub(s3.blend(sr, fromP)));
-        for (int k = 0; k < 3 * CAPACITY; k += CAPACITY) {
-            int from = CORNER + k + i;
-            DoubleVector p = DoubleVector.fromArray(S, t, from);
-            DoubleVector x1 = DoubleVector.fromArray(S, t, from + POINT);
-            DoubleVector x2 = DoubleVector.fromArray(S, t, from + 2 * POINT);
-            DoubleVector w = DoubleVector.fromArray(S, t, from + 3 * POINT);
-            DoubleVector q = x1.blend(x2, along);
-            DoubleVector r = x2.blend(x1, along);
-            begin = q.blend(p, fromP);
-            DoubleVector pq = begin.add(cutPq.mul(p.blend(q, fromP).sub(begin)));
-            begin = r.blend(w, fromP);
-            DoubleVector rw = begin.add(cutRw.mul(w.blend(r, fromP).sub(begin)));
-            p.blend(pq, low).intoArray(t, P + k + i);
-            q.blend(pq, high).intoArray(t, Q + k + i);
-            r.blend(rw, low).intoArray(t, R + k + i);
-            w.blend(rw, high).intoArray(t, W + k + i);
-        }
+        // No loop: where one begins and ends, masks would be kept as arrays.
+        DoubleVector p = DoubleVector.fromArray(S, t, CORNER + i);
+        DoubleVector x1 = DoubleVector.fromArray(S, t, CORNER + i + POINT);
+        DoubleVector x2 = DoubleVector.fromArray(S, t, CORNER + i + 2 * POINT);
+        DoubleVector w = DoubleVector.fromArray(S, t, CORNER + i + 3 * POINT);
+        DoubleVector q = x1.blend(x2, along);
+        DoubleVector r = x2.blend(x1, along);
+        begin = q.blend(p, fromP);
+        DoubleVector pq = begin.add(cutPq.mul(p.blend(q, fromP).sub(begin)));
+        begin = r.blend(w, fromP);
+        DoubleVector rw = begin.add(cutRw.mul(w.blend(r, fromP).sub(begin)));
+        p.blend(pq, low).intoArray(t, P + i);
+        q.blend(pq, high).intoArray(t, Q + i);
+        r.blend(rw, low).intoArray(t, R + i);
+        w.blend(rw, high).intoArray(t, W + i);
+
+        p = DoubleVector.fromArray(S, t, u);
+        x1 = DoubleVector.fromArray(S, t, u + POINT);
+        x2 = DoubleVector.fromArray(S, t, u + 2 * POINT);
+        w = DoubleVector.fromArray(S, t, u + 3 * POINT);
+        q = x1.blend(x2, along);
+        r = x2.blend(x1, along);
+        begin = q.blend(p, fromP);
+        pq = begin.add(cutPq.mul(p.blend(q, fromP).sub(begin)));
+        begin = r.blend(w, fromP);
+        rw = begin.add(cutRw.mul(w.blend(r, fromP).sub(begin)));
+        p.blend(pq, low).intoArray(t, P + CAPACITY + i);
+        q.blend(pq, high).intoArray(t, Q + CAPACITY + i);
+        r.blend(rw, low).intoArray(t, R + CAPACITY + i);
+        w.blend(rw, high).intoArray(t, W + CAPACITY + i);
+
+        p = DoubleVector.fromArray(S, t, v);
+        x1 = DoubleVector.fromArray(S, t, v + POINT);
+        x2 = DoubleVector.fromArray(S, t, v + 2 * POINT);
+        w = DoubleVector.fromArray(S, t, v + 3 * POINT);
+        q = x1.blend(x2, along);
+        r = x2.blend(x1, along);
+        begin = q.blend(p, fromP);
+        pq = begin.add(cutPq.mul(p.blend(q, fromP).sub(begin)));
+        begin = r.blend(w, fromP);
+        rw = begin.add(cutRw.mul(w.blend(r, fromP).sub(begin)));
+        p.blend(pq, low).intoArray(t, P + 2 * CAPACITY + i);
+        q.blend(pq, high).intoArray(t, Q + 2 * CAPACITY + i);
+        r.blend(rw, low).intoArray(t, R + 2 * CAPACITY + i);
+        w.blend(rw, high).intoArray(t, W + 2 * CAPACITY + i);
         DoubleVector way =
                 zero.blend(2 * 4 * SECOND_WAYS, firstU.not())
                         .add(zero.blend(4 * SECOND_WAYS, sign.compare(VectorOperators.LT, 0)))
@@ -250,50 +277,50 @@ final class BoxStraightWide {
                 .blend(-1, missed)
                 .intoArray(t, STRAIGHT + i);
         low = low.and(cuts);
-        for (int k = i; k < 3 * CAPACITY; k += CAPACITY) {
-            DoubleVector p = DoubleVector.fromArray(S, t, P + k);
-            DoubleVector q = DoubleVector.fromArray(S, t, Q + k);
-            DoubleVector r = DoubleVector.fromArray(S, t, R + k);
-            DoubleVector w = DoubleVector.fromArray(S, t, W + k);
-            begin = r.blend(p, fromP);
-            DoubleVector pr = begin.add(cutPr.mul(p.blend(r, fromP).sub(begin)));
-            begin = q.blend(w, fromP);
-            DoubleVector qw = begin.add(cutQw.mul(w.blend(q, fromP).sub(begin)));
-            p.blend(pr, low).intoArray(t, P + k);
-            q.blend(qw, low).intoArray(t, Q + k);
-            r.blend(pr, high).intoArray(t, R + k);
-            w.blend(qw, high).intoArray(t, W + k);
-        }
+        DoubleVector p = DoubleVector.fromArray(S, t, P + i);
+        DoubleVector q = DoubleVector.fromArray(S, t, Q + i);
+        DoubleVector r = DoubleVector.fromArray(S, t, R + i);
+        DoubleVector w = DoubleVector.fromArray(S, t, W + i);
+        begin = r.blend(p, fromP);
+        DoubleVector pr = begin.add(cutPr.mul(p.blend(r, fromP).sub(begin)));
+        begin = q.blend(w, fromP);
+        DoubleVector qw = begin.add(cutQw.mul(w.blend(q, fromP).sub(begin)));
+        p.blend(pr, low).intoArray(t, P + i);
+        q.blend(qw, low).intoArray(t, Q + i);
+        r.blend(pr, high).intoArray(t, R + i);
+        w.blend(qw, high).intoArray(t, W + i);
+
+        p = DoubleVector.fromArray(S, t, P + u);
+        q = DoubleVector.fromArray(S, t, Q + u);
+        r = DoubleVector.fromArray(S, t, R + u);
+        w = DoubleVector.fromArray(S, t, W + u);
+        begin = r.blend(p, fromP);
+        pr = begin.add(cutPr.mul(p.blend(r, fromP).sub(begin)));
+        begin = q.blend(w, fromP);
+        qw = begin.add(cutQw.mul(w.blend(q, fromP).sub(begin)));
+        p.blend(pr, low).intoArray(t, P + u);
+        q.blend(qw, low).intoArray(t, Q + u);
+        r.blend(pr, high).intoArray(t, R + u);
+        w.blend(qw, high).intoArray(t, W + u);
+
+        p = DoubleVector.fromArray(S, t, P + v);
+        q = DoubleVector.fromArray(S, t, Q + v);
+        r = DoubleVector.fromArray(S, t, R + v);
+        w = DoubleVector.fromArray(S, t, W + v);
+        begin = r.blend(p, fromP);
+        pr = begin.add(cutPr.mul(p.blend(r, fromP).sub(begin)));
+        begin = q.blend(w, fromP);
+        qw = begin.add(cutQw.mul(w.blend(q, fromP).sub(begin)));
+        p.blend(pr, low).intoArray(t, P + v);
+        q.blend(qw, low).intoArray(t, Q + v);
+        r.blend(pr, high).intoArray(t, R + v);
+        w.blend(qw, high).intoArray(t, W + v);
     }
 
-    /**
-     * Separations, and points midway between the surfaces; they take the place of the corners where
-     * not all pairs of the lanes have some.
-     */
-    private static void finish(double[] t, int i) {
-        DoubleVector way = DoubleVector.fromArray(S, t, STRAIGHT + i);
-        DoubleVector sign = DoubleVector.fromArray(S, t, SIGN + i);
-        DoubleVector height = DoubleVector.fromArray(S, t, HALF + i);
-        DoubleVector margin = DoubleVector.fromArray(S, t, MARGIN + i);
-        VectorMask<Double> fits = way.compare(VectorOperators.GE, 0);
-        DoubleVector deepest = DoubleVector.broadcast(S, Double.MAX_VALUE);
-        for (int p = i; p < 4 * POINT; p += POINT) {
-            DoubleVector n = DoubleVector.fromArray(S, t, P + p);
-            DoubleVector s = n.mul(sign).sub(height);
-            s.intoArray(t, CORNER + p + 3 * CAPACITY);
-            n.sub(sign.mul(s.mul(0.5))).intoArray(t, P + p);
-            fits = fits.and(s.compare(VectorOperators.LE, margin));
-            deepest = deepest.blend(s, s.compare(VectorOperators.LT, deepest));
-        }
-        deepest.intoArray(t, DEEPEST + i);
-        DoubleVector faces =
-                DoubleVector.fromArray(S, t, FLIP + i)
-                        .mul(6)
-                        .add(DoubleVector.fromArray(S, t, AXIS + i).mul(2))
-                        .add(sign.mul(.5).add(.5))
-                        .mul(6)
-                        .add(DoubleVector.fromArray(S, t, INCIDENT + i));
-        faces.mul(WAYS).add(way).blend(-1, fits.not()).intoArray(t, STRAIGHT + i);
+    /** Puts points in the place of corners, where not all pairs of the lanes have some. */
+    private static void place(double[] t, int i) {
+        VectorMask<Double> fits =
+                DoubleVector.fromArray(S, t, STRAIGHT + i).compare(VectorOperators.GE, 0);
         if (fits.allTrue()) {
             return;
         }
@@ -307,9 +334,10 @@ final class BoxStraightWide {
     }
 
     /**
-     * Whether the axes of edges can be left out. Each point of the patch lies on the incident face
-     * and, h above it, in the reference face up to e. Along a unit vector at an angle of a to the
-     * normal the boxes are separated by at most
+     * Separations, and points midway between the surfaces. And whether the axes of edges can be
+     * left out: each point of the patch lies on the incident face and, h above it, in the reference
+     * face up to e. Along a unit vector at an angle of a to the normal the boxes are separated by
+     * at most
      *
      * <pre>  h cos a - (w - e) sin a,</pre>
      *
@@ -321,15 +349,49 @@ final class BoxStraightWide {
      * the signed distance is between the largest separation along a face normal and h; where all
      * decisions are the same for each of these values, edges cannot change them.
      */
-    private static int prove(double[] t, int i) {
-        DoubleVector s0 = DoubleVector.fromArray(S, t, SEPARATIONS + i);
-        DoubleVector s1 = DoubleVector.fromArray(S, t, SEPARATIONS + POINT + i);
-        DoubleVector s2 = DoubleVector.fromArray(S, t, SEPARATIONS + 2 * POINT + i);
-        DoubleVector s3 = DoubleVector.fromArray(S, t, SEPARATIONS + 3 * POINT + i);
-        s0 = s0.blend(s1, s1.compare(VectorOperators.GT, s0));
-        s2 = s2.blend(s3, s3.compare(VectorOperators.GT, s2));
-        DoubleVector highest = s0.blend(s2, s2.compare(VectorOperators.GT, s0));
-        DoubleVector deepest = DoubleVector.fromArray(S, t, DEEPEST + i);
+    private static int finish(double[] t, int i) {
+        DoubleVector way = DoubleVector.fromArray(S, t, STRAIGHT + i);
+        DoubleVector sign = DoubleVector.fromArray(S, t, SIGN + i);
+        DoubleVector height = DoubleVector.fromArray(S, t, HALF + i);
+        DoubleVector margin = DoubleVector.fromArray(S, t, MARGIN + i);
+        DoubleVector n0 = DoubleVector.fromArray(S, t, P + i);
+        DoubleVector n1 = DoubleVector.fromArray(S, t, Q + i);
+        DoubleVector n2 = DoubleVector.fromArray(S, t, R + i);
+        DoubleVector n3 = DoubleVector.fromArray(S, t, W + i);
+        DoubleVector s0 = n0.mul(sign).sub(height);
+        DoubleVector s1 = n1.mul(sign).sub(height);
+        DoubleVector s2 = n2.mul(sign).sub(height);
+        DoubleVector s3 = n3.mul(sign).sub(height);
+        s0.intoArray(t, CORNER + 3 * CAPACITY + i);
+        s1.intoArray(t, CORNER + POINT + 3 * CAPACITY + i);
+        s2.intoArray(t, CORNER + 2 * POINT + 3 * CAPACITY + i);
+        s3.intoArray(t, CORNER + 3 * POINT + 3 * CAPACITY + i);
+        n0.sub(sign.mul(s0.mul(0.5))).intoArray(t, P + i);
+        n1.sub(sign.mul(s1.mul(0.5))).intoArray(t, Q + i);
+        n2.sub(sign.mul(s2.mul(0.5))).intoArray(t, R + i);
+        n3.sub(sign.mul(s3.mul(0.5))).intoArray(t, W + i);
+        VectorMask<Double> up = s1.compare(VectorOperators.GT, s0);
+        DoubleVector highest = s0.blend(s1, up);
+        DoubleVector deepest = s1.blend(s0, up);
+        up = s3.compare(VectorOperators.GT, s2);
+        DoubleVector highest2 = s2.blend(s3, up);
+        DoubleVector deepest2 = s3.blend(s2, up);
+        highest = highest.blend(highest2, highest2.compare(VectorOperators.GT, highest));
+        deepest = deepest.blend(deepest2, deepest2.compare(VectorOperators.LT, deepest));
+        deepest.intoArray(t, DEEPEST + i);
+        VectorMask<Double> fits =
+                way.compare(VectorOperators.GE, 0).and(highest.compare(VectorOperators.LE, margin));
+        DoubleVector.fromArray(S, t, FLIP + i)
+                .mul(6)
+                .add(DoubleVector.fromArray(S, t, AXIS + i).mul(2))
+                .add(sign.mul(.5).add(.5))
+                .mul(6)
+                .add(DoubleVector.fromArray(S, t, INCIDENT + i))
+                .mul(WAYS)
+                .add(way)
+                .blend(-1, fits.not())
+                .intoArray(t, STRAIGHT + i);
+
         DoubleVector inner = DoubleVector.fromArray(S, t, INNER + i);
         int u = CAPACITY + i;
         int v = u + CAPACITY;
@@ -375,14 +437,9 @@ final class BoxStraightWide {
         wrong.add(scale.mul(0x1p-48)).intoArray(t, BOUND + i);
         DoubleVector allowed = inner.mul(STRAYS);
         return (int)
-                        DoubleVector.fromArray(S, t, STRAIGHT + i)
-                                .compare(VectorOperators.GE, 0)
-                                .and(wide)
+                        fits.and(wide)
                                 .and(shallow)
-                                .and(
-                                        most.compare(
-                                                VectorOperators.LE,
-                                                DoubleVector.fromArray(S, t, MARGIN + i)))
+                                .and(most.compare(VectorOperators.LE, margin))
                                 .and(wrong.compare(VectorOperators.LT, allowed))
                                 .and(most.sub(separation).compare(VectorOperators.LT, allowed))
                                 .toLong()
