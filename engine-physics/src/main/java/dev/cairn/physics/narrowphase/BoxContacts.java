@@ -177,10 +177,25 @@ public final class BoxContacts {
             BoxAxes.scalar(batch, count);
             return;
         }
+        // In one long method: shorter ones are compiled into their callers, which then have no
+        // room left for what is small.
         int all = (int) ((1L << count) - 1);
         BoxAxes.faces(batch, count);
         int others = BoxAxes.choose(batch, count) & all;
-        chooseOthers(others);
+        int near = 0;
+        for (int bits = others; bits != 0; bits &= bits - 1) {
+            int i = Integer.numberOfTrailingZeros(bits);
+            load(i);
+            if (!apart(i)) {
+                near |= 1 << i;
+            }
+        }
+        BoxAxes.edges(batch, near);
+        for (int bits = near; bits != 0; bits &= bits - 1) {
+            int i = Integer.numberOfTrailingZeros(bits);
+            load(i);
+            choose(i);
+        }
         BoxAxes.corners(batch, count);
         settled = BoxAxes.cutStraight(batch, count) & all & ~others;
         // What has chosen its face in lanes, but needs its edges.
@@ -201,23 +216,6 @@ public final class BoxContacts {
             }
         }
         BoxAxes.world(batch, count);
-    }
-
-    /** The axes of edges matter only where those of faces do not part a pair. */
-    private void chooseOthers(int others) {
-        int near = 0;
-        for (int bits = others; bits != 0; bits &= bits - 1) {
-            int i = Integer.numberOfTrailingZeros(bits);
-            if (!apart(i)) {
-                near |= 1 << i;
-            }
-        }
-        BoxAxes.edges(batch, near);
-        for (int bits = near; bits != 0; bits &= bits - 1) {
-            int i = Integer.numberOfTrailingZeros(bits);
-            load(i);
-            choose(i);
-        }
     }
 
     /**
@@ -246,8 +244,11 @@ public final class BoxContacts {
     }
 
     private long takeOther(int i, Box a, Box b, Manifold out) {
-        if (!wide && !apart(i)) {
-            choose(i);
+        if (!wide) {
+            load(i);
+            if (!apart(i)) {
+                choose(i);
+            }
         }
         out.pointCount = 0;
         out.bound = 0;
@@ -360,9 +361,8 @@ public final class BoxContacts {
         faceB = (int) t[FACE_B + i];
     }
 
-    /** Whether a pair is apart by an axis of a face. */
+    /** Whether a pair that was loaded is apart by an axis of a face. */
     private boolean apart(int i) {
-        load(i);
         double distance = t[MARGIN + i];
         kind[i] = APART;
         if (stillApart(i, word[i], distance)) {

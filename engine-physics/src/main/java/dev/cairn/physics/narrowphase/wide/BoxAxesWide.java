@@ -155,29 +155,41 @@ final class BoxAxesWide {
             DoubleVector hx = DoubleVector.fromArray(S, t, HALF_B + i);
             DoubleVector hy = DoubleVector.fromArray(S, t, HALF_B + CAPACITY + i);
             DoubleVector hz = DoubleVector.fromArray(S, t, HALF_B + 2 * CAPACITY + i);
-            DoubleVector most = DoubleVector.broadcast(S, -Double.MAX_VALUE);
-            DoubleVector face = DoubleVector.zero(S);
-            for (int k = 0; k < 3; k++) {
-                int row = RELATIVE + 3 * k * CAPACITY + i;
-                DoubleVector along = DoubleVector.fromArray(S, t, CENTRE + k * CAPACITY + i);
-                DoubleVector extent =
-                        DoubleVector.fromArray(S, t, row)
-                                .abs()
-                                .mul(hx)
-                                .add(DoubleVector.fromArray(S, t, row + CAPACITY).abs().mul(hy))
-                                .add(
-                                        DoubleVector.fromArray(S, t, row + 2 * CAPACITY)
-                                                .abs()
-                                                .mul(hz));
-                DoubleVector half = DoubleVector.fromArray(S, t, HALF_A + k * CAPACITY + i);
-                DoubleVector s = along.abs().sub(half.add(extent));
-                VectorMask<Double> better = s.compare(VectorOperators.GT, most);
-                most = most.blend(s, better);
-                DoubleVector here =
-                        DoubleVector.broadcast(S, 2.0 * k)
-                                .blend(2.0 * k + 1, along.compare(VectorOperators.GE, 0));
-                face = face.blend(here, better);
-            }
+            // No loop: where one begins and ends, masks would be kept as arrays.
+            DoubleVector x = DoubleVector.fromArray(S, t, RELATIVE + 0 * CAPACITY + i);
+            DoubleVector y = DoubleVector.fromArray(S, t, RELATIVE + 1 * CAPACITY + i);
+            DoubleVector z = DoubleVector.fromArray(S, t, RELATIVE + 2 * CAPACITY + i);
+            DoubleVector along = DoubleVector.fromArray(S, t, CENTRE + i);
+            DoubleVector extent = x.abs().mul(hx).add(y.abs().mul(hy)).add(z.abs().mul(hz));
+            DoubleVector half = DoubleVector.fromArray(S, t, HALF_A + i);
+            DoubleVector s = along.abs().sub(half.add(extent));
+            DoubleVector most = s;
+            DoubleVector face = DoubleVector.zero(S).blend(1, along.compare(VectorOperators.GE, 0));
+
+            x = DoubleVector.fromArray(S, t, RELATIVE + 3 * CAPACITY + i);
+            y = DoubleVector.fromArray(S, t, RELATIVE + 4 * CAPACITY + i);
+            z = DoubleVector.fromArray(S, t, RELATIVE + 5 * CAPACITY + i);
+            along = DoubleVector.fromArray(S, t, CENTRE + CAPACITY + i);
+            extent = x.abs().mul(hx).add(y.abs().mul(hy)).add(z.abs().mul(hz));
+            half = DoubleVector.fromArray(S, t, HALF_A + CAPACITY + i);
+            s = along.abs().sub(half.add(extent));
+            VectorMask<Double> better = s.compare(VectorOperators.GT, most);
+            most = most.blend(s, better);
+            DoubleVector here =
+                    DoubleVector.broadcast(S, 2).blend(3, along.compare(VectorOperators.GE, 0));
+            face = face.blend(here, better);
+
+            x = DoubleVector.fromArray(S, t, RELATIVE + 6 * CAPACITY + i);
+            y = DoubleVector.fromArray(S, t, RELATIVE + 7 * CAPACITY + i);
+            z = DoubleVector.fromArray(S, t, RELATIVE + 8 * CAPACITY + i);
+            along = DoubleVector.fromArray(S, t, CENTRE + 2 * CAPACITY + i);
+            extent = x.abs().mul(hx).add(y.abs().mul(hy)).add(z.abs().mul(hz));
+            half = DoubleVector.fromArray(S, t, HALF_A + 2 * CAPACITY + i);
+            s = along.abs().sub(half.add(extent));
+            better = s.compare(VectorOperators.GT, most);
+            most = most.blend(s, better);
+            here = DoubleVector.broadcast(S, 4).blend(5, along.compare(VectorOperators.GE, 0));
+            face = face.blend(here, better);
             most.intoArray(t, SEPARATION_A + i);
             face.intoArray(t, FACE_A + i);
         }
@@ -191,23 +203,41 @@ final class BoxAxesWide {
             DoubleVector dx = DoubleVector.fromArray(S, t, CENTRE + i);
             DoubleVector dy = DoubleVector.fromArray(S, t, CENTRE + CAPACITY + i);
             DoubleVector dz = DoubleVector.fromArray(S, t, CENTRE + 2 * CAPACITY + i);
-            DoubleVector most = DoubleVector.broadcast(S, -Double.MAX_VALUE);
-            DoubleVector face = DoubleVector.zero(S);
-            for (int k = 0; k < 3; k++) {
-                DoubleVector x = DoubleVector.fromArray(S, t, RELATIVE + k * CAPACITY + i);
-                DoubleVector y = DoubleVector.fromArray(S, t, RELATIVE + (3 + k) * CAPACITY + i);
-                DoubleVector z = DoubleVector.fromArray(S, t, RELATIVE + (6 + k) * CAPACITY + i);
-                DoubleVector along = dx.mul(x).add(dy.mul(y)).add(dz.mul(z));
-                DoubleVector extent = x.abs().mul(hx).add(y.abs().mul(hy)).add(z.abs().mul(hz));
-                DoubleVector half = DoubleVector.fromArray(S, t, HALF_B + k * CAPACITY + i);
-                DoubleVector s = along.abs().sub(half.add(extent));
-                VectorMask<Double> better = s.compare(VectorOperators.GT, most);
-                most = most.blend(s, better);
-                DoubleVector here =
-                        DoubleVector.broadcast(S, 2.0 * k + 1)
-                                .blend(2.0 * k, along.compare(VectorOperators.GE, 0));
-                face = face.blend(here, better);
-            }
+            DoubleVector x = DoubleVector.fromArray(S, t, RELATIVE + 0 * CAPACITY + i);
+            DoubleVector y = DoubleVector.fromArray(S, t, RELATIVE + 3 * CAPACITY + i);
+            DoubleVector z = DoubleVector.fromArray(S, t, RELATIVE + 6 * CAPACITY + i);
+            DoubleVector along = dx.mul(x).add(dy.mul(y)).add(dz.mul(z));
+            DoubleVector extent = x.abs().mul(hx).add(y.abs().mul(hy)).add(z.abs().mul(hz));
+            DoubleVector half = DoubleVector.fromArray(S, t, HALF_B + i);
+            DoubleVector s = along.abs().sub(half.add(extent));
+            DoubleVector most = s;
+            DoubleVector face =
+                    DoubleVector.broadcast(S, 1).blend(0, along.compare(VectorOperators.GE, 0));
+
+            x = DoubleVector.fromArray(S, t, RELATIVE + 1 * CAPACITY + i);
+            y = DoubleVector.fromArray(S, t, RELATIVE + 4 * CAPACITY + i);
+            z = DoubleVector.fromArray(S, t, RELATIVE + 7 * CAPACITY + i);
+            along = dx.mul(x).add(dy.mul(y)).add(dz.mul(z));
+            extent = x.abs().mul(hx).add(y.abs().mul(hy)).add(z.abs().mul(hz));
+            half = DoubleVector.fromArray(S, t, HALF_B + CAPACITY + i);
+            s = along.abs().sub(half.add(extent));
+            VectorMask<Double> better = s.compare(VectorOperators.GT, most);
+            most = most.blend(s, better);
+            DoubleVector here =
+                    DoubleVector.broadcast(S, 3).blend(2, along.compare(VectorOperators.GE, 0));
+            face = face.blend(here, better);
+
+            x = DoubleVector.fromArray(S, t, RELATIVE + 2 * CAPACITY + i);
+            y = DoubleVector.fromArray(S, t, RELATIVE + 5 * CAPACITY + i);
+            z = DoubleVector.fromArray(S, t, RELATIVE + 8 * CAPACITY + i);
+            along = dx.mul(x).add(dy.mul(y)).add(dz.mul(z));
+            extent = x.abs().mul(hx).add(y.abs().mul(hy)).add(z.abs().mul(hz));
+            half = DoubleVector.fromArray(S, t, HALF_B + 2 * CAPACITY + i);
+            s = along.abs().sub(half.add(extent));
+            better = s.compare(VectorOperators.GT, most);
+            most = most.blend(s, better);
+            here = DoubleVector.broadcast(S, 5).blend(4, along.compare(VectorOperators.GE, 0));
+            face = face.blend(here, better);
             most.intoArray(t, SEPARATION_B + i);
             face.intoArray(t, FACE_B + i);
         }

@@ -86,6 +86,8 @@ final class BoxFacesWide {
         int end = (count + LANES - 1) / LANES * LANES;
         rows(t, end);
         incident(t, end);
+        outside(t, end, CORNER + CAPACITY, HALF + CAPACITY, OUTSIDE);
+        outside(t, end, CORNER + 2 * CAPACITY, HALF + 2 * CAPACITY, OUTSIDE + 2 * CAPACITY);
     }
 
     /** Turns the points in CORNER into world axes and writes NORMAL. */
@@ -103,29 +105,50 @@ final class BoxFacesWide {
             DoubleVector axis = DoubleVector.fromArray(S, t, AXIS + i);
             VectorMask<Double> isX = axis.compare(VectorOperators.EQ, 0);
             VectorMask<Double> isZ = axis.compare(VectorOperators.EQ, 2);
-            for (int c = 0; c < 3; c++) {
-                int column = RELATIVE + c * CAPACITY + i;
-                int row = RELATIVE + 3 * c * CAPACITY + i;
-                DoubleVector x =
-                        DoubleVector.fromArray(S, t, column)
-                                .blend(DoubleVector.fromArray(S, t, row), flip);
-                DoubleVector y =
-                        DoubleVector.fromArray(S, t, column + 3 * CAPACITY)
-                                .blend(DoubleVector.fromArray(S, t, row + CAPACITY), flip);
-                DoubleVector z =
-                        DoubleVector.fromArray(S, t, column + 6 * CAPACITY)
-                                .blend(DoubleVector.fromArray(S, t, row + 2 * CAPACITY), flip);
-                y.blend(x, isX).blend(z, isZ).intoArray(t, ROWS + c * CAPACITY + i);
-                x.blend(y, isX).intoArray(t, ROWS + (3 + c) * CAPACITY + i);
-                z.blend(y, isZ).intoArray(t, ROWS + (6 + c) * CAPACITY + i);
-            }
+            // No loop: where one begins and ends, masks would be kept as arrays.
             DoubleVector x =
+                    DoubleVector.fromArray(S, t, RELATIVE + i)
+                            .blend(DoubleVector.fromArray(S, t, RELATIVE + i), flip);
+            DoubleVector y =
+                    DoubleVector.fromArray(S, t, RELATIVE + 3 * CAPACITY + i)
+                            .blend(DoubleVector.fromArray(S, t, RELATIVE + CAPACITY + i), flip);
+            DoubleVector z =
+                    DoubleVector.fromArray(S, t, RELATIVE + 6 * CAPACITY + i)
+                            .blend(DoubleVector.fromArray(S, t, RELATIVE + 2 * CAPACITY + i), flip);
+            y.blend(x, isX).blend(z, isZ).intoArray(t, ROWS + i);
+            x.blend(y, isX).intoArray(t, ROWS + 3 * CAPACITY + i);
+            z.blend(y, isZ).intoArray(t, ROWS + 6 * CAPACITY + i);
+            x =
+                    DoubleVector.fromArray(S, t, RELATIVE + CAPACITY + i)
+                            .blend(DoubleVector.fromArray(S, t, RELATIVE + 3 * CAPACITY + i), flip);
+            y =
+                    DoubleVector.fromArray(S, t, RELATIVE + 4 * CAPACITY + i)
+                            .blend(DoubleVector.fromArray(S, t, RELATIVE + 4 * CAPACITY + i), flip);
+            z =
+                    DoubleVector.fromArray(S, t, RELATIVE + 7 * CAPACITY + i)
+                            .blend(DoubleVector.fromArray(S, t, RELATIVE + 5 * CAPACITY + i), flip);
+            y.blend(x, isX).blend(z, isZ).intoArray(t, ROWS + CAPACITY + i);
+            x.blend(y, isX).intoArray(t, ROWS + 4 * CAPACITY + i);
+            z.blend(y, isZ).intoArray(t, ROWS + 7 * CAPACITY + i);
+            x =
+                    DoubleVector.fromArray(S, t, RELATIVE + 2 * CAPACITY + i)
+                            .blend(DoubleVector.fromArray(S, t, RELATIVE + 6 * CAPACITY + i), flip);
+            y =
+                    DoubleVector.fromArray(S, t, RELATIVE + 5 * CAPACITY + i)
+                            .blend(DoubleVector.fromArray(S, t, RELATIVE + 7 * CAPACITY + i), flip);
+            z =
+                    DoubleVector.fromArray(S, t, RELATIVE + 8 * CAPACITY + i)
+                            .blend(DoubleVector.fromArray(S, t, RELATIVE + 8 * CAPACITY + i), flip);
+            y.blend(x, isX).blend(z, isZ).intoArray(t, ROWS + 2 * CAPACITY + i);
+            x.blend(y, isX).intoArray(t, ROWS + 5 * CAPACITY + i);
+            z.blend(y, isZ).intoArray(t, ROWS + 8 * CAPACITY + i);
+            x =
                     DoubleVector.fromArray(S, t, HALF_A + i)
                             .blend(DoubleVector.fromArray(S, t, HALF_B + i), flip);
-            DoubleVector y =
+            y =
                     DoubleVector.fromArray(S, t, HALF_A + CAPACITY + i)
                             .blend(DoubleVector.fromArray(S, t, HALF_B + CAPACITY + i), flip);
-            DoubleVector z =
+            z =
                     DoubleVector.fromArray(S, t, HALF_A + 2 * CAPACITY + i)
                             .blend(DoubleVector.fromArray(S, t, HALF_B + 2 * CAPACITY + i), flip);
             y.blend(x, isX).blend(z, isZ).intoArray(t, HALF + i);
@@ -201,37 +224,60 @@ final class BoxFacesWide {
             a.add(ny.mul(y2)).add(d).add(after).intoArray(t, CORNER + 2 * POINT + i);
             b.add(ny.mul(y3)).add(d).add(after).intoArray(t, CORNER + 3 * POINT + i);
 
-            for (int k = 1; k < 3; k++) {
-                int row = ROWS + 3 * k * CAPACITY + i;
-                int corner = CORNER + k * CAPACITY + i;
-                after = (k == 1 ? dx.blend(dy, isX) : dz.blend(dy, isZ)).blend(0, flip);
-                DoubleVector ry = DoubleVector.fromArray(S, t, row + CAPACITY);
-                a = DoubleVector.fromArray(S, t, row).mul(x0);
-                b = DoubleVector.fromArray(S, t, row).mul(x1);
-                c = DoubleVector.fromArray(S, t, row + 2 * CAPACITY).mul(z0);
-                d = DoubleVector.fromArray(S, t, row + 2 * CAPACITY).mul(z1);
-                DoubleVector p0 = a.add(ry.mul(y0)).add(c).add(after);
-                DoubleVector p1 = b.add(ry.mul(y1)).add(c).add(after);
-                DoubleVector p2 = a.add(ry.mul(y2)).add(d).add(after);
-                DoubleVector p3 = b.add(ry.mul(y3)).add(d).add(after);
-                p0.intoArray(t, corner);
-                p1.intoArray(t, corner + POINT);
-                p2.intoArray(t, corner + 2 * POINT);
-                p3.intoArray(t, corner + 3 * POINT);
-                DoubleVector limit = DoubleVector.fromArray(S, t, HALF + k * CAPACITY + i);
-                int sides = OUTSIDE + 2 * (k - 1) * CAPACITY + i;
-                // Cheaper than max and min, which mind the signs of zeros.
-                VectorMask<Double> up = p1.compare(VectorOperators.GT, p0);
-                DoubleVector high = p0.blend(p1, up);
-                DoubleVector below = p1.blend(p0, up);
-                up = p3.compare(VectorOperators.GT, p2);
-                DoubleVector high2 = p2.blend(p3, up);
-                DoubleVector below2 = p3.blend(p2, up);
-                high = high.blend(high2, high2.compare(VectorOperators.GT, high));
-                below = below.blend(below2, below2.compare(VectorOperators.LT, below));
-                high.sub(limit).intoArray(t, sides);
-                below.neg().sub(limit).intoArray(t, sides + CAPACITY);
-            }
+            after = dx.blend(dy, isX).blend(0, flip);
+            DoubleVector rx = DoubleVector.fromArray(S, t, ROWS + 3 * CAPACITY + i);
+            DoubleVector ry = DoubleVector.fromArray(S, t, ROWS + 4 * CAPACITY + i);
+            DoubleVector rz = DoubleVector.fromArray(S, t, ROWS + 5 * CAPACITY + i);
+            a = rx.mul(x0);
+            b = rx.mul(x1);
+            c = rz.mul(z0);
+            d = rz.mul(z1);
+            DoubleVector p0 = a.add(ry.mul(y0)).add(c).add(after);
+            DoubleVector p1 = b.add(ry.mul(y1)).add(c).add(after);
+            DoubleVector p2 = a.add(ry.mul(y2)).add(d).add(after);
+            DoubleVector p3 = b.add(ry.mul(y3)).add(d).add(after);
+            p0.intoArray(t, CORNER + CAPACITY + i);
+            p1.intoArray(t, CORNER + POINT + CAPACITY + i);
+            p2.intoArray(t, CORNER + 2 * POINT + CAPACITY + i);
+            p3.intoArray(t, CORNER + 3 * POINT + CAPACITY + i);
+            after = dz.blend(dy, isZ).blend(0, flip);
+            rx = DoubleVector.fromArray(S, t, ROWS + 6 * CAPACITY + i);
+            ry = DoubleVector.fromArray(S, t, ROWS + 7 * CAPACITY + i);
+            rz = DoubleVector.fromArray(S, t, ROWS + 8 * CAPACITY + i);
+            a = rx.mul(x0);
+            b = rx.mul(x1);
+            c = rz.mul(z0);
+            d = rz.mul(z1);
+            p0 = a.add(ry.mul(y0)).add(c).add(after);
+            p1 = b.add(ry.mul(y1)).add(c).add(after);
+            p2 = a.add(ry.mul(y2)).add(d).add(after);
+            p3 = b.add(ry.mul(y3)).add(d).add(after);
+            p0.intoArray(t, CORNER + 2 * CAPACITY + i);
+            p1.intoArray(t, CORNER + POINT + 2 * CAPACITY + i);
+            p2.intoArray(t, CORNER + 2 * POINT + 2 * CAPACITY + i);
+            p3.intoArray(t, CORNER + 3 * POINT + 2 * CAPACITY + i);
+        }
+    }
+
+    /** How far the outermost corners are beyond the sides on either of the two axes. */
+    private static void outside(double[] t, int end, int corner, int half, int sides) {
+        for (int i = 0; i < end; i += LANES) {
+            DoubleVector p0 = DoubleVector.fromArray(S, t, corner + i);
+            DoubleVector p1 = DoubleVector.fromArray(S, t, corner + POINT + i);
+            DoubleVector p2 = DoubleVector.fromArray(S, t, corner + 2 * POINT + i);
+            DoubleVector p3 = DoubleVector.fromArray(S, t, corner + 3 * POINT + i);
+            DoubleVector limit = DoubleVector.fromArray(S, t, half + i);
+            // Cheaper than max and min, which mind the signs of zeros.
+            VectorMask<Double> up = p1.compare(VectorOperators.GT, p0);
+            DoubleVector high = p0.blend(p1, up);
+            DoubleVector below = p1.blend(p0, up);
+            up = p3.compare(VectorOperators.GT, p2);
+            DoubleVector high2 = p2.blend(p3, up);
+            DoubleVector below2 = p3.blend(p2, up);
+            high = high.blend(high2, high2.compare(VectorOperators.GT, high));
+            below = below.blend(below2, below2.compare(VectorOperators.LT, below));
+            high.sub(limit).intoArray(t, sides + i);
+            below.neg().sub(limit).intoArray(t, sides + CAPACITY + i);
         }
     }
 
@@ -249,77 +295,85 @@ final class BoxFacesWide {
             x = x.blend(sign.mul(DoubleVector.fromArray(S, t, ROWS + i)), flip);
             y = y.blend(sign.mul(DoubleVector.fromArray(S, t, ROWS + CAPACITY + i)), flip);
             z = z.blend(sign.mul(DoubleVector.fromArray(S, t, ROWS + 2 * CAPACITY + i)), flip);
-            for (int k = 0; k < 3; k++) {
-                int row = WORLD + 3 * k * CAPACITY + i;
-                DoubleVector.fromArray(S, t, row)
-                        .mul(x)
-                        .add(DoubleVector.fromArray(S, t, row + CAPACITY).mul(y))
-                        .add(DoubleVector.fromArray(S, t, row + 2 * CAPACITY).mul(z))
-                        .intoArray(t, NORMAL + k * CAPACITY + i);
-            }
+            DoubleVector.fromArray(S, t, WORLD + i)
+                    .mul(x)
+                    .add(DoubleVector.fromArray(S, t, WORLD + CAPACITY + i).mul(y))
+                    .add(DoubleVector.fromArray(S, t, WORLD + 2 * CAPACITY + i).mul(z))
+                    .intoArray(t, NORMAL + i);
+            DoubleVector.fromArray(S, t, WORLD + 3 * CAPACITY + i)
+                    .mul(x)
+                    .add(DoubleVector.fromArray(S, t, WORLD + 4 * CAPACITY + i).mul(y))
+                    .add(DoubleVector.fromArray(S, t, WORLD + 5 * CAPACITY + i).mul(z))
+                    .intoArray(t, NORMAL + CAPACITY + i);
+            DoubleVector.fromArray(S, t, WORLD + 6 * CAPACITY + i)
+                    .mul(x)
+                    .add(DoubleVector.fromArray(S, t, WORLD + 7 * CAPACITY + i).mul(y))
+                    .add(DoubleVector.fromArray(S, t, WORLD + 8 * CAPACITY + i).mul(z))
+                    .intoArray(t, NORMAL + 2 * CAPACITY + i);
         }
     }
 
     private static void points(double[] t, int end) {
         for (int i = 0; i < end; i += LANES) {
-            VectorMask<Double> flip =
-                    DoubleVector.fromArray(S, t, FLIP + i).compare(VectorOperators.GT, 0);
-            DoubleVector axis = DoubleVector.fromArray(S, t, AXIS + i);
-            VectorMask<Double> isX = axis.compare(VectorOperators.EQ, 0);
-            VectorMask<Double> isZ = axis.compare(VectorOperators.EQ, 2);
             boolean straight =
                     DoubleVector.fromArray(S, t, STRAIGHT + i)
                             .compare(VectorOperators.GE, 0)
                             .allTrue();
-            int from = straight ? STRAIGHT_POINT : CORNER;
-            for (int p = i; p < 4 * POINT; p += POINT) {
-                int at = CORNER + p;
-                DoubleVector n = DoubleVector.fromArray(S, t, from + p);
-                DoubleVector u = DoubleVector.fromArray(S, t, from + p + CAPACITY);
-                DoubleVector v = DoubleVector.fromArray(S, t, from + p + 2 * CAPACITY);
-                DoubleVector x = u.blend(n, isX);
-                DoubleVector y = n.blend(u, isX).blend(v, isZ);
-                DoubleVector z = v.blend(n, isZ);
-                DoubleVector ax =
-                        DoubleVector.fromArray(S, t, RELATIVE + i)
-                                .mul(x)
-                                .add(DoubleVector.fromArray(S, t, RELATIVE + CAPACITY + i).mul(y))
-                                .add(
-                                        DoubleVector.fromArray(S, t, RELATIVE + 2 * CAPACITY + i)
-                                                .mul(z))
-                                .add(DoubleVector.fromArray(S, t, CENTRE + i));
-                DoubleVector ay =
-                        DoubleVector.fromArray(S, t, RELATIVE + 3 * CAPACITY + i)
-                                .mul(x)
-                                .add(
-                                        DoubleVector.fromArray(S, t, RELATIVE + 4 * CAPACITY + i)
-                                                .mul(y))
-                                .add(
-                                        DoubleVector.fromArray(S, t, RELATIVE + 5 * CAPACITY + i)
-                                                .mul(z))
-                                .add(DoubleVector.fromArray(S, t, CENTRE + CAPACITY + i));
-                DoubleVector az =
-                        DoubleVector.fromArray(S, t, RELATIVE + 6 * CAPACITY + i)
-                                .mul(x)
-                                .add(
-                                        DoubleVector.fromArray(S, t, RELATIVE + 7 * CAPACITY + i)
-                                                .mul(y))
-                                .add(
-                                        DoubleVector.fromArray(S, t, RELATIVE + 8 * CAPACITY + i)
-                                                .mul(z))
-                                .add(DoubleVector.fromArray(S, t, CENTRE + 2 * CAPACITY + i));
-                x = x.blend(ax, flip);
-                y = y.blend(ay, flip);
-                z = z.blend(az, flip);
-                for (int k = 0; k < 3; k++) {
-                    int row = WORLD + 3 * k * CAPACITY + i;
-                    DoubleVector.fromArray(S, t, row)
-                            .mul(x)
-                            .add(DoubleVector.fromArray(S, t, row + CAPACITY).mul(y))
-                            .add(DoubleVector.fromArray(S, t, row + 2 * CAPACITY).mul(z))
-                            .intoArray(t, at + k * CAPACITY);
-                }
-            }
+            int from = i + (straight ? STRAIGHT_POINT : CORNER);
+            point(t, i, from, CORNER + i);
+            point(t, i, from + POINT, CORNER + POINT + i);
+            point(t, i, from + 2 * POINT, CORNER + 2 * POINT + i);
+            point(t, i, from + 3 * POINT, CORNER + 3 * POINT + i);
         }
+    }
+
+    private static void point(double[] t, int i, int from, int to) {
+        VectorMask<Double> flip =
+                DoubleVector.fromArray(S, t, FLIP + i).compare(VectorOperators.GT, 0);
+        DoubleVector axis = DoubleVector.fromArray(S, t, AXIS + i);
+        VectorMask<Double> isX = axis.compare(VectorOperators.EQ, 0);
+        VectorMask<Double> isZ = axis.compare(VectorOperators.EQ, 2);
+        DoubleVector n = DoubleVector.fromArray(S, t, from);
+        DoubleVector u = DoubleVector.fromArray(S, t, from + CAPACITY);
+        DoubleVector v = DoubleVector.fromArray(S, t, from + 2 * CAPACITY);
+        DoubleVector x = u.blend(n, isX);
+        DoubleVector y = n.blend(u, isX).blend(v, isZ);
+        DoubleVector z = v.blend(n, isZ);
+        DoubleVector ax =
+                DoubleVector.fromArray(S, t, RELATIVE + i)
+                        .mul(x)
+                        .add(DoubleVector.fromArray(S, t, RELATIVE + CAPACITY + i).mul(y))
+                        .add(DoubleVector.fromArray(S, t, RELATIVE + 2 * CAPACITY + i).mul(z))
+                        .add(DoubleVector.fromArray(S, t, CENTRE + i));
+        DoubleVector ay =
+                DoubleVector.fromArray(S, t, RELATIVE + 3 * CAPACITY + i)
+                        .mul(x)
+                        .add(DoubleVector.fromArray(S, t, RELATIVE + 4 * CAPACITY + i).mul(y))
+                        .add(DoubleVector.fromArray(S, t, RELATIVE + 5 * CAPACITY + i).mul(z))
+                        .add(DoubleVector.fromArray(S, t, CENTRE + CAPACITY + i));
+        DoubleVector az =
+                DoubleVector.fromArray(S, t, RELATIVE + 6 * CAPACITY + i)
+                        .mul(x)
+                        .add(DoubleVector.fromArray(S, t, RELATIVE + 7 * CAPACITY + i).mul(y))
+                        .add(DoubleVector.fromArray(S, t, RELATIVE + 8 * CAPACITY + i).mul(z))
+                        .add(DoubleVector.fromArray(S, t, CENTRE + 2 * CAPACITY + i));
+        x = x.blend(ax, flip);
+        y = y.blend(ay, flip);
+        z = z.blend(az, flip);
+        DoubleVector.fromArray(S, t, WORLD + i)
+                .mul(x)
+                .add(DoubleVector.fromArray(S, t, WORLD + CAPACITY + i).mul(y))
+                .add(DoubleVector.fromArray(S, t, WORLD + 2 * CAPACITY + i).mul(z))
+                .intoArray(t, to);
+        DoubleVector.fromArray(S, t, WORLD + 3 * CAPACITY + i)
+                .mul(x)
+                .add(DoubleVector.fromArray(S, t, WORLD + 4 * CAPACITY + i).mul(y))
+                .add(DoubleVector.fromArray(S, t, WORLD + 5 * CAPACITY + i).mul(z))
+                .intoArray(t, to + CAPACITY);
+        DoubleVector.fromArray(S, t, WORLD + 6 * CAPACITY + i)
+                .mul(x)
+                .add(DoubleVector.fromArray(S, t, WORLD + 7 * CAPACITY + i).mul(y))
+                .add(DoubleVector.fromArray(S, t, WORLD + 8 * CAPACITY + i).mul(z))
+                .intoArray(t, to + 2 * CAPACITY);
     }
 }
