@@ -197,7 +197,15 @@ public final class BoxContacts {
             choose(i);
         }
         BoxAxes.corners(batch, count);
-        settled = BoxAxes.cutStraight(batch, count) & all & ~others;
+        long cut = BoxAxes.cutStraight(batch, count);
+        settled = (int) cut & all & ~others;
+        for (int bits = (int) (cut >>> 32) & all; bits != 0; bits &= bits - 1) {
+            int i = Integer.numberOfTrailingZeros(bits);
+            if (!StraightNames.rests((int) t[STRAIGHT + i], (int) word[i])) {
+                t[STRAIGHT + i] = -1;
+                settled &= ~(1 << i);
+            }
+        }
         // What has chosen its face in lanes, but needs its edges.
         int unproven = all & ~others & ~settled;
         BoxAxes.edges(batch, unproven);

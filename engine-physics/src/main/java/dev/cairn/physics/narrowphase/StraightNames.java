@@ -25,6 +25,9 @@ final class StraightNames {
     /** The face and the four names, see {@link Word}. */
     private static final long[] WORD = new long[FACES * WAYS];
 
+    /** Whether the word of the four holds the name of a corner that was cut off, by chance. */
+    private static final boolean[] MISTAKEN = new boolean[FACES * WAYS];
+
     static {
         Loop loop = new Loop();
         for (int faces = 0; faces < FACES; faces++) {
@@ -58,6 +61,9 @@ final class StraightNames {
         }
         long kind = flip ? NarrowPhase.FACE_B : NarrowPhase.FACE_A;
         WORD[entry] = Word.of(kind, face, Names.of(names));
+        for (int k = 0; k < loop.gone; k++) {
+            MISTAKEN[entry] |= Names.holds(Names.of(names), loop.cutOff[k]);
+        }
     }
 
     /** The name of a point, 0 to 3 in order. */
@@ -68,6 +74,16 @@ final class StraightNames {
     /** Where the points stand in the columns: two bits each, the first one lowest. */
     static int order(int entry) {
         return ORDER[entry];
+    }
+
+    /**
+     * Whether the names of the last tick were these four, and none of the corners that were cut
+     * off.
+     *
+     * @param last see {@link Names}
+     */
+    static boolean rests(int entry, int last) {
+        return (int) WORD[entry] == last && !MISTAKEN[entry];
     }
 
     /** The face and the four names, see {@link Word}. */
@@ -81,12 +97,18 @@ final class StraightNames {
         private static final int[] ALONG_FIRST = {0, 1, 2, 3}, ALONG_SECOND = {0, 2, 1, 3};
 
         int[] name = new int[4], side = new int[4], place = new int[4];
+
+        /** The names of corners that were cut off. */
+        final int[] cutOff = new int[4];
+
+        int gone;
         boolean flip;
         int begin;
 
         void begin(boolean flipped, int face, int incident) {
             flip = flipped;
             begin = face;
+            gone = 0;
             int kind = flip ? Clipper.VERTEX_A : Clipper.VERTEX_B;
             for (int k = 0; k < 4; k++) {
                 name[k] = kind | BoxCuts.SLOT_VERTEX[incident + k];
@@ -102,15 +124,15 @@ final class StraightNames {
                 place[k] = placeOf[place[k]];
             }
             // Low ends are the places 0 and 2 of the first side, 0 and 1 of the second.
-            cutOff((first & 1) != 0 ? 0b0101 : 0b1010, first >> 2);
+            cutTwo((first & 1) != 0 ? 0b0101 : 0b1010, first >> 2);
             if (second > 0) {
                 int other = ((first >> 3) ^ 1) << 1;
-                cutOff(((second - 1) & 1) != 0 ? 0b0011 : 0b1100, other + ((second - 1) >> 1));
+                cutTwo(((second - 1) & 1) != 0 ? 0b0011 : 0b1100, other + ((second - 1) >> 1));
             }
         }
 
         /** Cuts two neighbours off; the loop then begins at the last corner that stays. */
-        private void cutOff(int places, int sideNumber) {
+        private void cutTwo(int places, int sideNumber) {
             int slot = BoxCuts.SIDE_SLOT[begin + sideNumber];
             int stays = 0;
             while ((places >> place[stays] & 1) != 0
@@ -120,6 +142,8 @@ final class StraightNames {
             int leaves = (stays + 1) & 3;
             int enters = (stays + 2) & 3;
             int back = (stays + 3) & 3;
+            cutOff[gone++] = name[leaves];
+            cutOff[gone++] = name[enters];
             int[] names = {
                 name[stays],
                 BoxCuts.name(flip, side[stays], slot, begin),

@@ -109,6 +109,22 @@ class BoxContactsTest {
                 return r.nextBoolean() ? s : s.swapped();
             }
         },
+        /** Corners a little beyond a side, within what a point of the last tick may be. */
+        NEARLY_FLUSH {
+            @Override
+            Scene first(SplittableRandom r) {
+                Scene s = new Scene(Box.cube(.5), Box.cube(.5));
+                double half = Math.PI / 2;
+                s.qb.rotateXYZ(half * r.nextInt(4), half * r.nextInt(4), half * r.nextInt(4));
+                int axis = r.nextInt(3);
+                for (int k = 0; k < 3; k++) {
+                    double beside = r.nextBoolean() ? Scene.logUniform(r, 1e-6, 2e-3) : .4;
+                    double sign = 2 * r.nextInt(2) - 1;
+                    s.d.setComponent(k, sign * (k == axis ? .999 : beside));
+                }
+                return r.nextBoolean() ? s : s.swapped();
+            }
+        },
         FLAT {
             @Override
             Scene first(SplittableRandom r) {

@@ -92,14 +92,16 @@ public final class BoxAxes {
 
     /**
      * Clips what no, one or two sides cut straight: fills {@link BoxBatch#STRAIGHT} and, where that
-     * is not negative, puts the points in the {@link BoxBatch#CORNER} columns.
+     * is not negative, puts points in the place of the corners.
      *
      * @param batch after {@link #corners}
      * @param count pairs
-     * @return of the pairs that were cut straight those, a bit each, whose face {@link #choose}
-     *     chose and whose contact no axis of edges can change
+     * @return the low 32 bits tell of the pairs that were cut straight those whose face {@link
+     *     #choose} chose and whose contact no axis of edges can change; the high 32 bits those that
+     *     are only right when no corner that was cut off was a point of the last tick: for the
+     *     others STRAIGHT must be set to -1 before {@link #world}
      */
-    public static int cutStraight(BoxBatch batch, int count) {
+    public static long cutStraight(BoxBatch batch, int count) {
         return BoxStraightWide.run(batch.data, count);
     }
 

@@ -149,8 +149,11 @@ public final class BoxBatch {
     /** The points, as {@link #CORNER}. */
     static final int STRAIGHT_POINT = 97 * CAPACITY;
 
+    /** 1 when a corner that was cut off would have stayed as a point of the last tick. */
+    static final int SOFT = 113 * CAPACITY;
+
     /** All columns. */
-    public final double[] data = new double[113 * CAPACITY];
+    public final double[] data = new double[114 * CAPACITY];
 
     /**
      * The number of a way to cut a face.

@@ -319,6 +319,9 @@ final class BoxFacesWide {
                     DoubleVector.fromArray(S, t, STRAIGHT + i)
                             .compare(VectorOperators.GE, 0)
                             .allTrue();
+            if (!straight) {
+                BoxStraightWide.place(t, i);
+            }
             int from = i + (straight ? STRAIGHT_POINT : CORNER);
             point(t, i, from, CORNER + i);
             point(t, i, from + POINT, CORNER + POINT + i);

@@ -22,6 +22,7 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_WAYS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_FACES;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.SOFT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT_POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.WAYS;
@@ -37,6 +38,9 @@ import jdk.incubator.vector.VectorSpecies;
  * it two of what is left; all corners are clear of both, and all points are within the margin. Each
  * of the two corners moves along its edge to the side, so four points are left. The operations on
  * each number are those of {@code narrowphase.Clipper}. Other pairs keep their corners.
+ *
+ * <p>A corner that is only a little beyond a side is cut off unless it was a point of the last
+ * tick. Lanes know no names: they cut it off, and {@code BoxContacts} looks whether that was right.
  *
  * <p>The four corners, and later points, are called p, q, r and w: p and w are corners 0 and 3, q
  * and r corners 1 and 2, or 2 and 1, so that the first side cuts the edges pq and rw, and the
@@ -62,18 +66,20 @@ final class BoxStraightWide {
 
     private BoxStraightWide() {}
 
-    /** Fills STRAIGHT, separations, DEEPEST, BOUND; returns a bit for each proven pair. */
-    static int run(double[] t, int count) {
-        int proven = 0;
+    /**
+     * Fills STRAIGHT, separations, DEEPEST, BOUND; returns a bit for each proven pair, and 32 bits
+     * higher one for each that has a corner near a side.
+     */
+    static long run(double[] t, int count) {
+        long bits = 0;
         for (int i = 0; i < count; i += LANES) {
             first(t, i);
             if (DoubleVector.fromArray(S, t, SECOND + i).compare(VectorOperators.NE, 0).anyTrue()) {
                 second(t, i);
             }
-            proven |= finish(t, i);
-            place(t, i);
+            bits |= finish(t, i);
         }
-        return proven;
+        return bits;
     }
 
     /** The side that cuts first, in the order of the face's loop; which cuts after it. */
@@ -138,17 +144,25 @@ final class BoxStraightWide {
                         .mul(sign)
                         .sub(limit);
         DoubleVector still = inner.mul(BoxBatch.STILL_ON_PLANE);
-        VectorMask<Double> out0 = s0.compare(VectorOperators.GT, 0);
-        VectorMask<Double> out1 = s1.compare(VectorOperators.GT, 0);
+        DoubleVector within = still.neg();
+        VectorMask<Double> out0 = s0.compare(VectorOperators.GT, near);
+        VectorMask<Double> out1 = s1.compare(VectorOperators.GT, near);
+        VectorMask<Double> out2 = s2.compare(VectorOperators.GT, near);
+        VectorMask<Double> out3 = s3.compare(VectorOperators.GT, near);
         // Two neighbours are outside when the opposite corners are not.
         VectorMask<Double> two =
-                s0.abs()
-                        .compare(VectorOperators.GT, still)
-                        .and(s1.abs().compare(VectorOperators.GT, still))
-                        .and(s2.abs().compare(VectorOperators.GT, still))
-                        .and(s3.abs().compare(VectorOperators.GT, still))
-                        .and(out0.xor(s3.compare(VectorOperators.GT, 0)))
-                        .and(out1.xor(s2.compare(VectorOperators.GT, 0)));
+                out0.or(s0.compare(VectorOperators.LT, within))
+                        .and(out1.or(s1.compare(VectorOperators.LT, within)))
+                        .and(out2.or(s2.compare(VectorOperators.LT, within)))
+                        .and(out3.or(s3.compare(VectorOperators.LT, within)))
+                        .and(out0.xor(out3))
+                        .and(out1.xor(out2));
+        VectorMask<Double> soft =
+                out0.and(s0.compare(VectorOperators.LE, still))
+                        .or(out1.and(s1.compare(VectorOperators.LE, still)))
+                        .or(out2.and(s2.compare(VectorOperators.LE, still)))
+                        .or(out3.and(s3.compare(VectorOperators.LE, still)));
+        zero.blend(1, soft.and(cuts)).intoArray(t, SOFT + i);
         VectorMask<Double> along = out0.xor(out1).not().and(cuts);
         // The loop of corners is 0, 1, 3, 2 on incident faces 1, 2 and 5, and 0, 2, 3, 1 on the
         // others; an edge is cut from the corner that comes first.
@@ -252,17 +266,28 @@ final class BoxStraightWide {
                         .blend(DoubleVector.fromArray(S, t, W + u), onU)
                         .mul(sign)
                         .sub(limit);
-        DoubleVector still = DoubleVector.fromArray(S, t, INNER + i).mul(BoxBatch.STILL_ON_PLANE);
-        VectorMask<Double> low = sp.compare(VectorOperators.GT, 0);
+        DoubleVector inner = DoubleVector.fromArray(S, t, INNER + i);
+        DoubleVector near = inner.mul(BoxBatch.ON_PLANE);
+        DoubleVector still = inner.mul(BoxBatch.STILL_ON_PLANE);
+        DoubleVector within = still.neg();
+        VectorMask<Double> low = sp.compare(VectorOperators.GT, near);
+        VectorMask<Double> outQ = sq.compare(VectorOperators.GT, near);
+        VectorMask<Double> outR = sr.compare(VectorOperators.GT, near);
+        VectorMask<Double> outW = sw.compare(VectorOperators.GT, near);
         VectorMask<Double> fits =
-                sp.abs()
-                        .compare(VectorOperators.GT, still)
-                        .and(sq.abs().compare(VectorOperators.GT, still))
-                        .and(sr.abs().compare(VectorOperators.GT, still))
-                        .and(sw.abs().compare(VectorOperators.GT, still))
-                        .and(low.xor(sr.compare(VectorOperators.GT, 0)))
-                        .and(low.xor(sw.compare(VectorOperators.GT, 0)))
-                        .and(low.xor(sq.compare(VectorOperators.GT, 0)).not());
+                low.or(sp.compare(VectorOperators.LT, within))
+                        .and(outQ.or(sq.compare(VectorOperators.LT, within)))
+                        .and(outR.or(sr.compare(VectorOperators.LT, within)))
+                        .and(outW.or(sw.compare(VectorOperators.LT, within)))
+                        .and(low.xor(outR))
+                        .and(low.xor(outW))
+                        .and(low.xor(outQ).not());
+        VectorMask<Double> soft =
+                low.and(sp.compare(VectorOperators.LE, still))
+                        .or(outQ.and(sq.compare(VectorOperators.LE, still)))
+                        .or(outR.and(sr.compare(VectorOperators.LE, still)))
+                        .or(outW.and(sw.compare(VectorOperators.LE, still)));
+        DoubleVector.fromArray(S, t, SOFT + i).blend(1, soft.and(cuts)).intoArray(t, SOFT + i);
         VectorMask<Double> high = cuts.andNot(low);
         DoubleVector begin = sr.blend(sp, fromP);
         DoubleVector cutPr = begin.div(begin.sub(sp.blend(sr, fromP)));
@@ -317,13 +342,10 @@ final class BoxStraightWide {
         w.blend(qw, high).intoArray(t, W + v);
     }
 
-    /** Puts points in the place of corners, where not all pairs of the lanes have some. */
-    private static void place(double[] t, int i) {
+    /** Puts the points of the pairs of some lanes in the place of their corners. */
+    static void place(double[] t, int i) {
         VectorMask<Double> fits =
                 DoubleVector.fromArray(S, t, STRAIGHT + i).compare(VectorOperators.GE, 0);
-        if (fits.allTrue()) {
-            return;
-        }
         for (int p = i; p < 4 * POINT; p += POINT) {
             for (int k = p; k < p + 3 * CAPACITY; k += CAPACITY) {
                 DoubleVector.fromArray(S, t, CORNER + k)
@@ -349,7 +371,7 @@ final class BoxStraightWide {
      * the signed distance is between the largest separation along a face normal and h; where all
      * decisions are the same for each of these values, edges cannot change them.
      */
-    private static int finish(double[] t, int i) {
+    private static long finish(double[] t, int i) {
         DoubleVector way = DoubleVector.fromArray(S, t, STRAIGHT + i);
         DoubleVector sign = DoubleVector.fromArray(S, t, SIGN + i);
         DoubleVector height = DoubleVector.fromArray(S, t, HALF + i);
@@ -436,13 +458,14 @@ final class BoxStraightWide {
         DoubleVector wrong = above.blend(below, below.compare(VectorOperators.GT, above));
         wrong.add(scale.mul(0x1p-48)).intoArray(t, BOUND + i);
         DoubleVector allowed = inner.mul(STRAYS);
-        return (int)
-                        fits.and(wide)
-                                .and(shallow)
-                                .and(most.compare(VectorOperators.LE, margin))
-                                .and(wrong.compare(VectorOperators.LT, allowed))
-                                .and(most.sub(separation).compare(VectorOperators.LT, allowed))
-                                .toLong()
-                << i;
+        VectorMask<Double> proven =
+                fits.and(wide)
+                        .and(shallow)
+                        .and(most.compare(VectorOperators.LE, margin))
+                        .and(wrong.compare(VectorOperators.LT, allowed))
+                        .and(most.sub(separation).compare(VectorOperators.LT, allowed));
+        VectorMask<Double> soft =
+                fits.and(DoubleVector.fromArray(S, t, SOFT + i).compare(VectorOperators.NE, 0));
+        return (proven.toLong() | soft.toLong() << 32) << i;
     }
 }
