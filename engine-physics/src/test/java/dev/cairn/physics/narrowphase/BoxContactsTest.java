@@ -125,6 +125,22 @@ class BoxContactsTest {
                 return r.nextBoolean() ? s : s.swapped();
             }
         },
+        /** Beside the face by nearly all of its width, tilted: faces and edges take turns. */
+        ON_THE_BRINK {
+            @Override
+            Scene first(SplittableRandom r) {
+                Scene s = new Scene(Box.cube(.5), Box.cube(.5));
+                double beside = .9 + .1 * r.nextDouble();
+                s.at(beside, .99 - .1 * r.nextDouble(), .3 * Scene.gauss(r));
+                s.qb.rotateXYZ(.05 * Scene.gauss(r), .2 * Scene.gauss(r), .05 * Scene.gauss(r));
+                return r.nextBoolean() ? s : s.swapped();
+            }
+
+            @Override
+            double sway(SplittableRandom r) {
+                return .05 * r.nextDouble();
+            }
+        },
         FLAT {
             @Override
             Scene first(SplittableRandom r) {
@@ -134,6 +150,11 @@ class BoxContactsTest {
         };
 
         abstract Scene first(SplittableRandom r);
+
+        /** Of the inner radius and of a radian, in a tick. */
+        double sway(SplittableRandom r) {
+            return StrictMath.pow(10, -8 + 7 * r.nextDouble());
+        }
 
         /** B rests on A's upper face, beside its middle by a share of the extents, both turned. */
         static Scene stacked(SplittableRandom r, Box a, Box b, double depth, double beside) {
@@ -200,7 +221,7 @@ class BoxContactsTest {
         int touching = 0;
         for (int round = 0; round < 30; round++) {
             int count = 1 + r.nextInt(scenes.length);
-            double share = StrictMath.pow(10, -8 + 7 * r.nextDouble());
+            double share = poses.sway(r);
             Arrays.fill(words, 0);
             for (int i = 0; i < count; i++) {
                 scenes[i] = poses.first(r);
