@@ -5,8 +5,6 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.BOUND;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
@@ -16,10 +14,6 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OFFSET;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_EDGE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_A;
@@ -44,9 +38,6 @@ public final class BoxContacts {
      */
     private static final double THINNEST = 1e-9;
 
-    private static final byte APART = 0;
-    private static final byte FACE = 1;
-
     private final BoxBatch batch = new BoxBatch();
     private final double[] t = batch.data;
     private final BoxFaces faces = new BoxFaces();
@@ -58,20 +49,11 @@ public final class BoxContacts {
     /** Pairs whose contact was found by lanes alone, a bit each. */
     private int settled;
 
-    /** Of each of the others what was found. */
-    private final double[] best = new double[CAPACITY],
-            separation = new double[CAPACITY],
-            deepest = new double[CAPACITY],
-            leftOut = new double[CAPACITY];
+    /** Of the others: whether they are apart, and else their faces; then what was found. */
+    private final BoxChoice choice = new BoxChoice(t);
 
-    private final long[] word = new long[CAPACITY];
-    private final byte[] kind = new byte[CAPACITY];
+    private final double[] deepest = new double[CAPACITY];
     private final int[] pointCount = new int[CAPACITY];
-
-    /** Of the pair at hand. */
-    private int faceA, faceB;
-
-    private double separationA, separationB;
 
     /**
      * An empty batch.
@@ -163,7 +145,7 @@ public final class BoxContacts {
         t[MARGIN + i] = distance;
         t[INNER + i] = innerRadius;
         t[LAST + i] = cache >>> 47;
-        word[i] = cache;
+        choice.word[i] = cache;
     }
 
     /**
@@ -185,23 +167,21 @@ public final class BoxContacts {
         int near = 0;
         for (int bits = others; bits != 0; bits &= bits - 1) {
             int i = Integer.numberOfTrailingZeros(bits);
-            load(i);
-            if (!apart(i)) {
+            if (!choice.apartByFaces(i)) {
                 near |= 1 << i;
             }
         }
         BoxAxes.edges(batch, near);
         for (int bits = near; bits != 0; bits &= bits - 1) {
             int i = Integer.numberOfTrailingZeros(bits);
-            load(i);
-            choose(i);
+            choice.choose(i);
         }
         BoxAxes.corners(batch, count);
         long cut = BoxAxes.cutStraight(batch, count);
         settled = (int) cut & all & ~others;
         for (int bits = (int) (cut >>> 32) & all; bits != 0; bits &= bits - 1) {
             int i = Integer.numberOfTrailingZeros(bits);
-            if (!StraightNames.rests((int) t[STRAIGHT + i], (int) word[i])) {
+            if (!StraightNames.rests((int) t[STRAIGHT + i], (int) choice.word[i])) {
                 t[STRAIGHT + i] = -1;
                 settled &= ~(1 << i);
             }
@@ -211,15 +191,14 @@ public final class BoxContacts {
         BoxAxes.edges(batch, unproven);
         for (int bits = unproven; bits != 0; bits &= bits - 1) {
             int i = Integer.numberOfTrailingZeros(bits);
-            load(i);
-            choose(i);
+            choice.choose(i);
         }
         for (int bits = all & ~settled; bits != 0; bits &= bits - 1) {
             int i = Integer.numberOfTrailingZeros(bits);
-            if (kind[i] == FACE) {
-                int points = cuts.clip(t, i, t[INNER + i], t[MARGIN + i], (int) word[i]);
+            if (choice.onFace[i]) {
+                int points = cuts.clip(t, i, t[INNER + i], t[MARGIN + i], (int) choice.word[i]);
                 deepest[i] = cuts.deepest;
-                leftOut[i] = cuts.leftOut;
+                choice.leftOut[i] = cuts.leftOut;
                 pointCount[i] = points;
             }
         }
@@ -253,15 +232,14 @@ public final class BoxContacts {
 
     private long takeOther(int i, Box a, Box b, Manifold out) {
         if (!wide) {
-            load(i);
-            if (!apart(i)) {
-                choose(i);
+            if (!choice.apartByFaces(i)) {
+                choice.choose(i);
             }
         }
         out.pointCount = 0;
         out.bound = 0;
-        if (kind[i] == APART) {
-            return word[i];
+        if (!choice.onFace[i]) {
+            return choice.word[i];
         }
         int face = 2 * (int) t[AXIS + i] + (t[SIGN + i] > 0 ? 1 : 0);
         boolean flip = t[FLIP + i] != 0;
@@ -269,16 +247,17 @@ public final class BoxContacts {
         double least =
                 wide
                         ? deepest[i]
-                        : faces.face(t, i, flip, face, inner, t[MARGIN + i], (int) word[i], out);
+                        : faces.face(
+                                t, i, flip, face, inner, t[MARGIN + i], (int) choice.word[i], out);
         if (!wide) {
-            leftOut[i] = faces.leftOut;
+            choice.leftOut[i] = faces.leftOut;
         }
         int points = wide ? pointCount[i] : out.pointCount;
-        if (points == 0 || strays(i, least)) {
-            leftOut[i] = Double.NaN;
+        if (points == 0 || choice.strays(i, least)) {
+            choice.leftOut[i] = Double.NaN;
             return single(i, a, b, out);
         }
-        out.bound = Math.abs(best[i] - least) + 0x1p-48 * scale(i);
+        out.bound = Math.abs(choice.best[i] - least) + 0x1p-48 * scale(i);
         if (wide) {
             copyNormal(i, out);
             if (t[STRAIGHT + i] >= 0) {
@@ -301,7 +280,7 @@ public final class BoxContacts {
      *     is neither apart nor on a face
      */
     public double leftOut(int i) {
-        return isSettled(i) ? Double.POSITIVE_INFINITY : leftOut[i];
+        return isSettled(i) ? Double.POSITIVE_INFINITY : choice.leftOut[i];
     }
 
     private void copyNormal(int i, Manifold out) {
@@ -333,7 +312,10 @@ public final class BoxContacts {
      */
     public boolean sameStraight(int i, int[] names, int first) {
         if (!isSettled(i)
-                && (!wide || kind[i] != FACE || t[STRAIGHT + i] < 0 || strays(i, deepest[i]))) {
+                && (!wide
+                        || !choice.onFace[i]
+                        || t[STRAIGHT + i] < 0
+                        || choice.strays(i, deepest[i]))) {
             return false;
         }
         return StraightPoints.named(t, i, names, first);
@@ -362,66 +344,6 @@ public final class BoxContacts {
         return StraightPoints.write(t, i, normal, n, anchors, at, separation, first);
     }
 
-    private void load(int i) {
-        separationA = t[SEPARATION_A + i];
-        faceA = (int) t[FACE_A + i];
-        separationB = t[SEPARATION_B + i];
-        faceB = (int) t[FACE_B + i];
-    }
-
-    /** Whether a pair that was loaded is apart by an axis of a face. */
-    private boolean apart(int i) {
-        double distance = t[MARGIN + i];
-        kind[i] = APART;
-        if (stillApart(i, word[i], distance)) {
-            return true;
-        }
-        leftOut[i] = separationA;
-        if (separationA > distance) {
-            word[i] = Word.of(NarrowPhase.FACE_A, faceA, 0);
-            return true;
-        }
-        leftOut[i] = separationB;
-        if (separationB > distance) {
-            word[i] = Word.of(NarrowPhase.FACE_B, faceB, 0);
-            return true;
-        }
-        return false;
-    }
-
-    /** Decides whether a pair that was loaded is apart by edges, and else on its face. */
-    private void choose(int i) {
-        best[i] = Math.max(Math.max(separationA, separationB), t[SEPARATION_EDGE + i]);
-        leftOut[i] = best[i];
-        if (best[i] > t[MARGIN + i]) {
-            kind[i] = APART;
-            boolean onB = separationB > separationA;
-            word[i] =
-                    onB
-                            ? Word.of(NarrowPhase.FACE_B, faceB, 0)
-                            : Word.of(NarrowPhase.FACE_A, faceA, 0);
-            return;
-        }
-        kind[i] = FACE;
-        boolean flip = chooseFace(i, word[i], NarrowPhase.CALM * t[INNER + i]);
-        int face = flip ? faceB : faceA;
-        separation[i] = flip ? separationB : separationA;
-        t[FLIP + i] = flip ? 1 : 0;
-        t[AXIS + i] = face >> 1;
-        t[SIGN + i] = (face & 1) == 0 ? -1 : 1;
-    }
-
-    /** Whether the face contact tells another depth than the best axis, see {@link NarrowPhase}. */
-    private boolean strays(int i, double least) {
-        double calm = NarrowPhase.CALM * t[INNER + i];
-        double depth = Math.abs(best[i]);
-        double better =
-                word[i] >>> 62 == NarrowPhase.EDGES
-                        ? 0.5 * calm + 0.05 * depth
-                        : 1.5 * calm + 0.15 * depth;
-        return Math.abs(least - best[i]) > better || best[i] - separation[i] > better;
-    }
-
     private long single(int i, Box a, Box b, Manifold out) {
         return single.collide(
                 a,
@@ -438,7 +360,7 @@ public final class BoxContacts {
                 t[OFFSET + CAPACITY + i],
                 t[OFFSET + 2 * CAPACITY + i],
                 t[MARGIN + i],
-                word[i],
+                choice.word[i],
                 out);
     }
 
@@ -452,84 +374,5 @@ public final class BoxContacts {
                             + Math.abs(t[CENTRE + k * CAPACITY + i]);
         }
         return sum;
-    }
-
-    /** The face that separated or carried the pair last time separates it now. */
-    private boolean stillApart(int i, long cache, double distance) {
-        long before = cache >>> 62;
-        int face = (int) (cache >>> 47) & 0x7FFF;
-        if (before == NarrowPhase.FACE_A && face < 6) {
-            leftOut[i] = face == faceA ? separationA : alongA(i, face);
-            return leftOut[i] > distance;
-        }
-        if (before == NarrowPhase.FACE_B && face < 6) {
-            leftOut[i] = face == faceB ? separationB : alongB(i, face);
-            return leftOut[i] > distance;
-        }
-        return false;
-    }
-
-    /** Separation along the normal of a face of A. */
-    private double alongA(int i, int face) {
-        int k = face >> 1;
-        int row = RELATIVE + 3 * k * CAPACITY + i;
-        double extent =
-                Math.abs(t[row]) * t[HALF_B + i]
-                        + Math.abs(t[row + CAPACITY]) * t[HALF_B + CAPACITY + i]
-                        + Math.abs(t[row + 2 * CAPACITY]) * t[HALF_B + 2 * CAPACITY + i];
-        double along = t[CENTRE + k * CAPACITY + i];
-        return ((face & 1) == 0 ? -along : along) - (t[HALF_A + k * CAPACITY + i] + extent);
-    }
-
-    /** Separation along the normal of a face of B. */
-    private double alongB(int i, int face) {
-        int k = face >> 1;
-        double x = t[RELATIVE + k * CAPACITY + i];
-        double y = t[RELATIVE + (3 + k) * CAPACITY + i];
-        double z = t[RELATIVE + (6 + k) * CAPACITY + i];
-        double extent =
-                Math.abs(x) * t[HALF_A + i]
-                        + Math.abs(y) * t[HALF_A + CAPACITY + i]
-                        + Math.abs(z) * t[HALF_A + 2 * CAPACITY + i];
-        double along =
-                t[CENTRE + i] * x + t[CENTRE + CAPACITY + i] * y + t[CENTRE + 2 * CAPACITY + i] * z;
-        return ((face & 1) == 0 ? along : -along) - (t[HALF_B + k * CAPACITY + i] + extent);
-    }
-
-    /**
-     * The reference face: the face of the last tick while it is nearly as good as the best; true
-     * when it is B's.
-     */
-    private boolean chooseFace(int i, long cache, double calm) {
-        long before = cache >>> 62;
-        int last = (int) (cache >>> 47) & 0x7FFF;
-        if (before == NarrowPhase.FACE_A && last != faceA && last < 6) {
-            double s = alongA(i, last);
-            if (s >= Math.max(separationA, separationB) - calm) {
-                faceA = last;
-                separationA = s;
-            }
-        }
-        if (before == NarrowPhase.FACE_B && last != faceB && last < 6) {
-            double s = alongB(i, last);
-            if (s >= Math.max(separationA, separationB) - calm) {
-                faceB = last;
-                separationB = s;
-            }
-        }
-        double bias = before == NarrowPhase.FACE_A ? calm : -calm;
-        if (before != NarrowPhase.FACE_A && before != NarrowPhase.FACE_B) {
-            double far = Math.max(Math.abs(t[CENTRE + i]), Math.abs(t[CENTRE + CAPACITY + i]));
-            far = Math.max(far, Math.abs(t[CENTRE + 2 * CAPACITY + i]));
-            bias = 0x1p-40 * (outerRadius(HALF_A + i) + outerRadius(HALF_B + i) + far);
-        }
-        return separationB > separationA + bias;
-    }
-
-    private double outerRadius(int half) {
-        double x = t[half];
-        double y = t[half + CAPACITY];
-        double z = t[half + 2 * CAPACITY];
-        return Math.sqrt(x * x + y * y + z * z);
     }
 }
