@@ -181,17 +181,21 @@ public final class ManifoldStage {
         double[] sizes = kinds.sizes();
         int a = contacts.bodyA[row];
         int b = contacts.bodyB[row];
-        double halfA = sizes[PairKinds.SIZES * a + 1];
-        double halfB = sizes[PairKinds.SIZES * b + 1];
+        int sizeA = PairKinds.SIZES * a;
+        int sizeB = PairKinds.SIZES * b;
+        double radiusA = sizes[sizeA];
+        double radiusB = sizes[sizeB];
+        double halfA = sizes[sizeA + 1];
+        double halfB = sizes[sizeB + 1];
         batch.put(
                 i,
                 s.apartX(a, b),
                 s.apartY(a, b),
                 s.apartZ(a, b),
-                margin(a, b),
-                sizes[PairKinds.SIZES * a],
+                margin(a, b, Math.min(radiusA, radiusB)),
+                radiusA,
                 halfA,
-                sizes[PairKinds.SIZES * b],
+                radiusB,
                 halfB);
         if (halfA != 0) {
             turn(i, false, a, batch);
@@ -403,13 +407,17 @@ public final class ManifoldStage {
 
     /** The speculative margin of a pair; see the package's essay. */
     private double margin(int a, int b) {
+        return margin(a, b, Math.min(bodies.innerRadius[a], bodies.innerRadius[b]));
+    }
+
+    /** With the smaller inner radius. */
+    private double margin(int a, int b, double smaller) {
         double[] ahead = bounds.ahead;
         int i = BoundsStage.AHEAD * a;
         int j = BoundsStage.AHEAD * b;
         double vx = ahead[j] - ahead[i];
         double vy = ahead[j + 1] - ahead[i + 1];
         double vz = ahead[j + 2] - ahead[i + 2];
-        double smaller = Math.min(bodies.innerRadius[a], bodies.innerRadius[b]);
         return reach * Math.sqrt(vx * vx + vy * vy + vz * vz)
                 + ahead[i + 3]
                 + ahead[j + 3]

@@ -6,7 +6,6 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.BoxContacts;
-import dev.cairn.physics.narrowphase.RoundContacts;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Shape;
@@ -25,17 +24,34 @@ final class PairKinds {
     /** Two boxes: collided in batches. */
     static final int BOXES = 0;
 
-    /** Balls and capsules: a closed form. */
+    /**
+     * Balls and capsules: a closed form, in batches; two balls, capsule and ball, ball and capsule,
+     * two capsules, so that few batches have several of these.
+     */
     static final int ROUND = 1;
 
     /** All the rest: one after another. */
-    static final int OTHERS = 2;
+    static final int OTHERS = 5;
+
+    /** Kinds of bodies. */
+    private static final byte BOX = 0, BALL = 1, CAPSULE = 2, OTHER = 3;
+
+    /** The kind of a pair, by four times the kind of A plus that of B. */
+    private static final byte[] OF_PAIR = {
+        BOXES, OTHERS, OTHERS, OTHERS, OTHERS, ROUND, ROUND + 2, OTHERS, OTHERS, ROUND + 1,
+        ROUND + 3, OTHERS, OTHERS, OTHERS, OTHERS, OTHERS
+    };
 
     /** Numbers for each body in {@link #sizes}. */
     static final int SIZES = 4;
 
-    private static final int KINDS = 3;
+    private static final int KINDS = 6;
+
+    /** At most 1023, see {@link #COUNT_BITS}. */
     private static final int ROWS_PER_BLOCK = 512;
+
+    /** Of the rows of each kind in a block; all kinds are counted in one number. */
+    private static final int COUNT_BITS = 10;
 
     private static final int SLOTS_PER_BLOCK = 2048;
 
@@ -121,7 +137,7 @@ final class PairKinds {
             Shape shape = bodies.shape[slot];
             if (shape != seen[slot]) {
                 seen[slot] = shape;
-                kindOfBody[slot] = (byte) kindOf(shape);
+                kindOfBody[slot] = kindOf(shape);
                 measure(shape, SIZES * slot);
             }
         }
@@ -141,30 +157,27 @@ final class PairKinds {
         }
     }
 
-    private static int kindOf(@Nullable Shape shape) {
+    private static byte kindOf(@Nullable Shape shape) {
         if (shape instanceof Box box && BoxContacts.fits(box)) {
-            return BOXES;
+            return BOX;
         }
-        return shape != null && RoundContacts.fits(shape) ? ROUND : OTHERS;
+        return shape instanceof Sphere ? BALL : shape instanceof Capsule ? CAPSULE : OTHER;
     }
 
     private void countBlock(int block, int worker) {
         int end = Blocks.end(block, ROWS_PER_BLOCK, contacts.activeCount);
-        int boxes = 0;
-        int round = 0;
-        int first = Blocks.begin(block, ROWS_PER_BLOCK);
-        for (int i = first; i < end; i++) {
+        long counts = 0;
+        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = contacts.active[i];
-            byte a = kindOfBody[contacts.bodyA[row]];
-            byte b = kindOfBody[contacts.bodyB[row]];
-            int of = a == b ? a : OTHERS;
-            kind[i] = (byte) of;
-            boxes += of == BOXES ? 1 : 0;
-            round += of == ROUND ? 1 : 0;
+            int a = kindOfBody[contacts.bodyA[row]];
+            int b = kindOfBody[contacts.bodyB[row]];
+            byte of = OF_PAIR[4 * a + b];
+            kind[i] = of;
+            counts += 1L << (COUNT_BITS * of);
         }
-        cursor[KINDS * block + BOXES] = boxes;
-        cursor[KINDS * block + ROUND] = round;
-        cursor[KINDS * block + OTHERS] = end - first - boxes - round;
+        for (int k = 0; k < KINDS; k++) {
+            cursor[KINDS * block + k] = (int) (counts >>> (COUNT_BITS * k)) & (1 << COUNT_BITS) - 1;
+        }
     }
 
     private void writeBlock(int block, int worker) {

@@ -252,7 +252,15 @@ public final class RoundContacts {
     /** Where on a segment along the axis a point is nearest. */
     private double toward(double half, double px, double py, double pz) {
         double along = axisX * px + axisY * py + axisZ * pz;
-        return Math.max(-half, Math.min(half, along));
+        return within(half, along);
+    }
+
+    /**
+     * The place nearest to {@code on} between the ends; as in lanes, without regard to signs of 0.
+     */
+    private static double within(double half, double on) {
+        double place = on > half ? half : on;
+        return place < -half ? -half : place;
     }
 
     /**
@@ -294,7 +302,7 @@ public final class RoundContacts {
         for (int sign = -1; sign <= 1; sign += 2) {
             // An end of B.
             double e = sign * k;
-            double on = Math.max(-h, Math.min(h, du + e * uv));
+            double on = within(h, du + e * uv);
             double px = dx + e * vx - on * ux;
             double py = dy + e * vy - on * uy;
             double pz = dz + e * vz - on * uz;
@@ -308,7 +316,7 @@ public final class RoundContacts {
             }
             // An end of A.
             e = sign * h;
-            double other = Math.max(-k, Math.min(k, e * uv - dv));
+            double other = within(k, e * uv - dv);
             px = dx + other * vx - e * ux;
             py = dy + other * vy - e * uy;
             pz = dz + other * vz - e * uz;

@@ -26,7 +26,7 @@ import dev.cairn.physics.narrowphase.wide.RoundBatch;
 public final class RoundPairs {
     private final RoundBatch batch = new RoundBatch();
     private final double[] t = batch.data;
-    private boolean capsules;
+    private boolean capsulesA, capsulesB;
 
     /** The name of a single point. */
     public static final int NAME = ContactPoints.CLOSEST;
@@ -60,8 +60,8 @@ public final class RoundPairs {
             double halfA,
             double radiusB,
             double halfB) {
-        capsules &= i != 0;
-        capsules |= halfA != 0 || halfB != 0;
+        capsulesA = capsulesA && i != 0 || halfA != 0;
+        capsulesB = capsulesB && i != 0 || halfB != 0;
         t[OFFSET + i] = dx;
         t[OFFSET + CAPACITY + i] = dy;
         t[OFFSET + 2 * CAPACITY + i] = dz;
@@ -96,7 +96,7 @@ public final class RoundPairs {
      * @param count how many
      */
     public void run(int count) {
-        batch.run(count, capsules);
+        batch.run(count, capsulesA, capsulesB);
     }
 
     /**

@@ -85,9 +85,10 @@ public final class RoundBatch {
      * Fills the columns from {@link #KIND} on. Only where {@link BoxAxes#wide}.
      *
      * @param count pairs, 0 to {@link #CAPACITY}
-     * @param capsules whether there may be a capsule among them
+     * @param capsulesA whether there may be a capsule among the first shapes
+     * @param capsulesB whether there may be one among the second shapes
      */
-    public void run(int count, boolean capsules) {
-        RoundWide.run(data, count, capsules);
+    public void run(int count, boolean capsulesA, boolean capsulesB) {
+        RoundWide.run(data, count, capsulesA, capsulesB);
     }
 }

@@ -42,11 +42,19 @@ final class RoundWide {
     private RoundWide() {}
 
     /** See {@link RoundBatch#run}. */
-    static void run(double[] t, int count, boolean capsules) {
-        if (capsules) {
+    static void run(double[] t, int count, boolean capsulesA, boolean capsulesB) {
+        if (capsulesA) {
             axes(t, count, TURN_A, HALF_A, AXIS_A);
+        }
+        if (capsulesB) {
             axes(t, count, TURN_B, HALF_B, AXIS_B);
+        }
+        if (capsulesA && capsulesB) {
             segments(t, count);
+        } else if (capsulesA) {
+            onSegmentA(t, count);
+        } else if (capsulesB) {
+            onSegmentB(t, count);
         } else {
             points(t, count);
         }
@@ -78,12 +86,64 @@ final class RoundWide {
     /** Balls alone: from centre to centre. */
     private static void points(double[] t, int count) {
         for (int i = 0; i < count; i += LANES) {
-            for (int k = 0; k < 3 * CAPACITY; k += CAPACITY) {
-                DoubleVector.fromArray(S, t, OFFSET + k + i).intoArray(t, ACROSS + k + i);
-                DoubleVector.zero(S).intoArray(t, AXIS_A + k + i);
-            }
-            DoubleVector.zero(S).intoArray(t, ON_A + i);
+            DoubleVector zero = DoubleVector.zero(S);
+            DoubleVector.fromArray(S, t, OFFSET + i).intoArray(t, ACROSS + i);
+            DoubleVector.fromArray(S, t, OFFSET + CAPACITY + i).intoArray(t, ACROSS + CAPACITY + i);
+            DoubleVector.fromArray(S, t, OFFSET + 2 * CAPACITY + i)
+                    .intoArray(t, ACROSS + 2 * CAPACITY + i);
+            zero.intoArray(t, AXIS_A + i);
+            zero.intoArray(t, AXIS_A + CAPACITY + i);
+            zero.intoArray(t, AXIS_A + 2 * CAPACITY + i);
+            zero.intoArray(t, ON_A + i);
+            zero.intoArray(t, ALIGNED + i);
+        }
+    }
+
+    /** Of B only centres: where A's segment is nearest to them. */
+    private static void onSegmentA(double[] t, int count) {
+        for (int i = 0; i < count; i += LANES) {
+            DoubleVector ux = DoubleVector.fromArray(S, t, AXIS_A + i);
+            DoubleVector uy = DoubleVector.fromArray(S, t, AXIS_A + CAPACITY + i);
+            DoubleVector uz = DoubleVector.fromArray(S, t, AXIS_A + 2 * CAPACITY + i);
+            DoubleVector dx = DoubleVector.fromArray(S, t, OFFSET + i);
+            DoubleVector dy = DoubleVector.fromArray(S, t, OFFSET + CAPACITY + i);
+            DoubleVector dz = DoubleVector.fromArray(S, t, OFFSET + 2 * CAPACITY + i);
+            DoubleVector h = DoubleVector.fromArray(S, t, HALF_A + i);
+            DoubleVector low = h.neg();
+            DoubleVector on = ux.mul(dx).add(uy.mul(dy)).add(uz.mul(dz));
+            on = on.blend(h, on.compare(VectorOperators.GT, h));
+            on = on.blend(low, on.compare(VectorOperators.LT, low));
+            on.intoArray(t, ON_A + i);
+            dx.sub(on.mul(ux)).intoArray(t, ACROSS + i);
+            dy.sub(on.mul(uy)).intoArray(t, ACROSS + CAPACITY + i);
+            dz.sub(on.mul(uz)).intoArray(t, ACROSS + 2 * CAPACITY + i);
             DoubleVector.zero(S).intoArray(t, ALIGNED + i);
+        }
+    }
+
+    /** Of A only centres: where B's segment is nearest to them. */
+    private static void onSegmentB(double[] t, int count) {
+        for (int i = 0; i < count; i += LANES) {
+            DoubleVector zero = DoubleVector.zero(S);
+            DoubleVector vx = DoubleVector.fromArray(S, t, AXIS_B + i);
+            DoubleVector vy = DoubleVector.fromArray(S, t, AXIS_B + CAPACITY + i);
+            DoubleVector vz = DoubleVector.fromArray(S, t, AXIS_B + 2 * CAPACITY + i);
+            DoubleVector dx = DoubleVector.fromArray(S, t, OFFSET + i);
+            DoubleVector dy = DoubleVector.fromArray(S, t, OFFSET + CAPACITY + i);
+            DoubleVector dz = DoubleVector.fromArray(S, t, OFFSET + 2 * CAPACITY + i);
+            DoubleVector k = DoubleVector.fromArray(S, t, HALF_B + i);
+            DoubleVector low = k.neg();
+            DoubleVector on = vx.mul(dx.neg()).add(vy.mul(dy.neg())).add(vz.mul(dz.neg()));
+            on = on.blend(k, on.compare(VectorOperators.GT, k));
+            on = on.blend(low, on.compare(VectorOperators.LT, low));
+            dx.add(on.mul(vx)).intoArray(t, ACROSS + i);
+            dy.add(on.mul(vy)).intoArray(t, ACROSS + CAPACITY + i);
+            dz.add(on.mul(vz)).intoArray(t, ACROSS + 2 * CAPACITY + i);
+            zero.intoArray(t, AXIS_A + i);
+            zero.intoArray(t, AXIS_A + CAPACITY + i);
+            zero.intoArray(t, AXIS_A + 2 * CAPACITY + i);
+            zero.intoArray(t, ON_A + i);
+            zero.intoArray(t, ALIGNED + i);
         }
     }
 
@@ -125,7 +185,10 @@ final class RoundWide {
 
             DoubleVector low = h.neg();
             DoubleVector e = k.neg();
-            DoubleVector on = du.add(e.mul(uv)).min(h).max(low);
+            // Cheaper than min and max, which mind the signs of zeros.
+            DoubleVector on = du.add(e.mul(uv));
+            on = on.blend(h, on.compare(VectorOperators.GT, h));
+            on = on.blend(low, on.compare(VectorOperators.LT, low));
             DoubleVector x = dx.add(e.mul(vx)).sub(on.mul(ux));
             DoubleVector y = dy.add(e.mul(vy)).sub(on.mul(uy));
             DoubleVector z = dz.add(e.mul(vz)).sub(on.mul(uz));
@@ -133,7 +196,9 @@ final class RoundWide {
                     x.mul(x).add(y.mul(y)).add(z.mul(z)).blend(Double.MAX_VALUE, noEndB);
             DoubleVector onA = on;
 
-            on = low.mul(uv).sub(dv).min(k).max(e);
+            on = low.mul(uv).sub(dv);
+            on = on.blend(k, on.compare(VectorOperators.GT, k));
+            on = on.blend(e, on.compare(VectorOperators.LT, e));
             DoubleVector px = dx.add(on.mul(vx)).sub(low.mul(ux));
             DoubleVector py = dy.add(on.mul(vy)).sub(low.mul(uy));
             DoubleVector pz = dz.add(on.mul(vz)).sub(low.mul(uz));
@@ -145,7 +210,9 @@ final class RoundWide {
             y = y.blend(py, better);
             z = z.blend(pz, better);
 
-            on = du.add(k.mul(uv)).min(h).max(low);
+            on = du.add(k.mul(uv));
+            on = on.blend(h, on.compare(VectorOperators.GT, h));
+            on = on.blend(low, on.compare(VectorOperators.LT, low));
             px = dx.add(k.mul(vx)).sub(on.mul(ux));
             py = dy.add(k.mul(vy)).sub(on.mul(uy));
             pz = dz.add(k.mul(vz)).sub(on.mul(uz));
@@ -157,7 +224,9 @@ final class RoundWide {
             y = y.blend(py, better);
             z = z.blend(pz, better);
 
-            on = h.mul(uv).sub(dv).min(k).max(e);
+            on = h.mul(uv).sub(dv);
+            on = on.blend(k, on.compare(VectorOperators.GT, k));
+            on = on.blend(e, on.compare(VectorOperators.LT, e));
             px = dx.add(on.mul(vx)).sub(h.mul(ux));
             py = dy.add(on.mul(vy)).sub(h.mul(uy));
             pz = dz.add(on.mul(vz)).sub(h.mul(uz));
