@@ -25,7 +25,7 @@ import java.util.Locale;
 public final class PairTimes {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
-    /** Repetitions at least; the fastest is told. */
+    /** Repetitions at least. */
     private static final int REPETITIONS = 1000;
 
     /**
@@ -44,7 +44,7 @@ public final class PairTimes {
 
     /**
      * Receives all contacts. Reachable from everywhere, so that each number is written: of a
-     * manifold that nobody else can see the compiler keeps only what is read.
+     * manifold that nobody else can see the compiler need keep only what is read.
      */
     private static final Manifold[] RESULT = {new Manifold()};
 
@@ -58,7 +58,7 @@ public final class PairTimes {
     public static void main(String[] args) {
         System.out.printf(
                 Locale.ROOT,
-                "%-16s %-12s %8s %8s %8s %8s %8s %12s %8s   (best, ns of thread CPU time)%n",
+                "%-16s %-12s %8s %8s %8s %8s %8s %12s %8s   (fast turns, ns of thread CPU time)%n",
                 "pairs",
                 "method",
                 "cold",
@@ -105,8 +105,8 @@ public final class PairTimes {
             for (PairCalls calls : PairCalls.all(new ArrayList<>())) {
                 set.addTo(calls);
                 int found = calls.run();
-                double call = Double.MAX_VALUE;
-                double cross = Double.MAX_VALUE;
+                Fastest call = new Fastest();
+                Fastest cross = new Fastest();
                 long sum = 0;
                 for (int k = 0; k < PEER_REPETITIONS; k++) {
                     long begin = THREADS.getCurrentThreadCpuTime();
@@ -114,16 +114,16 @@ public final class PairTimes {
                     long middle = THREADS.getCurrentThreadCpuTime();
                     sum += calls.cross();
                     long end = THREADS.getCurrentThreadCpuTime();
-                    call = Math.min(call, (middle - begin) / (double) PairSet.SIZE);
-                    cross = Math.min(cross, (end - middle) / (double) PairSet.SIZE);
+                    call.add(middle - begin);
+                    cross.add(end - middle);
                 }
                 System.out.printf(
                         Locale.ROOT,
                         "%-16s %-40s cold %6.0f, of it the crossing %4.0f (%d found in %d pairs)%n",
                         kind,
                         calls.title(),
-                        call,
-                        cross,
+                        call.nanos() / PairSet.SIZE,
+                        cross.nanos() / PairSet.SIZE,
                         sum == 0 ? 0 : found,
                         PairSet.SIZE);
             }
@@ -135,7 +135,7 @@ public final class PairTimes {
         NarrowPhase n = new NarrowPhase(method);
         Manifold manifold = RESULT[0];
         long[] words = new long[PairSet.SIZE];
-        double fastest = Double.MAX_VALUE;
+        Fastest fastest = new Fastest();
         int points = 0;
         long until = THREADS.getCurrentThreadCpuTime() + LEAST_TIME;
         for (int k = 0; k < REPETITIONS || THREADS.getCurrentThreadCpuTime() < until; k++) {
@@ -148,19 +148,19 @@ public final class PairTimes {
                 points += manifold.pointCount;
             }
             long nanos = THREADS.getCurrentThreadCpuTime() - begin;
-            fastest = faster(fastest, nanos, PairSet.SIZE);
+            fastest.add(nanos);
         }
         if (points < 0 || Double.isNaN(manifold.normalX)) {
             throw new IllegalStateException("the contacts of " + kind + " are no numbers");
         }
-        return fastest;
+        return fastest.nanos() / PairSet.SIZE;
     }
 
     private static double distance(PairSet.Kind kind, Method method, boolean warm) {
         long[] words = new long[PairSet.SIZE];
         PairSet set = new PairSet(kind, 1);
         NarrowPhase n = new NarrowPhase(method);
-        double fastest = Double.MAX_VALUE;
+        Fastest fastest = new Fastest();
         double sum = 0;
         long until = THREADS.getCurrentThreadCpuTime() + LEAST_TIME;
         for (int k = 0; k < REPETITIONS || THREADS.getCurrentThreadCpuTime() < until; k++) {
@@ -171,12 +171,12 @@ public final class PairTimes {
                 words[i] = n.distanceWord();
             }
             long nanos = THREADS.getCurrentThreadCpuTime() - begin;
-            fastest = faster(fastest, nanos, PairSet.SIZE);
+            fastest.add(nanos);
         }
         if (Double.isNaN(sum)) {
             throw new IllegalStateException("a distance of " + kind + " is NaN");
         }
-        return fastest;
+        return fastest.nanos() / PairSet.SIZE;
     }
 
     /** Median, 99.9th percentile and most steps of GJK and EPA together, cold. */
@@ -197,17 +197,12 @@ public final class PairTimes {
         return steps[steps.length / 2] + "/" + rare + "/" + steps[steps.length - 1];
     }
 
-    /** A clock that stood still tells nothing. */
-    private static double faster(double fastest, long nanos, int pairs) {
-        return nanos > 0 ? Math.min(fastest, nanos / (double) pairs) : fastest;
-    }
-
     private static boolean ready() {
         return BoxWarmUp.ready() || !BoxAxes.wide();
     }
 
     private static double stage(PairSet.Kind kind) {
-        double fastest = Double.MAX_VALUE;
+        Fastest fastest = new Fastest();
         try (StageSet set = new StageSet(kind)) {
             // The stage goes without lanes until their kernels are compiled in the background.
             long patience = System.nanoTime() + LONGEST_WARM_UP;
@@ -224,9 +219,9 @@ public final class PairTimes {
                 long begin = THREADS.getCurrentThreadCpuTime();
                 set.run();
                 long nanos = THREADS.getCurrentThreadCpuTime() - begin;
-                fastest = faster(fastest, nanos, StageSet.ROWS);
+                fastest.add(nanos);
             }
         }
-        return fastest;
+        return fastest.nanos() / StageSet.ROWS;
     }
 }

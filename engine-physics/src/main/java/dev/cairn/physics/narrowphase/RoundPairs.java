@@ -60,8 +60,8 @@ public final class RoundPairs {
             double halfA,
             double radiusB,
             double halfB) {
-        capsulesA = capsulesA && i != 0 || halfA != 0;
-        capsulesB = capsulesB && i != 0 || halfB != 0;
+        capsulesA = (capsulesA && i != 0) || halfA != 0;
+        capsulesB = (capsulesB && i != 0) || halfB != 0;
         t[OFFSET + i] = dx;
         t[OFFSET + CAPACITY + i] = dy;
         t[OFFSET + 2 * CAPACITY + i] = dz;
