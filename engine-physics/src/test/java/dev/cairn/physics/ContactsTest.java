@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
 
@@ -17,6 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Random;
@@ -42,6 +45,56 @@ class ContactsTest {
             assertEquals(0.5, crate.position().y, 5e-3);
             assertEquals(0, crate.position().z, 1e-3);
             assertTrue(crate.velocity().length() < 1e-3, crate.velocity().toString());
+        }
+    }
+
+    /**
+     * What a contact of a body that is awake tells was written in the tick: a number that nobody
+     * can mistake is put in its place before, also where bodies fall asleep, are woken, thrown, or
+     * lose what they stand on.
+     */
+    @Test
+    void aContactTellsTheImpulseOfItsOwnTick() {
+        final double stale = 1e300;
+        Random random = new Random(91);
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(2).build()) {
+            Scenes.everyKindOnEveryKind(world);
+            BodyRef table = world.add(Body.fixed().shape(Box.of(2, .5, 2)).at(-8, .5, 0));
+            List<BodyRef> boxes = new ArrayList<>();
+            for (int i = 0; i < 12; i++) {
+                double x = -8.6 + .6 * (i % 3);
+                boxes.add(
+                        world.add(
+                                Body.dynamic().shape(Box.cube(.25)).at(x, 1.3 + .5 * (i / 3), 0)));
+            }
+            ContactStore c = world.physics.contacts;
+            int told = 0;
+            int kept = 0;
+            for (int tick = 0; tick < 900; tick++) {
+                BodyRef box = boxes.get(random.nextInt(boxes.size()));
+                switch (tick % 150) {
+                    case 100 -> table.teleport(-8, .5 - .01 * random.nextDouble(), 0);
+                    case 110 -> box.setVelocity(0, 2 * random.nextDouble(), 0);
+                    case 120 -> box.teleport(-8, 4, 0);
+                    case 140 -> world.setGravity(0, tick < 450 ? 1e-3 : -9.81, 0);
+                    default -> {}
+                }
+                Arrays.fill(c.totalNormalImpulse, stale);
+                world.step(Scenes.STEP);
+                byte[] kind = world.physics.table.bodies.kind;
+                for (int row = 0; row < c.count; row++) {
+                    boolean awake =
+                            kind[c.bodyA[row]] == BodyStore.DYNAMIC
+                                    || kind[c.bodyB[row]] == BodyStore.DYNAMIC;
+                    for (int p = 0; p < c.pointCount[row]; p++) {
+                        double sum = c.totalNormalImpulse[ContactStore.POINTS * row + p];
+                        assertTrue(!awake || sum < stale, "tick " + tick + " row " + row);
+                        told += awake ? 1 : 0;
+                        kept += sum < stale ? 0 : 1;
+                    }
+                }
+            }
+            assertTrue(told > 10_000 && kept > 1_000, told + " told, " + kept + " asleep");
         }
     }
 
