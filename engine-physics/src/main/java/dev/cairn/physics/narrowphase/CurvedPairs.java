@@ -22,6 +22,7 @@ final class CurvedPairs {
     private final boolean closedForm;
     private final CurvedAxis axis = new CurvedAxis();
     private final SegmentBox segmentBox = new SegmentBox();
+    private final SegmentHull segmentHull = new SegmentHull();
     private final CurvedContact contact;
     private final CapsuleOnBox capsuleOnBox;
     private final PlaneContact plane;
@@ -50,6 +51,10 @@ final class CurvedPairs {
         this.contact = new CurvedContact(pair, points, axis);
         this.capsuleOnBox = new CapsuleOnBox(pair, points, segmentBox);
         this.plane = new PlaneContact(pair, points);
+    }
+
+    private boolean byHull(Shape a, Shape b, double limit) {
+        return closedForm && SegmentHull.fits(a, b) && segmentHull.find(pair, a, b, limit, axis);
     }
 
     private void turn(double qx, double qy, double qz, double qw, Moved m) {
@@ -118,7 +123,7 @@ final class CurvedPairs {
         boolean closed = closedForm && SegmentBox.fits(a, b);
         if (closed) {
             segmentBox.find(pair, a, b, limit, axis);
-        } else {
+        } else if (!byHull(a, b, limit)) {
             axis.find(pair, closedForm, gjk, epa, limit);
         }
         capped = axis.capped;
@@ -182,7 +187,7 @@ final class CurvedPairs {
         pair.set(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
         if (closedForm && SegmentBox.fits(a, b)) {
             segmentBox.find(pair, a, b, Double.MAX_VALUE, axis);
-        } else {
+        } else if (!byHull(a, b, Double.MAX_VALUE)) {
             axis.find(pair, closedForm, gjk, epa, Double.MAX_VALUE);
         }
         capped = axis.capped;
