@@ -70,16 +70,19 @@ class RestTest {
     }
 
     /**
-     * 200 boxes in a pit of 5 m; the median of the last two seconds. One pile in fifteen still has
-     * a stone that slips (2e-3 m/s in the mean), so the median of three piles is held, to a quarter
-     * of that.
+     * 200 boxes in a pit of 5 m; the median of the last two seconds. Of 90 piles every seventh
+     * still has a stone that slips (6e-4 to 4e-2 m/s in the mean), which ones is chance; half are
+     * slower than 1e-4. So the median of nine is held, to three times that.
      */
     @Test
     void pilesOfTwoHundredBoxesComeToRest() {
-        double[] speeds = {restlessness(6), restlessness(7), restlessness(8)};
-        String measured = "seeds 6, 7, 8: mean speeds " + Arrays.toString(speeds) + " m/s";
+        double[] speeds = new double[9];
+        for (int i = 0; i < speeds.length; i++) {
+            speeds[i] = restlessness(i + 1);
+        }
+        String measured = "seeds 1 to 9: mean speeds " + Arrays.toString(speeds) + " m/s";
         Arrays.sort(speeds);
-        assertTrue(speeds[1] < 5e-4, measured);
+        assertTrue(speeds[4] < 3e-4, measured);
     }
 
     private static double restlessness(long seed) {
