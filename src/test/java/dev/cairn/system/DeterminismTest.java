@@ -7,6 +7,7 @@ import com.google.gson.JsonParser;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.Precision;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
@@ -148,6 +149,28 @@ final class DeterminismTest {
                 alone = alone == null ? report.digest() : alone;
                 String what = lanes + " lanes, " + workers + " workers";
                 assertEquals(alone, report.digest(), what);
+            }
+        }
+    }
+
+    /** A few ticks of every scene, then more of those that shake the most. */
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void inSinglePrecisionToo(String id) {
+        boolean shakes = List.of("pyramid", "room", "arch", "bounce").contains(id);
+        SampleScene scene = SceneRegistry.get(id);
+        SceneOptions options = SceneOptions.defaults(scene);
+        int ticks = shakes ? 60 : 10;
+        String alone = null;
+        for (int lanes : new int[] {1, 4, 8}) {
+            for (int workers = 1; workers <= (shakes ? MAX_WORKERS : 2); workers += 1) {
+                SceneReport report =
+                        new SceneRun(scene, options, ticks, workers, 4)
+                                .lanes(lanes)
+                                .precision(Precision.SINGLE)
+                                .run(() -> {});
+                alone = alone == null ? report.digest() : alone;
+                assertEquals(alone, report.digest(), lanes + " lanes, " + workers + " workers");
             }
         }
     }

@@ -2,6 +2,8 @@ package dev.cairn.physics;
 
 import dev.cairn.physics.solver.SolverSettings;
 
+import java.util.Objects;
+
 /**
  * The tunables of the step, in one place. Every length rule is relative to the bodies' own size or
  * to how far they move in a tick: there is no absolute slop, so a scene of millimetres behaves as
@@ -34,6 +36,8 @@ import dev.cairn.physics.solver.SolverSettings;
  *     number is warmed up when the world is made, which takes a second; 0 does so beside a scene
  *     that is large enough. Needs {@code --add-modules=jdk.incubator.vector}; without it the solver
  *     is scalar. Default 0
+ * @param precision of the numbers that contacts are solved in. Default double; single is faster,
+ *     see {@link Precision}
  * @param speculativeTime contacts are made for pairs that could meet within so many ticks at their
  *     present relative speed (turning included), 0 to 16. Default 1
  * @param speculativeFraction and, besides, for pairs that are closer than this fraction of the
@@ -59,6 +63,7 @@ public record PhysicsSettings(
         int loneSweeps,
         int effort,
         int lanes,
+        Precision precision,
         double speculativeTime,
         double speculativeFraction,
         double boundsMargin,
@@ -79,6 +84,7 @@ public record PhysicsSettings(
                     SolverSettings.DEFAULT.loneSweeps(),
                     SolverSettings.DEFAULT.effort(),
                     SolverSettings.DEFAULT.lanes(),
+                    Precision.DOUBLE,
                     1,
                     0.02,
                     0.1,
@@ -108,6 +114,7 @@ public record PhysicsSettings(
                     "lanes must be 1, 4, 8 or 16, or 0 for what fits this machine, but is "
                             + lanes);
         }
+        Objects.requireNonNull(precision, "precision");
         Checks.between("speculativeTime", speculativeTime, 0, 16);
         Checks.between("speculativeFraction", speculativeFraction, 0, 1);
         Checks.between("boundsMargin", boundsMargin, 0, 1);
@@ -247,6 +254,18 @@ public record PhysicsSettings(
         return d.settings();
     }
 
+    /**
+     * These settings with contacts solved in another precision.
+     *
+     * @param value see the component
+     * @return new settings
+     */
+    public PhysicsSettings withPrecision(Precision value) {
+        Draft d = new Draft(this);
+        d.precision = value;
+        return d.settings();
+    }
+
     SolverSettings solver() {
         return SolverSettings.DEFAULT
                 .withSubsteps(substeps)
@@ -260,7 +279,8 @@ public record PhysicsSettings(
                 .withUnloadSweeps(unloadSweeps)
                 .withLoneSweeps(loneSweeps)
                 .withEffort(effort)
-                .withLanes(lanes);
+                .withLanes(lanes)
+                .withSingle(precision == Precision.SINGLE);
     }
 
     /** The values on their way to other settings, so that each change names only its own. */
@@ -276,6 +296,7 @@ public record PhysicsSettings(
         int loneSweeps;
         int effort;
         int lanes;
+        Precision precision;
         double speculativeTime;
         double speculativeFraction;
         double boundsMargin;
@@ -295,6 +316,7 @@ public record PhysicsSettings(
             loneSweeps = s.loneSweeps;
             effort = s.effort;
             lanes = s.lanes;
+            precision = s.precision;
             speculativeTime = s.speculativeTime;
             speculativeFraction = s.speculativeFraction;
             boundsMargin = s.boundsMargin;
@@ -316,6 +338,7 @@ public record PhysicsSettings(
                     loneSweeps,
                     effort,
                     lanes,
+                    precision,
                     speculativeTime,
                     speculativeFraction,
                     boundsMargin,

@@ -137,6 +137,14 @@ public final class Main {
     @Nullable String lanes;
 
     @Option(
+            names = "--precision",
+            paramLabel = "double|single",
+            description =
+                    "Numbers that contacts are solved in: double by default; single is faster, with"
+                            + " errors of some 1e-7 of what changes.")
+    @Nullable String precision;
+
+    @Option(
             names = "--seed",
             paramLabel = "S",
             description = "Seed of all that is random in a scene.")

@@ -2,6 +2,7 @@ package dev.cairn.samples;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.PhysicsSettings;
+import dev.cairn.physics.Precision;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneFileException;
 import dev.cairn.samples.scenefile.SceneLoader;
@@ -34,6 +35,7 @@ import java.util.Map;
  * @param effort how often an island's may be doubled
  * @param sleeping whether bodies at rest fall asleep, or null for what suits the mode
  * @param lanes contacts that are solved at once, 0 for what fits the machine
+ * @param precision of the numbers that contacts are solved in
  * @param json where the JSON goes, {@code -} for standard output, or null
  * @param picture where the picture of the only scene goes, or null
  * @param at tick of that picture, or null for the last
@@ -55,6 +57,7 @@ record Request(
         int effort,
         @Nullable Boolean sleeping,
         int lanes,
+        Precision precision,
         @Nullable String json,
         @Nullable Path picture,
         @Nullable Integer at,
@@ -155,6 +158,7 @@ record Request(
                 effort == null ? 0 : effort,
                 onOff("--sleeping", typed.sleeping),
                 lanes(typed.lanes),
+                precision(typed.precision),
                 typed.json,
                 picture,
                 at,
@@ -182,6 +186,16 @@ record Request(
                     throw new UsageException(
                             "--lanes %s: want auto, 1, 4, 8 or 16; the results are the same"
                                     .formatted(text));
+        };
+    }
+
+    private static Precision precision(@Nullable String text) {
+        return switch (text == null ? "double" : text.trim()) {
+            case "double" -> Precision.DOUBLE;
+            case "single" -> Precision.SINGLE;
+            default ->
+                    throw new UsageException(
+                            "--precision %s: want double or single".formatted(text));
         };
     }
 

@@ -198,7 +198,8 @@ final class Runner {
                 new SceneRun(scene, options, ticks, request.workers(), request.substeps())
                         .effort(request.effort())
                         .sleeping(request.sleepingOr(false))
-                        .lanes(request.lanes());
+                        .lanes(request.lanes())
+                        .precision(request.precision());
         if (request.animation() != null) {
             run.animation(request.animation());
         }

@@ -4,6 +4,7 @@ import dev.cairn.core.snapshot.SnapshotExchange;
 import dev.cairn.physics.Contacts;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.Precision;
 import dev.cairn.physics.StepProfile;
 import dev.cairn.physics.StepStage;
 import dev.cairn.render.app.Offscreen;
@@ -40,6 +41,7 @@ public final class SceneRun {
     private int effort;
     private boolean sleeping;
     private int lanes;
+    private Precision precision = Precision.DOUBLE;
     private @Nullable Path picture;
     private int pictureTick;
     private @Nullable Path animation;
@@ -113,6 +115,17 @@ public final class SceneRun {
     }
 
     /**
+     * Asks for contacts that are solved in another precision.
+     *
+     * @param value double by default
+     * @return this
+     */
+    public SceneRun precision(Precision value) {
+        this.precision = value;
+        return this;
+    }
+
+    /**
      * Asks for a picture; needs GL.
      *
      * @param file where the .png goes
@@ -154,7 +167,8 @@ public final class SceneRun {
                                 PhysicsSettings.DEFAULT
                                         .withSubsteps(substeps)
                                         .withEffort(effort)
-                                        .withLanes(lanes))
+                                        .withLanes(lanes)
+                                        .withPrecision(precision))
                         .sleeping(sleeping)
                         .seed(options.seed())
                         .build()) {
@@ -224,6 +238,7 @@ public final class SceneRun {
         parameters.put("seed", options.seed());
         parameters.put("substeps", substeps);
         parameters.put("effort", effort);
+        parameters.put("precision", precision.name().toLowerCase(Locale.ROOT));
         parameters.put("sleeping", sleeping ? "on" : "off");
         if (options.obj() != null) {
             parameters.put("obj", options.obj().toString());

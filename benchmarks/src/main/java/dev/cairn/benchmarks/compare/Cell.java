@@ -73,7 +73,7 @@ record Cell(Case scene, Engine engine, PeerSettings peer, Protocol.Kind kind, in
     private double bodySeconds() {
         return switch (engine) {
             case BOX3D -> 0.6e-6;
-            case CAIRN -> 1e-6;
+            case CAIRN, CAIRN_SINGLE -> 1e-6;
             case PHYSX -> 1.7e-6;
             case JOLT, BULLET -> 3e-6;
             case JBULLET -> 9e-6;

@@ -31,6 +31,7 @@ final class Charts {
 
     static {
         COLOURS.put(Engine.CAIRN, new Color(0xD55E00));
+        COLOURS.put(Engine.CAIRN_SINGLE, new Color(0xF0E442));
         COLOURS.put(Engine.JOLT, new Color(0x0072B2));
         COLOURS.put(Engine.BULLET, new Color(0x009E73));
         COLOURS.put(Engine.PHYSX, new Color(0x000000));
@@ -75,7 +76,7 @@ final class Charts {
         Color colour = COLOURS.getOrDefault(engine, Color.GRAY);
         series.setLineColor(colour);
         series.setMarkerColor(colour);
-        float width = engine == Engine.CAIRN ? 2.6f : 1.5f;
+        float width = engine.isCairn() ? 2.6f : 1.5f;
         if (dashed) {
             series.setLineStyle(
                     new BasicStroke(
@@ -91,6 +92,7 @@ final class Charts {
         series.setMarker(
                 switch (engine) {
                     case CAIRN -> SeriesMarkers.CIRCLE;
+                    case CAIRN_SINGLE -> SeriesMarkers.OVAL;
                     case JOLT -> SeriesMarkers.SQUARE;
                     case BULLET -> SeriesMarkers.DIAMOND;
                     case PHYSX -> SeriesMarkers.TRIANGLE_UP;

@@ -41,8 +41,8 @@ public final class Compare implements Callable<Integer> {
             split = ",",
             paramLabel = "ID",
             description =
-                    "cairn, jolt, bullet, physx, ode4j, jbullet, box3d; all that are there by"
-                            + " default")
+                    "cairn, cairn-single, jolt, bullet, physx, ode4j, jbullet, box3d; all that are"
+                            + " there by default")
     private List<String> engines = List.of();
 
     @Option(

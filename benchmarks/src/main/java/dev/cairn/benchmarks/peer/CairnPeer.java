@@ -4,7 +4,9 @@ import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Contacts;
 import dev.cairn.physics.Material;
+import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.Precision;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Quaterniond;
@@ -22,13 +24,14 @@ final class CairnPeer implements Peer {
     private final Vector3d at = new Vector3d();
     private final Quaterniond turned = new Quaterniond();
 
-    CairnPeer(SceneDescription scene, PeerSettings settings) {
+    CairnPeer(SceneDescription scene, PeerSettings settings, Precision precision) {
         this.scene = scene;
         this.collisionsPerTick = settings.collisionsPerTick();
         this.world =
                 PhysicsWorld.builder()
                         .gravity(0, -scene.gravity(), 0)
                         .workers(settings.workers())
+                        .settings(PhysicsSettings.DEFAULT.withPrecision(precision))
                         .substeps(settings.substeps() / collisionsPerTick)
                         .sleeping(false)
                         .build();

@@ -1,5 +1,7 @@
 package dev.cairn.benchmarks.peer;
 
+import dev.cairn.physics.Precision;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -8,6 +10,13 @@ import java.util.Locale;
 public enum Engine {
     /** This engine. */
     CAIRN("Cairn", "this build", "double, pure Java", 256, "sub-steps of the solver"),
+    /** This engine with contacts in single precision. */
+    CAIRN_SINGLE(
+            "Cairn single",
+            "this build, Precision.SINGLE",
+            "float contacts, double bodies, pure Java",
+            256,
+            "sub-steps of the solver"),
     /** Jolt by way of jolt-jni. */
     JOLT(
             "Jolt",
@@ -56,7 +65,7 @@ public enum Engine {
      * @return lower case
      */
     public String id() {
-        return name().toLowerCase(Locale.ROOT);
+        return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
     /**
@@ -92,7 +101,16 @@ public enum Engine {
      * @return false for native code
      */
     public boolean isJava() {
-        return this == CAIRN || this == ODE4J || this == JBULLET;
+        return isCairn() || this == ODE4J || this == JBULLET;
+    }
+
+    /**
+     * Says whether it is this engine, in either precision.
+     *
+     * @return false for all others
+     */
+    public boolean isCairn() {
+        return this == CAIRN || this == CAIRN_SINGLE;
     }
 
     /**
@@ -133,7 +151,7 @@ public enum Engine {
      * @return false if its best effort is its default
      */
     public boolean hasBest() {
-        return this != CAIRN && this != BOX3D;
+        return !isCairn() && this != BOX3D;
     }
 
     /**
@@ -142,7 +160,7 @@ public enum Engine {
      * @return false where a sub-step is one sweep
      */
     public boolean hasIterations() {
-        return this != CAIRN && this != BOX3D;
+        return !isCairn() && this != BOX3D;
     }
 
     /**
@@ -152,7 +170,7 @@ public enum Engine {
      * @return false where each sub-step is a whole step
      */
     public boolean collidesOncePerTick() {
-        return this == CAIRN;
+        return isCairn();
     }
 
     /**
@@ -191,7 +209,8 @@ public enum Engine {
         }
         try {
             return switch (this) {
-                case CAIRN -> new CairnPeer(scene, settings);
+                case CAIRN -> new CairnPeer(scene, settings, Precision.DOUBLE);
+                case CAIRN_SINGLE -> new CairnPeer(scene, settings, Precision.SINGLE);
                 case JOLT -> new JoltPeer(scene, settings);
                 case BULLET -> new BulletPeer(scene, settings);
                 case PHYSX -> new PhysxPeer(scene, settings);

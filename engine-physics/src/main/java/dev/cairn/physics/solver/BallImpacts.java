@@ -35,10 +35,15 @@ final class BallImpacts {
     private static final int SWEEPS = 400;
     private static final int NEWTON_STEPS = 20;
 
-    /** Share of a sub-step, and of a gap, that is rounding. */
-    private static final double SOON = 1e-9;
+    /** Share of a sub-step that is rounding. */
+    private static final double SOON = Impacts.SOON;
 
     private final Impacts impacts;
+    private final RowWindow window = new RowWindow();
+
+    /** Share of a gap that is rounding. */
+    private double soon;
+
     private final double[] acceleration = new double[6];
 
     /** The pairs that are struck together, by index among the bouncing rows. */
@@ -90,6 +95,7 @@ final class BallImpacts {
         contacts = contactStore;
         g = gravity;
         h = subStep;
+        soon = rows.isSingle ? Impacts.SOON_SINGLE : Impacts.SOON;
         threshold = restitutionThreshold;
     }
 
@@ -231,7 +237,7 @@ final class BallImpacts {
      */
     private double missed(int row, double gap, double since) {
         double speed = alongNormal(row);
-        double open = Math.max(gap - since * speed, -h * speed * (1 + SOON));
+        double open = Math.max(gap - since * speed, -h * speed * (1 + soon));
         if (separation(row) < open) {
             separate(row, open);
         }
@@ -248,7 +254,7 @@ final class BallImpacts {
         double speed = 0;
         for (int k = 0; k < 3; k++) {
             double v = s[j + k] - s[i + k] + h * (acceleration[3 + k] - acceleration[k]);
-            speed += rows.row[o + k * rows.lanes] * v;
+            speed += rows.get(o + k * rows.lanes) * v;
         }
         return speed;
     }
@@ -260,17 +266,18 @@ final class BallImpacts {
         double[] s = bodies.state;
         int i = rows.link[place * LINK] + SolverBodies.P;
         int j = rows.link[place * LINK + 1] + SolverBodies.P;
-        double sum = rows.row[o + GAP * rows.lanes];
+        double sum = rows.get(o + GAP * rows.lanes);
         for (int k = 0; k < 3; k++) {
-            sum += rows.row[o + k * rows.lanes] * (s[j + k] - s[i + k]);
+            sum += rows.get(o + k * rows.lanes) * (s[j + k] - s[i + k]);
         }
         return sum;
     }
 
     private void separate(int row, double value) {
         int o = rows.base(rows.place[row]);
-        rows.row[o + GAP * rows.lanes] += value - separation(row);
-        rows.row[o + (POINT + ConstraintRows.SEPARATION) * rows.lanes] = value;
+        int gap = o + GAP * rows.lanes;
+        rows.put(gap, rows.get(gap) + (value - separation(row)));
+        rows.put(o + (POINT + ConstraintRows.SEPARATION) * rows.lanes, value);
     }
 
     /** Adds a pair to those that are struck: its normal, its goal, its impulses of before. */
@@ -308,18 +315,17 @@ final class BallImpacts {
         py += my;
         pz += mz;
         // the impulses of a tick are reported along one normal: who has pressed in it keeps its own
-        double[] d = rows.row;
         int o = rows.base(rows.place[row]);
         int lanes = rows.lanes;
-        if (d[o + SUM * lanes] == 0) {
+        if (rows.get(o + SUM * lanes) == 0) {
             double inverse = 1 / Math.sqrt(px * px + py * py + pz * pz);
             px *= inverse;
             py *= inverse;
             pz *= inverse;
         } else {
-            px = d[o];
-            py = d[o + lanes];
-            pz = d[o + 2 * lanes];
+            px = rows.get(o);
+            py = rows.get(o + lanes);
+            pz = rows.get(o + 2 * lanes);
         }
         normal[3 * count] = px;
         normal[3 * count + 1] = py;
@@ -377,12 +383,13 @@ final class BallImpacts {
     private void aim(int n) {
         int row = rows.bouncer[pair[n]];
         int source = rows.source[row];
-        int place = rows.place[row];
-        int o = rows.base(place);
-        int lanes = rows.lanes;
-        double[] d = rows.row;
-        PrepareRow.addNormals(rows, bodies.warm, place, o, -1);
-        PrepareRow.addFriction(rows, bodies.warm, place, o, -1);
+        ConstraintRows look = window.open(rows, rows.place[row]);
+        int place = window.place();
+        int o = look.base(place);
+        int lanes = look.lanes;
+        double[] d = look.doubles;
+        PrepareRow.addNormals(look, bodies.warm, place, o, -1);
+        PrepareRow.addFriction(look, bodies.warm, place, o, -1);
         d[o + (POINT + IMPULSE) * lanes] = 0;
         for (int k = 0; k < 3; k++) {
             d[o + (LAMBDA + k) * lanes] = 0;
@@ -397,13 +404,13 @@ final class BallImpacts {
         double ra = store.innerRadius[contacts.bodyA[source]];
         double rb = store.innerRadius[contacts.bodyB[source]];
         contacts.setAnchors(p, ra * x, ra * y, ra * z, -rb * x, -rb * y, -rb * z);
-        PrepareRow.aim(rows, bodies, contacts, place, source);
+        PrepareRow.aim(look, bodies, contacts, place, source);
+        window.close(rows, rows.place[row]);
     }
 
     /** {@code v_i >= goal_i, l_i >= 0}, complementary: one pair at once, more by common steps. */
     private void solve() {
         double[] s = bodies.state;
-        double[] d = rows.row;
         int most = 1;
         for (int n = 0; n < count; n++) {
             int neighbours = 1;
@@ -424,7 +431,10 @@ final class BallImpacts {
                         normal[3 * n] * (s[j] - s[i])
                                 + normal[3 * n + 1] * (s[j + 1] - s[i + 1])
                                 + normal[3 * n + 2] * (s[j + 2] - s[i + 2]);
-                double w = most * (d[o + MASS_A * rows.lanes] + d[o + MASS_B * rows.lanes]);
+                double w =
+                        most
+                                * (rows.get(o + MASS_A * rows.lanes)
+                                        + rows.get(o + MASS_B * rows.lanes));
                 change[n] = Math.max(0, impulse[n] + (goal[n] - v) / w) - impulse[n];
                 impulse[n] += change[n];
                 largest = Math.max(largest, Math.abs(change[n]));
@@ -441,13 +451,12 @@ final class BallImpacts {
 
     private void push(int n, double l) {
         double[] s = bodies.state;
-        double[] d = rows.row;
         int place = rows.place[rows.bouncer[pair[n]]];
         int o = rows.base(place);
         int i = rows.link[place * LINK];
         int j = rows.link[place * LINK + 1];
-        double a = l * d[o + MASS_A * rows.lanes];
-        double b = l * d[o + MASS_B * rows.lanes];
+        double a = l * rows.get(o + MASS_A * rows.lanes);
+        double b = l * rows.get(o + MASS_B * rows.lanes);
         for (int c = 0; c < 3; c++) {
             double x = normal[3 * n + c];
             if (i != 0) {
@@ -461,14 +470,15 @@ final class BallImpacts {
 
     /** Friction of a pair, bounded by its impulse, and its totals. */
     private void rub(int n) {
-        int place = rows.place[rows.bouncer[pair[n]]];
-        int o = rows.base(place);
-        int lanes = rows.lanes;
-        double[] d = rows.row;
+        ConstraintRows look = window.open(rows, rows.place[rows.bouncer[pair[n]]]);
+        int place = window.place();
+        int o = look.base(place);
+        int lanes = look.lanes;
+        double[] d = look.doubles;
         d[o + SUM * lanes] += impulse[n];
         if (d[o + FRICTION * lanes] > 0) {
-            int i = rows.link[place * LINK];
-            int j = rows.link[place * LINK + 1];
+            int i = look.link[place * LINK];
+            int j = look.link[place * LINK + 1];
             d[o + (POINT + IMPULSE) * lanes] = impulse[n];
             ScalarFriction.rub(d, o, lanes, bodies.state, i, j, 1);
             for (int k = 0; k < 3; k++) {
@@ -477,5 +487,6 @@ final class BallImpacts {
             }
             d[o + (POINT + IMPULSE) * lanes] = 0;
         }
+        window.close(rows, rows.place[rows.bouncer[pair[n]]]);
     }
 }

@@ -115,7 +115,14 @@ final class ConstraintRows {
     /** Places in use, padding included. */
     int places;
 
-    double[] row = {};
+    /** The rows of a solver in double precision; else empty, and they are in {@link #floats}. */
+    double[] doubles = {};
+
+    float[] floats = {};
+
+    /** Whether the rows are floats. */
+    final boolean isSingle;
+
     int[] link = {};
 
     /** Largest number of points in a group. */
@@ -133,12 +140,27 @@ final class ConstraintRows {
     int[] bouncer = {};
 
     ConstraintRows(int lanes) {
-        this(lanes, lanes);
+        this(lanes, lanes, false);
     }
 
-    ConstraintRows(int lanes, int group) {
+    ConstraintRows(int lanes, int group, boolean isSingle) {
         this.lanes = lanes;
         this.group = group;
+        this.isSingle = isSingle;
+    }
+
+    /** A field of a row, for who reads a few. */
+    double get(int index) {
+        return isSingle ? floats[index] : doubles[index];
+    }
+
+    /** Changes a field of a row. */
+    void put(int index, double value) {
+        if (isSingle) {
+            floats[index] = (float) value;
+        } else {
+            doubles[index] = value;
+        }
     }
 
     /** Index of field 0 of the row at place {@code j}. */
@@ -165,7 +187,11 @@ final class ConstraintRows {
         if (wanted * LINK > link.length) {
             int n = Math.max(wanted, Math.max(64, unloaded.length + (unloaded.length >> 1)));
             n = (n + CHUNK - 1) / CHUNK * CHUNK;
-            row = new double[START + n * FIELDS];
+            if (isSingle) {
+                floats = new float[START + n * FIELDS];
+            } else {
+                doubles = new double[START + n * FIELDS];
+            }
             link = new int[n * LINK];
             unloaded = new byte[n];
             points = new int[n / lanes];

@@ -24,8 +24,13 @@ public final class ContactSolver {
     /** Contacts times ticks after which a smaller scene pays for the wide sweeps' warm-up. */
     private static final int WORTH_WIDE = 32_768;
 
+    /**
+     * A point rests while it moves slower than gravity makes a body fall in this share of a tick.
+     */
+    private static final double STILL = 0.125;
+
     private final Sweeps sweeps;
-    private final Sweeps narrow = new ScalarSweeps();
+    private final Sweeps narrow;
     private final Passes passes;
 
     /** By effort. */
@@ -50,9 +55,9 @@ public final class ContactSolver {
     private int contactTicks;
 
     /** The sweeps of this tick. */
-    private Sweeps chosen = narrow;
+    private Sweeps chosen;
 
-    private double[][] scratch = {};
+    private Scratch[] scratch = {};
 
     /**
      * A solver; one per world.
@@ -60,11 +65,13 @@ public final class ContactSolver {
      * @param settings the tunables
      */
     public ContactSolver(SolverSettings settings) {
-        this(settings, Lanes.sweeps(settings.lanes()));
+        this(settings, Lanes.sweeps(settings.lanes(), settings.single()));
     }
 
     ContactSolver(SolverSettings settings, Sweeps sweeps) {
         this.sweeps = sweeps;
+        narrow = RowSweeps.scalar(settings.single());
+        chosen = narrow;
         int lanes = sweeps.lanes();
         passes = new Passes(settings, lanes, lanes == 1 ? 1 : Math.max(lanes, settings.lanes()));
         paces = new SubStep[settings.effort() + 1];
@@ -199,7 +206,7 @@ public final class ContactSolver {
     /** The whole tick of a batch: its rows stay in the cache, and nobody waits. */
     private void batch(int block, int worker) {
         Passes p = passes;
-        double[] own = scratch[worker];
+        Scratch own = scratch[worker];
         int b = batches.lockstep[paces.length] + block;
         SubStep sub = paces[batches.effort[b]];
         int first = colouring.firstColour[b];
@@ -222,9 +229,9 @@ public final class ContactSolver {
             p.drift(sub, head, tail);
             if (renewed) {
                 p.keep(head, tail);
-                p.takeOut(start[first], start[last]);
+                p.takeOut(start[first], start[last], own);
                 p.renewBodies(head, tail);
-                p.renewRows(sub, k, start[first], start[last]);
+                p.renewRows(sub, k, start[first], start[last], own);
             }
             for (int c = first; c < last; c++) {
                 p.relax(sweeps(c), sub, start[c], start[c + 1], own);
@@ -259,9 +266,9 @@ public final class ContactSolver {
 
     private void ensureScratch(int workers) {
         if (scratch.length < workers) {
-            scratch = new double[workers][];
+            scratch = new Scratch[workers];
             for (int i = 0; i < workers; i++) {
-                scratch[i] = Scratch.create();
+                scratch[i] = new Scratch(rows.isSingle);
             }
         }
     }
@@ -285,6 +292,7 @@ public final class ContactSolver {
         }
         for (SubStep sub : paces) {
             sub.fillScale = passes.impulseScale / sub.keepScale;
+            sub.still = STILL * passes.weight() * stepSeconds;
         }
     }
 
@@ -317,7 +325,9 @@ public final class ContactSolver {
      * @return impulse on B, N s
      */
     double totalFriction(int row, int axis) {
+        RowWindow window = new RowWindow();
+        ConstraintRows one = window.open(rows, rows.place[row]);
         return StoreRow.tangent(
-                rows.row, rows.base(rows.place[row]), rows.lanes, ConstraintRows.TOTAL, axis);
+                one.doubles, one.base(window.place()), one.lanes, ConstraintRows.TOTAL, axis);
     }
 }

@@ -72,30 +72,30 @@ final class Glide {
     }
 
     /**
-     * End of a sub-step of a guided body: along the contact plane it moves by the mean of the
-     * velocities before and after, {@code x += h ((v0 + v1)/2 - v)} without its part along the
-     * normal. So a slide follows the parabola, and a body that friction holds does not move at all.
-     * A slide that friction ends within the sub-step ends at its own time t, {@code x += t v0/2}.
+     * End of a sub-step of a guided body, its row at {@code place}: along the contact plane it
+     * moves by the mean of the velocities before and after, {@code x += h ((v0 + v1)/2 - v)}
+     * without its part along the normal. So a slide follows the parabola, and a body that friction
+     * holds does not move at all. A slide that friction ends within the sub-step ends at its own
+     * time t, {@code x += t v0/2}.
      */
-    static void end(BodyStore b, SolverBodies s, int i, ConstraintRows rows, double h) {
+    static void end(BodyStore b, SolverBodies s, int i, ConstraintRows rows, int place, double h) {
         double[] v = s.state;
         int o = SolverBodies.offset(i);
-        int row = s.guide[i];
-        if (row < 0 || v[o + LOADED] == 0) {
+        if (v[o + LOADED] == 0) {
             return;
         }
         int g = STRIDE * i;
         double[] d = s.glide;
-        int r = rows.base(rows.place[row]);
-        double nx = rows.row[r];
-        double ny = rows.row[r + rows.lanes];
-        double nz = rows.row[r + 2 * rows.lanes];
-        double mean = 0.5 * h * stopping(s, i, rows, r);
+        int r = rows.base(place);
+        double nx = rows.doubles[r];
+        double ny = rows.doubles[r + rows.lanes];
+        double nz = rows.doubles[r + 2 * rows.lanes];
+        double mean = 0.5 * h * stopping(s, i, rows, place);
         double x = mean * (d[g] + v[o + V]) - h * d[g + 3];
         double y = mean * (d[g + 1] + v[o + V + 1]) - h * d[g + 4];
         double z = mean * (d[g + 2] + v[o + V + 2]) - h * d[g + 5];
         double n = x * nx + y * ny + z * nz;
-        n += rock(b, s, i, rows, r, h);
+        n += rock(b, s, i, rows, place, h);
         v[o + P] += x - n * nx;
         v[o + P + 1] += y - n * ny;
         v[o + P + 2] += z - n * nz;
@@ -106,7 +106,7 @@ final class Glide {
      * body, after free rotation. Returns by how much that lowers the points that press.
      */
     private static double rock(
-            BodyStore b, SolverBodies s, int i, ConstraintRows rows, int r, double h) {
+            BodyStore b, SolverBodies s, int i, ConstraintRows rows, int place, double h) {
         double[] d = s.glide;
         int g = STRIDE * i;
         int o = SolverBodies.offset(i);
@@ -128,7 +128,7 @@ final class Glide {
                     root[k + 9 + c] * (root[k + c] * x + root[k + 3 + c] * y + root[k + 6 + c] * z);
             v[o + P + 3 + c] += w[g + c];
         }
-        int place = rows.place[s.guide[i]];
+        int r = rows.base(place);
         int arm =
                 rows.link[place * ConstraintRows.LINK] == o
                         ? ConstraintRows.ARM_A
@@ -137,9 +137,9 @@ final class Glide {
         double low = 0;
         for (int p = 0; p < rows.points(place); p++) {
             int q = r + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * rows.lanes;
-            double l = rows.row[q + ConstraintRows.IMPULSE * rows.lanes];
+            double l = rows.doubles[q + ConstraintRows.IMPULSE * rows.lanes];
             sum += l;
-            low += l * ScalarNormals.dot(rows.row, q + arm * rows.lanes, rows.lanes, w, g);
+            low += l * ScalarNormals.dot(rows.doubles, q + arm * rows.lanes, rows.lanes, w, g);
         }
         return sum > 0 ? low / sum : 0;
     }
@@ -150,9 +150,10 @@ final class Glide {
      * {@code L} that friction could give, {@code v0 + h a = l/m} and {@code v0 + t a = t/h L/m}, so
      * {@code t/h = v0/(v0 + (L - l)/m)}.
      */
-    private static double stopping(SolverBodies s, int i, ConstraintRows rows, int r) {
+    private static double stopping(SolverBodies s, int i, ConstraintRows rows, int place) {
+        int r = rows.base(place);
         double[] v = s.state;
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         int lanes = rows.lanes;
         int o = SolverBodies.offset(i);
         int t1 = r + ConstraintRows.TANGENT1 * lanes;
@@ -169,7 +170,7 @@ final class Glide {
         double l1 = d[r + ConstraintRows.LAMBDA * lanes];
         double l2 = d[r + (ConstraintRows.LAMBDA + 1) * lanes];
         double taken = Math.abs(l1 * b1 + l2 * b2) / speed;
-        int points = rows.points(rows.place[s.guide[i]]);
+        int points = rows.points(place);
         double limit =
                 d[r + ConstraintRows.FRICTION * lanes] * ScalarNormals.sum(d, r, lanes, points);
         double left = (limit - taken) * v[o + MASS];

@@ -52,8 +52,13 @@ final class Impacts {
      */
     private static final double FLUSH = 0.005;
 
-    /** Share of a gap that is rounding. */
-    private static final double SOON = 1e-9;
+    /**
+     * Share of a gap that is rounding, by precision: what the contact solver would take for a
+     * contact must be an impact here.
+     */
+    static final double SOON = 1e-9;
+
+    static final double SOON_SINGLE = 1e-6;
 
     private final double[] acceleration = new double[6];
     private final BallImpacts balls = new BallImpacts(this);
@@ -67,8 +72,12 @@ final class Impacts {
     /** The wanted speeds after the impact; NaN for points that do not touch then. */
     private final double[] goal = new double[ContactStore.POINTS];
 
-    // the contact in work
+    private double soon;
+    private final RowWindow window = new RowWindow();
     private ConstraintRows rows = new ConstraintRows(1);
+
+    // the contact in work
+    private ConstraintRows look = rows;
     private SolverBodies bodies = new SolverBodies();
     private BodyStore store = new BodyStore();
     private double[] d = {};
@@ -96,9 +105,8 @@ final class Impacts {
         rows = constraintRows;
         bodies = solverBodies;
         store = bodyStore;
-        d = rows.row;
         body = bodies.state;
-        lanes = rows.lanes;
+        soon = rows.isSingle ? SOON_SINGLE : SOON;
         balls.begin(constraintRows, solverBodies, bodyStore, contacts, g, h, threshold);
         if (since.length < bodyStore.slotCount) {
             since = new double[bodyStore.kind.length];
@@ -116,7 +124,11 @@ final class Impacts {
                     again |= balls.visit(k);
                 } else {
                     open(row);
-                    again |= impact(contacts.restitution[rows.source[row]], g, h, threshold);
+                    boolean met = impact(contacts.restitution[rows.source[row]], g, h, threshold);
+                    if (met) {
+                        window.close(rows, rows.place[row]);
+                    }
+                    again |= met;
                 }
             }
             any |= again;
@@ -125,11 +137,14 @@ final class Impacts {
     }
 
     private void open(int row) {
-        place = rows.place[row];
-        o = rows.base(place);
-        a = rows.link[place * LINK];
-        b = rows.link[place * LINK + 1];
-        points = rows.link[place * LINK + COUNT];
+        look = window.open(rows, rows.place[row]);
+        place = window.place();
+        d = look.doubles;
+        lanes = look.lanes;
+        o = look.base(place);
+        a = look.link[place * LINK];
+        b = look.link[place * LINK + 1];
+        points = look.link[place * LINK + COUNT];
     }
 
     private int point(int p) {
@@ -159,7 +174,7 @@ final class Impacts {
             double now = gap(p);
             double at = now + time * (v + 0.5 * time * an);
             goal[p] =
-                    at <= flush + SOON * now
+                    at <= flush + soon * now
                             ? Math.max(0, -restitution * (v + time * an))
                             : Double.NaN;
         }
@@ -175,14 +190,14 @@ final class Impacts {
      * itself; what it would stop is an impact of this sub-step, though the root may lie a little
      * beyond its end.
      */
-    private static double timeOfImpact(double s, double v, double a, double h, double threshold) {
+    private double timeOfImpact(double s, double v, double a, double h, double threshold) {
         if (v >= 0) {
             return Double.POSITIVE_INFINITY;
         }
         if (s <= 0) {
             return v < -threshold ? 0 : Double.POSITIVE_INFINITY;
         }
-        if (s + h * (v + h * a) > SOON * s) {
+        if (s + h * (v + h * a) > soon * s) {
             return Double.POSITIVE_INFINITY;
         }
         double square = v * v - 2 * a * s;
@@ -216,8 +231,8 @@ final class Impacts {
     private void strike(double time, double early) {
         System.arraycopy(body, a, before, 0, 6);
         System.arraycopy(body, b, before, 6, 6);
-        PrepareRow.addNormals(rows, bodies.warm, place, o, -1);
-        PrepareRow.addFriction(rows, bodies.warm, place, o, -1);
+        PrepareRow.addNormals(look, bodies.warm, place, o, -1);
+        PrepareRow.addFriction(look, bodies.warm, place, o, -1);
         for (int p = 0; p < points; p++) {
             d[point(p) + IMPULSE * lanes] = 0;
         }

@@ -22,7 +22,7 @@ import java.lang.invoke.MethodHandles;
  * scalar copies do it.
  */
 final class LaneBodies implements LaneKernels.Bodies {
-    private static final VectorSpecies<Double> S = species();
+    private static final VectorSpecies<Double> S = LaneSpecies.doubles(MethodHandles.lookup());
     private static final int L = S.length();
     private static final VectorShuffle<Double> SWAP_1 = VectorShuffle.fromOp(S, i -> i ^ 1);
     private static final VectorShuffle<Double> SWAP_2 = VectorShuffle.fromOp(S, i -> i ^ 2);
@@ -32,17 +32,9 @@ final class LaneBodies implements LaneKernels.Bodies {
     private static final VectorMask<Double> ODD_2 = VectorMask.fromLong(S, 0xcc);
     private static final VectorMask<Double> ODD_4 = VectorMask.fromLong(S, 0xf0);
 
-    private static VectorSpecies<Double> species() {
-        try {
-            int lanes = MethodHandles.classData(MethodHandles.lookup(), "_", Integer.class);
-            return lanes == 4 ? DoubleVector.SPECIES_256 : DoubleVector.SPECIES_512;
-        } catch (IllegalAccessException refused) {
-            throw new ExceptionInInitializerError(refused);
-        }
-    }
-
     @Override
-    public void gather(double[] body, int[] link, int from, int to, double[] st) {
+    public void gather(SolverBodies bodies, int[] link, int from, int to, double[] st) {
+        double[] body = bodies.state;
         if (L == 8) {
             for (int j = from; j < to; j += L) {
                 read(body, link, j * LINK, 0, st, VA + j - from);
@@ -57,7 +49,8 @@ final class LaneBodies implements LaneKernels.Bodies {
     }
 
     @Override
-    public void gatherMovement(double[] body, int[] link, int from, int to, double[] st) {
+    public void gatherMovement(SolverBodies bodies, int[] link, int from, int to, double[] st) {
+        double[] body = bodies.state;
         if (L == 8) {
             for (int j = from; j < to; j += L) {
                 readSix(body, link, j * LINK, P, st, PA + j - from);
@@ -72,7 +65,8 @@ final class LaneBodies implements LaneKernels.Bodies {
     }
 
     @Override
-    public void scatter(double[] body, int[] link, int from, int to, double[] st) {
+    public void scatter(SolverBodies bodies, int[] link, int from, int to, double[] st) {
+        double[] body = bodies.state;
         if (L == 8) {
             for (int j = from; j < to; j += L) {
                 write(body, link, j * LINK, st, VA + j - from);

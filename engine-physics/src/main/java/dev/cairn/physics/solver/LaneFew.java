@@ -21,7 +21,7 @@ import java.lang.invoke.MethodHandles;
  * operation.
  */
 final class LaneFew implements LaneKernels.Points {
-    private static final VectorSpecies<Double> S = species();
+    private static final VectorSpecies<Double> S = LaneSpecies.doubles(MethodHandles.lookup());
     private static final int L = S.length();
 
     // the pack of a group, see Scratch
@@ -32,15 +32,6 @@ final class LaneFew implements LaneKernels.Points {
     private static final int COUPLING = Scratch.COUPLING_PACKED * L;
     private static final int OWN = Scratch.OWN_PACKED * L;
     private static final int FIRST = Scratch.FIRST_PACKED * L;
-
-    private static VectorSpecies<Double> species() {
-        try {
-            int lanes = MethodHandles.classData(MethodHandles.lookup(), "_", Integer.class);
-            return lanes == 4 ? DoubleVector.SPECIES_256 : DoubleVector.SPECIES_512;
-        } catch (IllegalAccessException refused) {
-            throw new ExceptionInInitializerError(refused);
-        }
-    }
 
     @Override
     public boolean sweep(

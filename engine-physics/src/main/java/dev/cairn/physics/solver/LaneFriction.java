@@ -31,7 +31,7 @@ import java.lang.invoke.MethodHandles;
 
 /** Friction in lanes: the arithmetic of {@link ScalarFriction}, operation by operation. */
 final class LaneFriction implements LaneKernels.Friction {
-    private static final VectorSpecies<Double> S = species();
+    private static final VectorSpecies<Double> S = LaneSpecies.doubles(MethodHandles.lookup());
     private static final int L = S.length();
 
     /**
@@ -53,19 +53,10 @@ final class LaneFriction implements LaneKernels.Friction {
     private static final int TWISTED = SLIDE + 8 * L;
     private static final int WANTED = SLIDE + 9 * L;
 
-    private static VectorSpecies<Double> species() {
-        try {
-            int lanes = MethodHandles.classData(MethodHandles.lookup(), "_", Integer.class);
-            return lanes == 4 ? DoubleVector.SPECIES_256 : DoubleVector.SPECIES_512;
-        } catch (IllegalAccessException refused) {
-            throw new ExceptionInInitializerError(refused);
-        }
-    }
-
     @Override
     public boolean rub(ConstraintRows rows, int from, int to, double[] st, int g, int marks) {
         boolean again = false;
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         for (int j = from; j < to; j += L, g += L) {
             int points = rows.points[j / L];
             int o = START + j * FIELDS;
@@ -249,13 +240,8 @@ final class LaneFriction implements LaneKernels.Friction {
                 .intoArray(st, SPIN_SHARE);
         var l2 = limit.mul(limit);
         var b2 = bound.mul(bound);
-        return size.compare(VectorOperators.GT, l2)
-                .or(square.compare(VectorOperators.GT, b2))
-                .or(
-                        size.mul(b2)
-                                .mul(9.0)
-                                .add(square.mul(l2).mul(16.0))
-                                .compare(VectorOperators.GT, l2.mul(b2).mul(9.0)))
+        return size.compare(VectorOperators.GT, l2.mul(Rub.SURE_SLIDE))
+                .or(square.compare(VectorOperators.GT, b2.mul(Rub.SURE_SPIN)))
                 // a lane that nothing presses gives nothing, however it slides
                 .and(limit.compare(VectorOperators.GT, 0.0))
                 .anyTrue();
@@ -337,10 +323,9 @@ final class LaneFriction implements LaneKernels.Friction {
                         .mul(0.5);
         var inertia = DoubleVector.fromArray(S, d, o + TWIST_MASS * L);
         var reach = bound.div(limit);
-        var r2 = reach.mul(reach).mul(Rub.REACH);
-        var e =
-                slide.mul(inertia.mul(inertia))
-                        .div(spin.mul(r2.mul(mass.mul(mass))).add(Double.MIN_NORMAL));
+        var radius = reach.mul(Rub.RADIUS);
+        var q = inertia.div(mass.mul(reach).add(Rub.LEAST));
+        var e = slide.mul(q.mul(q)).div(spin.mul(Rub.REACH).add(Rub.LEAST));
         var one = DoubleVector.broadcast(S, 1.0);
         var inner = e.mul(e.mul(e.mul(e).mul(Rub.EIGHTH).add(Rub.FOURTH)).add(1.0)).add(1.0);
         var share =
@@ -348,19 +333,22 @@ final class LaneFriction implements LaneKernels.Friction {
                         e.mul(Rub.FAST)
                                 .sub(Rub.LESS)
                                 .blend(inner, e.compare(VectorOperators.LT, Rub.TURNING)));
-        var whole = share.mul(Rub.NEAR).add(Rub.FAR).mul(r2).mul(limit);
-        var across = share.mul(Rub.CLOSE).add(Rub.FAR).mul(r2).mul(spin);
+        var whole = share.mul(Rub.NEAR).add(Rub.FAR).mul(radius.mul(radius)).mul(limit);
+        var across = share.mul(Rub.CLOSE).add(Rub.FAR).mul(spin).sqrt().mul(radius);
+        var slides = slide.sqrt();
         var give = DoubleVector.zero(S);
         for (int i = 0; i < Rub.STEPS; i++) {
             var u = mass.mul(give).add(limit);
             var w = inertia.mul(give).add(whole).add(Rub.LEAST);
-            var p = slide.div(u.mul(u));
-            var q = across.div(w.mul(w));
-            var h = p.add(q);
+            var p = slides.div(u);
+            var t = across.div(w);
+            p = p.mul(p);
+            t = t.mul(t);
+            var h = p.add(t);
             give =
                     give.add(
                                     h.mul(h.sqrt().sub(1.0))
-                                            .div(p.mul(mass).div(u).add(q.mul(inertia).div(w))))
+                                            .div(p.mul(mass).div(u).add(t.mul(inertia).div(w))))
                             .max(0.0);
         }
         var l2 = limit.mul(limit);
@@ -369,10 +357,10 @@ final class LaneFriction implements LaneKernels.Friction {
                 slide.compare(VectorOperators.LE, l2)
                         .and(spin.compare(VectorOperators.LE, b2))
                         .and(
-                                slide.mul(b2)
+                                slide.mul(reach.mul(reach))
                                         .mul(9.0)
-                                        .add(spin.mul(l2).mul(16.0))
-                                        .compare(VectorOperators.LE, l2.mul(b2).mul(9.0)));
+                                        .add(spin.mul(16.0))
+                                        .compare(VectorOperators.LE, b2.mul(9.0)));
         var rubs = limit.compare(VectorOperators.GT, 0.0);
         limit.div(mass.mul(give).add(limit))
                 .blend(1.0, holds)
@@ -386,7 +374,7 @@ final class LaneFriction implements LaneKernels.Friction {
 
     @Override
     public void total(ConstraintRows rows, int from, int to, double[] st, int g) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         for (int j = from; j < to; j += L, g += L) {
             int points = rows.points[j / L];
             int o = START + j * FIELDS;

@@ -12,13 +12,13 @@ final class LaneKernels {
     /** Copies the bodies of a chunk of rows to scratch, one row to a lane, and back. */
     interface Bodies {
         /** The first 8 numbers of A and B of the rows from {@code from} to {@code to}. */
-        void gather(double[] body, int[] link, int from, int to, double[] scratch);
+        void gather(SolverBodies bodies, int[] link, int from, int to, double[] scratch);
 
         /** Their movements. */
-        void gatherMovement(double[] body, int[] link, int from, int to, double[] scratch);
+        void gatherMovement(SolverBodies bodies, int[] link, int from, int to, double[] scratch);
 
         /** Writes what {@link #gather} has read, except to what does not move. */
-        void scatter(double[] body, int[] link, int from, int to, double[] scratch);
+        void scatter(SolverBodies bodies, int[] link, int from, int to, double[] scratch);
     }
 
     /** Normal impulses. */

@@ -32,25 +32,16 @@ import java.lang.invoke.MethodHandles;
  * ScalarNormals}, operation by operation.
  */
 final class LaneNormals implements LaneKernels.Normals {
-    private static final VectorSpecies<Double> S = species();
+    private static final VectorSpecies<Double> S = LaneSpecies.doubles(MethodHandles.lookup());
     private static final int L = S.length();
 
     // the pack of a group, see Scratch
     private static final int GAIN = Scratch.GAIN_PACKED * L;
     private static final int GOAL = Scratch.GOAL_PACKED * L;
 
-    private static VectorSpecies<Double> species() {
-        try {
-            int lanes = MethodHandles.classData(MethodHandles.lookup(), "_", Integer.class);
-            return lanes == 4 ? DoubleVector.SPECIES_256 : DoubleVector.SPECIES_512;
-        } catch (IllegalAccessException refused) {
-            throw new ExceptionInInitializerError(refused);
-        }
-    }
-
     @Override
     public void begin(ConstraintRows rows, int from, int to, double[] st, int g) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         for (int j = from; j < to; j += L, g += L) {
             int points = rows.points[j / L];
             int o = START + j * FIELDS;
@@ -72,7 +63,11 @@ final class LaneNormals implements LaneKernels.Normals {
             ConstraintRows rows, int from, int to, double[] st, int g, SubStep sub, int marks) {
         double inverse = sub.inverse;
         double push = -sub.pushSpeed;
-        double[] d = rows.row;
+        double freeRate = sub.rate;
+        double fixedRate = sub.fixedRate;
+        double freeScale = sub.massScale;
+        double fixedScale = sub.fixedMassScale;
+        double[] d = rows.doubles;
         for (int j = from; j < to; j += L, g += L) {
             int points = rows.points[j / L];
             int o = START + j * FIELDS;
@@ -80,8 +75,8 @@ final class LaneNormals implements LaneKernels.Normals {
             var ma = DoubleVector.fromArray(S, st, VA + 7 * LINE + g);
             var mb = DoubleVector.fromArray(S, st, VB + 7 * LINE + g);
             var fixed = ma.compare(VectorOperators.EQ, 0.0).or(mb.compare(VectorOperators.EQ, 0.0));
-            var rate = DoubleVector.broadcast(S, sub.rate).blend(sub.fixedRate, fixed);
-            var scale = DoubleVector.broadcast(S, sub.massScale).blend(sub.fixedMassScale, fixed);
+            var rate = DoubleVector.broadcast(S, freeRate).blend(fixedRate, fixed);
+            var scale = DoubleVector.broadcast(S, freeScale).blend(fixedScale, fixed);
             var rests = DoubleVector.fromArray(S, st, marks + g).compare(VectorOperators.EQ, 0.0);
             for (int p = 0; p < points; p++) {
                 int q = o + (POINT + p * POINT_FIELDS) * L;
@@ -102,7 +97,7 @@ final class LaneNormals implements LaneKernels.Normals {
     @Override
     public void harden(
             ConstraintRows rows, int from, int to, double[] st, int g, double inverse, int marks) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         for (int j = from; j < to; j += L, g += L) {
             int points = rows.points[j / L];
             int o = START + j * FIELDS;
@@ -125,7 +120,7 @@ final class LaneNormals implements LaneKernels.Normals {
     @Override
     public boolean separate(ConstraintRows rows, int from, int to, double[] st, int g) {
         boolean any = false;
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         for (int j = from; j < to; j += L, g += L) {
             int points = rows.points[j / L];
             int o = START + j * FIELDS;
@@ -191,7 +186,7 @@ final class LaneNormals implements LaneKernels.Normals {
 
     @Override
     public void load(ConstraintRows rows, int from, int to, double[] st, int g) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         for (int j = from; j < to; j += L, g += L) {
             int points = rows.points[j / L];
             int o = START + j * FIELDS;

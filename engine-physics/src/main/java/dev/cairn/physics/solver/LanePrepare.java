@@ -42,7 +42,7 @@ import java.lang.invoke.MethodHandles;
  * LaneSweeps}; kernels work from array to array for the same reason.
  */
 final class LanePrepare implements RowFiller {
-    private static final VectorSpecies<Double> S = species();
+    private static final VectorSpecies<Double> S = LaneSpecies.doubles(MethodHandles.lookup());
     private static final int L = S.length();
 
     /** Staging, in fields of a group: normal, inverse masses, then these. */
@@ -82,60 +82,52 @@ final class LanePrepare implements RowFiller {
     /** What came of the look ahead: nobody reads it. */
     private static final int TOUCHED = 99;
 
-    private static VectorSpecies<Double> species() {
-        try {
-            int lanes = MethodHandles.classData(MethodHandles.lookup(), "_", Integer.class);
-            return lanes == 4 ? DoubleVector.SPECIES_256 : DoubleVector.SPECIES_512;
-        } catch (IllegalAccessException refused) {
-            throw new ExceptionInInitializerError(refused);
-        }
-    }
-
     @Override
     public void fill(
             ConstraintRows rows,
             SolverBodies bodies,
             ContactStore contacts,
             SubStep sub,
-            double scale,
             int from,
             int to,
-            double[] scratch) {
-        double[] d = rows.row;
+            Scratch scratch) {
+        double[] st = scratch.doubles;
+        double scale = sub.fillScale;
+        double[] d = rows.doubles;
         for (int j = from; j < to; j += L) {
             int o = START + j * FIELDS;
             if (j + L < to) {
-                scratch[TOUCHED * L] =
-                        Touch.contacts(rows, contacts, j + L, j + 2 * L)
-                                + Touch.rows(rows, j + L, j + 2 * L);
+                st[TOUCHED * L] = /*(float)*/
+                        (Touch.contacts(rows, contacts, j + L, j + 2 * L)
+                                + Touch.rows(rows, j + L, j + 2 * L));
             }
             int n = 0;
             boolean rough = false;
             for (int l = 0; l < L; l++) {
                 int count = rows.link[(j + l) * LINK + COUNT];
                 if (count == 0) {
-                    pad(scratch, l);
+                    pad(st, l);
                     continue;
                 }
                 int source = rows.link[(j + l) * LINK + SOURCE];
                 n = Math.max(n, count);
                 rough |= contacts.friction(source) > 0;
-                stage(rows, bodies, contacts, sub, j + l, source, scratch, l);
+                stage(rows, bodies, contacts, sub, j + l, source, st, l);
             }
             n = n == 3 ? 4 : n; // the kernels sweep one, two or four points
             rows.points[j / L] = n;
             rows.rough[j / L] = rough;
-            basis(d, o, scratch);
-            points(d, o, scratch, n, scale);
+            basis(d, o, st);
+            points(d, o, st, n, scale);
             if (rough) {
-                centre(d, o, scratch, n);
-                block(d, o, scratch);
-                warm(d, o, scratch, scale);
+                centre(d, o, st, n);
+                block(d, o, st);
+                warm(d, o, st, scale);
             } else {
                 clear(d, o, REACH, REACH + 4);
                 clear(d, o, BLOCK, TOTAL + 3);
             }
-            scatter(rows, bodies, j, scratch);
+            scatter(rows, bodies, j, st);
         }
     }
 
@@ -182,7 +174,10 @@ final class LanePrepare implements RowFiller {
             boolean there = i < c.pointCount[source];
             int p = there ? first + i : first;
             int q = (STAGED + i * STAGED_FIELDS) * L + l;
-            copy(c.anchors, ContactStore.anchor(p), ContactStore.ANCHORS, st, q);
+            int at = ContactStore.anchor(p);
+            for (int k = 0; k < ContactStore.ANCHORS; k++) {
+                st[q + k * L] = c.anchors[at + k];
+            }
             st[q + 6 * L] = there ? c.separation[p] : 0;
             st[q + 7 * L] = there ? c.normalImpulse[p] : 0;
             st[q + 8 * L] = there && !unloaded ? c.preload[p] : 0;

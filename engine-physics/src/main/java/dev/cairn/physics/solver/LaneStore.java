@@ -33,11 +33,12 @@ import java.lang.invoke.MethodHandles;
 
 /**
  * Empties constraint rows with one row to a lane: the arithmetic of {@link StoreRow} and {@link
- * Offsets}, operation by operation. The bodies of the chunk are in scratch, see {@link
- * LaneKernels.Bodies#gather}. Made once for each number of lanes, like {@link LanePrepare}.
+ * Offsets}, operation by operation. Made once for each number of lanes, like {@link LanePrepare}.
  */
 final class LaneStore implements RowStore {
-    private static final VectorSpecies<Double> S = species();
+    private final LaneKernels.Bodies gathers;
+
+    private static final VectorSpecies<Double> S = LaneSpecies.doubles(MethodHandles.lookup());
     private static final int L = S.length();
 
     /** In scratch, of the group in work: separations of the points, then their preloads. */
@@ -56,27 +57,26 @@ final class LaneStore implements RowStore {
     /** Speeds along the tangents. */
     private static final int SLIPS = PACKED + 14 * L;
 
-    private static VectorSpecies<Double> species() {
-        try {
-            int lanes = MethodHandles.classData(MethodHandles.lookup(), "_", Integer.class);
-            return lanes == 4 ? DoubleVector.SPECIES_256 : DoubleVector.SPECIES_512;
-        } catch (IllegalAccessException refused) {
-            throw new ExceptionInInitializerError(refused);
-        }
+    LaneStore(LaneKernels.Bodies bodies) {
+        gathers = bodies;
     }
 
     @Override
     public void store(
             ConstraintRows rows,
-            double[] body,
+            SolverBodies bodies,
             ContactStore contacts,
             SubStep sub,
-            double gain,
-            double still,
             int from,
             int to,
-            double[] st) {
-        double[] d = rows.row;
+            Scratch scratch) {
+        double[] d = rows.doubles;
+        double[] st = scratch.doubles;
+        double gain = sub.offsetGain;
+        double still = sub.still;
+        if (gain > 0) {
+            gathers.gather(bodies, rows.link, from, to, st);
+        }
         for (int j = from, g = 0; j < to; j += L, g += L) {
             int points = rows.points[j / L];
             int o = START + j * FIELDS;
@@ -256,7 +256,7 @@ final class LaneStore implements RowStore {
             int l,
             double scale,
             boolean knows) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         int source = rows.link[j * LINK + SOURCE];
         c.setFrictionImpulse(
                 source, st[RUBS + l], st[RUBS + L + l], st[RUBS + 2 * L + l], st[RUBS + 3 * L + l]);

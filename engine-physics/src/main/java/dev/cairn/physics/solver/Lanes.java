@@ -19,7 +19,8 @@ final class Lanes {
     /** Doubles of the largest vector. */
     private static final int LARGEST = 8;
 
-    private static final @Nullable WideSweeps[] MADE = new WideSweeps[LARGEST + 1];
+    /** By lanes, those in double, then those in single precision. */
+    private static final @Nullable WideSweeps[] MADE = new WideSweeps[2 * (LARGEST + 1)];
 
     private Lanes() {}
 
@@ -27,11 +28,12 @@ final class Lanes {
      * Sweeps of {@code lanes} rows at once.
      *
      * @param lanes 1 (scalar), 4, 8 or 16: as asked for, ready to use, 16 as two vectors of 8; or 0
-     *     for as many doubles as this machine's vectors hold, for use when they are warm
+     *     for as many numbers as this machine's vectors hold, for use when they are warm
+     * @param isSingle whether the numbers are floats
      */
-    static Sweeps sweeps(int lanes) {
+    static Sweeps sweeps(int lanes, boolean isSingle) {
         if (lanes == 1) {
-            return new ScalarSweeps();
+            return RowSweeps.scalar(isSingle);
         }
         if (ModuleLayer.boot().findModule(MODULE).isEmpty()) {
             if (TOLD.compareAndSet(false, true)) {
@@ -44,13 +46,13 @@ final class Lanes {
                                 + MODULE
                                 + " to its options; the results are the same.");
             }
-            return new ScalarSweeps();
+            return RowSweeps.scalar(isSingle);
         }
-        int wanted = Math.min(LARGEST, lanes == 0 ? Preferred.lanes() : lanes);
+        int wanted = Math.min(LARGEST, lanes == 0 ? Preferred.lanes(isSingle) : lanes);
         if (wanted < 4) { // two lanes are slower than scalar code
-            return new ScalarSweeps();
+            return RowSweeps.scalar(isSingle);
         }
-        WideSweeps sweeps = wide(wanted);
+        WideSweeps sweeps = wide(wanted, isSingle);
         if (lanes != 0) {
             sweeps.finish();
         }
@@ -58,32 +60,63 @@ final class Lanes {
     }
 
     /** A class of its own for each number, so that its species is a constant to the compiler. */
-    private static synchronized WideSweeps wide(int lanes) {
-        WideSweeps known = MADE[lanes];
-        if (known != null) {
-            return known;
+    private static synchronized WideSweeps wide(int lanes, boolean isSingle) {
+        int known = isSingle ? LARGEST + 1 + lanes : lanes;
+        WideSweeps made = MADE[known];
+        if (made == null) {
+            try {
+                made = new WideSweeps(isSingle ? inSingle(lanes) : inDouble(lanes), isSingle);
+            } catch (IOException | ReflectiveOperationException failed) {
+                throw new IllegalStateException(
+                        "the wide sweeps could not be made for " + lanes + " lanes", failed);
+            }
+            MADE[known] = made;
         }
-        try {
-            WideSweeps made =
-                    new WideSweeps(
-                            new LaneSweeps(
-                                    lanes,
-                                    (RowFiller) make("LanePrepare", lanes),
-                                    (LaneKernels.Bodies) make("LaneBodies", lanes),
-                                    (LaneKernels.Normals) make("LaneNormals", lanes),
-                                    (LaneKernels.Points) make("LaneFour", lanes),
-                                    (LaneKernels.Points) make("LaneFew", lanes),
-                                    (LaneKernels.Friction) make("LaneFriction", lanes),
-                                    (RowStore) make("LaneStore", lanes)));
-            MADE[lanes] = made;
-            return made;
-        } catch (IOException | ReflectiveOperationException failed) {
-            throw new IllegalStateException(
-                    "the wide sweeps could not be made for " + lanes + " lanes", failed);
-        }
+        return made;
+    }
+
+    private static Sweeps inDouble(int lanes) throws IOException, ReflectiveOperationException {
+        LaneKernels.Bodies bodies = (LaneKernels.Bodies) make("LaneBodies", lanes);
+        return new RowSweeps(
+                lanes,
+                (RowFiller) make("LanePrepare", lanes),
+                new LaneSweep(
+                        lanes,
+                        bodies,
+                        (LaneKernels.Normals) make("LaneNormals", lanes),
+                        (LaneKernels.Points) make("LaneFour", lanes),
+                        (LaneKernels.Points) make("LaneFew", lanes),
+                        (LaneKernels.Friction) make("LaneFriction", lanes)),
+                (RowStore) make("LaneStore", lanes, LaneKernels.Bodies.class, bodies));
+    }
+
+    private static Sweeps inSingle(int lanes) throws IOException, ReflectiveOperationException {
+        SingleLaneKernels.Bodies bodies =
+                (SingleLaneKernels.Bodies) make("SingleLaneBodies", lanes);
+        return new RowSweeps(
+                lanes,
+                (RowFiller) make("SingleLanePrepare", lanes),
+                new SingleLaneSweep(
+                        lanes,
+                        bodies,
+                        (SingleLaneKernels.Normals) make("SingleLaneNormals", lanes),
+                        (SingleLaneKernels.Points) make("SingleLaneFour", lanes),
+                        (SingleLaneKernels.Points) make("SingleLaneFew", lanes),
+                        (SingleLaneKernels.Friction) make("SingleLaneFriction", lanes)),
+                (RowStore) make("SingleLaneStore", lanes, SingleLaneKernels.Bodies.class, bodies));
     }
 
     private static Object make(String name, int lanes)
+            throws IOException, ReflectiveOperationException {
+        return define(name, lanes).getDeclaredConstructor().newInstance();
+    }
+
+    private static <T> Object make(String name, int lanes, Class<T> type, T argument)
+            throws IOException, ReflectiveOperationException {
+        return define(name, lanes).getDeclaredConstructor(type).newInstance(argument);
+    }
+
+    private static Class<?> define(String name, int lanes)
             throws IOException, ReflectiveOperationException {
         try (InputStream in = Lanes.class.getResourceAsStream(name + ".class")) {
             if (in == null) {
@@ -91,14 +124,16 @@ final class Lanes {
             }
             Lookup lookup = MethodHandles.lookup();
             Lookup hidden = lookup.defineHiddenClassWithClassData(in.readAllBytes(), lanes, true);
-            return hidden.lookupClass().getDeclaredConstructor().newInstance();
+            return hidden.lookupClass();
         }
     }
 
     /** Apart, so that the Vector API is linked only when it is there. */
     private static final class Preferred {
-        static int lanes() {
-            return jdk.incubator.vector.DoubleVector.SPECIES_PREFERRED.length();
+        static int lanes(boolean isSingle) {
+            return isSingle
+                    ? jdk.incubator.vector.FloatVector.SPECIES_PREFERRED.length()
+                    : jdk.incubator.vector.DoubleVector.SPECIES_PREFERRED.length();
         }
     }
 }

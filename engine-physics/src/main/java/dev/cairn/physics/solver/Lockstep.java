@@ -49,7 +49,7 @@ final class Lockstep {
     private final BlockJob storeRows = this::storeRows;
 
     private Sweeps chosen;
-    private double[][] scratch = {};
+    private Scratch[] scratch = {};
     private boolean renews;
     private boolean unloaded;
     private int domains;
@@ -92,7 +92,7 @@ final class Lockstep {
             SubStep pace,
             Sweeps chosen,
             boolean unloaded,
-            double[][] scratch,
+            Scratch[] scratch,
             Jobs jobs) {
         this.pace = pace;
         this.chosen = chosen;
@@ -146,7 +146,7 @@ final class Lockstep {
                         p.gravity,
                         pace.seconds,
                         p.settings.restitutionThreshold())) {
-            ScalarSweeps.separations(p.rows, p.body.state);
+            p.separate(batches.firstBody[base], batches.firstBody[base + 1 + domains]);
         }
         ContactSolver.run(kick, bodyBlocks, jobs);
         if (unloaded && substep == 0) {
@@ -180,7 +180,7 @@ final class Lockstep {
             return;
         }
         Passes p = passes;
-        double[] own = scratch[worker];
+        Scratch own = scratch[worker];
         // to and fro: the domains of the end of the last pass are still in the third cache
         int domain = substep % 2 == 0 ? block : domains - 1 - block;
         int b = base + 1 + domain;
@@ -312,11 +312,11 @@ final class Lockstep {
     }
 
     private void takeOut(int block, int worker) {
-        passes.takeOut(rowsFrom(block), rowsTo(block));
+        passes.takeOut(rowsFrom(block), rowsTo(block), scratch[worker]);
     }
 
     private void takeOutWithin(int block, int worker) {
-        passes.takeOut(firstPlace(block), firstPlace(block + 1));
+        passes.takeOut(firstPlace(block), firstPlace(block + 1), scratch[worker]);
     }
 
     private void renewBodies(int block, int worker) {
@@ -324,11 +324,11 @@ final class Lockstep {
     }
 
     private void renewRows(int block, int worker) {
-        passes.renewRows(pace, substep, rowsFrom(block), rowsTo(block));
+        passes.renewRows(pace, substep, rowsFrom(block), rowsTo(block), scratch[worker]);
     }
 
     private void renewWithin(int block, int worker) {
-        passes.renewRows(pace, substep, firstPlace(block), firstPlace(block + 1));
+        passes.renewRows(pace, substep, firstPlace(block), firstPlace(block + 1), scratch[worker]);
     }
 
     private void storeRows(int block, int worker) {

@@ -29,29 +29,62 @@ final class LoneContact {
      * Sweeps after the relax pass of a sub-step.
      *
      * @param gain what gravity adds to a speed in the sub-step, m/s
-     * @param row the only one of body {@code i}
+     * @param place of the only row of body {@code i}
      */
     static void agree(
             ConstraintRows rows,
             double[] body,
             SubStep sub,
             double gain,
-            int row,
+            int place,
             int i,
             double[] scratch) {
         if (!moves(body, SolverBodies.offset(i), STILL * gain)) {
             return;
         }
-        int place = rows.place[row];
         for (int k = 0; k < sub.lone; k++) {
-            double change = ScalarSweeps.again(rows, body, sub, place, scratch);
+            double change = again(rows, body, sub, place, scratch);
             double largest =
                     ScalarNormals.largest(
-                            rows.row, rows.base(place), rows.lanes, rows.points(place));
+                            rows.doubles, rows.base(place), rows.lanes, rows.points(place));
             if (!(change > AGREES * largest)) {
                 return;
             }
         }
+    }
+
+    /** One more sweep of the relax pass over a row; returns the largest change of an impulse. */
+    private static double again(
+            ConstraintRows rows, double[] body, SubStep sub, int j, double[] st) {
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        int l = j * ConstraintRows.LINK;
+        int a = rows.link[l];
+        int b = rows.link[l + 1];
+        int n = rows.link[l + ConstraintRows.COUNT];
+        int o = rows.base(j);
+        ScalarSweep.hard(
+                d, o, lanes, body, a, b, n, sub.inverse, sub.sweeps, LaneKernels.Points.HARD, st);
+        double worst = 0;
+        for (int p = 0; p < n; p++) {
+            double change = st[Scratch.CHANGE + p];
+            d[o + (ConstraintRows.SUM + p) * lanes] += change;
+            worst = Math.max(worst, Math.abs(change));
+        }
+        if (d[o + ConstraintRows.FRICTION * lanes] > 0) {
+            double x = d[o + ConstraintRows.LAMBDA * lanes];
+            double y = d[o + (ConstraintRows.LAMBDA + 1) * lanes];
+            double twist = d[o + (ConstraintRows.LAMBDA + 2) * lanes];
+            ScalarFriction.rub(d, o, lanes, body, a, b, n);
+            x = d[o + ConstraintRows.LAMBDA * lanes] - x;
+            y = d[o + (ConstraintRows.LAMBDA + 1) * lanes] - y;
+            twist = d[o + (ConstraintRows.LAMBDA + 2) * lanes] - twist;
+            d[o + ConstraintRows.TOTAL * lanes] += x;
+            d[o + (ConstraintRows.TOTAL + 1) * lanes] += y;
+            d[o + (ConstraintRows.TOTAL + 2) * lanes] += twist;
+            worst = Math.max(worst, Math.max(Math.abs(x), Math.abs(y)));
+        }
+        return worst;
     }
 
     /** {@code v² + w'²/m} above the square of a speed, w' weighted. */

@@ -26,9 +26,7 @@ final class Offsets {
     /**
      * Writes the preloads of contact {@code c}, the row at place {@code j}, for the next tick.
      *
-     * @param gain share of the overlap per tick
      * @param softened share of its gap, open or closed, that the contact's stiffness loses next
-     * @param still speed below which a point rests, m/s
      */
     static void update(
             ConstraintRows rows,
@@ -37,10 +35,10 @@ final class Offsets {
             int c,
             int j,
             SubStep sub,
-            double gain,
-            double softened,
-            double still) {
-        double[] d = rows.row;
+            double softened) {
+        double gain = sub.offsetGain;
+        double still = sub.still;
+        double[] d = rows.doubles;
         int lanes = rows.lanes;
         int o = rows.base(j);
         int a = rows.link[j * ConstraintRows.LINK];
@@ -70,39 +68,6 @@ final class Offsets {
                 known *= impulse == 0 && gap > 0 ? OPEN : MOVING;
             }
             contacts.preload[p] = (known > 0 ? known : 0) * sub.keepScale;
-        }
-    }
-
-    /**
-     * Lets contacts hold what they held when the sub-step's length has changed. The stiffness, as a
-     * force, goes with {@code 1 / h²}; so gap less offset goes with {@code h²}, and the offset
-     * takes what is left over of the gap. Without it a stack that has just come to rest drops or is
-     * thrown by the difference of its sags.
-     *
-     * @param ratio of the lengths, new to old
-     */
-    static void carryOver(
-            ConstraintRows rows, ContactStore contacts, double ratio, int from, int to) {
-        double[] d = rows.row;
-        int lanes = rows.lanes;
-        double more = ratio * ratio - 1;
-        for (int j = from; j < to; j++) {
-            if (rows.unloaded[j] != 0) {
-                continue;
-            }
-            int o = rows.base(j);
-            int first =
-                    ContactStore.POINTS
-                            * rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE];
-            for (int i = 0; i < rows.points(j); i++) {
-                if (contacts.normalImpulse[first + i] > 0) {
-                    double separation = contacts.separation[first + i];
-                    int q = o + (ConstraintRows.GAP + i) * lanes;
-                    d[q] = Math.min(separation, d[q] + more * separation);
-                    int point = ConstraintRows.POINT + i * ConstraintRows.POINT_FIELDS;
-                    d[o + (point + ConstraintRows.SEPARATION) * lanes] = d[q];
-                }
-            }
         }
     }
 

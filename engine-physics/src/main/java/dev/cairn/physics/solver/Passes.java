@@ -3,8 +3,6 @@ package dev.cairn.physics.solver;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 
-import java.util.Arrays;
-
 /**
  * The passes of a tick, each over a range of rows of one colour or over a range of the bodies with
  * contacts, in the order of {@link Batches#order}. The blocks of a stage in lockstep and the
@@ -13,12 +11,7 @@ import java.util.Arrays;
  * <p>Any worker; what ranges may run at the same time is the caller's matter. Does not allocate.
  */
 final class Passes {
-    /**
-     * A point rests while it moves slower than gravity makes a body fall in this share of a tick.
-     */
-    private static final double STILL = 0.125;
-
-    final SolverBodies body = new SolverBodies();
+    final SolverBodies body;
     final ConstraintRows rows;
     final Renewal renewal = new Renewal();
     final double[] gravity = new double[3];
@@ -39,9 +32,15 @@ final class Passes {
     /** Whether bodies have the inertia of their load. */
     boolean loaded;
 
+    /** What is done row by row. */
+    private final ScalarPasses one;
+
     Passes(SolverSettings settings, int lanes, int group) {
         this.settings = settings;
-        rows = new ConstraintRows(lanes, group);
+        boolean isSingle = settings.single();
+        body = new SolverBodies(isSingle);
+        rows = new ConstraintRows(lanes, group, isSingle);
+        one = isSingle ? new SingleScalarSweep() : new ScalarSweep();
     }
 
     /** Size of gravity, m/s². */
@@ -71,10 +70,10 @@ final class Passes {
         }
     }
 
-    void prepare(Sweeps sweeps, SubStep sub, int from, int to, double[] scratch) {
-        sweeps.fill(rows, body, contacts, sub, sub.fillScale, from, to, scratch);
+    void prepare(Sweeps sweeps, SubStep sub, int from, int to, Scratch scratch) {
+        sweeps.fill(rows, body, contacts, sub, from, to, scratch);
         if (impulseScale != 1 && settings.offsetGain() > 0) {
-            Offsets.carryOver(rows, contacts, impulseScale, from, to);
+            Rescaling.carryOver(rows, contacts, impulseScale, from, to);
         }
     }
 
@@ -85,25 +84,29 @@ final class Passes {
 
     void kick(SubStep sub, int from, int to) {
         for (int k = from; k < to; k++) {
+            body.addWarm(order[k]);
             Motion.kick(bodies, body, order[k], gravity[0], gravity[1], gravity[2], sub.seconds);
+            body.round(order[k]);
         }
     }
 
     /** Corrects the warm start of rows that have lost a load. */
-    void settle(SubStep sub, int from, int to, double[] scratch) {
-        ScalarSweeps.settle(rows, body.state, sub, settings.unloadSweeps(), from, to, scratch);
+    void settle(SubStep sub, int from, int to, Scratch scratch) {
+        one.settle(rows, body, sub, settings.unloadSweeps(), from, to, scratch);
     }
 
-    void bias(Sweeps sweeps, SubStep sub, int from, int to, double[] scratch) {
+    void bias(Sweeps sweeps, SubStep sub, int from, int to, Scratch scratch) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
-            sweeps.bias(rows, body.state, sub, j, last, scratch);
+            sweeps.bias(rows, body, sub, j, last, scratch);
         }
     }
 
     void drift(SubStep sub, int from, int to) {
         for (int k = from; k < to; k++) {
+            body.add(order[k]);
             Motion.drift(bodies, body, order[k], gravity[0], gravity[1], gravity[2], sub.seconds);
+            body.round(order[k]);
         }
     }
 
@@ -116,14 +119,15 @@ final class Passes {
         }
     }
 
-    void takeOut(int from, int to) {
-        renewal.unload(rows, body.warm, from, to);
+    void takeOut(int from, int to, Scratch scratch) {
+        renewal.unload(rows, body.warm, from, to, scratch.row);
     }
 
     void renewBodies(int from, int to) {
         for (int k = from; k < to; k++) {
             if (renewal.stirs(order[k])) {
                 renewal.body(body, bodies, order[k]);
+                body.round(order[k]);
             }
         }
     }
@@ -133,49 +137,61 @@ final class Passes {
      *
      * @param index of the sub-step; the first one scales what the contacts know
      */
-    void renewRows(SubStep sub, int index, int from, int to) {
+    void renewRows(SubStep sub, int index, int from, int to, Scratch scratch) {
         double scale = index == 0 ? sub.fillScale : 1;
-        renewal.rows(rows, body, bodies, contacts, sub, scale, from, to);
+        renewal.rows(rows, body, bodies, contacts, sub, scale, from, to, scratch.row);
     }
 
-    void relax(Sweeps sweeps, SubStep sub, int from, int to, double[] scratch) {
+    void relax(Sweeps sweeps, SubStep sub, int from, int to, Scratch scratch) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
-            scratch[Scratch.PACKED] = Touch.rows(rows, j, last);
-            sweeps.relax(rows, body.state, sub, j, last, scratch);
+            scratch.doubles[Scratch.PACKED] = Touch.rows(rows, j, last);
+            sweeps.relax(rows, body, sub, j, last, scratch);
         }
     }
 
-    void finish(SubStep sub, int from, int to, double[] scratch) {
+    /** Separations of all rows after the bodies from {@code from} to {@code to} were moved. */
+    void separate(int from, int to) {
+        for (int k = from; k < to; k++) {
+            body.round(order[k]);
+        }
+        one.separate(rows, body);
+    }
+
+    void finish(SubStep sub, int from, int to, Scratch scratch) {
         double gain = weight() * sub.seconds;
         for (int k = from; k < to; k++) {
             int i = order[k];
-            if (body.guide[i] >= 0 && sub.lone > 0) {
-                LoneContact.agree(rows, body.state, sub, gain, body.guide[i], i, scratch);
+            body.add(i);
+            if (body.guide[i] < 0) {
+                Motion.keep(bodies, body, i);
+                continue;
+            }
+            ConstraintRows guides = scratch.row.open(rows, rows.place[body.guide[i]]);
+            int place = scratch.row.place();
+            if (sub.lone > 0) {
+                LoneContact.agree(guides, body.state, sub, gain, place, i, scratch.doubles);
+                scratch.row.close(rows, rows.place[body.guide[i]]);
             }
             Motion.keep(bodies, body, i);
-            if (body.guide[i] >= 0) {
-                Glide.end(bodies, body, i, rows, sub.seconds);
-            }
+            Glide.end(bodies, body, i, guides, place, sub.seconds);
         }
     }
 
     void storeBodies(int from, int to) {
         for (int k = from; k < to; k++) {
             body.store(bodies, order[k]);
+            body.round(order[k]);
         }
     }
 
     /** Writes the impulses of the rows back, and tells their bodies what presses on them. */
-    void storeRows(
-            Sweeps sweeps, SubStep sub, boolean renewed, int from, int to, double[] scratch) {
-        double still = STILL * weight() * step;
-        double gain = settings.offsetGain();
+    void storeRows(Sweeps sweeps, SubStep sub, boolean renewed, int from, int to, Scratch scratch) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
-            scratch[Scratch.PACKED] = Touch.results(rows, contacts, j, last);
+            scratch.doubles[Scratch.PACKED] = Touch.results(rows, contacts, j, last);
             soften(j, last, scratch);
-            sweeps.store(rows, body.state, contacts, sub, gain, still, j, last, scratch);
+            sweeps.store(rows, body, contacts, sub, j, last, scratch);
         }
         if (renewed) {
             renewal.restore(rows, contacts, from, to);
@@ -186,14 +202,15 @@ final class Passes {
     }
 
     /** Which contacts lose stiffness, see {@link RowStore}. */
-    private void soften(int from, int to, double[] scratch) {
-        Arrays.fill(scratch, Scratch.SOFTENED, Scratch.SOFTENED + ConstraintRows.CHUNK, 0.0);
-        for (int j = from; j < to && settings.effort() > 0; j++) {
+    private void soften(int from, int to, Scratch scratch) {
+        for (int j = from; j < to; j++) {
             int l = j * ConstraintRows.LINK;
-            if (rows.link[l + ConstraintRows.COUNT] > 0) {
+            double share = 0;
+            if (settings.effort() > 0 && rows.link[l + ConstraintRows.COUNT] > 0) {
                 int source = rows.link[l + ConstraintRows.SOURCE];
-                scratch[Scratch.SOFTENED + j - from] = Effort.softened(bodies, contacts, source);
+                share = Effort.softened(bodies, contacts, source);
             }
+            scratch.soften(j - from, share);
         }
     }
 

@@ -59,11 +59,11 @@ final class PrepareRow implements RowFiller {
             SolverBodies bodies,
             ContactStore c,
             SubStep sub,
-            double scale,
             int from,
             int to,
-            double[] scratch) {
+            Scratch scratch) {
         int lanes = rows.lanes;
+        double scale = sub.fillScale;
         for (int group = from; group < to; group += lanes) {
             int most = 0;
             boolean rough = false;
@@ -71,7 +71,7 @@ final class PrepareRow implements RowFiller {
                 int n = rows.link[j * LINK + ConstraintRows.COUNT];
                 int o = rows.base(j);
                 if (n == 0) {
-                    clear(rows.row, o, lanes, 0, ConstraintRows.FIELDS);
+                    clear(rows.doubles, o, lanes, 0, ConstraintRows.FIELDS);
                     continue;
                 }
                 int source = rows.link[j * LINK + ConstraintRows.SOURCE];
@@ -99,7 +99,7 @@ final class PrepareRow implements RowFiller {
             int source,
             SubStep sub,
             double scale) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         int lanes = rows.lanes;
         int a = rows.link[j * LINK];
         int b = rows.link[j * LINK + 1];
@@ -140,7 +140,7 @@ final class PrepareRow implements RowFiller {
             int source,
             SubStep sub,
             double preloadScale) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         int lanes = rows.lanes;
         int o = rows.base(j);
         int l = o + LAMBDA * lanes;
@@ -170,7 +170,7 @@ final class PrepareRow implements RowFiller {
 
     /** Turns the row of two balls, which holds no impulses, to the contact's normal and anchors. */
     static void aim(ConstraintRows rows, SolverBodies bodies, ContactStore c, int j, int source) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         int lanes = rows.lanes;
         int o = rows.base(j);
         double nx = c.normalX(source);
@@ -243,7 +243,7 @@ final class PrepareRow implements RowFiller {
             int source,
             double stiffness,
             double scale) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         int lanes = rows.lanes;
         int a = rows.link[j * LINK];
         int b = rows.link[j * LINK + 1];
@@ -317,7 +317,7 @@ final class PrepareRow implements RowFiller {
             int source,
             boolean fixed,
             double scale) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         int lanes = rows.lanes;
         double nx = d[o];
         double ny = d[o + lanes];
@@ -400,7 +400,7 @@ final class PrepareRow implements RowFiller {
             double by,
             double bz,
             boolean wide) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         double[] root = bodies.root;
         int lanes = rows.lanes;
         int a = rows.link[j * LINK];
@@ -446,7 +446,7 @@ final class PrepareRow implements RowFiller {
             int o,
             int source,
             double scale) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         int lanes = rows.lanes;
         int t1 = o + TANGENT1 * lanes;
         int t2 = o + TANGENT2 * lanes;
@@ -466,7 +466,7 @@ final class PrepareRow implements RowFiller {
 
     /** Adds the velocities that the friction and twist of a row make, times {@code sign}. */
     static void addFriction(ConstraintRows rows, double[] warm, int j, int o, double sign) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         int lanes = rows.lanes;
         int a = rows.link[j * LINK];
         int b = rows.link[j * LINK + 1];
@@ -489,7 +489,7 @@ final class PrepareRow implements RowFiller {
 
     /** Adds the velocities that the normal impulses of a row make, times {@code sign}. */
     static void addNormals(ConstraintRows rows, double[] warm, int j, int o, double sign) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         int lanes = rows.lanes;
         int a = rows.link[j * LINK];
         int b = rows.link[j * LINK + 1];

@@ -151,13 +151,15 @@ final class Renewal {
     }
 
     /** Takes the impulses of the rows out of the bodies' warm start; blocks of a colour. */
-    void unload(ConstraintRows rows, double[] warm, int from, int to) {
+    void unload(ConstraintRows all, double[] warm, int from, int to, RowWindow window) {
         for (int j = from; j < to; j++) {
             if (renewed[j]) {
-                int o = rows.base(j);
-                PrepareRow.addNormals(rows, warm, j, o, -1);
-                if (rows.row[o + ConstraintRows.FRICTION * rows.lanes] > 0) {
-                    PrepareRow.addFriction(rows, warm, j, o, -1);
+                ConstraintRows rows = window.open(all, j);
+                int place = window.place();
+                int o = rows.base(place);
+                PrepareRow.addNormals(rows, warm, place, o, -1);
+                if (rows.doubles[o + ConstraintRows.FRICTION * rows.lanes] > 0) {
+                    PrepareRow.addFriction(rows, warm, place, o, -1);
                 }
             }
         }
@@ -244,12 +246,15 @@ final class Renewal {
             SubStep sub,
             double preloadScale,
             int from,
-            int to) {
+            int to,
+            RowWindow window) {
         for (int j = from; j < to; j++) {
             if (renewed[j]) {
                 int source = rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE];
                 place(rows, s, b, c, j, source);
-                PrepareRow.renew(rows, s, c, j, source, sub, preloadScale);
+                ConstraintRows row = window.open(rows, j);
+                PrepareRow.renew(row, s, c, window.place(), source, sub, preloadScale);
+                window.close(rows, j);
             }
         }
     }

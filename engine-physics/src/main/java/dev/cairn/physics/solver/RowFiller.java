@@ -8,7 +8,6 @@ interface RowFiller {
      * Fills the places from {@code from} to {@code to} of one colour, both at the bounds of groups,
      * and adds the last impulses to the bodies' warm start.
      *
-     * @param scale factor on the stored impulses: this sub-step over the last tick's
      * @param scratch of the worker, see {@link Scratch}
      */
     void fill(
@@ -16,8 +15,7 @@ interface RowFiller {
             SolverBodies bodies,
             ContactStore contacts,
             SubStep sub,
-            double scale,
             int from,
             int to,
-            double[] scratch);
+            Scratch scratch);
 }

@@ -8,19 +8,15 @@ interface RowStore {
      * Writes the impulses of the places from {@code from} to {@code to}, a chunk at most and both
      * at the bounds of groups, to their contacts, and what the contacts know of their load.
      *
-     * @param gain share of its overlap that a point at rest moves into its offset; 0 for no offsets
-     * @param still speed below which a point rests, m/s
      * @param scratch of the worker; by row, at {@link Scratch#SOFTENED}: share of its gap, open or
      *     closed, that the contact's stiffness loses next
      */
     void store(
             ConstraintRows rows,
-            double[] body,
+            SolverBodies bodies,
             ContactStore contacts,
             SubStep sub,
-            double gain,
-            double still,
             int from,
             int to,
-            double[] scratch);
+            Scratch scratch);
 }

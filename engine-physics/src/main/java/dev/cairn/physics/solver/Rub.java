@@ -26,7 +26,9 @@ package dev.cairn.physics.solver;
  * sliding spinning disks with uniform Coulomb friction", Physica D 233 (2007); own fit.
  */
 final class Rub {
-    /** R² over the square of the mean distance. */
+    /** R over the mean distance, and its square. */
+    static final double RADIUS = 1.5;
+
     static final double REACH = 2.25;
 
     /** {@code k = FAR + NEAR g}, {@code s = FAR + CLOSE g}. */
@@ -47,7 +49,15 @@ final class Rub {
     static final double LESS = 2.6;
 
     /** Keeps what is 0 from being divided by 0. */
-    static final double LEAST = 1e-150;
+    static final double LEAST = Double.MIN_NORMAL;
+
+    /**
+     * Shares of the squares of its limits up to which a patch surely sticks: inside of the ellipse
+     * of {@link #holds}, whose axes these are the squares of in part.
+     */
+    static final double SURE_SLIDE = 0.75;
+
+    static final double SURE_SPIN = 0.14;
 
     static final int STEPS = 3;
 
@@ -62,42 +72,53 @@ final class Rub {
     private Rub() {}
 
     /**
-     * Whether a patch sticks for certain: it does inside of the smallest of the law's ellipses.
+     * Whether a patch sticks beyond any doubt, of rounding too; most of those at rest do. Products
+     * of two impulses only, so that small bodies do not underflow in single precision.
      *
      * @param slide square of the impulse that stops the slide
      * @param spin square of the impulse that stops the spin
      * @param limit square of mu N
      * @param bound square of mu N times the mean distance
      */
-    static boolean holds(double slide, double spin, double limit, double bound) {
-        return slide <= limit
-                && spin <= bound
-                && 9 * (slide * bound) + 16 * (spin * limit) <= 9 * (limit * bound);
+    static boolean isStuck(double slide, double spin, double limit, double bound) {
+        return slide <= limit * SURE_SLIDE && spin <= bound * SURE_SPIN;
+    }
+
+    /**
+     * Whether a patch sticks for certain: it does inside of the smallest of the law's ellipses.
+     *
+     * @param square of the mean distance
+     */
+    static boolean holds(double slide, double spin, double limit, double bound, double square) {
+        return slide <= limit && spin <= bound && 9 * (slide * square) + 16 * spin <= 9 * bound;
     }
 
     /** g at the velocities that the impulses stop. */
-    static double share(double slide, double spin, double r2, double mass, double inertia) {
-        double e = slide * (inertia * inertia) / (spin * (r2 * (mass * mass)) + Double.MIN_NORMAL);
+    static double share(double slide, double spin, double reach, double mass, double inertia) {
+        // e = (|v| / (R w))², |v| = F/m, w = T/J, R² = REACH reach²
+        double q = inertia / (mass * reach + LEAST);
+        double e = slide * (q * q) / (spin * REACH + LEAST);
         return 1 / (e < TURNING ? 1 + e * (1 + e * (FOURTH + e * e * EIGHTH)) : FAST * e - LESS);
     }
 
-    /** D: the speed of the rub that is left, m/s. */
+    /**
+     * D: the speed of the rub that is left, m/s. Squares are taken of ratios only: a patch whose
+     * weight is on one point is as good as without a radius.
+     *
+     * @param slide impulse that stops the slide
+     * @param across impulse that stops the spin, times R and the root of s
+     * @param whole {@code k R² mu N}
+     */
     static double give(
-            double slide,
-            double spin,
-            double r2,
-            double mass,
-            double inertia,
-            double limit,
-            double share) {
-        double whole = (FAR + NEAR * share) * r2 * limit;
-        double square = (FAR + CLOSE * share) * r2 * spin;
+            double slide, double across, double whole, double mass, double inertia, double limit) {
         double give = 0;
         for (int i = 0; i < STEPS; i++) {
             double u = mass * give + limit;
             double w = inertia * give + whole + LEAST;
-            double p = slide / (u * u);
-            double q = square / (w * w);
+            double p = slide / u;
+            double q = across / w;
+            p *= p;
+            q *= q;
             double h = p + q;
             give += h * (Math.sqrt(h) - 1) / (p * mass / u + q * inertia / w);
             give = Math.max(give, 0);

@@ -94,16 +94,19 @@ final class ScalarFriction {
         double scale = limit > 0 ? 1 : 0;
         double twistScale = bound > 0 ? 1 : 0;
         double square = twist * twist;
-        if (limit > 0 && !Rub.holds(size, square, limit * limit, bound * bound)) {
-            double mass = 0.5 * (d[k] + d[k + 2 * lanes]);
-            double inertia = d[o + TWIST_MASS * lanes];
+        if (limit > 0 && !Rub.isStuck(size, square, limit * limit, bound * bound)) {
             double reach = bound / limit;
-            double r2 = Rub.REACH * (reach * reach);
-            double share = Rub.share(size, square, r2, mass, inertia);
-            double give = Rub.give(size, square, r2, mass, inertia, limit, share);
-            double whole = (Rub.FAR + Rub.NEAR * share) * r2 * limit;
-            scale = limit / (mass * give + limit);
-            twistScale = whole / (inertia * give + whole + Rub.LEAST);
+            if (!Rub.holds(size, square, limit * limit, bound * bound, reach * reach)) {
+                double mass = 0.5 * (d[k] + d[k + 2 * lanes]);
+                double inertia = d[o + TWIST_MASS * lanes];
+                double radius = Rub.RADIUS * reach;
+                double share = Rub.share(size, square, reach, mass, inertia);
+                double whole = (Rub.FAR + Rub.NEAR * share) * (radius * radius) * limit;
+                double across = Math.sqrt((Rub.FAR + Rub.CLOSE * share) * square) * radius;
+                double give = Rub.give(Math.sqrt(size), across, whole, mass, inertia, limit);
+                scale = limit / (mass * give + limit);
+                twistScale = whole / (inertia * give + whole + Rub.LEAST);
+            }
         }
         f1 = f1 * scale + 0.0;
         f2 = f2 * scale + 0.0;

@@ -34,13 +34,15 @@ final class ScalarNormals {
             double[] d, int o, int lanes, int points, boolean fixed, SubStep sub, double[] st) {
         double rate = fixed ? sub.fixedRate : sub.rate;
         double massScale = fixed ? sub.fixedMassScale : sub.massScale;
+        double inverse = sub.inverse;
+        double push = -sub.pushSpeed;
         for (int p = 0; p < points; p++) {
             int q = o + (POINT + p * POINT_FIELDS) * lanes;
             double s = d[q + SEPARATION * lanes];
             double mass = d[q + MASS * lanes];
             double b = s * rate;
-            b = b < -sub.pushSpeed ? -sub.pushSpeed : b;
-            b = s > 0 ? s * sub.inverse : b;
+            b = b < push ? push : b;
+            b = s > 0 ? s * inverse : b;
             st[GAIN + p] = mass * (s > 0 ? 1 : massScale);
             st[GOAL + p] = -(mass * b);
         }

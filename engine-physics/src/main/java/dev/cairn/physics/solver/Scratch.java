@@ -24,22 +24,22 @@ final class Scratch {
     /** Movement and weighted turn of A and of B. */
     static final int PA = VA + 16 * LINE;
 
-    static final int PB = VA + 22 * LINE;
+    static final int PB = VA + 24 * LINE;
 
     /** For the store, which has no use for movements: see {@link RowStore}. */
     static final int SOFTENED = PA;
 
     /** Marks of lanes: those that land, those that rub, and all. */
-    static final int LANDS = VA + 28 * LINE;
+    static final int LANDS = VA + 32 * LINE;
 
-    static final int RUBS = VA + 29 * LINE;
-    static final int ONES = VA + 30 * LINE;
+    static final int RUBS = VA + 33 * LINE;
+    static final int ONES = VA + 34 * LINE;
 
     /** By group, at its first lane: 1 if it has nothing to do. */
-    static final int IDLE = VA + 31 * LINE;
+    static final int IDLE = VA + 35 * LINE;
 
     /** What the kernels hand on about the normals of a group, {@link #PACK} vectors a group. */
-    static final int PACKED = VA + 32 * LINE;
+    static final int PACKED = VA + 36 * LINE;
 
     static final int PACK = 30;
 
@@ -69,12 +69,32 @@ final class Scratch {
 
     static final int SIZE = PACKED + PACK * CHUNK;
 
-    private Scratch() {}
+    /** For rows of doubles. */
+    final double[] doubles = new double[SIZE];
 
-    /** Scratch of a worker. */
-    static double[] create() {
-        double[] s = new double[SIZE];
-        Arrays.fill(s, ONES, ONES + CHUNK, 1.0);
-        return s;
+    /** For rows of floats; empty where there are none. */
+    final float[] floats;
+
+    final RowWindow row = new RowWindow();
+
+    /**
+     * Scratch of a worker.
+     *
+     * @param isSingle whether the rows are floats
+     */
+    Scratch(boolean isSingle) {
+        Arrays.fill(doubles, ONES, ONES + CHUNK, 1.0);
+        floats = new float[isSingle ? SIZE : 0];
+        if (isSingle) {
+            Arrays.fill(floats, ONES, ONES + CHUNK, 1.0f);
+        }
+    }
+
+    /** Tells the store what share of its gap a row of the chunk loses, see {@link RowStore}. */
+    void soften(int row, double share) {
+        doubles[SOFTENED + row] = share;
+        if (floats.length > 0) {
+            floats[SOFTENED + row] = (float) share;
+        }
     }
 }

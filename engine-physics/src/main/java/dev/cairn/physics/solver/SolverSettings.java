@@ -42,6 +42,8 @@ package dev.cairn.physics.solver;
  * @param lanes contacts that are solved at once: 1 (scalar), 4, 8 or 16, or 0 for what fits this
  *     machine. Speed only: the results are the same. Without the module {@code
  *     jdk.incubator.vector} it is always 1.
+ * @param single whether rows and changes of velocity are floats: faster, with errors of some 1e-7
+ *     of what changes. Bodies and their state are doubles in either case.
  */
 public record SolverSettings(
         int substeps,
@@ -60,14 +62,15 @@ public record SolverSettings(
         int unloadSweeps,
         int loneSweeps,
         int effort,
-        int lanes) {
+        int lanes,
+        boolean single) {
     /** Most doublings of sub-steps. */
     static final int MOST_EFFORT = 4;
 
     /** The measured defaults. */
     public static final SolverSettings DEFAULT =
             new SolverSettings(
-                    4, 0.125, 10, 2, 0.5, 3, 0.1, 1, 8, 0.01, 2, 0.05, 0.05, 10, 32, 0, 0);
+                    4, 0.125, 10, 2, 0.5, 3, 0.1, 1, 8, 0.01, 2, 0.05, 0.05, 10, 32, 0, 0, false);
 
     /**
      * Checks every bound.
@@ -247,6 +250,18 @@ public record SolverSettings(
         return d.settings();
     }
 
+    /**
+     * These settings in another precision.
+     *
+     * @param value whether rows are floats
+     * @return new settings
+     */
+    public SolverSettings withSingle(boolean value) {
+        Draft d = new Draft(this);
+        d.single = value;
+        return d.settings();
+    }
+
     /** The values on their way to other settings, so that each change names only its own. */
     private static final class Draft {
         int substeps;
@@ -266,6 +281,7 @@ public record SolverSettings(
         int loneSweeps;
         int effort;
         int lanes;
+        boolean single;
 
         Draft(SolverSettings s) {
             substeps = s.substeps;
@@ -285,6 +301,7 @@ public record SolverSettings(
             loneSweeps = s.loneSweeps;
             effort = s.effort;
             lanes = s.lanes;
+            single = s.single;
         }
 
         SolverSettings settings() {
@@ -305,7 +322,8 @@ public record SolverSettings(
                     unloadSweeps,
                     loneSweeps,
                     effort,
-                    lanes);
+                    lanes,
+                    single);
         }
     }
 }

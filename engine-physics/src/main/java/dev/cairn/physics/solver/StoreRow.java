@@ -18,22 +18,21 @@ final class StoreRow implements RowStore {
     @Override
     public void store(
             ConstraintRows rows,
-            double[] body,
+            SolverBodies bodies,
             ContactStore contacts,
             SubStep sub,
-            double gain,
-            double still,
             int from,
             int to,
-            double[] scratch) {
+            Scratch scratch) {
+        double[] st = scratch.doubles;
         for (int j = from; j < to; j++) {
             int l = j * LINK;
             if (rows.link[l + COUNT] > 0) {
                 int source = rows.link[l + SOURCE];
                 impulses(rows, contacts, j, source, sub.keepScale);
-                if (gain > 0) {
-                    double softened = scratch[Scratch.SOFTENED + j - from];
-                    Offsets.update(rows, body, contacts, source, j, sub, gain, softened, still);
+                if (sub.offsetGain > 0) {
+                    double softened = st[Scratch.SOFTENED + j - from];
+                    Offsets.update(rows, bodies.state, contacts, source, j, sub, softened);
                 }
             }
         }
@@ -41,7 +40,7 @@ final class StoreRow implements RowStore {
 
     private static void impulses(
             ConstraintRows rows, ContactStore contacts, int j, int source, double scale) {
-        double[] d = rows.row;
+        double[] d = rows.doubles;
         int lanes = rows.lanes;
         int o = rows.base(j);
         contacts.setFrictionImpulse(

@@ -23,6 +23,12 @@ final class SubStep {
     /** m/s. */
     double pushSpeed;
 
+    /** Share of its overlap that a point at rest moves into its offset; 0 for no offsets. */
+    double offsetGain;
+
+    /** Speed below which a point rests, m/s; set for each tick. */
+    double still;
+
     /** Soft step of two bodies that move: bias rate times mass scale, 1/s, and the two scales. */
     double rate;
 
@@ -64,6 +70,7 @@ final class SubStep {
         seconds = h;
         inverse = 1 / h;
         pushSpeed = settings.pushSpeed();
+        offsetGain = settings.offsetGain();
         rate = soft.biasRate() * soft.massScale();
         massScale = soft.massScale();
         impulseScale = soft.impulseScale();

@@ -35,9 +35,22 @@ final class Touch {
     /** The same for a range of rows, which lie in one piece. */
     static double rows(ConstraintRows rows, int from, int to) {
         double sum = 0;
-        double[] d = rows.row;
+        if (rows.isSingle) {
+            return floats(rows, from, to);
+        }
+        double[] d = rows.doubles;
         int end = ConstraintRows.START + to * ConstraintRows.FIELDS;
         for (int i = ConstraintRows.START + from * ConstraintRows.FIELDS; i < end; i += LINE) {
+            sum += d[i];
+        }
+        return sum;
+    }
+
+    private static double floats(ConstraintRows rows, int from, int to) {
+        float sum = 0;
+        float[] d = rows.floats;
+        int end = ConstraintRows.START + to * ConstraintRows.FIELDS;
+        for (int i = ConstraintRows.START + from * ConstraintRows.FIELDS; i < end; i += 2 * LINE) {
             sum += d[i];
         }
         return sum;

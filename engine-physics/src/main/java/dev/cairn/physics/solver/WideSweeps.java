@@ -21,12 +21,15 @@ final class WideSweeps implements Sweeps {
     private static final int LEAST = 3_000;
 
     private final Sweeps wide;
-    private final Sweeps scalar = new ScalarSweeps();
+    private final Sweeps scalar;
+    private final boolean isSingle;
     private boolean begun;
     private volatile boolean warm;
 
-    WideSweeps(Sweeps wide) {
+    WideSweeps(Sweeps wide, boolean isSingle) {
         this.wide = wide;
+        this.isSingle = isSingle;
+        scalar = RowSweeps.scalar(isSingle);
     }
 
     @Override
@@ -40,37 +43,44 @@ final class WideSweeps implements Sweeps {
             SolverBodies bodies,
             ContactStore contacts,
             SubStep sub,
-            double scale,
             int from,
             int to,
-            double[] scratch) {
-        (warm ? wide : scalar).fill(rows, bodies, contacts, sub, scale, from, to, scratch);
+            Scratch scratch) {
+        (warm ? wide : scalar).fill(rows, bodies, contacts, sub, from, to, scratch);
     }
 
     @Override
     public void bias(
-            ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] scratch) {
-        (warm ? wide : scalar).bias(rows, body, sub, from, to, scratch);
+            ConstraintRows rows,
+            SolverBodies bodies,
+            SubStep sub,
+            int from,
+            int to,
+            Scratch scratch) {
+        (warm ? wide : scalar).bias(rows, bodies, sub, from, to, scratch);
     }
 
     @Override
     public void relax(
-            ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] scratch) {
-        (warm ? wide : scalar).relax(rows, body, sub, from, to, scratch);
+            ConstraintRows rows,
+            SolverBodies bodies,
+            SubStep sub,
+            int from,
+            int to,
+            Scratch scratch) {
+        (warm ? wide : scalar).relax(rows, bodies, sub, from, to, scratch);
     }
 
     @Override
     public void store(
             ConstraintRows rows,
-            double[] body,
+            SolverBodies bodies,
             ContactStore contacts,
             SubStep sub,
-            double gain,
-            double still,
             int from,
             int to,
-            double[] scratch) {
-        (warm ? wide : scalar).store(rows, body, contacts, sub, gain, still, from, to, scratch);
+            Scratch scratch) {
+        (warm ? wide : scalar).store(rows, bodies, contacts, sub, from, to, scratch);
     }
 
     /** Whether the wide sweeps are in use. */
@@ -98,15 +108,16 @@ final class WideSweeps implements Sweeps {
     }
 
     private void warmUp(boolean wanted) {
-        ConstraintRows rows = new ConstraintRows(lanes());
+        ConstraintRows rows = new ConstraintRows(lanes(), lanes(), isSingle);
         ContactStore contacts = new ContactStore();
         contacts.ensureCapacity(ConstraintRows.CHUNK);
-        SolverBodies bodies = new SolverBodies();
+        SolverBodies bodies = new SolverBodies(isSingle);
         bodies.ensureCapacity(2 * ConstraintRows.CHUNK);
-        double[] body = bodies.state;
-        double[] scratch = Scratch.create();
+        Scratch scratch = new Scratch(isSingle);
         SubStep sub = new SubStep();
         sub.set(1 / 60.0, 0, SolverSettings.DEFAULT);
+        sub.fillScale = 1;
+        sub.still = 0.01;
         Random random = new Random(1);
         long bestWide = Long.MAX_VALUE;
         long bestScalar = Long.MAX_VALUE;
@@ -114,17 +125,17 @@ final class WideSweeps implements Sweeps {
             fill(rows, bodies, contacts, random, round);
             int to = rows.places;
             long start = System.nanoTime();
-            scalar.fill(rows, bodies, contacts, sub, 1, 0, to, scratch);
-            scalar.bias(rows, body, sub, 0, to, scratch);
-            scalar.relax(rows, body, sub, 0, to, scratch);
-            scalar.store(rows, body, contacts, sub, 0.01, 0.01, 0, to, scratch);
+            scalar.fill(rows, bodies, contacts, sub, 0, to, scratch);
+            scalar.bias(rows, bodies, sub, 0, to, scratch);
+            scalar.relax(rows, bodies, sub, 0, to, scratch);
+            scalar.store(rows, bodies, contacts, sub, 0, to, scratch);
             long middle = System.nanoTime();
             fill(rows, bodies, contacts, random, round);
             long begin = System.nanoTime();
-            wide.fill(rows, bodies, contacts, sub, 1, 0, to, scratch);
-            wide.bias(rows, body, sub, 0, to, scratch);
-            wide.relax(rows, body, sub, 0, to, scratch);
-            wide.store(rows, body, contacts, sub, 0.01, 0.01, 0, to, scratch);
+            wide.fill(rows, bodies, contacts, sub, 0, to, scratch);
+            wide.bias(rows, bodies, sub, 0, to, scratch);
+            wide.relax(rows, bodies, sub, 0, to, scratch);
+            wide.store(rows, bodies, contacts, sub, 0, to, scratch);
             long end = System.nanoTime();
             if (round % 2 == 0) {
                 bestScalar = Math.min(bestScalar, middle - start);
@@ -178,6 +189,10 @@ final class WideSweeps implements Sweeps {
             }
             bodies.state[(2 * j + 1) * SolverBodies.STRIDE + SolverBodies.MASS] = 0.5;
             bodies.state[(2 * j + 2) * SolverBodies.STRIDE + SolverBodies.MASS] = 0.5;
+            for (int slot = 2 * j; slot < 2 * j + 2; slot++) {
+                bodies.round(slot);
+                bodies.roundRoot(slot);
+            }
         }
     }
 

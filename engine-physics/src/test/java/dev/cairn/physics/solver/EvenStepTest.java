@@ -33,20 +33,24 @@ class EvenStepTest {
         int b = SolverBodies.offset(box);
         rows.link[ConstraintRows.BODY_B] = b;
         rows.link[ConstraintRows.COUNT] = 4;
-        double[] scratch = Scratch.create();
-        new PrepareRow().fill(rows, bodies, s.contacts, sub, 1, 0, 1, scratch);
+        Scratch scratch = new Scratch(false);
+        sub.fillScale = 1;
+        new PrepareRow().fill(rows, bodies, s.contacts, sub, 0, 1, scratch);
         int o = rows.base(0);
         double[] v = bodies.state;
-        ScalarNormals.harden(rows.row, o, 1, 4, sub.inverse, scratch);
-        ScalarNormals.sweep(rows.row, o, 1, v, 0, b, 4, 0, LaneKernels.Points.HARD, scratch);
+        ScalarNormals.harden(rows.doubles, o, 1, 4, sub.inverse, scratch.doubles);
+        ScalarNormals.sweep(
+                rows.doubles, o, 1, v, 0, b, 4, 0, LaneKernels.Points.HARD, scratch.doubles);
         double mean = 0;
         double change = 0;
         for (int p = 0; p < 4; p++) {
             int q = o + ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS;
             double speed =
-                    v[b + 1] + ScalarNormals.dot(rows.row, q + ConstraintRows.ARM_B, 1, v, b + 3);
+                    v[b + 1]
+                            + ScalarNormals.dot(
+                                    rows.doubles, q + ConstraintRows.ARM_B, 1, v, b + 3);
             mean += speed / 4;
-            double own = rows.row[q + ConstraintRows.IMPULSE] - warm[p];
+            double own = rows.doubles[q + ConstraintRows.IMPULSE] - warm[p];
             change = p == 0 ? own : change;
             assertEquals(change, own, 1e-15, "the same for all points");
         }

@@ -37,7 +37,7 @@ class RubTest {
 
     /** Force and torque by the law, mass, inertia and radius 1. */
     private static double[] law(double x, double y) {
-        double g = Rub.share(x * x, y * y, 1, 1, 1);
+        double g = Rub.share(x * x, y * y, 1 / Math.sqrt(Rub.REACH), 1, 1);
         double s = Math.sqrt(x * x + (Rub.FAR + Rub.CLOSE * g) * y * y);
         return new double[] {x / s, (Rub.FAR + Rub.NEAR * g) * y / s};
     }
@@ -98,9 +98,13 @@ class RubTest {
             double slide = limit * limit * StrictMath.exp(2 * random.nextGaussian());
             double spin = r2 * limit * limit * StrictMath.exp(2 * random.nextGaussian());
             double bound = limit * Math.sqrt(r2 / Rub.REACH);
-            boolean holds = Rub.holds(slide, spin, limit * limit, bound * bound);
-            double g = Rub.share(slide, spin, r2, mass, inertia);
-            double give = Rub.give(slide, spin, r2, mass, inertia, limit, g);
+            double reach = bound / limit;
+            boolean holds = Rub.holds(slide, spin, limit * limit, bound * bound, reach * reach);
+            if (Rub.isStuck(slide, spin, limit * limit, bound * bound)) {
+                assertTrue(holds, "stuck, yet does not hold; seed " + seed + ", round " + i);
+            }
+            double g = Rub.share(slide, spin, reach, mass, inertia);
+            double give = give(slide, spin, r2, mass, inertia, limit, g);
             double left = left(slide, spin, r2, mass, inertia, limit, g, give);
             if (holds) {
                 assertEquals(0, give, 0.0, "holds, yet gives; seed " + seed + ", round " + i);
@@ -114,6 +118,19 @@ class RubTest {
         }
         assertTrue(slips > 1000, "rounds that slip: " + slips);
         assertTrue(worst < 0.01, "more than the error of the fit: " + worst);
+    }
+
+    private static double give(
+            double slide,
+            double spin,
+            double r2,
+            double mass,
+            double inertia,
+            double limit,
+            double g) {
+        double whole = (Rub.FAR + Rub.NEAR * g) * r2 * limit;
+        double across = Math.sqrt((Rub.FAR + Rub.CLOSE * g) * r2 * spin);
+        return Rub.give(Math.sqrt(slide), across, whole, mass, inertia, limit);
     }
 
     private static double left(
@@ -133,11 +150,11 @@ class RubTest {
 
     @Test
     void aPatchHoldsUpToItsLimitsAndNoFurther() {
-        assertTrue(Rub.holds(0.99, 0, 1, 1));
-        assertFalse(Rub.holds(1.01, 0, 1, 1));
-        assertTrue(Rub.holds(0, 0.56, 1, 1));
-        assertFalse(Rub.holds(0, 1.01, 1, 1));
-        assertTrue(Rub.holds(0, 0, 0, 0));
+        assertTrue(Rub.holds(0.99, 0, 1, 1, 1));
+        assertFalse(Rub.holds(1.01, 0, 1, 1, 1));
+        assertTrue(Rub.holds(0, 0.56, 1, 1, 1));
+        assertFalse(Rub.holds(0, 1.01, 1, 1, 1));
+        assertTrue(Rub.holds(0, 0, 0, 0, 0));
     }
 
     /** Friction takes energy, whatever the impulses are. */
@@ -152,11 +169,11 @@ class RubTest {
             double bound = limit / Math.sqrt(Rub.REACH);
             double slide = v * v;
             double spin = w * w;
-            if (Rub.holds(slide, spin, limit * limit, bound * bound)) {
+            if (Rub.holds(slide, spin, limit * limit, bound * bound, 1 / Rub.REACH)) {
                 continue;
             }
-            double g = Rub.share(slide, spin, 1, 1, 1);
-            double give = Rub.give(slide, spin, 1, 1, 1, limit, g);
+            double g = Rub.share(slide, spin, 1 / Math.sqrt(Rub.REACH), 1, 1);
+            double give = give(slide, spin, 1, 1, 1, limit, g);
             double whole = (Rub.FAR + Rub.NEAR * g) * limit;
             double v1 = v * (1 - limit / (give + limit));
             double w1 = w * (1 - whole / (give + whole));

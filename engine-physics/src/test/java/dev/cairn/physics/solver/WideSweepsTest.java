@@ -8,7 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.ContactStore;
 
-import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -23,7 +24,11 @@ class WideSweepsTest {
 
     /** Wide sweeps of a machine that is bad at them: they do everything twice. */
     private static final class Slow implements Sweeps {
-        private final Sweeps scalar = new ScalarSweeps();
+        private final Sweeps scalar;
+
+        Slow(boolean isSingle) {
+            scalar = RowSweeps.scalar(isSingle);
+        }
 
         @Override
         public int lanes() {
@@ -36,46 +41,53 @@ class WideSweepsTest {
                 SolverBodies bodies,
                 ContactStore contacts,
                 SubStep sub,
-                double scale,
                 int from,
                 int to,
-                double[] scratch) {
-            scalar.fill(rows, bodies, contacts, sub, scale, from, to, scratch);
-            scalar.fill(rows, bodies, contacts, sub, scale, from, to, scratch);
+                Scratch scratch) {
+            scalar.fill(rows, bodies, contacts, sub, from, to, scratch);
+            scalar.fill(rows, bodies, contacts, sub, from, to, scratch);
         }
 
         @Override
         public void store(
                 ConstraintRows rows,
-                double[] body,
+                SolverBodies bodies,
                 ContactStore contacts,
                 SubStep sub,
-                double gain,
-                double still,
                 int from,
                 int to,
-                double[] scratch) {
-            scalar.store(rows, body, contacts, sub, gain, still, from, to, scratch);
-            scalar.store(rows, body, contacts, sub, gain, still, from, to, scratch);
+                Scratch scratch) {
+            scalar.store(rows, bodies, contacts, sub, from, to, scratch);
+            scalar.store(rows, bodies, contacts, sub, from, to, scratch);
         }
 
         @Override
         public void bias(
-                ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] st) {
-            scalar.bias(rows, body, sub, from, to, st);
-            scalar.bias(rows, body, sub, from, to, st);
+                ConstraintRows rows,
+                SolverBodies bodies,
+                SubStep sub,
+                int from,
+                int to,
+                Scratch scratch) {
+            scalar.bias(rows, bodies, sub, from, to, scratch);
+            scalar.bias(rows, bodies, sub, from, to, scratch);
         }
 
         @Override
         public void relax(
-                ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] st) {
-            scalar.relax(rows, body, sub, from, to, st);
-            scalar.relax(rows, body, sub, from, to, st);
+                ConstraintRows rows,
+                SolverBodies bodies,
+                SubStep sub,
+                int from,
+                int to,
+                Scratch scratch) {
+            scalar.relax(rows, bodies, sub, from, to, scratch);
+            scalar.relax(rows, bodies, sub, from, to, scratch);
         }
     }
 
-    private static double[] columns(Sweeps sweeps, int lanes) {
-        SolverSettings settings = SolverSettings.DEFAULT.withLanes(lanes);
+    private static double[] columns(Sweeps sweeps, int lanes, boolean isSingle) {
+        SolverSettings settings = SolverSettings.DEFAULT.withLanes(lanes).withSingle(isSingle);
         try (Jobs jobs = Jobs.of(1)) {
             SolverScene s = new SolverScene(new ContactSolver(settings, sweeps), jobs);
             int plane = s.fixed();
@@ -97,8 +109,9 @@ class WideSweepsTest {
         }
     }
 
-    @Test
-    void slowKernelsAreLeftAlone() throws InterruptedException {
+    @ParameterizedTest(name = "in single precision: {0}")
+    @ValueSource(booleans = {false, true})
+    void slowKernelsAreLeftAlone(boolean isSingle) throws InterruptedException {
         List<LogRecord> records = new CopyOnWriteArrayList<>();
         Handler handler =
                 new Handler() {
@@ -115,7 +128,7 @@ class WideSweepsTest {
                 };
         Logger logger = Logger.getLogger(NAME);
         logger.addHandler(handler);
-        WideSweeps wide = new WideSweeps(new Slow());
+        WideSweeps wide = new WideSweeps(new Slow(isSingle), isSingle);
         try {
             wide.begin();
             for (Thread thread : Thread.getAllStackTraces().keySet()) {
@@ -130,9 +143,12 @@ class WideSweepsTest {
         assertEquals(1, records.size(), "one warning and nothing else");
         assertEquals(Level.WARNING, records.getFirst().getLevel());
         assertTrue(records.getFirst().getMessage().contains("stays scalar"));
-        double[] scalar = columns(new ScalarSweeps(), 1);
-        assertArrayEquals(scalar, columns(wide, 4), 0.0, "asked for, but not warm");
-        assertArrayEquals(scalar, columns(wide, 0), 0.0, "left to the machine");
-        assertArrayEquals(scalar, columns(Lanes.sweeps(4), 4), 0.0, "real ones");
+        double[] scalar = columns(RowSweeps.scalar(isSingle), 1, isSingle);
+        assertArrayEquals(scalar, columns(wide, 4, isSingle), 0.0, "asked for, but not warm");
+        assertArrayEquals(scalar, columns(wide, 0, isSingle), 0.0, "left to the machine");
+        for (int lanes = 4; lanes <= (isSingle ? 8 : 4); lanes += 4) {
+            Sweeps real = Lanes.sweeps(lanes, isSingle);
+            assertArrayEquals(scalar, columns(real, lanes, isSingle), 0.0, lanes + " real ones");
+        }
     }
 }

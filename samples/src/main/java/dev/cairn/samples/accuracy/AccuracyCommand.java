@@ -1,5 +1,6 @@
 package dev.cairn.samples.accuracy;
 
+import dev.cairn.physics.Precision;
 import dev.cairn.samples.accuracy.AccuracyCase.Effort;
 
 import me.tongfei.progressbar.ConsoleProgressBarConsumer;
@@ -65,6 +66,13 @@ public final class AccuracyCommand {
                             + " than 1 %% of their inner radius; 0 by default, as in the tables.")
     int effort;
 
+    @Option(
+            names = "--precision",
+            paramLabel = "double|single",
+            description =
+                    "Numbers that contacts are solved in; double by default, as in the tables.")
+    Precision precision = Precision.DOUBLE;
+
     @Option(names = "--list", description = "Print the cases and end.")
     boolean list;
 
@@ -89,7 +97,7 @@ public final class AccuracyCommand {
      */
     public static int run(String[] arguments, PrintStream out, PrintStream err, boolean terminal) {
         AccuracyCommand command = new AccuracyCommand();
-        CommandLine line = new CommandLine(command);
+        CommandLine line = new CommandLine(command).setCaseInsensitiveEnumValuesAllowed(true);
         try {
             CommandLine.ParseResult parsed = line.parseArgs(arguments);
             if (parsed.isUsageHelpRequested()) {
@@ -173,7 +181,7 @@ public final class AccuracyCommand {
         double micros = Double.NaN;
         for (int n : SUBSTEPS) {
             if (runs(one, n)) {
-                Trial trial = new Trial(n, effort);
+                Trial trial = new Trial(n, effort, precision);
                 values.put(n, one.experiment().run(trial));
                 if (n == DEFAULT_SUBSTEPS) {
                     micros = trial.microsPerBodyStep();

@@ -5,6 +5,7 @@ import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.Precision;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
@@ -30,6 +31,7 @@ public final class Trial {
 
     private final int substeps;
     private final int effort;
+    private final Precision precision;
     private long cpuNanos;
     private long bodySteps;
     private int moving;
@@ -41,8 +43,20 @@ public final class Trial {
      * @param effort how often the engine may double them where it needs to, 0 to 4
      */
     public Trial(int substeps, int effort) {
+        this(substeps, effort, Precision.DOUBLE);
+    }
+
+    /**
+     * A run in a precision.
+     *
+     * @param substeps sub-steps of a tick, 1 to 32
+     * @param effort how often the engine may double them where it needs to, 0 to 4
+     * @param precision of the contacts' numbers
+     */
+    public Trial(int substeps, int effort, Precision precision) {
         this.substeps = substeps;
         this.effort = effort;
+        this.precision = precision;
     }
 
     int substeps() {
@@ -51,7 +65,7 @@ public final class Trial {
 
     /** A run of the same case at twice as many sub-steps, for orders of convergence. */
     Trial finer() {
-        return new Trial(2 * substeps, effort);
+        return new Trial(2 * substeps, effort, precision);
     }
 
     /**
@@ -68,6 +82,7 @@ public final class Trial {
         return PhysicsSettings.DEFAULT
                 .withSubsteps(substeps)
                 .withEffort(effort)
+                .withPrecision(precision)
                 .withSleeping(false);
     }
 

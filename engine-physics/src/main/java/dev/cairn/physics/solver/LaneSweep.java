@@ -7,67 +7,47 @@ import static dev.cairn.physics.solver.Scratch.LANDS;
 import static dev.cairn.physics.solver.Scratch.ONES;
 import static dev.cairn.physics.solver.Scratch.RUBS;
 
-import dev.cairn.physics.internal.ContactStore;
-
 /**
  * The sweeps with one row to a lane, by the Vector API. The arithmetic of a lane is that of {@link
- * ScalarSweeps}, operation by operation; a lane that has to do no more gets a gain of zero.
+ * ScalarSweep}, operation by operation; a lane that has to do no more gets a gain of zero.
  *
  * <p>The kernels' classes are made once for each number of lanes, as hidden classes, so that their
  * species is a constant. They call the Vector API directly and keep vectors in locals: a helper
  * that takes or returns one would box it as soon as it is not inlined. A chunk of rows is gathered
  * into scratch, solved there group by group, and scattered; kernels hand numbers on in scratch.
  */
-final class LaneSweeps implements Sweeps {
+final class LaneSweep implements Sweep {
     private final int lanes;
-    private final RowFiller filler;
     private final LaneKernels.Bodies bodies;
     private final LaneKernels.Normals normals;
     private final LaneKernels.Points four;
     private final LaneKernels.Points few;
     private final LaneKernels.Friction friction;
-    private final RowStore store;
 
-    LaneSweeps(
+    LaneSweep(
             int lanes,
-            RowFiller filler,
             LaneKernels.Bodies bodies,
             LaneKernels.Normals normals,
             LaneKernels.Points four,
             LaneKernels.Points few,
-            LaneKernels.Friction friction,
-            RowStore store) {
+            LaneKernels.Friction friction) {
         this.lanes = lanes;
-        this.filler = filler;
         this.bodies = bodies;
         this.normals = normals;
         this.four = four;
         this.few = few;
         this.friction = friction;
-        this.store = store;
-    }
-
-    @Override
-    public int lanes() {
-        return lanes;
-    }
-
-    @Override
-    public void fill(
-            ConstraintRows rows,
-            SolverBodies bodies,
-            ContactStore contacts,
-            SubStep sub,
-            double scale,
-            int from,
-            int to,
-            double[] scratch) {
-        filler.fill(rows, bodies, contacts, sub, scale, from, to, scratch);
     }
 
     @Override
     public void bias(
-            ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] st) {
+            ConstraintRows rows,
+            SolverBodies body,
+            SubStep sub,
+            int from,
+            int to,
+            Scratch scratch) {
+        double[] st = scratch.doubles;
         bodies.gather(body, rows.link, from, to, st);
         normals.begin(rows, from, to, st, 0);
         normals.soften(rows, from, to, st, 0, sub, ONES);
@@ -87,7 +67,13 @@ final class LaneSweeps implements Sweeps {
 
     @Override
     public void relax(
-            ConstraintRows rows, double[] body, SubStep sub, int from, int to, double[] st) {
+            ConstraintRows rows,
+            SolverBodies body,
+            SubStep sub,
+            int from,
+            int to,
+            Scratch scratch) {
+        double[] st = scratch.doubles;
         bodies.gather(body, rows.link, from, to, st);
         bodies.gatherMovement(body, rows.link, from, to, st);
         if (!normals.separate(rows, from, to, st, 0)) {
@@ -113,23 +99,6 @@ final class LaneSweeps implements Sweeps {
         bodies.scatter(body, rows.link, from, to, st);
     }
 
-    @Override
-    public void store(
-            ConstraintRows rows,
-            double[] body,
-            ContactStore contacts,
-            SubStep sub,
-            double gain,
-            double still,
-            int from,
-            int to,
-            double[] scratch) {
-        if (gain > 0) {
-            bodies.gather(body, rows.link, from, to, scratch);
-        }
-        store.store(rows, body, contacts, sub, gain, still, from, to, scratch);
-    }
-
     /** Sweeps over the points of the busy groups; whether a lane that lands needs more. */
     private boolean sweep(
             ConstraintRows rows, int from, int to, double[] st, int g, int sweeps, int step) {
@@ -140,7 +109,7 @@ final class LaneSweeps implements Sweeps {
                 int o = ConstraintRows.START + j * ConstraintRows.FIELDS;
                 int k = Scratch.PACKED + l * Scratch.PACK;
                 LaneKernels.Points points = n > 2 ? four : few;
-                lands |= points.sweep(rows.row, o, st, k, l, n, sweeps, step);
+                lands |= points.sweep(rows.doubles, o, st, k, l, n, sweeps, step);
             }
         }
         return lands;

@@ -1,0 +1,98 @@
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Writes the solver's kernels a second time, in single precision.
+ *
+ * <p>Kernels that call the Vector API cannot be generic: a vector that crosses a type parameter is
+ * boxed. So there is one text, in double, and this program makes the other one from it by rules
+ * that hold for the whole text:
+ *
+ * <ul>
+ *   <li>{@code double}, {@code DoubleVector}, {@code Double} become {@code float} and so on;
+ *   <li>{@code .doubles} and {@code .state}, which there are two of, become {@code .floats};
+ *   <li>literals get an f, square roots are rounded to float at once;
+ *   <li>what is read from a contact or from the sub-step is rounded, and so is what stands behind
+ *       {@code /*(float)*}{@code /};
+ *   <li>{@code .root} and {@code .warm} become {@code .rootFloats} and {@code .warmFloats};
+ *   <li>the classes of the list get {@code Single} in front of their names.
+ * </ul>
+ *
+ * <p>Arguments: the folder of the package's sources, the folder to write the package to.
+ */
+final class Twins {
+    private static final List<String> TWINS =
+            List.of(
+                    "LaneKernels",
+                    "LanePrepare",
+                    "LaneStore",
+                    "PrepareRow",
+                    "StoreRow",
+                    "Offsets",
+                    "LaneBodies",
+                    "LaneNormals",
+                    "LaneFour",
+                    "LaneFew",
+                    "LaneFriction",
+                    "LaneSweep",
+                    "ScalarSweep",
+                    "ScalarNormals",
+                    "ScalarFour",
+                    "ScalarFriction",
+                    "Rub");
+
+    /** What is read from a contact or from the sub-step. */
+    private static final Pattern READ =
+            Pattern.compile(
+                    "\\b((?:c|contacts)\\.(?:normal[XYZ]|friction|anchor[AB][XYZ]|frictionImpulse[XYZ]"
+                        + "|twistImpulse)\\([^()]*\\)"
+                        + "|(?:c|contacts)\\.(?:anchors|separation|normalImpulse|totalNormalImpulse"
+                        + "|preload|patch)\\[[^\\]]*\\](?!\\s*[-+*]?=[^=])"
+                        + "|sub\\.(?:rate|fixedRate|massScale|fixedMassScale|inverse|pushSpeed"
+                        + "|fillScale|keepScale|offsetGain|still|stiffness\\([^()]*\\)))");
+
+    private static final Pattern NUMBER =
+            Pattern.compile(
+                    "(?<![\\w.])(\\d+\\.\\d*(?:[eE][+-]?\\d+)?|\\d+[eE][+-]?\\d+)(?![\\w.])");
+
+    private Twins() {}
+
+    public static void main(String[] arguments) throws IOException {
+        if (arguments.length != 2) {
+            throw new IllegalArgumentException(
+                    "Twins needs the folder of the sources and the folder to write to, but got "
+                            + List.of(arguments));
+        }
+        Path from = Path.of(arguments[0]);
+        Path to = Files.createDirectories(Path.of(arguments[1]));
+        for (String name : TWINS) {
+            Path file = to.resolve("Single" + name + ".java");
+            String text = twin(Files.readString(from.resolve(name + ".java")));
+            // an unchanged file keeps its time, so that nothing is compiled for it
+            if (!Files.exists(file) || !Files.readString(file).equals(text)) {
+                Files.writeString(file, text);
+            }
+        }
+    }
+
+    private static String twin(String source) {
+        String text = source;
+        for (String name : TWINS) {
+            text = text.replaceAll("\\b" + name + "\\b", "Single" + name);
+        }
+        text = text.replace("/*(float)*/", "(float)");
+        text = READ.matcher(text).replaceAll("(float) $1");
+        text = text.replaceAll("\\.(root|warm)\\b", ".$1Floats");
+        text = text.replaceAll("\\bdouble\\b", "float");
+        text = text.replaceAll("\\.(doubles|state)\\b", ".floats");
+        text = text.replaceAll("\\bDoubleVector\\b", "FloatVector");
+        text = text.replaceAll("\\bDouble\\b", "Float");
+        text = text.replaceAll("\\bMath\\.sqrt\\(", "(float) Math.sqrt(");
+        return NUMBER.matcher(text)
+                .replaceAll(found -> Matcher.quoteReplacement(found.group() + "f"));
+    }
+}

@@ -1,0 +1,77 @@
+package dev.cairn.physics.solver;
+
+import dev.cairn.physics.internal.ContactStore;
+
+/** Sweeps of one number of lanes and one precision, put together. */
+final class RowSweeps implements Sweeps {
+    private final int lanes;
+    private final RowFiller filler;
+    private final Sweep sweep;
+    private final RowStore store;
+
+    RowSweeps(int lanes, RowFiller filler, Sweep sweep, RowStore store) {
+        this.lanes = lanes;
+        this.filler = filler;
+        this.sweep = sweep;
+        this.store = store;
+    }
+
+    /** The scalar ones: what runs without the Vector API, and what wide ones are held to. */
+    static Sweeps scalar(boolean isSingle) {
+        return isSingle
+                ? new RowSweeps(
+                        1, new SinglePrepareRow(), new SingleScalarSweep(), new SingleStoreRow())
+                : new RowSweeps(1, new PrepareRow(), new ScalarSweep(), new StoreRow());
+    }
+
+    @Override
+    public int lanes() {
+        return lanes;
+    }
+
+    @Override
+    public void fill(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            ContactStore contacts,
+            SubStep sub,
+            int from,
+            int to,
+            Scratch scratch) {
+        filler.fill(rows, bodies, contacts, sub, from, to, scratch);
+    }
+
+    @Override
+    public void bias(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            SubStep sub,
+            int from,
+            int to,
+            Scratch scratch) {
+        sweep.bias(rows, bodies, sub, from, to, scratch);
+    }
+
+    @Override
+    public void relax(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            SubStep sub,
+            int from,
+            int to,
+            Scratch scratch) {
+        sweep.relax(rows, bodies, sub, from, to, scratch);
+    }
+
+    @Override
+    public void store(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            ContactStore contacts,
+            SubStep sub,
+            int from,
+            int to,
+            Scratch scratch) {
+        store.store(rows, bodies, contacts, sub, from, to, scratch);
+    }
+}

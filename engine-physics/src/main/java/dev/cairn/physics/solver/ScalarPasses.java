@@ -1,0 +1,20 @@
+package dev.cairn.physics.solver;
+
+/** What is done to rows one by one only. */
+interface ScalarPasses extends Sweep {
+    /**
+     * Hard normals and friction of the rows that are marked as unloaded, over and over; no totals:
+     * the sweeps only correct the first guess of the sub-step.
+     */
+    void settle(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            SubStep sub,
+            int rounds,
+            int from,
+            int to,
+            Scratch scratch);
+
+    /** Brings the separations of all rows up to date with the bodies. */
+    void separate(ConstraintRows rows, SolverBodies bodies);
+}
