@@ -60,6 +60,17 @@ class AllocationTest {
     }
 
     @Test
+    void aHeapAtRestInSinglePrecision() {
+        PhysicsSettings settings =
+                PhysicsSettings.DEFAULT.withLanes(1).withPrecision(Precision.SINGLE);
+        try (PhysicsWorld world =
+                PhysicsWorld.builder().settings(settings).sleeping(false).workers(2).build()) {
+            Scenes.drop(world, 60, 3);
+            measure(world, 1500);
+        }
+    }
+
+    @Test
     void everyKindOnEveryKindAtRest() {
         try (PhysicsWorld world = scalar().sleeping(false).workers(2).build()) {
             Scenes.everyKindOnEveryKind(world);

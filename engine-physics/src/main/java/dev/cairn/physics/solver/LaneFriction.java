@@ -35,8 +35,8 @@ final class LaneFriction implements LaneKernels.Friction {
     private static final int L = S.length();
 
     /**
-     * Of a group that slips: squares of the impulses that stop its slide and its spin, their
-     * limits, and the shares of them that it can give.
+     * Of a group that slips: the square of the impulse that stops its slide, the impulse that stops
+     * its spin, their limits, and the shares of them that it can give.
      */
     private static final int SLIDE = PACKED;
 
@@ -227,21 +227,19 @@ final class LaneFriction implements LaneKernels.Friction {
         f2.intoArray(st, WANTED + L);
         var twist = DoubleVector.fromArray(S, st, TWISTED);
         var size = f1.mul(f1).add(f2.mul(f2));
-        var square = twist.mul(twist);
+        var spin = twist.abs();
         var limit = DoubleVector.fromArray(S, st, LIMIT);
         var bound = DoubleVector.fromArray(S, st, BOUND);
         size.intoArray(st, SLIDE);
-        square.intoArray(st, SPIN);
+        spin.intoArray(st, SPIN);
         DoubleVector.zero(S)
                 .blend(1.0, limit.compare(VectorOperators.GT, 0.0))
                 .intoArray(st, SLIDE_SHARE);
         DoubleVector.zero(S)
                 .blend(1.0, bound.compare(VectorOperators.GT, 0.0))
                 .intoArray(st, SPIN_SHARE);
-        var l2 = limit.mul(limit);
-        var b2 = bound.mul(bound);
-        return size.compare(VectorOperators.GT, l2.mul(Rub.SURE_SLIDE))
-                .or(square.compare(VectorOperators.GT, b2.mul(Rub.SURE_SPIN)))
+        return size.compare(VectorOperators.GT, limit.mul(limit).mul(Rub.SURE_SLIDE))
+                .or(spin.compare(VectorOperators.GT, bound.mul(Rub.SURE_SPIN)))
                 // a lane that nothing presses gives nothing, however it slides
                 .and(limit.compare(VectorOperators.GT, 0.0))
                 .anyTrue();
@@ -324,8 +322,11 @@ final class LaneFriction implements LaneKernels.Friction {
         var inertia = DoubleVector.fromArray(S, d, o + TWIST_MASS * L);
         var reach = bound.div(limit);
         var radius = reach.mul(Rub.RADIUS);
-        var q = inertia.div(mass.mul(reach).add(Rub.LEAST));
-        var e = slide.mul(q.mul(q)).div(spin.mul(Rub.REACH).add(Rub.LEAST));
+        var slides = slide.sqrt();
+        var x =
+                slides.mul(inertia.div(mass.mul(reach.add(Rub.SHORT))))
+                        .div(spin.mul(Rub.RADIUS).add(Rub.LEAST));
+        var e = x.mul(x);
         var one = DoubleVector.broadcast(S, 1.0);
         var inner = e.mul(e.mul(e.mul(e).mul(Rub.EIGHTH).add(Rub.FOURTH)).add(1.0)).add(1.0);
         var share =
@@ -334,33 +335,35 @@ final class LaneFriction implements LaneKernels.Friction {
                                 .sub(Rub.LESS)
                                 .blend(inner, e.compare(VectorOperators.LT, Rub.TURNING)));
         var whole = share.mul(Rub.NEAR).add(Rub.FAR).mul(radius.mul(radius)).mul(limit);
-        var across = share.mul(Rub.CLOSE).add(Rub.FAR).mul(spin).sqrt().mul(radius);
-        var slides = slide.sqrt();
+        var across = share.mul(Rub.CLOSE).add(Rub.FAR).sqrt().mul(spin).mul(radius);
         var give = DoubleVector.zero(S);
         for (int i = 0; i < Rub.STEPS; i++) {
-            var u = mass.mul(give).add(limit);
-            var w = inertia.mul(give).add(whole).add(Rub.LEAST);
-            var p = slides.div(u);
-            var t = across.div(w);
+            var u = one.div(mass.mul(give).add(limit));
+            var w = one.div(inertia.mul(give.add(Rub.SHORT)).add(whole).add(Rub.LEAST));
+            var p = slides.mul(u);
+            var q = across.mul(w);
+            var most = p.max(q);
+            var inverse = one.div(most);
+            p = p.mul(inverse);
+            q = q.mul(inverse);
             p = p.mul(p);
-            t = t.mul(t);
-            var h = p.add(t);
+            q = q.mul(q);
+            var h = p.add(q);
             give =
                     give.add(
-                                    h.mul(h.sqrt().sub(1.0))
-                                            .div(p.mul(mass).div(u).add(t.mul(inertia).div(w))))
+                                    h.mul(h.sqrt().mul(most).sub(1.0))
+                                            .div(p.mul(mass.mul(u)).add(q.mul(inertia.mul(w)))))
                             .max(0.0);
         }
         var l2 = limit.mul(limit);
-        var b2 = bound.mul(bound);
+        var rim = spin.div(reach.add(Rub.SHORT));
         var holds =
                 slide.compare(VectorOperators.LE, l2)
-                        .and(spin.compare(VectorOperators.LE, b2))
+                        .and(spin.compare(VectorOperators.LE, bound))
                         .and(
-                                slide.mul(reach.mul(reach))
-                                        .mul(9.0)
-                                        .add(spin.mul(16.0))
-                                        .compare(VectorOperators.LE, b2.mul(9.0)));
+                                slide.mul(9.0)
+                                        .add(rim.mul(rim).mul(16.0))
+                                        .compare(VectorOperators.LE, l2.mul(9.0)));
         var rubs = limit.compare(VectorOperators.GT, 0.0);
         limit.div(mass.mul(give).add(limit))
                 .blend(1.0, holds)

@@ -26,10 +26,8 @@ package dev.cairn.physics.solver;
  * sliding spinning disks with uniform Coulomb friction", Physica D 233 (2007); own fit.
  */
 final class Rub {
-    /** R over the mean distance, and its square. */
+    /** R over the mean distance. */
     static final double RADIUS = 1.5;
-
-    static final double REACH = 2.25;
 
     /** {@code k = FAR + NEAR g}, {@code s = FAR + CLOSE g}. */
     static final double FAR = 0.25;
@@ -51,13 +49,16 @@ final class Rub {
     /** Keeps what is 0 from being divided by 0. */
     static final double LEAST = Double.MIN_NORMAL;
 
+    /** The same for a length or a speed; the inverse is finite. */
+    static final double SHORT = Double.MIN_NORMAL * 1e8;
+
     /**
-     * Shares of the squares of its limits up to which a patch surely sticks: inside of the ellipse
-     * of {@link #holds}, whose axes these are the squares of in part.
+     * Shares of its limits, of the slide squared, up to which a patch surely sticks: inside of the
+     * ellipse of {@link #holds}.
      */
     static final double SURE_SLIDE = 0.75;
 
-    static final double SURE_SPIN = 0.14;
+    static final double SURE_SPIN = 0.374;
 
     static final int STEPS = 3;
 
@@ -72,13 +73,12 @@ final class Rub {
     private Rub() {}
 
     /**
-     * Whether a patch sticks beyond any doubt, of rounding too; most of those at rest do. Products
-     * of two impulses only, so that small bodies do not underflow in single precision.
+     * Whether a patch sticks beyond any doubt, of rounding too; most of those at rest do.
      *
      * @param slide square of the impulse that stops the slide
-     * @param spin square of the impulse that stops the spin
+     * @param spin impulse that stops the spin, without its sign
      * @param limit square of mu N
-     * @param bound square of mu N times the mean distance
+     * @param bound mu N times the mean distance
      */
     static boolean isStuck(double slide, double spin, double limit, double bound) {
         return slide <= limit * SURE_SLIDE && spin <= bound * SURE_SPIN;
@@ -87,23 +87,31 @@ final class Rub {
     /**
      * Whether a patch sticks for certain: it does inside of the smallest of the law's ellipses.
      *
-     * @param square of the mean distance
+     * @param reach mean distance
      */
-    static boolean holds(double slide, double spin, double limit, double bound, double square) {
-        return slide <= limit && spin <= bound && 9 * (slide * square) + 16 * spin <= 9 * bound;
+    static boolean holds(double slide, double spin, double limit, double bound, double reach) {
+        double rim = spin / (reach + SHORT);
+        return slide <= limit && spin <= bound && 9 * slide + 16 * (rim * rim) <= 9 * limit;
     }
 
-    /** g at the velocities that the impulses stop. */
+    /**
+     * g at the velocities that the impulses stop.
+     *
+     * @param slide impulse that stops the slide
+     * @param spin impulse that stops the spin, without its sign
+     * @param reach mean distance
+     */
     static double share(double slide, double spin, double reach, double mass, double inertia) {
-        // e = (|v| / (R w))², |v| = F/m, w = T/J, R² = REACH reach²
-        double q = inertia / (mass * reach + LEAST);
-        double e = slide * (q * q) / (spin * REACH + LEAST);
+        // x = |v| / (R w), |v| = F/m, w = T/J, R = RADIUS reach
+        double x = slide * (inertia / (mass * (reach + SHORT))) / (spin * RADIUS + LEAST);
+        double e = x * x;
         return 1 / (e < TURNING ? 1 + e * (1 + e * (FOURTH + e * e * EIGHTH)) : FAST * e - LESS);
     }
 
     /**
-     * D: the speed of the rub that is left, m/s. Squares are taken of ratios only: a patch whose
-     * weight is on one point is as good as without a radius.
+     * D: the speed of the rub that is left, m/s. Squares are taken of ratios up to 1 only: a patch
+     * whose weight is on one point is as good as without a radius, and its numbers may be of any
+     * size.
      *
      * @param slide impulse that stops the slide
      * @param across impulse that stops the spin, times R and the root of s
@@ -113,14 +121,19 @@ final class Rub {
             double slide, double across, double whole, double mass, double inertia, double limit) {
         double give = 0;
         for (int i = 0; i < STEPS; i++) {
-            double u = mass * give + limit;
-            double w = inertia * give + whole + LEAST;
-            double p = slide / u;
-            double q = across / w;
+            double u = 1 / (mass * give + limit);
+            double w = 1 / (inertia * (give + SHORT) + whole + LEAST);
+            double p = slide * u;
+            double q = across * w;
+            // (p² + q²) over the square of the larger
+            double most = Math.max(p, q);
+            double one = 1 / most;
+            p *= one;
+            q *= one;
             p *= p;
             q *= q;
             double h = p + q;
-            give += h * (Math.sqrt(h) - 1) / (p * mass / u + q * inertia / w);
+            give += h * (Math.sqrt(h) * most - 1) / (p * (mass * u) + q * (inertia * w));
             give = Math.max(give, 0);
         }
         return give;

@@ -93,17 +93,18 @@ final class ScalarFriction {
         // the square of a very small impulse is 0
         double scale = limit > 0 ? 1 : 0;
         double twistScale = bound > 0 ? 1 : 0;
-        double square = twist * twist;
-        if (limit > 0 && !Rub.isStuck(size, square, limit * limit, bound * bound)) {
+        double spin = Math.abs(twist);
+        if (limit > 0 && !Rub.isStuck(size, spin, limit * limit, bound)) {
             double reach = bound / limit;
-            if (!Rub.holds(size, square, limit * limit, bound * bound, reach * reach)) {
+            if (!Rub.holds(size, spin, limit * limit, bound, reach)) {
                 double mass = 0.5 * (d[k] + d[k + 2 * lanes]);
                 double inertia = d[o + TWIST_MASS * lanes];
                 double radius = Rub.RADIUS * reach;
-                double share = Rub.share(size, square, reach, mass, inertia);
+                double slide = Math.sqrt(size);
+                double share = Rub.share(slide, spin, reach, mass, inertia);
                 double whole = (Rub.FAR + Rub.NEAR * share) * (radius * radius) * limit;
-                double across = Math.sqrt((Rub.FAR + Rub.CLOSE * share) * square) * radius;
-                double give = Rub.give(Math.sqrt(size), across, whole, mass, inertia, limit);
+                double across = Math.sqrt(Rub.FAR + Rub.CLOSE * share) * spin * radius;
+                double give = Rub.give(slide, across, whole, mass, inertia, limit);
                 scale = limit / (mass * give + limit);
                 twistScale = whole / (inertia * give + whole + Rub.LEAST);
             }

@@ -37,7 +37,7 @@ class RubTest {
 
     /** Force and torque by the law, mass, inertia and radius 1. */
     private static double[] law(double x, double y) {
-        double g = Rub.share(x * x, y * y, 1 / Math.sqrt(Rub.REACH), 1, 1);
+        double g = Rub.share(x, y, 1 / Rub.RADIUS, 1, 1);
         double s = Math.sqrt(x * x + (Rub.FAR + Rub.CLOSE * g) * y * y);
         return new double[] {x / s, (Rub.FAR + Rub.NEAR * g) * y / s};
     }
@@ -97,13 +97,13 @@ class RubTest {
             double inertia = mass * r2 * StrictMath.exp(0.5 * random.nextGaussian());
             double slide = limit * limit * StrictMath.exp(2 * random.nextGaussian());
             double spin = r2 * limit * limit * StrictMath.exp(2 * random.nextGaussian());
-            double bound = limit * Math.sqrt(r2 / Rub.REACH);
+            double bound = limit * Math.sqrt(r2) / Rub.RADIUS;
             double reach = bound / limit;
-            boolean holds = Rub.holds(slide, spin, limit * limit, bound * bound, reach * reach);
-            if (Rub.isStuck(slide, spin, limit * limit, bound * bound)) {
+            boolean holds = Rub.holds(slide, Math.sqrt(spin), limit * limit, bound, reach);
+            if (Rub.isStuck(slide, Math.sqrt(spin), limit * limit, bound)) {
                 assertTrue(holds, "stuck, yet does not hold; seed " + seed + ", round " + i);
             }
-            double g = Rub.share(slide, spin, reach, mass, inertia);
+            double g = Rub.share(Math.sqrt(slide), Math.sqrt(spin), reach, mass, inertia);
             double give = give(slide, spin, r2, mass, inertia, limit, g);
             double left = left(slide, spin, r2, mass, inertia, limit, g, give);
             if (holds) {
@@ -152,7 +152,7 @@ class RubTest {
     void aPatchHoldsUpToItsLimitsAndNoFurther() {
         assertTrue(Rub.holds(0.99, 0, 1, 1, 1));
         assertFalse(Rub.holds(1.01, 0, 1, 1, 1));
-        assertTrue(Rub.holds(0, 0.56, 1, 1, 1));
+        assertTrue(Rub.holds(0, 0.748, 1, 1, 1));
         assertFalse(Rub.holds(0, 1.01, 1, 1, 1));
         assertTrue(Rub.holds(0, 0, 0, 0, 0));
     }
@@ -166,13 +166,13 @@ class RubTest {
             double v = random.nextGaussian();
             double w = random.nextGaussian();
             double limit = StrictMath.exp(2 * random.nextGaussian());
-            double bound = limit / Math.sqrt(Rub.REACH);
+            double bound = limit / Rub.RADIUS;
             double slide = v * v;
             double spin = w * w;
-            if (Rub.holds(slide, spin, limit * limit, bound * bound, 1 / Rub.REACH)) {
+            if (Rub.holds(slide, Math.sqrt(spin), limit * limit, bound, bound / limit)) {
                 continue;
             }
-            double g = Rub.share(slide, spin, 1 / Math.sqrt(Rub.REACH), 1, 1);
+            double g = Rub.share(Math.sqrt(slide), Math.sqrt(spin), 1 / Rub.RADIUS, 1, 1);
             double give = give(slide, spin, 1, 1, 1, limit, g);
             double whole = (Rub.FAR + Rub.NEAR * g) * limit;
             double v1 = v * (1 - limit / (give + limit));

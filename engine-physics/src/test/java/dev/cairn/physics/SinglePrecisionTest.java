@@ -1,0 +1,128 @@
+package dev.cairn.physics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.physics.shape.Box;
+
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+
+/**
+ * Contacts in single precision: what they may not touch keeps its bits, what they hold is held, and
+ * nothing in them depends on the size of the numbers.
+ */
+class SinglePrecisionTest {
+    private static final long SEED = 20;
+
+    private static PhysicsWorld world(Precision precision, int lanes) {
+        PhysicsSettings settings =
+                PhysicsSettings.DEFAULT.withPrecision(precision).withLanes(lanes);
+        return PhysicsWorld.builder()
+                .gravity(0, -10, 0)
+                .workers(1)
+                .settings(settings)
+                .sleeping(false)
+                .build();
+    }
+
+    private static List<BodyRef> heap(PhysicsWorld world, int boxes, double density) {
+        world.add(
+                Body.fixed()
+                        .shape(Box.of(20, 0.5, 20))
+                        .at(0, -0.5, 0)
+                        .material(new Material(0.5, 0, 1000)));
+        Random random = new Random(SEED);
+        List<BodyRef> heap = new ArrayList<>();
+        for (int i = 0; i < boxes; i++) {
+            heap.add(
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cube(0.25))
+                                    .at(
+                                            0.3 * random.nextGaussian(),
+                                            0.3 + 0.6 * i,
+                                            0.3 * random.nextGaussian())
+                                    .rotationAbout(1, 0, 0, random.nextDouble())
+                                    .material(new Material(0.5, 0, density))));
+        }
+        return heap;
+    }
+
+    /** Flight is no contact's matter: a body that tumbles keeps the bits of double precision. */
+    @Test
+    void flightHasTheSameBits() {
+        Vector3d[] at = {new Vector3d(), new Vector3d()};
+        Quaterniond[] turned = {new Quaterniond(), new Quaterniond()};
+        for (int i = 0; i < 2; i++) {
+            try (PhysicsWorld world = world(Precision.values()[i], 1)) {
+                heap(world, 8, 1000); // something that does touch
+                BodyRef body =
+                        world.add(
+                                Body.dynamic()
+                                        .shape(Box.of(0.1, 0.2, 0.3))
+                                        .at(50, 500, 0)
+                                        .velocity(1, 2, 3)
+                                        .angularVelocity(7, 1, -3));
+                for (int tick = 0; tick < 300; tick++) {
+                    world.step(Scenes.STEP);
+                }
+                body.position(at[i]);
+                turned[i].set(body.orientation());
+            }
+        }
+        assertEquals(at[0], at[1]);
+        assertEquals(turned[0], turned[1]);
+    }
+
+    /**
+     * Masses times a power of two: the same path, to the bit. Patches whose weight is all on one
+     * point are among it, where a square would be too small for a float.
+     */
+    @ParameterizedTest(name = "density times 2^{0}")
+    @ValueSource(ints = {-10, 10, 20})
+    void massesThatAreScaledMoveAlike(int power) {
+        double[] paths = new double[2];
+        for (int i = 0; i < 2; i++) {
+            try (PhysicsWorld world = world(Precision.SINGLE, i == 0 ? 1 : 4)) {
+                List<BodyRef> heap = heap(world, 12, Math.scalb(1000, i * power));
+                Vector3d at = new Vector3d();
+                for (int tick = 0; tick < 240; tick++) {
+                    world.step(1 / 64.0);
+                    for (BodyRef body : heap) {
+                        body.position(at);
+                        paths[i] = 31 * paths[i] % 1000 + at.x + at.y + at.z;
+                    }
+                }
+            }
+        }
+        assertEquals(paths[0], paths[1], "seed " + SEED);
+    }
+
+    /** Ten cubes stand, to what catalogue case E1 asks of double precision. */
+    @Test
+    void aStackStands() {
+        try (PhysicsWorld world = world(Precision.SINGLE, 0)) {
+            List<BodyRef> stack = Scenes.stack(world, 10);
+            for (int tick = 0; tick < 1200; tick++) {
+                world.step(Scenes.STEP);
+            }
+            Vector3d at = new Vector3d();
+            Vector3d velocity = new Vector3d();
+            for (int i = 0; i < stack.size(); i++) {
+                stack.get(i).velocity(velocity);
+                assertTrue(velocity.length() < 1e-6, "cube " + i + ": " + velocity.length());
+            }
+            stack.getLast().position(at);
+            stack.getFirst().position(velocity);
+            assertEquals(9, (at.y - velocity.y) / (2 * velocity.y), 1e-5, "heights of a cube");
+        }
+    }
+}
