@@ -39,7 +39,7 @@ import java.lang.invoke.MethodHandles;
  * Fills constraint rows with one row to a lane: the arithmetic of {@link PrepareRow}, operation by
  * operation. Contacts and bodies are copied to a staging area first, a group at a time; what a lane
  * lacks is staged so that it adds nothing. Made once for each number of lanes, like {@link
- * LaneSweeps}; kernels work from array to array for the same reason.
+ * LaneSweep}; kernels work from array to array for the same reason.
  */
 final class LanePrepare implements RowFiller {
     private static final VectorSpecies<Double> S = LaneSpecies.doubles(MethodHandles.lookup());

@@ -1,6 +1,5 @@
 /**
- * Motion and contact of one tick: sub-stepped soft contacts in double, wide over the contacts of a
- * colour.
+ * Motion and contact of one tick: sub-stepped soft contacts, wide over the contacts of a colour.
  *
  * <p>Problem: bodies that touch must not sink into each other, must stick and slide as friction
  * says, must bounce as restitution says, and must come to rest; towers couple all of them. A rigid
@@ -31,6 +30,10 @@
  * group is one vector. Angular velocities are weighted by a root of the inverse inertia: an arm
  * then is three numbers that serve both ways. The warm start costs nothing per contact: a body
  * keeps the sum of what its contacts did.
+ *
+ * <p>Precision: bodies are doubles, and so are rows and sweeps, unless floats are asked for. Then
+ * the sweeps see velocities and movements rounded, and what they change is added to the state; the
+ * classes whose names begin with Single are made from the others by {@code build/Twins.java}.
  *
  * <p>Invariants: a contact's impulse on A is the exact negative of that on B, and the reported
  * totals are all the momentum that was exchanged; friction stays in its circle; normal impulses
