@@ -50,7 +50,7 @@ final class Rub {
     static final double LEAST = Double.MIN_NORMAL;
 
     /** The same for a length or a speed; the inverse is finite. */
-    static final double SHORT = Double.MIN_NORMAL * 1e8;
+    static final double SHORT = Double.MIN_NORMAL * 100;
 
     /**
      * Shares of its limits, of the slide squared, up to which a patch surely sticks: inside of the
