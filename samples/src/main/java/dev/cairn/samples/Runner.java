@@ -1,5 +1,6 @@
 package dev.cairn.samples;
 
+import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.render.app.Offscreen;
 import dev.cairn.samples.scenefile.SceneExport;
 import dev.cairn.samples.scenefile.SceneFile;
@@ -110,6 +111,11 @@ final class Runner {
                         request.sleepingOr(true),
                         out);
         window.step(request.stepSeconds());
+        window.settings(
+                PhysicsSettings.DEFAULT
+                        .withEffort(request.effort())
+                        .withLanes(request.lanes())
+                        .withPrecision(request.precision()));
         Path file = request.sceneFile();
         SceneFile described = request.described();
         if (file != null && described != null) {

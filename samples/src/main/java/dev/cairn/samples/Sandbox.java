@@ -4,6 +4,7 @@ import dev.cairn.core.snapshot.TripleBuffer;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Material;
+import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.render.app.Application;
@@ -69,6 +70,7 @@ class Sandbox extends Application {
     private int current;
     private int workers;
     private int substeps;
+    private PhysicsSettings settings = PhysicsSettings.DEFAULT;
     private final boolean sleeping;
     private boolean bound;
     private boolean keepCamera;
@@ -144,6 +146,15 @@ class Sandbox extends Application {
         noWindow = reason;
     }
 
+    /**
+     * Sets what has no slider; before the start.
+     *
+     * @param value tunables of every scene; sub-steps and sleep are those of the window
+     */
+    void settings(PhysicsSettings value) {
+        settings = value;
+    }
+
     @Override
     protected PhysicsWorld createPhysics() {
         EditorStage.Shown edited = stage.shown();
@@ -151,6 +162,7 @@ class Sandbox extends Application {
                 PhysicsWorld.builder()
                         .gravity(0, -SampleScene.GRAVITY, 0)
                         .workers(Math.max(workers, SimulationPanel.mostWorkers()))
+                        .settings(settings)
                         .substeps(edited == null ? substeps : edited.scene().tick().substeps())
                         .sleeping(sleeping)
                         .seed(chosenOptions().seed())
