@@ -36,8 +36,8 @@ import java.util.Objects;
  *     number is warmed up when the world is made, which takes a second; 0 does so beside a scene
  *     that is large enough. Needs {@code --add-modules=jdk.incubator.vector}; without it the solver
  *     is scalar. Default 0
- * @param precision of the numbers that contacts are solved in. Default double; single is faster,
- *     see {@link Precision}
+ * @param precision of the numbers that contacts are solved in: floats for large islands, which is
+ *     faster, doubles for small ones, which is exact, see {@link Precision}. Default auto
  * @param speculativeTime contacts are made for pairs that could meet within so many ticks at their
  *     present relative speed (turning included), 0 to 16. Default 1
  * @param speculativeFraction and, besides, for pairs that are closer than this fraction of the
@@ -84,7 +84,7 @@ public record PhysicsSettings(
                     SolverSettings.DEFAULT.loneSweeps(),
                     SolverSettings.DEFAULT.effort(),
                     SolverSettings.DEFAULT.lanes(),
-                    Precision.DOUBLE,
+                    Precision.AUTO,
                     1,
                     0.02,
                     0.1,
@@ -280,7 +280,7 @@ public record PhysicsSettings(
                 .withLoneSweeps(loneSweeps)
                 .withEffort(effort)
                 .withLanes(lanes)
-                .withSingle(precision == Precision.SINGLE);
+                .withFloatsFrom(precision.floatsFrom);
     }
 
     /** The values on their way to other settings, so that each change names only its own. */

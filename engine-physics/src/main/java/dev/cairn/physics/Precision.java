@@ -1,17 +1,34 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.solver.SolverSettings;
+
 /**
  * In what numbers the contacts of a tick are solved. Positions and velocities of bodies are doubles
  * in either case, and so is all of the collision.
  */
 public enum Precision {
-    /** The default: errors of the order of 1e-16 of what moves. */
-    DOUBLE,
+    /**
+     * The default: {@link #SINGLE} for the contacts of islands of more than 1024, {@link #DOUBLE}
+     * for all others. A few sweeps bring a large island within some 1e-4 of its solution, and
+     * rounding to floats is not seen beside that; what a few bodies do is right to the last digits
+     * of a double.
+     */
+    AUTO(SolverSettings.LARGE),
+
+    /** Errors of the order of 1e-16 of what moves. */
+    DOUBLE(Integer.MAX_VALUE),
 
     /**
      * Rows and changes of velocity are floats: twice as many contacts to a vector, half the memory.
      * A change of a velocity has an error of some 1e-7 of itself; what is at rest stays at rest.
      * For bodies from 0.1 mm to 1 km.
      */
-    SINGLE
+    SINGLE(0);
+
+    /** See {@link SolverSettings#floatsFrom}. */
+    final int floatsFrom;
+
+    Precision(int floatsFrom) {
+        this.floatsFrom = floatsFrom;
+    }
 }

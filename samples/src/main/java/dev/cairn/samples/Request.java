@@ -190,12 +190,13 @@ record Request(
     }
 
     private static Precision precision(@Nullable String text) {
-        return switch (text == null ? "double" : text.trim()) {
+        return switch (text == null ? "auto" : text.trim()) {
+            case "auto" -> Precision.AUTO;
             case "double" -> Precision.DOUBLE;
             case "single" -> Precision.SINGLE;
             default ->
                     throw new UsageException(
-                            "--precision %s: want double or single".formatted(text));
+                            "--precision %s: want auto, double or single".formatted(text));
         };
     }
 

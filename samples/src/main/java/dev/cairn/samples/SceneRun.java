@@ -41,7 +41,7 @@ public final class SceneRun {
     private int effort;
     private boolean sleeping;
     private int lanes;
-    private Precision precision = Precision.DOUBLE;
+    private Precision precision = Precision.AUTO;
     private @Nullable Path picture;
     private int pictureTick;
     private @Nullable Path animation;

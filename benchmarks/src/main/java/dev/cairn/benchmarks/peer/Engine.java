@@ -209,7 +209,7 @@ public enum Engine {
         }
         try {
             return switch (this) {
-                case CAIRN -> new CairnPeer(scene, settings, Precision.DOUBLE);
+                case CAIRN -> new CairnPeer(scene, settings, Precision.AUTO);
                 case CAIRN_SINGLE -> new CairnPeer(scene, settings, Precision.SINGLE);
                 case JOLT -> new JoltPeer(scene, settings);
                 case BULLET -> new BulletPeer(scene, settings);

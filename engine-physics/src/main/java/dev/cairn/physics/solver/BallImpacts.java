@@ -69,7 +69,7 @@ final class BallImpacts {
     private int count;
 
     // the step in work
-    private ConstraintRows rows = new ConstraintRows(1);
+    private ConstraintRows rows = new RowList().doubles;
     private SolverBodies bodies = new SolverBodies();
     private BodyStore store = new BodyStore();
     private ContactStore contacts = new ContactStore();
@@ -101,7 +101,7 @@ final class BallImpacts {
 
     /** Whether a bouncing row is one of two balls. */
     boolean isPair(int row) {
-        int source = rows.source[row];
+        int source = rows.list.source[row];
         return store.shape[contacts.bodyA[source]] instanceof Sphere
                 && store.shape[contacts.bodyB[source]] instanceof Sphere;
     }
@@ -144,8 +144,8 @@ final class BallImpacts {
     }
 
     private boolean touches(int k, int other) {
-        int i = rows.place[rows.bouncer[k]] * LINK;
-        int j = rows.place[rows.bouncer[other]] * LINK;
+        int i = rows.list.place[rows.bouncer[k]] * LINK;
+        int j = rows.list.place[rows.bouncer[other]] * LINK;
         int a = rows.link[i];
         int b = rows.link[i + 1];
         int c = rows.link[j];
@@ -158,10 +158,10 @@ final class BallImpacts {
      * infinite where they do not.
      */
     private double timeOfImpact(int row) {
-        int source = rows.source[row];
+        int source = rows.list.source[row];
         int a = contacts.bodyA[source];
         int b = contacts.bodyB[source];
-        int l = rows.place[row] * LINK;
+        int l = rows.list.place[row] * LINK;
         double[] s = bodies.state;
         int i = rows.link[l];
         int j = rows.link[l + 1];
@@ -246,7 +246,7 @@ final class BallImpacts {
 
     /** Speed of separation along the row's normal at the end of the sub-step. */
     private double alongNormal(int row) {
-        int place = rows.place[row];
+        int place = rows.list.place[row];
         int o = rows.base(place);
         double[] s = bodies.state;
         int i = rows.link[place * LINK];
@@ -261,7 +261,7 @@ final class BallImpacts {
 
     /** Separation of a row along its normal at the start of the sub-step. */
     private double separation(int row) {
-        int place = rows.place[row];
+        int place = rows.list.place[row];
         int o = rows.base(place);
         double[] s = bodies.state;
         int i = rows.link[place * LINK] + SolverBodies.P;
@@ -274,7 +274,7 @@ final class BallImpacts {
     }
 
     private void separate(int row, double value) {
-        int o = rows.base(rows.place[row]);
+        int o = rows.base(rows.list.place[row]);
         int gap = o + GAP * rows.lanes;
         rows.put(gap, rows.get(gap) + (value - separation(row)));
         rows.put(o + (POINT + ConstraintRows.SEPARATION) * rows.lanes, value);
@@ -293,8 +293,8 @@ final class BallImpacts {
             before = Arrays.copyOf(before, 12 * n);
         }
         int row = rows.bouncer[k];
-        int source = rows.source[row];
-        int l = rows.place[row] * LINK;
+        int source = rows.list.source[row];
+        int l = rows.list.place[row] * LINK;
         int i = rows.link[l];
         int j = rows.link[l + 1];
         double[] s = bodies.state;
@@ -315,7 +315,7 @@ final class BallImpacts {
         py += my;
         pz += mz;
         // the impulses of a tick are reported along one normal: who has pressed in it keeps its own
-        int o = rows.base(rows.place[row]);
+        int o = rows.base(rows.list.place[row]);
         int lanes = rows.lanes;
         if (rows.get(o + SUM * lanes) == 0) {
             double inverse = 1 / Math.sqrt(px * px + py * py + pz * pz);
@@ -345,7 +345,7 @@ final class BallImpacts {
     private void strike(double time) {
         double[] s = bodies.state;
         for (int n = 0; n < count; n++) {
-            int l = rows.place[rows.bouncer[pair[n]]] * LINK;
+            int l = rows.list.place[rows.bouncer[pair[n]]] * LINK;
             System.arraycopy(s, rows.link[l], before, 12 * n, 6);
             System.arraycopy(s, rows.link[l + 1], before, 12 * n + 6, 6);
             aim(n);
@@ -355,7 +355,7 @@ final class BallImpacts {
             rub(n);
         }
         for (int n = 0; n < count; n++) {
-            int l = rows.place[rows.bouncer[pair[n]]] * LINK;
+            int l = rows.list.place[rows.bouncer[pair[n]]] * LINK;
             for (int side = 0; side < 2; side++) {
                 int at = rows.link[l + side];
                 if (isFirst(n, side, at)) {
@@ -369,7 +369,7 @@ final class BallImpacts {
     /** Whether a body of the struck pairs is met for the first time. */
     private boolean isFirst(int n, int side, int at) {
         for (int m = 0; m <= n; m++) {
-            int l = rows.place[rows.bouncer[pair[m]]] * LINK;
+            int l = rows.list.place[rows.bouncer[pair[m]]] * LINK;
             for (int other = 0; other < (m < n ? 2 : side); other++) {
                 if (rows.link[l + other] == at) {
                     return false;
@@ -382,8 +382,8 @@ final class BallImpacts {
     /** Turns a row to the normal of the impact; its impulses so far leave the warm start. */
     private void aim(int n) {
         int row = rows.bouncer[pair[n]];
-        int source = rows.source[row];
-        ConstraintRows look = window.open(rows, rows.place[row]);
+        int source = rows.list.source[row];
+        ConstraintRows look = window.open(rows, rows.list.place[row]);
         int place = window.place();
         int o = look.base(place);
         int lanes = look.lanes;
@@ -405,7 +405,7 @@ final class BallImpacts {
         double rb = store.innerRadius[contacts.bodyB[source]];
         contacts.setAnchors(p, ra * x, ra * y, ra * z, -rb * x, -rb * y, -rb * z);
         PrepareRow.aim(look, bodies, contacts, place, source);
-        window.close(rows, rows.place[row]);
+        window.close(rows, rows.list.place[row]);
     }
 
     /** {@code v_i >= goal_i, l_i >= 0}, complementary: one pair at once, more by common steps. */
@@ -423,7 +423,7 @@ final class BallImpacts {
             double largest = 0;
             double sum = 0;
             for (int n = 0; n < count; n++) {
-                int place = rows.place[rows.bouncer[pair[n]]];
+                int place = rows.list.place[rows.bouncer[pair[n]]];
                 int o = rows.base(place);
                 int i = rows.link[place * LINK];
                 int j = rows.link[place * LINK + 1];
@@ -451,7 +451,7 @@ final class BallImpacts {
 
     private void push(int n, double l) {
         double[] s = bodies.state;
-        int place = rows.place[rows.bouncer[pair[n]]];
+        int place = rows.list.place[rows.bouncer[pair[n]]];
         int o = rows.base(place);
         int i = rows.link[place * LINK];
         int j = rows.link[place * LINK + 1];
@@ -470,7 +470,7 @@ final class BallImpacts {
 
     /** Friction of a pair, bounded by its impulse, and its totals. */
     private void rub(int n) {
-        ConstraintRows look = window.open(rows, rows.place[rows.bouncer[pair[n]]]);
+        ConstraintRows look = window.open(rows, rows.list.place[rows.bouncer[pair[n]]]);
         int place = window.place();
         int o = look.base(place);
         int lanes = look.lanes;
@@ -487,6 +487,6 @@ final class BallImpacts {
             }
             d[o + (POINT + IMPULSE) * lanes] = 0;
         }
-        window.close(rows, rows.place[rows.bouncer[pair[n]]]);
+        window.close(rows, rows.list.place[rows.bouncer[pair[n]]]);
     }
 }

@@ -16,8 +16,9 @@ import java.util.Arrays;
  * islands are gathered into batches, in the order of their smallest slot, up to {@link #WANTED}
  * rows; what one worker should not have alone goes to batch 0, which all workers solve in lockstep.
  * Islands of more than {@link #LARGEST} rows are cut into {@link Domains}, a batch each, with the
- * contacts between these in batch 0. Where islands differ in {@link Effort}, a batch has those of
- * one effort, and there is a batch in lockstep with domains for each.
+ * contacts between these in batch 0. Where islands differ in {@link Effort}, or in the precision of
+ * their rows, a batch has those of one effort and one precision, and there is a batch in lockstep
+ * with domains for each.
  *
  * <p>The order in which the contacts of an island are solved is the same in both, and so are the
  * bits: the cut may depend on the number of workers. Simulation thread; allocates only when a store
@@ -30,7 +31,12 @@ final class Batches {
     static final int WANTED = 320;
 
     /** A larger island is cut into domains. */
-    private static final int LARGEST = 1024;
+    private static final int LARGEST = SolverSettings.LARGE - 1;
+
+    /** Kinds of rows, in the order of their batches. */
+    static final int FLOATS = 0;
+
+    static final int DOUBLES = 1;
 
     /** In {@link #tally}: the island is cut into domains. */
     private static final int CUT = -1;
@@ -47,10 +53,18 @@ final class Batches {
     int paces = 1;
 
     /**
-     * By effort: the batch in lockstep; after it come its domains, up to the next effort's; then
-     * the first batch that one worker has alone.
+     * By kind of rows and effort: the batch in lockstep; after it come its domains, up to the next
+     * effort's; then the first batch that one worker has alone.
      */
-    final int[] lockstep = new int[SolverSettings.MOST_EFFORT + 2];
+    private final int[] lockstep = new int[2 * (SolverSettings.MOST_EFFORT + 2)];
+
+    /** An empty batch, after those whose rows are floats, before those of doubles. */
+    int divider;
+
+    /** By slot of a body with contacts: whether its rows are floats. */
+    boolean[] isSingle = {};
+
+    private int floatsFrom;
 
     /** By batch: how often its sub-steps are doubled. */
     byte[] effort = new byte[2];
@@ -87,6 +101,7 @@ final class Batches {
             order = new int[n];
             bound = new int[n];
             tally = new int[n];
+            isSingle = new boolean[n];
         }
         islands.ensureSlots(order.length);
         if (byBatch.length < rows) {
@@ -94,7 +109,7 @@ final class Batches {
             byBatch = new int[n];
             batchOf = new int[n];
         }
-        int most = Math.max(order.length, byBatch.length) + paces + 2;
+        int most = Math.max(order.length, byBatch.length) + 2 * paces + 2;
         if (firstBody.length < most) {
             firstBody = new int[most];
             firstRow = new int[most];
@@ -111,33 +126,37 @@ final class Batches {
      * @param workers that take part
      * @param doublings of sub-steps that an island may get
      * @param sag of a body on a soft contact, m
+     * @param floatsFrom rows of an island that are floats if there are as many
      */
     void cut(
             BodyStore bodies,
             ContactStore contacts,
-            ConstraintRows rows,
+            RowList list,
             int[] guide,
             boolean together,
             int workers,
             int doublings,
-            double sag) {
+            double sag,
+            int floatsFrom) {
+        this.floatsFrom = floatsFrom;
         paces = doublings + 1;
-        ensureCapacity(bodies.slotCount, rows.source.length);
+        ensureCapacity(bodies.slotCount, list.source.length);
         boundCount = 0;
         for (int i = 0; i < bodies.slotCount; i++) {
             if (guide[i] != SolverBodies.FREE) {
                 bound[boundCount++] = i;
             }
         }
-        if (doublings == 0 && rows.count <= (together ? LARGEST : WANTED)) {
-            whole(rows, together ? 0 : 1);
+        boolean isOne = floatsFrom == 0 || list.count < floatsFrom;
+        if (doublings == 0 && isOne && list.count <= (together ? LARGEST : WANTED)) {
+            whole(list, isSingle(list.count) ? FLOATS : DOUBLES, together);
             return;
         }
         islands.build(bodies, contacts, bound, boundCount);
         if (doublings > 0) {
-            efforts.update(bodies, contacts, rows, islands, bound, boundCount, doublings, sag);
+            efforts.update(bodies, contacts, list, islands, bound, boundCount, doublings, sag);
         }
-        gather(bodies, contacts, rows, together, workers);
+        gather(bodies, contacts, list, together, workers);
     }
 
     /**
@@ -148,62 +167,80 @@ final class Batches {
     boolean recut(
             BodyStore bodies,
             ContactStore contacts,
-            ConstraintRows rows,
+            RowList list,
             boolean together,
             int workers,
             double sag) {
-        if (!efforts.update(bodies, contacts, rows, islands, bound, boundCount, paces - 1, sag)) {
+        if (!efforts.update(bodies, contacts, list, islands, bound, boundCount, paces - 1, sag)) {
             return false;
         }
-        gather(bodies, contacts, rows, together, workers);
+        gather(bodies, contacts, list, together, workers);
         return true;
     }
 
     private void gather(
-            BodyStore bodies,
-            ContactStore contacts,
-            ConstraintRows rows,
-            boolean together,
-            int workers) {
-        tally(bodies, contacts, rows);
-        int needy = together ? efforts.most(bodies, bound, boundCount, paces) : -1;
-        cutLarge(bodies, contacts, rows, needy);
-        assign(bodies, rows, needy, workers);
-        for (int m = 0; m < rows.count; m++) {
-            int batch = tally[batchOf[m]];
-            batchOf[m] = batch == CUT ? domain(bodies, contacts, rows.source[m]) : batch;
+            BodyStore bodies, ContactStore contacts, RowList list, boolean together, int workers) {
+        tally(bodies, contacts, list);
+        for (int k = 0; k < boundCount; k++) {
+            isSingle[bound[k]] = isSingle(tally[islands.root(bound[k])]);
         }
-        sortRows(rows);
+        int needy = together ? efforts.most(bodies, bound, boundCount, paces) : -1;
+        cutLarge(bodies, contacts, list);
+        // an island that would keep one worker busy while the others wait is for all
+        int share = workers == 1 ? LARGEST : list.count / (2 * workers);
+        int largest = Math.max(WANTED, Math.min(LARGEST, share));
+        count = 0;
+        number(FLOATS, bodies, needy, largest);
+        divider = count;
+        effort[count++] = 0;
+        number(DOUBLES, bodies, needy, largest);
+        for (int m = 0; m < list.count; m++) {
+            list.isSingle[m] = isSingle[batchOf[m]];
+            int batch = tally[batchOf[m]];
+            batchOf[m] = batch == CUT ? domain(bodies, contacts, list.source[m]) : batch;
+        }
+        sortRows(list);
         sortBodies();
     }
 
     /** All in one batch. */
-    private void whole(ConstraintRows rows, int batch) {
-        count = batch + 1;
-        lockstep[0] = 0;
-        lockstep[1] = 1;
-        effort[0] = 0;
-        effort[1] = 0;
-        System.arraycopy(bound, 0, order, 0, boundCount);
-        for (int m = 0; m < rows.count; m++) {
-            byBatch[m] = m;
-            batchOf[m] = batch;
+    private void whole(RowList list, int kind, boolean together) {
+        count = 0;
+        int target = 0;
+        for (int k = FLOATS; k <= DOUBLES; k++) {
+            target = k == kind ? count : target;
+            lockstep[index(k, 0)] = count++;
+            lockstep[index(k, 1)] = count;
+            if (k == kind && !together) {
+                target = count++;
+            }
+            if (k == FLOATS) {
+                divider = count++;
+            }
         }
-        firstRow[0] = 0;
-        firstBody[0] = 0;
-        firstRow[1] = batch == 0 ? rows.count : 0;
-        firstBody[1] = batch == 0 ? boundCount : 0;
-        firstRow[count] = rows.count;
-        firstBody[count] = boundCount;
+        Arrays.fill(effort, 0, count, (byte) 0);
+        System.arraycopy(bound, 0, order, 0, boundCount);
+        for (int k = 0; k < boundCount; k++) {
+            isSingle[bound[k]] = kind == FLOATS;
+        }
+        for (int m = 0; m < list.count; m++) {
+            byBatch[m] = m;
+            batchOf[m] = target;
+            list.isSingle[m] = kind == FLOATS;
+        }
+        for (int b = 0; b <= count; b++) {
+            firstRow[b] = b <= target ? 0 : list.count;
+            firstBody[b] = b <= target ? 0 : boundCount;
+        }
     }
 
     /** Counts the rows of each island. */
-    private void tally(BodyStore bodies, ContactStore contacts, ConstraintRows rows) {
+    private void tally(BodyStore bodies, ContactStore contacts, RowList list) {
         for (int k = 0; k < boundCount; k++) {
             tally[bound[k]] = 0;
         }
-        for (int m = 0; m < rows.count; m++) {
-            int c = rows.source[m];
+        for (int m = 0; m < list.count; m++) {
+            int c = list.source[m];
             int a = contacts.bodyA[c];
             int root = islands.root(bodies.kind[a] == BodyStore.DYNAMIC ? a : contacts.bodyB[c]);
             batchOf[m] = root;
@@ -211,8 +248,13 @@ final class Batches {
         }
     }
 
-    /** Cuts what is too large, and numbers the batches in lockstep and the domains, by effort. */
-    private void cutLarge(BodyStore bodies, ContactStore contacts, ConstraintRows rows, int needy) {
+    /** Whether the rows of an island are floats. */
+    private boolean isSingle(int islandRows) {
+        return islandRows >= floatsFrom;
+    }
+
+    /** Cuts what is too large. */
+    private void cutLarge(BodyStore bodies, ContactStore contacts, RowList list) {
         boolean cuts = false;
         for (int k = 0; k < boundCount; k++) {
             if (tally[bound[k]] > LARGEST) {
@@ -222,20 +264,27 @@ final class Batches {
         }
         domains.count = 0;
         if (cuts) {
-            domains.cut(bodies, contacts, rows, islands, batchOf, tally, CUT, bound, boundCount);
+            domains.cut(bodies, contacts, list, islands, batchOf, tally, CUT, bound, boundCount);
         }
-        count = 0;
+    }
+
+    /**
+     * Numbers the batches of floats, or of doubles: those in lockstep and the domains by effort.
+     */
+    private void number(int kind, BodyStore bodies, int needy, int largest) {
         for (int e = 0; e < paces; e++) {
-            lockstep[e] = count;
+            lockstep[index(kind, e)] = count;
             effort[count++] = (byte) e;
             for (int d = 0; d < domains.count; d++) {
-                if (pace(bodies, domains.seed[d], needy) == e) {
+                int seed = domains.seed[d];
+                if (kindOf(seed) == kind && pace(bodies, seed, needy) == e) {
                     batchOfDomain[d] = count;
                     effort[count++] = (byte) e;
                 }
             }
         }
-        lockstep[paces] = count;
+        lockstep[index(kind, paces)] = count;
+        assign(kind, bodies, needy, largest);
     }
 
     /** The effort of a body; of the neediest where all go together. */
@@ -243,20 +292,36 @@ final class Batches {
         return paces == 1 ? 0 : needy >= 0 ? needy : bodies.effort[slot];
     }
 
-    private void assign(BodyStore bodies, ConstraintRows rows, int needy, int workers) {
-        // an island that would keep one worker busy while the others wait is for all
-        int share = workers == 1 ? LARGEST : rows.count / (2 * workers);
-        int largest = Math.max(WANTED, Math.min(LARGEST, share));
+    /** Kind of rows of a body with contacts. */
+    int kindOf(int slot) {
+        return isSingle[slot] ? FLOATS : DOUBLES;
+    }
+
+    private int index(int kind, int pace) {
+        return kind * (paces + 1) + pace;
+    }
+
+    /** The batch in lockstep of one kind and effort; after the largest effort: the first alone. */
+    int lockstep(int kind, int pace) {
+        return lockstep[index(kind, pace)];
+    }
+
+    /** End of the batches of a kind that one worker has alone. */
+    int end(int kind) {
+        return kind == FLOATS ? divider : count;
+    }
+
+    private void assign(int kind, BodyStore bodies, int needy, int largest) {
         Arrays.fill(openRows, WANTED);
         for (int k = 0; k < boundCount; k++) {
             int i = bound[k];
-            if (islands.root(i) != i || tally[i] == CUT) {
+            if (islands.root(i) != i || tally[i] == CUT || kindOf(i) != kind) {
                 continue;
             }
             int n = tally[i];
             int e = pace(bodies, i, needy);
             if (needy >= 0 || n > largest) {
-                tally[i] = lockstep[e];
+                tally[i] = lockstep(kind, e);
                 continue;
             }
             if (openRows[e] + n > WANTED) {
@@ -280,18 +345,18 @@ final class Batches {
             return batchOfDomain[domains.of[a]];
         }
         int batch = batchOfDomain[domains.of[a]];
-        return domains.of[a] == domains.of[b] ? batch : lockstep[effort[batch]];
+        return domains.of[a] == domains.of[b] ? batch : lockstep(kindOf(a), effort[batch]);
     }
 
-    private void sortRows(ConstraintRows rows) {
+    private void sortRows(RowList list) {
         Arrays.fill(firstRow, 0, count + 1, 0);
-        for (int m = 0; m < rows.count; m++) {
+        for (int m = 0; m < list.count; m++) {
             firstRow[batchOf[m] + 1]++;
         }
         for (int b = 0; b < count; b++) {
             firstRow[b + 1] += firstRow[b];
         }
-        for (int m = 0; m < rows.count; m++) {
+        for (int m = 0; m < list.count; m++) {
             byBatch[firstRow[batchOf[m]]++] = m;
         }
         shift(firstRow);
@@ -319,7 +384,7 @@ final class Batches {
     /** Whether a row is in a batch in lockstep. */
     boolean isLockstep(int m) {
         int batch = batchOf[m];
-        return batch == lockstep[effort[batch]];
+        return batch == lockstep(batch < divider ? FLOATS : DOUBLES, effort[batch]);
     }
 
     /** Ends become starts again. */

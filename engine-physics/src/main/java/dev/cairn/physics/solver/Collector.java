@@ -42,6 +42,10 @@ final class Collector {
     private ContactStore contacts = new ContactStore();
     private int slots;
     private boolean together;
+
+    /** Contacts with restitution. */
+    private int bouncing;
+
     private int workers;
     private int doublings;
     private boolean stacked;
@@ -66,47 +70,53 @@ final class Collector {
      * @param workerCount who may work at batches
      * @param extra doublings of sub-steps that an island may get
      * @param sag of a body on a soft contact, m
+     * @param floatsFrom rows of an island that are floats if there are as many
      * @param jobs runs the comparison
      * @return whether any two dynamic bodies touch
      */
     boolean run(
             BodyStore bodyStore,
             ContactStore contactStore,
-            ConstraintRows rows,
+            RowList list,
             int[] guide,
             int workerCount,
             int extra,
             double sag,
+            int floatsFrom,
             Jobs jobs) {
         bodies = bodyStore;
         contacts = contactStore;
-        ensureRows(rows);
+        ensureRows(list);
         sameColours = true;
         samePoints = true;
         sameList = active == contacts.activeCount;
         if (sameList) {
             ContactSolver.run(compare, Blocks.count(active, CONTACTS_PER_BLOCK), jobs);
         }
-        sameBodies = sameList || list(rows);
+        sameBodies = sameList || list(list);
         sameBodies &= slots == bodies.slotCount;
-        sameBodies &= together == rows.bouncing > 0 && workers == workerCount;
+        sameBodies &= together == bouncing > 0 && workers == workerCount;
         sameBodies &= doublings == extra;
         if (!sameBodies) {
             slots = bodies.slotCount;
-            together = rows.bouncing > 0;
+            together = bouncing > 0;
             workers = workerCount;
             doublings = extra;
-            bind(rows, guide);
-            batches.cut(bodies, contacts, rows, guide, together, workerCount, extra, sag);
-        } else if (extra > 0 && batches.recut(bodies, contacts, rows, together, workerCount, sag)) {
+            bind(list, guide);
+            batches.cut(
+                    bodies, contacts, list, guide, together, workerCount, extra, sag, floatsFrom);
+        } else if (extra > 0 && batches.recut(bodies, contacts, list, together, workerCount, sag)) {
             sameColours = false;
         }
+        if (!sameList) {
+            listBouncers(list);
+        }
         if (!sameBodies || !sameColours) {
-            colour(rows);
-            colouring.finish(rows, batches);
+            colour(list);
+            colouring.finish(list, batches);
         }
         if (!sameBodies || !sameColours || !samePoints) {
-            link(rows);
+            link(list);
         }
         return stacked;
     }
@@ -116,9 +126,9 @@ final class Collector {
         return sameBodies;
     }
 
-    private void ensureRows(ConstraintRows rows) {
-        rows.ensureRows(contacts.activeCount);
-        int n = rows.source.length;
+    private void ensureRows(RowList list) {
+        list.ensureCapacity(contacts.activeCount);
+        int n = list.source.length;
         if (slotA.length < n) {
             slotA = Arrays.copyOf(slotA, n);
             slotB = Arrays.copyOf(slotB, n);
@@ -166,11 +176,11 @@ final class Collector {
     }
 
     /** Lists rows and those that bounce; whether they are those of the last tick. */
-    private boolean list(ConstraintRows rows) {
+    private boolean list(RowList list) {
         byte[] kind = bodies.kind;
         boolean same = true;
         int n = 0;
-        int bouncing = 0;
+        bouncing = 0;
         active = contacts.activeCount;
         for (int i = 0; i < active; i++) {
             int c = contacts.active[i];
@@ -185,23 +195,22 @@ final class Collector {
             a = kind[a] == BodyStore.DYNAMIC ? a : -1;
             b = kind[b] == BodyStore.DYNAMIC ? b : -1;
             boolean isCold = (a | b) >= 0 && isCold(contacts, c, count);
-            same &= rows.source[n] == c && slotA[n] == a && slotB[n] == b;
+            same &= list.source[n] == c && slotA[n] == a && slotB[n] == b;
             sameColours &= cold[n] == isCold;
             samePoints &= points[n] == count;
-            rows.source[n] = c;
+            list.source[n] = c;
             slotA[n] = a;
             slotB[n] = b;
             cold[n] = isCold;
             points[n] = count;
             bounces[n] = contacts.restitution[c] > 0;
             if (bounces[n]) {
-                rows.bouncer[bouncing++] = n;
+                bouncing++;
             }
             n++;
         }
-        same &= rows.count == n;
-        rows.count = n;
-        rows.bouncing = bouncing;
+        same &= list.count == n;
+        list.count = n;
         return same;
     }
 
@@ -215,10 +224,10 @@ final class Collector {
         return sum == 0;
     }
 
-    private void bind(ConstraintRows rows, int[] guide) {
+    private void bind(RowList list, int[] guide) {
         Arrays.fill(guide, 0, slots, SolverBodies.FREE);
         stacked = false;
-        for (int m = 0; m < rows.count; m++) {
+        for (int m = 0; m < list.count; m++) {
             int a = slotA[m];
             int b = slotB[m];
             if ((a | b) >= 0) {
@@ -232,9 +241,21 @@ final class Collector {
         }
     }
 
-    private void colour(ConstraintRows rows) {
-        colouring.begin(slots, rows.source.length);
-        for (int m = 0; m < rows.count; m++) {
+    /** Tells the rows of either precision which of them bounce. */
+    private void listBouncers(RowList list) {
+        list.floats.bouncing = 0;
+        list.doubles.bouncing = 0;
+        for (int m = 0; m < list.count && bouncing > 0; m++) {
+            if (bounces[m]) {
+                ConstraintRows rows = list.rows(m);
+                rows.bouncer[rows.bouncing++] = m;
+            }
+        }
+    }
+
+    private void colour(RowList list) {
+        colouring.begin(slots, list.source.length);
+        for (int m = 0; m < list.count; m++) {
             int a = slotA[m];
             int b = slotB[m];
             if ((a | b) >= 0) {
@@ -245,14 +266,15 @@ final class Collector {
         }
     }
 
-    private void link(ConstraintRows rows) {
-        for (int m = 0; m < rows.count; m++) {
-            int l = rows.place[m] * ConstraintRows.LINK;
+    private void link(RowList list) {
+        for (int m = 0; m < list.count; m++) {
+            int l = list.place[m] * ConstraintRows.LINK;
+            ConstraintRows rows = list.rows(m);
             rows.link[l] = slotA[m] >= 0 ? SolverBodies.offset(slotA[m]) : 0;
             rows.link[l + 1] = slotB[m] >= 0 ? SolverBodies.offset(slotB[m]) : 0;
             rows.link[l + ConstraintRows.COUNT] = points[m];
-            rows.link[l + ConstraintRows.SOURCE] = rows.source[m];
-            rows.unloaded[rows.place[m]] = 0;
+            rows.link[l + ConstraintRows.SOURCE] = list.source[m];
+            rows.unloaded[list.place[m]] = 0;
         }
     }
 }

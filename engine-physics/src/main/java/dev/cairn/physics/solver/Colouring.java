@@ -44,6 +44,9 @@ final class Colouring {
     /** By colour of the batch in work: its rows, then its next place. */
     private int[] tally = {};
 
+    /** The colour between those of floats and those of doubles. */
+    private int divider;
+
     private int moreColours;
     private int fixedColours;
     private int slots;
@@ -103,7 +106,7 @@ final class Colouring {
     }
 
     /** Gives each row its place, and pads each colour of a batch to whole groups. */
-    void finish(ConstraintRows rows, Batches batches) {
+    void finish(RowList list, Batches batches) {
         int names = 2 * MASKED + moreColours + fixedColours;
         if (tally.length < names) {
             tally = new int[2 * names];
@@ -117,30 +120,51 @@ final class Colouring {
         for (int b = 0; b < batches.count; b++) {
             firstColour[b] = colours;
             firstFixed[b] = -1;
-            at = place(rows, batches, b, names, at);
+            if (b == batches.divider) {
+                at = divide(list.floats, at);
+            } else {
+                boolean isSingle = b < batches.divider;
+                at = place(list, isSingle ? list.floats : list.doubles, batches, b, names, at);
+            }
             firstFixed[b] = firstFixed[b] < 0 ? colours : firstFixed[b];
         }
         firstColour[batches.count] = colours;
         ensureColours(colours + 1);
         start[colours] = at;
-        rows.places = at;
-        rows.ensurePlaces(at);
-        pad(rows);
+        end(list.doubles, at);
+        pad(list.floats, 0, divider);
+        pad(list.doubles, divider + 1, colours);
+    }
+
+    /** An empty colour tells where the rows of floats end; those of doubles start anew. */
+    private int divide(ConstraintRows floats, int at) {
+        ensureColours(colours + 2);
+        divider = colours++;
+        start[divider] = at;
+        size[divider] = 0;
+        end(floats, at);
+        return 0;
+    }
+
+    private static void end(ConstraintRows rows, int places) {
+        rows.places = places;
+        rows.ensurePlaces(places);
     }
 
     /** Gives the rows of a batch their places, from {@code at} on; returns the end. */
-    private int place(ConstraintRows rows, Batches batches, int batch, int names, int at) {
+    private int place(
+            RowList list, ConstraintRows rows, Batches batches, int batch, int names, int at) {
         int from = batches.firstRow[batch];
         int to = batches.firstRow[batch + 1];
         if (from == to) {
             return at;
         }
-        int[] list = batches.byBatch;
+        int[] byBatch = batches.byBatch;
         Arrays.fill(tally, 0, names, 0);
         int least = names;
         int most = 0;
         for (int k = from; k < to; k++) {
-            int c = name(colour[list[k]]);
+            int c = name(colour[byBatch[k]]);
             tally[c]++;
             least = Math.min(least, c);
             most = Math.max(most, c);
@@ -160,8 +184,8 @@ final class Colouring {
             }
         }
         for (int k = from; k < to; k++) {
-            int m = list[k];
-            rows.place[m] = tally[name(colour[m])]++;
+            int m = byBatch[k];
+            list.place[m] = tally[name(colour[m])]++;
         }
         return end;
     }
@@ -179,8 +203,8 @@ final class Colouring {
     }
 
     /** The places that no row takes bind nothing to nothing. */
-    private void pad(ConstraintRows rows) {
-        for (int c = 0; c < colours; c++) {
+    private void pad(ConstraintRows rows, int from, int to) {
+        for (int c = from; c < to; c++) {
             int end = start[c + 1];
             int groupStart = end - rows.group;
             for (int j = groupStart; j < end; j++) {

@@ -1,7 +1,5 @@
 package dev.cairn.physics.solver;
 
-import java.util.Arrays;
-
 /**
  * The contacts of a tick as constraint rows, sorted by colour, in groups of {@link #lanes}: field f
  * of the row at place j is at {@code base(j) + f lanes}. So a vector of one field of a whole group
@@ -106,21 +104,18 @@ final class ConstraintRows {
     /** Rows that a colour is padded to multiples of: one vector, or two. */
     final int group;
 
-    /** Contacts with points, in the order of the contact store: rows of the store, their places. */
-    int count;
-
-    int[] source = {};
-    int[] place = {};
+    /** The contacts whose rows these are, and others. */
+    final RowList list;
 
     /** Places in use, padding included. */
     int places;
 
-    /** The rows of a solver in double precision; else empty, and they are in {@link #floats}. */
+    /** The rows, if they are doubles. */
     double[] doubles = {};
 
+    /** The rows, if they are floats. */
     float[] floats = {};
 
-    /** Whether the rows are floats. */
     final boolean isSingle;
 
     int[] link = {};
@@ -134,19 +129,16 @@ final class ConstraintRows {
     /** By place: 1 in the tick in which a load that the contact's island carried has gone. */
     byte[] unloaded = {};
 
-    /** Rows, in their order, whose restitution is above zero. */
+    /** How many contacts of these rows have restitution, and which of the list, in its order. */
     int bouncing;
 
     int[] bouncer = {};
 
-    ConstraintRows(int lanes) {
-        this(lanes, lanes, false);
-    }
-
-    ConstraintRows(int lanes, int group, boolean isSingle) {
+    ConstraintRows(int lanes, int group, boolean isSingle, RowList list) {
         this.lanes = lanes;
         this.group = group;
         this.isSingle = isSingle;
+        this.list = list;
     }
 
     /** A field of a row, for who reads a few. */
@@ -172,15 +164,6 @@ final class ConstraintRows {
     /** Points of the row at place {@code j}. */
     int points(int j) {
         return link[j * LINK + COUNT];
-    }
-
-    void ensureRows(int rows) {
-        if (rows > source.length) {
-            int n = Math.max(rows, Math.max(64, source.length + (source.length >> 1)));
-            source = Arrays.copyOf(source, n);
-            place = Arrays.copyOf(place, n);
-            bouncer = Arrays.copyOf(bouncer, n);
-        }
     }
 
     void ensurePlaces(int wanted) {

@@ -29,20 +29,22 @@ public final class ContactSolver {
      */
     private static final double STILL = 0.125;
 
-    private final Sweeps sweeps;
-    private final Sweeps narrow;
-    private final Passes passes;
+    /** By kind of rows, see {@link Batches}: the sweeps, the scalar ones, those of this tick. */
+    private final Sweeps[] sweeps;
+
+    private final Sweeps[] narrow = {RowSweeps.scalar(true), RowSweeps.scalar(false)};
+    private final Sweeps[] chosen = narrow.clone();
+    private final Passes[] passes = new Passes[2];
+    private final Lockstep[] lockstep = new Lockstep[2];
 
     /** By effort. */
     private final SubStep[] paces;
 
-    private final SolverBodies body;
-    private final ConstraintRows rows;
-    private final Renewal renewal;
+    private final Tick tick;
+    private final RowList list;
     private final Colouring colouring = new Colouring();
     private final Batches batches = new Batches();
     private final Collector collector = new Collector(colouring, batches);
-    private final Lockstep lockstep;
     private final LoadSweep loads = new LoadSweep();
     private final Unloading unloading = new Unloading();
 
@@ -54,8 +56,8 @@ public final class ContactSolver {
     private int substepsBefore;
     private int contactTicks;
 
-    /** The sweeps of this tick. */
-    private Sweeps chosen;
+    /** Of the batches that one worker has alone. */
+    private int kind;
 
     private Scratch[] scratch = {};
 
@@ -65,23 +67,33 @@ public final class ContactSolver {
      * @param settings the tunables
      */
     public ContactSolver(SolverSettings settings) {
-        this(settings, Lanes.sweeps(settings.lanes(), settings.single()));
+        this(
+                settings,
+                Lanes.sweeps(settings.lanes(), true, settings.floatsFrom() == 0),
+                Lanes.sweeps(settings.lanes(), false, settings.floatsFrom() > 0));
     }
 
-    ContactSolver(SolverSettings settings, Sweeps sweeps) {
-        this.sweeps = sweeps;
-        narrow = RowSweeps.scalar(settings.single());
-        chosen = narrow;
-        int lanes = sweeps.lanes();
-        passes = new Passes(settings, lanes, lanes == 1 ? 1 : Math.max(lanes, settings.lanes()));
+    ContactSolver(SolverSettings settings, Sweeps floats, Sweeps doubles) {
+        sweeps = new Sweeps[] {floats, doubles};
+        tick = new Tick(settings);
+        list =
+                new RowList(
+                        floats.lanes(),
+                        group(floats.lanes(), settings),
+                        doubles.lanes(),
+                        group(doubles.lanes(), settings));
+        for (int k = 0; k < 2; k++) {
+            passes[k] = new Passes(tick, k == Batches.FLOATS ? list.floats : list.doubles);
+            lockstep[k] = new Lockstep(passes[k], colouring, batches, narrow[k], k);
+        }
         paces = new SubStep[settings.effort() + 1];
         for (int e = 0; e < paces.length; e++) {
             paces[e] = new SubStep();
         }
-        body = passes.body;
-        rows = passes.rows;
-        renewal = passes.renewal;
-        lockstep = new Lockstep(passes, colouring, batches, narrow);
+    }
+
+    private static int group(int lanes, SolverSettings settings) {
+        return lanes == 1 ? 1 : Math.max(lanes, settings.lanes());
     }
 
     /**
@@ -90,7 +102,7 @@ public final class ContactSolver {
      * @return as given
      */
     public SolverSettings settings() {
-        return passes.settings;
+        return tick.settings;
     }
 
     /**
@@ -99,16 +111,16 @@ public final class ContactSolver {
      * @param count 1 to 64
      */
     public void setSubsteps(int count) {
-        passes.settings = passes.settings.withSubsteps(count);
+        tick.settings = tick.settings.withSubsteps(count);
     }
 
     /**
      * Rows that are solved at once.
      *
-     * @return 1 (scalar), 4, 8 or 16
+     * @return 1 (scalar), 4, 8 or 16; those of floats, if all are
      */
     public int lanes() {
-        return rows.group;
+        return tick.settings.floatsFrom() == 0 ? list.floats.group : list.doubles.group;
     }
 
     /**
@@ -130,63 +142,71 @@ public final class ContactSolver {
             double gravityZ,
             double stepSeconds,
             Jobs jobs) {
-        Passes p = passes;
-        SolverSettings settings = p.settings;
-        p.bodies = bodies;
-        p.contacts = contacts;
-        p.gravity[0] = gravityX;
-        p.gravity[1] = gravityY;
-        p.gravity[2] = gravityZ;
+        tick.bodies = bodies;
+        tick.contacts = contacts;
+        tick.gravity[0] = gravityX;
+        tick.gravity[1] = gravityY;
+        tick.gravity[2] = gravityZ;
         timing(stepSeconds);
-        body.ensureCapacity(bodies.slotCount);
+        tick.body.ensureCapacity(bodies.slotCount);
+        load(jobs);
+        for (Passes p : passes) {
+            if (p.rows.places > 0) {
+                p.ensureCapacity(bodies.slotCount);
+            }
+        }
+        run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK), jobs);
+        if (list.count > 0) {
+            ensureScratch(jobs.workers());
+            for (kind = Batches.FLOATS; kind <= Batches.DOUBLES; kind++) {
+                choose();
+                for (int e = 0; e < paces.length; e++) {
+                    lockstep[kind].run(e, paces[e], chosen[kind], unloaded, scratch, jobs);
+                }
+                run(batch, batches.end(kind) - batches.lockstep(kind, paces.length), jobs);
+            }
+        }
+        run(clearRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK), jobs);
+    }
+
+    /** Lists the contacts, and finds what rests on what. */
+    private void load(Jobs jobs) {
+        Tick t = tick;
+        SolverSettings settings = t.settings;
         boolean stacked =
                 collector.run(
-                        bodies,
-                        contacts,
-                        rows,
-                        body.guide,
+                        t.bodies,
+                        t.contacts,
+                        list,
+                        t.body.guide,
                         jobs.workers(),
                         paces.length - 1,
-                        paces[0].sag(p.weight()),
+                        paces[0].sag(t.weight()),
+                        settings.floatsFrom(),
                         jobs);
-        p.order = batches.order;
+        t.order = batches.order;
         unloaded =
                 settings.unloadSweeps() > 0
                         && unloading.find(
-                                bodies,
-                                contacts,
-                                rows,
-                                p.impulseScale / p.subStep,
-                                p.weight(),
+                                t.bodies,
+                                t.contacts,
+                                list,
+                                t.impulseScale / t.subStep,
+                                t.weight(),
                                 collector.isSame());
-        p.loaded =
+        t.loaded =
                 (settings.loadInertia() > 0 || settings.unloadSweeps() > 0)
                         && loads.run(
-                                bodies,
-                                contacts,
-                                rows,
-                                body,
-                                p.gravity,
-                                p.step,
+                                t.bodies,
+                                t.contacts,
+                                list,
+                                t.body,
+                                t.gravity,
+                                t.step,
                                 settings,
                                 stacked,
                                 collector.isSame(),
                                 jobs);
-        renewal.ensureCapacity(bodies.slotCount);
-        run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK), jobs);
-        if (rows.count > 0) {
-            renewal.ensurePlaces(rows);
-            ensureScratch(jobs.workers());
-            choose();
-            for (int e = 0; e < paces.length; e++) {
-                int first = colouring.firstColour[batches.lockstep[e]];
-                if (colouring.firstColour[batches.lockstep[e + 1]] > first) {
-                    lockstep.run(e, paces[e], chosen, unloaded, scratch, jobs);
-                }
-            }
-            run(batch, batches.count - batches.lockstep[paces.length], jobs);
-        }
-        run(clearRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK), jobs);
     }
 
     /** One block needs no other worker, and no protocol. */
@@ -200,14 +220,14 @@ public final class ContactSolver {
 
     /** A colour of one row is swept by the scalar twin. */
     private Sweeps sweeps(int colour) {
-        return colouring.size[colour] > 1 ? chosen : narrow;
+        return colouring.size[colour] > 1 ? chosen[kind] : narrow[kind];
     }
 
     /** The whole tick of a batch: its rows stay in the cache, and nobody waits. */
     private void batch(int block, int worker) {
-        Passes p = passes;
+        Passes p = passes[kind];
         Scratch own = scratch[worker];
-        int b = batches.lockstep[paces.length] + block;
+        int b = batches.lockstep(kind, paces.length) + block;
         SubStep sub = paces[batches.effort[b]];
         int first = colouring.firstColour[b];
         int last = colouring.firstColour[b + 1];
@@ -239,26 +259,55 @@ public final class ContactSolver {
             p.finish(sub, head, tail, own);
         }
         p.storeBodies(head, tail);
-        p.storeRows(chosen, sub, renewed, start[first], start[last], own);
+        p.storeRows(chosen[kind], sub, renewed, start[first], start[last], own);
     }
 
+    /** Flies the bodies without contacts, loads the others. */
     private void begin(int block, int worker) {
-        int first = Blocks.begin(block, BODIES_PER_BLOCK);
-        passes.begin(first, Blocks.end(block, BODIES_PER_BLOCK, passes.bodies.slotCount));
+        Tick t = tick;
+        BodyStore b = t.bodies;
+        double[] g = t.gravity;
+        double weight = t.weight();
+        int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
+        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
+            b.pressed[i] = 0;
+            b.pressing[i] = 0;
+            if (b.kind[i] != BodyStore.DYNAMIC) {
+                continue;
+            }
+            t.body.axes.update(b, i);
+            if (t.body.guide[i] == SolverBodies.FREE) {
+                Motion.fly(b, t.body, i, g[0], g[1], g[2], t.step, t.settings.substeps());
+            } else {
+                passes[batches.kindOf(i)].load(i, weight);
+            }
+        }
     }
 
+    /** Contacts without points have no impulses. */
     private void clearRows(int block, int worker) {
-        int end = Blocks.end(block, ROWS_PER_BLOCK, passes.contacts.activeCount);
-        passes.clearRows(Blocks.begin(block, ROWS_PER_BLOCK), end);
+        ContactStore c = tick.contacts;
+        int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
+        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
+            int row = c.active[i];
+            if (c.pointCount[row] == 0) {
+                c.setFrictionImpulse(row, 0, 0, 0, 0);
+            }
+        }
     }
 
     /** Which sweeps are used has no influence on the result. */
     private void choose() {
-        chosen = sweeps;
-        if (passes.settings.lanes() == 0 && sweeps instanceof WideSweeps wide && !wide.isWarm()) {
-            chosen = narrow;
-            contactTicks = Math.min(WORTH_WIDE, contactTicks + rows.count);
-            if (rows.count >= WIDE_FROM || contactTicks == WORTH_WIDE) {
+        int k = kind;
+        int rows = passes[k].rows.places;
+        chosen[k] = sweeps[k];
+        if (rows > 0 && sweeps[k] instanceof WideSweeps wide && !wide.isWarm()) {
+            chosen[k] = narrow[k];
+            contactTicks = Math.min(WORTH_WIDE, contactTicks + rows);
+            if (tick.settings.lanes() != 0 && k == Batches.FLOATS && settings().floatsFrom() > 0) {
+                wide.finish();
+                chosen[k] = wide;
+            } else if (rows >= WIDE_FROM || contactTicks == WORTH_WIDE) {
                 wide.begin();
             }
         }
@@ -268,7 +317,7 @@ public final class ContactSolver {
         if (scratch.length < workers) {
             scratch = new Scratch[workers];
             for (int i = 0; i < workers; i++) {
-                scratch[i] = new Scratch(rows.isSingle);
+                scratch[i] = new Scratch();
             }
         }
     }
@@ -277,22 +326,22 @@ public final class ContactSolver {
      * Coefficients that depend on the length of the step; the impulses of a sub-step scale with it.
      */
     private void timing(double stepSeconds) {
-        SolverSettings settings = passes.settings;
-        if (stepSeconds == passes.step && settings.substeps() == substepsBefore) {
-            passes.impulseScale = 1;
+        SolverSettings settings = tick.settings;
+        if (stepSeconds == tick.step && settings.substeps() == substepsBefore) {
+            tick.impulseScale = 1;
         } else {
             double longer = (double) substepsBefore / settings.substeps();
-            passes.impulseScale = passes.step == 0 ? 1 : stepSeconds / passes.step * longer;
+            tick.impulseScale = tick.step == 0 ? 1 : stepSeconds / tick.step * longer;
             substepsBefore = settings.substeps();
             for (int e = 0; e < paces.length; e++) {
                 paces[e].set(stepSeconds, e, settings);
             }
-            passes.step = stepSeconds;
-            passes.subStep = paces[0].seconds;
+            tick.step = stepSeconds;
+            tick.subStep = paces[0].seconds;
         }
         for (SubStep sub : paces) {
-            sub.fillScale = passes.impulseScale / sub.keepScale;
-            sub.still = STILL * passes.weight() * stepSeconds;
+            sub.fillScale = tick.impulseScale / sub.keepScale;
+            sub.still = STILL * tick.weight() * stepSeconds;
         }
     }
 
@@ -305,6 +354,7 @@ public final class ContactSolver {
      */
     public void readColours(int[] colourOfContact) {
         for (int b = 0; b < batches.count; b++) {
+            ConstraintRows rows = b < batches.divider ? list.floats : list.doubles;
             for (int c = colouring.firstColour[b]; c < colouring.firstColour[b + 1]; c++) {
                 for (int place = colouring.start[c]; place < colouring.start[c + 1]; place++) {
                     int l = place * ConstraintRows.LINK;
@@ -320,13 +370,13 @@ public final class ContactSolver {
     /**
      * Friction impulse of a contact over the last tick, for audits.
      *
-     * @param row index among the contacts that have points
+     * @param m index among the contacts that have points
      * @param axis 0 to 2 for world x, y, z
      * @return impulse on B, N s
      */
-    double totalFriction(int row, int axis) {
+    double totalFriction(int m, int axis) {
         RowWindow window = new RowWindow();
-        ConstraintRows one = window.open(rows, rows.place[row]);
+        ConstraintRows one = window.open(list.rows(m), list.place[m]);
         return StoreRow.tangent(
                 one.doubles, one.base(window.place()), one.lanes, ConstraintRows.TOTAL, axis);
     }

@@ -80,14 +80,14 @@ final class Domains {
     void cut(
             BodyStore bodies,
             ContactStore contacts,
-            ConstraintRows rows,
+            RowList list,
             Islands islands,
             int[] root,
             int[] tally,
             int large,
             int[] bound,
             int boundCount) {
-        ensureCapacity(bodies.slotCount, rows.source.length);
+        ensureCapacity(bodies.slotCount, list.source.length);
         count = 0;
         for (int k = 0; k < boundCount; k++) {
             int i = bound[k];
@@ -96,7 +96,7 @@ final class Domains {
             held[i] = 0;
             last[i] = 0;
         }
-        link(bodies, contacts, rows, root, tally, large, bound, boundCount);
+        link(bodies, contacts, list, root, tally, large, bound, boundCount);
         for (int k = 0; k < boundCount; k++) {
             int i = bound[k];
             int r = islands.root(i);
@@ -110,16 +110,16 @@ final class Domains {
     private void link(
             BodyStore bodies,
             ContactStore contacts,
-            ConstraintRows rows,
+            RowList list,
             int[] root,
             int[] tally,
             int large,
             int[] bound,
             int boundCount) {
         byte[] kind = bodies.kind;
-        for (int m = 0; m < rows.count; m++) {
+        for (int m = 0; m < list.count; m++) {
             if (tally[root[m]] == large) {
-                int c = rows.source[m];
+                int c = list.source[m];
                 int a = contacts.bodyA[c];
                 int b = contacts.bodyB[c];
                 if (kind[a] != BodyStore.DYNAMIC) {
@@ -139,9 +139,9 @@ final class Domains {
             at += last[i];
             last[i] = first[i];
         }
-        for (int m = 0; m < rows.count; m++) {
+        for (int m = 0; m < list.count; m++) {
             if (tally[root[m]] == large) {
-                int c = rows.source[m];
+                int c = list.source[m];
                 int a = contacts.bodyA[c];
                 int b = contacts.bodyB[c];
                 if (kind[a] == BodyStore.DYNAMIC && kind[b] == BodyStore.DYNAMIC) {

@@ -42,7 +42,7 @@ final class Effort {
     /**
      * Decides on the effort of this tick.
      *
-     * @param rows lists the contacts
+     * @param list lists the contacts
      * @param islands of these contacts
      * @param bound bodies with contacts
      * @param most doublings
@@ -52,7 +52,7 @@ final class Effort {
     boolean update(
             BodyStore b,
             ContactStore c,
-            ConstraintRows rows,
+            RowList list,
             Islands islands,
             int[] bound,
             int count,
@@ -75,8 +75,8 @@ final class Effort {
             effort[root] = (byte) Math.max(effort[root], own);
             idle[root] = (byte) Math.min(idle[root], b.idleTicks[i]);
         }
-        for (int m = 0; m < rows.count; m++) {
-            look(b, c, rows.source[m], islands);
+        for (int m = 0; m < list.count; m++) {
+            look(b, c, list.source[m], islands);
         }
         boolean changed = false;
         for (int k = 0; k < count; k++) {

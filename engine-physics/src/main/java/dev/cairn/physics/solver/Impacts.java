@@ -74,7 +74,7 @@ final class Impacts {
 
     private double soon;
     private final RowWindow window = new RowWindow();
-    private ConstraintRows rows = new ConstraintRows(1);
+    private ConstraintRows rows = new RowList().doubles;
 
     // the contact in work
     private ConstraintRows look = rows;
@@ -124,9 +124,10 @@ final class Impacts {
                     again |= balls.visit(k);
                 } else {
                     open(row);
-                    boolean met = impact(contacts.restitution[rows.source[row]], g, h, threshold);
+                    boolean met =
+                            impact(contacts.restitution[rows.list.source[row]], g, h, threshold);
                     if (met) {
-                        window.close(rows, rows.place[row]);
+                        window.close(rows, rows.list.place[row]);
                     }
                     again |= met;
                 }
@@ -137,7 +138,7 @@ final class Impacts {
     }
 
     private void open(int row) {
-        look = window.open(rows, rows.place[row]);
+        look = window.open(rows, rows.list.place[row]);
         place = window.place();
         d = look.doubles;
         lanes = look.lanes;

@@ -30,8 +30,10 @@ final class Lanes {
      * @param lanes 1 (scalar), 4, 8 or 16: as asked for, ready to use, 16 as two vectors of 8; or 0
      *     for as many numbers as this machine's vectors hold, for use when they are warm
      * @param isSingle whether the numbers are floats
+     * @param isUrgent whether those that were asked for are made ready at once, which takes a
+     *     second, or by their user
      */
-    static Sweeps sweeps(int lanes, boolean isSingle) {
+    static Sweeps sweeps(int lanes, boolean isSingle, boolean isUrgent) {
         if (lanes == 1) {
             return RowSweeps.scalar(isSingle);
         }
@@ -53,7 +55,7 @@ final class Lanes {
             return RowSweeps.scalar(isSingle);
         }
         WideSweeps sweeps = wide(wanted, isSingle);
-        if (lanes != 0) {
+        if (lanes != 0 && isUrgent) {
             sweeps.finish();
         }
         return sweeps;

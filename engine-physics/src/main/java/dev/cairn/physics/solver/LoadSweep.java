@@ -99,7 +99,7 @@ final class LoadSweep {
 
     private BodyStore bodies = new BodyStore();
     private ContactStore contacts = new ContactStore();
-    private ConstraintRows rows = new ConstraintRows(1);
+    private RowList list = new RowList();
     private int[] guide = {};
     private double upX;
     private double upY;
@@ -121,7 +121,7 @@ final class LoadSweep {
     boolean run(
             BodyStore store,
             ContactStore contactStore,
-            ConstraintRows contactRows,
+            RowList rowList,
             SolverBodies state,
             double[] g,
             double step,
@@ -140,7 +140,7 @@ final class LoadSweep {
         upZ = -g[2] / gravity;
         bodies = store;
         contacts = contactStore;
-        rows = contactRows;
+        list = rowList;
         guide = state.guide;
         stepSeconds = step;
         settings = solverSettings;
@@ -150,7 +150,7 @@ final class LoadSweep {
         moved = false;
         boolean keeps = same && !stale;
         ContactSolver.run(measureJob, bodyBlocks, jobs);
-        ContactSolver.run(lookJob, Blocks.count(rows.count, ROWS_PER_BLOCK), jobs);
+        ContactSolver.run(lookJob, Blocks.count(list.count, ROWS_PER_BLOCK), jobs);
         if (hurt) {
             spread();
         }
@@ -177,8 +177,8 @@ final class LoadSweep {
             end = new int[n];
             first = new int[n + 1];
         }
-        if (edge.length < rows.count) {
-            edge = new int[rows.bouncer.length];
+        if (edge.length < list.count) {
+            edge = new int[list.source.length];
             under = new int[edge.length];
             upper = new int[edge.length];
             weight = new double[edge.length];
@@ -245,7 +245,7 @@ final class LoadSweep {
 
     /** Who is disturbed, and who carries whom; a mark is the same whoever writes it. */
     private void look(int block, int worker) {
-        int end = Blocks.end(block, ROWS_PER_BLOCK, rows.count);
+        int end = Blocks.end(block, ROWS_PER_BLOCK, list.count);
         for (int m = Blocks.begin(block, ROWS_PER_BLOCK); m < end; m++) {
             gate(m);
             int i = carried(m);
@@ -261,7 +261,7 @@ final class LoadSweep {
 
     /** Marks the bodies of a contact that is hit, slips, or is deep. */
     private void gate(int m) {
-        int source = rows.source[m];
+        int source = list.source[m];
         int a = contacts.bodyA[source];
         int b = contacts.bodyB[source];
         double radius = smaller(a, b);
@@ -324,8 +324,8 @@ final class LoadSweep {
     private void spread() {
         for (int hop = 0; hop < HOPS; hop++) {
             boolean any = false;
-            for (int m = 0; m < rows.count; m++) {
-                int source = rows.source[m];
+            for (int m = 0; m < list.count; m++) {
+                int source = list.source[m];
                 int a = contacts.bodyA[source];
                 int b = contacts.bodyB[source];
                 if (rough[a] != rough[b]
@@ -349,7 +349,7 @@ final class LoadSweep {
     private void edges() {
         int n = bodies.slotCount;
         Arrays.fill(first, 0, n + 1, 0);
-        for (int m = 0; m < rows.count; m++) {
+        for (int m = 0; m < list.count; m++) {
             if (upper[m] >= 0) {
                 first[upper[m] + 1]++;
             }
@@ -358,7 +358,7 @@ final class LoadSweep {
             first[i + 1] += first[i];
             end[i] = first[i];
         }
-        for (int m = 0; m < rows.count; m++) {
+        for (int m = 0; m < list.count; m++) {
             if (upper[m] >= 0) {
                 int e = end[upper[m]]++;
                 edge[e] = m;
@@ -369,7 +369,7 @@ final class LoadSweep {
 
     /** The dynamic body that a row carries, or -1. */
     private int carried(int m) {
-        int source = rows.source[m];
+        int source = list.source[m];
         double up =
                 upX * contacts.normalX(source)
                         + upY * contacts.normalY(source)
@@ -433,13 +433,13 @@ final class LoadSweep {
     }
 
     private int below(int m, int i) {
-        int source = rows.source[m];
+        int source = list.source[m];
         int a = contacts.bodyA[source];
         return a == i ? contacts.bodyB[source] : a;
     }
 
     private double weight(int m) {
-        int source = rows.source[m];
+        int source = list.source[m];
         double sum = 0;
         int end = ContactStore.POINTS * source + contacts.pointCount[source];
         for (int p = ContactStore.POINTS * source; p < end; p++) {

@@ -31,6 +31,7 @@ final class Lockstep {
     private final Colouring colouring;
     private final Batches batches;
     private final Sweeps narrow;
+    private final int kind;
     private final Impacts impacts = new Impacts();
 
     private final BlockJob prepare = this::prepare;
@@ -69,7 +70,13 @@ final class Lockstep {
     private int perBlock;
     private Sweeps sweep;
 
-    Lockstep(Passes passes, Colouring colouring, Batches batches, Sweeps narrow) {
+    /**
+     * Lockstep of the rows of one precision.
+     *
+     * @param kind of rows, see {@link Batches}
+     */
+    Lockstep(Passes passes, Colouring colouring, Batches batches, Sweeps narrow, int kind) {
+        this.kind = kind;
         this.passes = passes;
         this.colouring = colouring;
         this.batches = batches;
@@ -98,8 +105,11 @@ final class Lockstep {
         this.chosen = chosen;
         this.scratch = scratch;
         this.unloaded = unloaded;
-        base = batches.lockstep[effort];
-        domains = batches.lockstep[effort + 1] - base - 1;
+        base = batches.lockstep(kind, effort);
+        domains = batches.lockstep(kind, effort + 1) - base - 1;
+        if (isEmpty()) {
+            return;
+        }
         int alone = batches.firstBody[base + 1] - batches.firstBody[base];
         int bodies = batches.firstBody[base + 1 + domains] - batches.firstBody[base];
         int bodyBlocks = Blocks.count(bodies, BODIES_PER_BLOCK);
@@ -130,6 +140,10 @@ final class Lockstep {
         colours(storeRows, jobs);
     }
 
+    private boolean isEmpty() {
+        return colouring.firstColour[base + 1 + domains] == colouring.firstColour[base];
+    }
+
     /** Whether this sub-step begins with work on all rows. */
     private boolean isApart() {
         return passes.rows.bouncing > 0 || (unloaded && substep == 0);
@@ -140,12 +154,12 @@ final class Lockstep {
         if (p.rows.bouncing > 0
                 && impacts.run(
                         p.rows,
-                        p.body,
-                        p.bodies,
-                        p.contacts,
-                        p.gravity,
+                        p.tick.body,
+                        p.tick.bodies,
+                        p.tick.contacts,
+                        p.tick.gravity,
                         pace.seconds,
-                        p.settings.restitutionThreshold())) {
+                        p.tick.settings.restitutionThreshold())) {
             p.separate(batches.firstBody[base], batches.firstBody[base + 1 + domains]);
         }
         ContactSolver.run(kick, bodyBlocks, jobs);

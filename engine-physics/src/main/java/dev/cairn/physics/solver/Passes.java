@@ -1,7 +1,6 @@
 package dev.cairn.physics.solver;
 
 import dev.cairn.physics.internal.BodyStore;
-import dev.cairn.physics.internal.ContactStore;
 
 /**
  * The passes of a tick, each over a range of rows of one colour or over a range of the bodies with
@@ -11,88 +10,78 @@ import dev.cairn.physics.internal.ContactStore;
  * <p>Any worker; what ranges may run at the same time is the caller's matter. Does not allocate.
  */
 final class Passes {
-    final SolverBodies body;
+    final Tick tick;
     final ConstraintRows rows;
-    final Renewal renewal = new Renewal();
-    final double[] gravity = new double[3];
-
-    // of the tick in work
-    SolverSettings settings;
-    BodyStore bodies = new BodyStore();
-    ContactStore contacts = new ContactStore();
-    int[] order = {};
-    double step;
-
-    /** Length of a sub-step without extra effort, s. */
-    double subStep;
-
-    /** This sub-step over the last tick's: the scale of the impulses that are kept. */
-    double impulseScale = 1;
-
-    /** Whether bodies have the inertia of their load. */
-    boolean loaded;
+    private final SolverBodies body;
+    private final Renewal renewal = new Renewal();
 
     /** What is done row by row. */
     private final ScalarPasses one;
 
-    Passes(SolverSettings settings, int lanes, int group) {
-        this.settings = settings;
-        boolean isSingle = settings.single();
-        body = new SolverBodies(isSingle);
-        rows = new ConstraintRows(lanes, group, isSingle);
-        one = isSingle ? new SingleScalarSweep() : new ScalarSweep();
+    Passes(Tick tick, ConstraintRows rows) {
+        this.tick = tick;
+        this.rows = rows;
+        body = tick.body;
+        one = rows.isSingle ? new SingleScalarSweep() : new ScalarSweep();
     }
 
-    /** Size of gravity, m/s². */
-    double weight() {
-        return Math.sqrt(
-                gravity[0] * gravity[0] + gravity[1] * gravity[1] + gravity[2] * gravity[2]);
+    void ensureCapacity(int slots) {
+        renewal.ensureCapacity(slots);
+        renewal.ensurePlaces(rows);
     }
 
-    /** By slot, all of them: flies the bodies without contacts, loads the others. */
-    void begin(int from, int to) {
-        BodyStore b = bodies;
-        double weight = weight();
-        for (int i = from; i < to; i++) {
-            b.pressed[i] = 0;
-            b.pressing[i] = 0;
-            if (b.kind[i] != BodyStore.DYNAMIC) {
-                continue;
-            }
-            body.axes.update(b, i);
-            if (body.guide[i] == SolverBodies.FREE) {
-                Motion.fly(
-                        b, body, i, gravity[0], gravity[1], gravity[2], step, settings.substeps());
-            } else {
-                renewal.look(b, i, weight);
-                body.loadBound(b, i, loaded ? b.inertiaScale[i] : 1);
-            }
+    /** Loads a body that has contacts. */
+    void load(int i, double weight) {
+        BodyStore b = tick.bodies;
+        renewal.look(b, i, weight);
+        body.loadBound(b, i, tick.loaded ? b.inertiaScale[i] : 1);
+        if (rows.isSingle) {
+            body.round(i);
+            body.roundRoot(i);
         }
     }
 
     void prepare(Sweeps sweeps, SubStep sub, int from, int to, Scratch scratch) {
-        sweeps.fill(rows, body, contacts, sub, from, to, scratch);
-        if (impulseScale != 1 && settings.offsetGain() > 0) {
-            Rescaling.carryOver(rows, contacts, impulseScale, from, to);
+        sweeps.fill(rows, body, tick.contacts, sub, from, to, scratch);
+        if (tick.impulseScale != 1 && tick.settings.offsetGain() > 0) {
+            Rescaling.carryOver(rows, tick.contacts, tick.impulseScale, from, to);
         }
     }
 
     /** Finds the rows whose levers are renewed in each sub-step; whether there is one. */
     boolean findRenewed(int from, int to) {
-        return renewal.find(rows, contacts, bodies, weight(), from, to);
+        return renewal.find(rows, tick.contacts, tick.bodies, tick.weight(), from, to);
     }
 
     void kick(SubStep sub, int from, int to) {
+        double[] g = tick.gravity;
         for (int k = from; k < to; k++) {
-            body.addWarm(order[k]);
-            Motion.kick(bodies, body, order[k], gravity[0], gravity[1], gravity[2], sub.seconds);
-            body.round(order[k]);
+            int i = tick.order[k];
+            if (rows.isSingle) {
+                body.addWarm(i);
+            }
+            Motion.kick(tick.bodies, body, i, g[0], g[1], g[2], sub.seconds);
+            round(i);
+        }
+    }
+
+    /** Shows the sweeps a body as it is now. */
+    private void round(int i) {
+        if (rows.isSingle) {
+            body.round(i);
+        }
+    }
+
+    /** Takes over what the sweeps have done to a body. */
+    private void add(int i) {
+        if (rows.isSingle) {
+            body.add(i);
         }
     }
 
     /** Corrects the warm start of rows that have lost a load. */
     void settle(SubStep sub, int from, int to, Scratch scratch) {
-        one.settle(rows, body, sub, settings.unloadSweeps(), from, to, scratch);
+        one.settle(rows, body, sub, tick.settings.unloadSweeps(), from, to, scratch);
     }
 
     void bias(Sweeps sweeps, SubStep sub, int from, int to, Scratch scratch) {
@@ -103,18 +92,20 @@ final class Passes {
     }
 
     void drift(SubStep sub, int from, int to) {
+        double[] g = tick.gravity;
         for (int k = from; k < to; k++) {
-            body.add(order[k]);
-            Motion.drift(bodies, body, order[k], gravity[0], gravity[1], gravity[2], sub.seconds);
-            body.round(order[k]);
+            int i = tick.order[k];
+            add(i);
+            Motion.drift(tick.bodies, body, i, g[0], g[1], g[2], sub.seconds);
+            round(i);
         }
     }
 
     /** What the bias pass did is part of the warm start, before levers change. */
     void keep(int from, int to) {
         for (int k = from; k < to; k++) {
-            if (renewal.stirs(order[k])) {
-                Motion.keep(bodies, body, order[k]);
+            if (renewal.stirs(tick.order[k])) {
+                Motion.keep(tick.bodies, body, tick.order[k]);
             }
         }
     }
@@ -125,9 +116,9 @@ final class Passes {
 
     void renewBodies(int from, int to) {
         for (int k = from; k < to; k++) {
-            if (renewal.stirs(order[k])) {
-                renewal.body(body, bodies, order[k]);
-                body.round(order[k]);
+            if (renewal.stirs(tick.order[k])) {
+                renewal.body(body, tick.bodies, tick.order[k]);
+                round(tick.order[k]);
             }
         }
     }
@@ -139,7 +130,7 @@ final class Passes {
      */
     void renewRows(SubStep sub, int index, int from, int to, Scratch scratch) {
         double scale = index == 0 ? sub.fillScale : 1;
-        renewal.rows(rows, body, bodies, contacts, sub, scale, from, to, scratch.row);
+        renewal.rows(rows, body, tick.bodies, tick.contacts, sub, scale, from, to, scratch.row);
     }
 
     void relax(Sweeps sweeps, SubStep sub, int from, int to, Scratch scratch) {
@@ -153,35 +144,35 @@ final class Passes {
     /** Separations of all rows after the bodies from {@code from} to {@code to} were moved. */
     void separate(int from, int to) {
         for (int k = from; k < to; k++) {
-            body.round(order[k]);
+            round(tick.order[k]);
         }
         one.separate(rows, body);
     }
 
     void finish(SubStep sub, int from, int to, Scratch scratch) {
-        double gain = weight() * sub.seconds;
+        double gain = tick.weight() * sub.seconds;
         for (int k = from; k < to; k++) {
-            int i = order[k];
-            body.add(i);
+            int i = tick.order[k];
+            add(i);
             if (body.guide[i] < 0) {
-                Motion.keep(bodies, body, i);
+                Motion.keep(tick.bodies, body, i);
                 continue;
             }
-            ConstraintRows guides = scratch.row.open(rows, rows.place[body.guide[i]]);
+            ConstraintRows guides = scratch.row.open(rows, rows.list.place[body.guide[i]]);
             int place = scratch.row.place();
             if (sub.lone > 0) {
                 LoneContact.agree(guides, body.state, sub, gain, place, i, scratch.doubles);
-                scratch.row.close(rows, rows.place[body.guide[i]]);
+                scratch.row.close(rows, rows.list.place[body.guide[i]]);
             }
-            Motion.keep(bodies, body, i);
-            Glide.end(bodies, body, i, guides, place, sub.seconds);
+            Motion.keep(tick.bodies, body, i);
+            Glide.end(tick.bodies, body, i, guides, place, sub.seconds);
         }
     }
 
     void storeBodies(int from, int to) {
         for (int k = from; k < to; k++) {
-            body.store(bodies, order[k]);
-            body.round(order[k]);
+            body.store(tick.bodies, tick.order[k]);
+            round(tick.order[k]);
         }
     }
 
@@ -189,15 +180,15 @@ final class Passes {
     void storeRows(Sweeps sweeps, SubStep sub, boolean renewed, int from, int to, Scratch scratch) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
-            scratch.doubles[Scratch.PACKED] = Touch.results(rows, contacts, j, last);
+            scratch.doubles[Scratch.PACKED] = Touch.results(rows, tick.contacts, j, last);
             soften(j, last, scratch);
-            sweeps.store(rows, body, contacts, sub, j, last, scratch);
+            sweeps.store(rows, body, tick.contacts, sub, j, last, scratch);
         }
         if (renewed) {
-            renewal.restore(rows, contacts, from, to);
+            renewal.restore(rows, tick.contacts, from, to);
         }
-        if (settings.unloadSweeps() > 0) {
-            Unloading.press(bodies, contacts, rows, 1 / subStep, from, to);
+        if (tick.settings.unloadSweeps() > 0) {
+            Unloading.press(tick.bodies, tick.contacts, rows, 1 / tick.subStep, from, to);
         }
     }
 
@@ -206,22 +197,11 @@ final class Passes {
         for (int j = from; j < to; j++) {
             int l = j * ConstraintRows.LINK;
             double share = 0;
-            if (settings.effort() > 0 && rows.link[l + ConstraintRows.COUNT] > 0) {
+            if (tick.settings.effort() > 0 && rows.link[l + ConstraintRows.COUNT] > 0) {
                 int source = rows.link[l + ConstraintRows.SOURCE];
-                share = Effort.softened(bodies, contacts, source);
+                share = Effort.softened(tick.bodies, tick.contacts, source);
             }
             scratch.soften(j - from, share);
-        }
-    }
-
-    /** Contacts without points have no impulses; a range of the active ones. */
-    void clearRows(int from, int to) {
-        ContactStore c = contacts;
-        for (int i = from; i < to; i++) {
-            int row = c.active[i];
-            if (c.pointCount[row] == 0) {
-                c.setFrictionImpulse(row, 0, 0, 0, 0);
-            }
         }
     }
 }

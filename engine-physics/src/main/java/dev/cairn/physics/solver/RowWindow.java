@@ -11,7 +11,7 @@ import static dev.cairn.physics.solver.ConstraintRows.LINK;
  * <p>One thread at a time. Allocates when it is made.
  */
 final class RowWindow {
-    private final ConstraintRows copy = new ConstraintRows(1);
+    private final ConstraintRows copy = new RowList().doubles;
     private int place;
 
     RowWindow() {

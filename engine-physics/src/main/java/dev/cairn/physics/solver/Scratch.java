@@ -72,29 +72,19 @@ final class Scratch {
     /** For rows of doubles. */
     final double[] doubles = new double[SIZE];
 
-    /** For rows of floats; empty where there are none. */
-    final float[] floats;
+    /** For rows of floats. */
+    final float[] floats = new float[SIZE];
 
     final RowWindow row = new RowWindow();
 
-    /**
-     * Scratch of a worker.
-     *
-     * @param isSingle whether the rows are floats
-     */
-    Scratch(boolean isSingle) {
+    Scratch() {
         Arrays.fill(doubles, ONES, ONES + CHUNK, 1.0);
-        floats = new float[isSingle ? SIZE : 0];
-        if (isSingle) {
-            Arrays.fill(floats, ONES, ONES + CHUNK, 1.0f);
-        }
+        Arrays.fill(floats, ONES, ONES + CHUNK, 1.0f);
     }
 
     /** Tells the store what share of its gap a row of the chunk loses, see {@link RowStore}. */
     void soften(int row, double share) {
         doubles[SOFTENED + row] = share;
-        if (floats.length > 0) {
-            floats[SOFTENED + row] = (float) share;
-        }
+        floats[SOFTENED + row] = (float) share;
     }
 }

@@ -49,8 +49,8 @@ final class SolverBodies {
 
     /**
      * What sweeps in single precision see of the state, at the same places: rounded by {@link
-     * #round} before them; what they have changed is added to the state by {@link #add}. Empty in
-     * double precision.
+     * #round} before them; what they have changed is added to the state by {@link #add}. Current
+     * only for bodies whose rows are floats.
      */
     float[] floats = {};
 
@@ -58,8 +58,6 @@ final class SolverBodies {
     float[] rootFloats = {};
 
     float[] warmFloats = {};
-
-    private final boolean isSingle;
 
     /**
      * {@code L}, row by row, then the three inverses of the squares of its columns: {@code L^-1} is
@@ -93,15 +91,6 @@ final class SolverBodies {
 
     final PrincipalAxes axes = new PrincipalAxes();
 
-    /** Bodies for sweeps in double precision. */
-    SolverBodies() {
-        this(false);
-    }
-
-    SolverBodies(boolean isSingle) {
-        this.isSingle = isSingle;
-    }
-
     static int offset(int slot) {
         return (slot + 1) * STRIDE;
     }
@@ -114,11 +103,9 @@ final class SolverBodies {
         if (slots > guide.length) {
             int n = Math.max(slots, guide.length + (guide.length >> 1));
             state = Arrays.copyOf(state, (n + 1) * STRIDE);
-            if (isSingle) {
-                floats = new float[(n + 1) * STRIDE];
-                rootFloats = new float[(n + 1) * ROOT];
-                warmFloats = new float[(n + 1) * HALF];
-            }
+            floats = new float[(n + 1) * STRIDE];
+            rootFloats = new float[(n + 1) * ROOT];
+            warmFloats = new float[(n + 1) * HALF];
             root = Arrays.copyOf(root, (n + 1) * ROOT);
             warm = Arrays.copyOf(warm, (n + 1) * HALF);
             mark = Arrays.copyOf(mark, (n + 1) * HALF);
@@ -131,32 +118,28 @@ final class SolverBodies {
 
     /** Shows the sweeps the state of a body, where they are in single precision. */
     void round(int i) {
-        if (isSingle) {
-            int o = offset(i);
-            for (int k = o; k < o + STRIDE; k++) {
-                floats[k] = (float) state[k];
-            }
+        int o = offset(i);
+        for (int k = o; k < o + STRIDE; k++) {
+            floats[k] = (float) state[k];
         }
     }
 
     /** Adds what sweeps in single precision have changed since {@link #round} to the state. */
     void add(int i) {
-        if (isSingle) {
-            int o = offset(i);
-            for (int k = o; k <= o + LOADED; k++) {
-                state[k] += floats[k] - (float) state[k];
-            }
+        int o = offset(i);
+        for (int k = o; k <= o + LOADED; k++) {
+            state[k] += floats[k] - (float) state[k];
         }
     }
 
     /** The root of a body for who fills rows of floats; they have no warm start yet. */
     void roundRoot(int i) {
         int r = (i + 1) * ROOT;
-        for (int k = r; isSingle && k < r + 9; k++) {
+        for (int k = r; k < r + 9; k++) {
             rootFloats[k] = (float) root[k];
         }
         int w = (i + 1) * HALF;
-        for (int k = w; isSingle && k < w + 6; k++) {
+        for (int k = w; k < w + 6; k++) {
             warmFloats[k] = 0;
         }
     }
@@ -164,7 +147,7 @@ final class SolverBodies {
     /** Adds the warm start that rows of floats were filled with. */
     void addWarm(int i) {
         int w = (i + 1) * HALF;
-        for (int k = w; isSingle && k < w + 6; k++) {
+        for (int k = w; k < w + 6; k++) {
             warm[k] += warmFloats[k];
             warmFloats[k] = 0;
         }
@@ -189,8 +172,6 @@ final class SolverBodies {
         }
         s[o + MASS] = b.inverseMass[i] * inverse;
         s[o + GRAVITY] = inverse;
-        round(i);
-        roundRoot(i);
     }
 
     /** Sets the weighted angular velocity, {@code L^-1 w}. */

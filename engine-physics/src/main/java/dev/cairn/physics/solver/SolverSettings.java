@@ -42,8 +42,9 @@ package dev.cairn.physics.solver;
  * @param lanes contacts that are solved at once: 1 (scalar), 4, 8 or 16, or 0 for what fits this
  *     machine. Speed only: the results are the same. Without the module {@code
  *     jdk.incubator.vector} it is always 1.
- * @param single whether rows and changes of velocity are floats: faster, with errors of some 1e-7
- *     of what changes. Bodies and their state are doubles in either case.
+ * @param floatsFrom contacts from which on rows and changes of velocity of an island are floats:
+ *     faster, with errors of some 1e-7 of what changes. 0 for all islands, {@link
+ *     Integer#MAX_VALUE} for none. Bodies and their state are doubles in either case.
  */
 public record SolverSettings(
         int substeps,
@@ -63,14 +64,34 @@ public record SolverSettings(
         int loneSweeps,
         int effort,
         int lanes,
-        boolean single) {
+        int floatsFrom) {
+    /** Contacts from which on an island is large: it is cut into domains. */
+    public static final int LARGE = 1025;
+
     /** Most doublings of sub-steps. */
     static final int MOST_EFFORT = 4;
 
     /** The measured defaults. */
     public static final SolverSettings DEFAULT =
             new SolverSettings(
-                    4, 0.125, 10, 2, 0.5, 3, 0.1, 1, 8, 0.01, 2, 0.05, 0.05, 10, 32, 0, 0, false);
+                    4,
+                    0.125,
+                    10,
+                    2,
+                    0.5,
+                    3,
+                    0.1,
+                    1,
+                    8,
+                    0.01,
+                    2,
+                    0.05,
+                    0.05,
+                    10,
+                    32,
+                    0,
+                    0,
+                    Integer.MAX_VALUE);
 
     /**
      * Checks every bound.
@@ -94,6 +115,7 @@ public record SolverSettings(
         check("unloadSweeps", unloadSweeps, 0, 64);
         check("loneSweeps", loneSweeps, 0, 4096);
         check("effort", effort, 0, MOST_EFFORT);
+        check("floatsFrom", floatsFrom, 0, Integer.MAX_VALUE);
         if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16) {
             throw new IllegalArgumentException(
                     "lanes must be 1, 4, 8 or 16, or 0 for what fits this machine, but is "
@@ -253,12 +275,14 @@ public record SolverSettings(
     /**
      * These settings in another precision.
      *
-     * @param value whether rows are floats
+     * @param value contacts from which on those of an island are solved in floats, 0 for all
+     *     islands
      * @return new settings
+     * @throws IllegalArgumentException if the value is negative
      */
-    public SolverSettings withSingle(boolean value) {
+    public SolverSettings withFloatsFrom(int value) {
         Draft d = new Draft(this);
-        d.single = value;
+        d.floatsFrom = value;
         return d.settings();
     }
 
@@ -281,7 +305,7 @@ public record SolverSettings(
         int loneSweeps;
         int effort;
         int lanes;
-        boolean single;
+        int floatsFrom;
 
         Draft(SolverSettings s) {
             substeps = s.substeps;
@@ -301,7 +325,7 @@ public record SolverSettings(
             loneSweeps = s.loneSweeps;
             effort = s.effort;
             lanes = s.lanes;
-            single = s.single;
+            floatsFrom = s.floatsFrom;
         }
 
         SolverSettings settings() {
@@ -323,7 +347,7 @@ public record SolverSettings(
                     loneSweeps,
                     effort,
                     lanes,
-                    single);
+                    floatsFrom);
         }
     }
 }

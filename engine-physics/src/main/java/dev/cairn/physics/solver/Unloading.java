@@ -31,14 +31,9 @@ final class Unloading {
      * @return whether there is one
      */
     boolean find(
-            BodyStore b,
-            ContactStore c,
-            ConstraintRows rows,
-            double perImpulse,
-            double g,
-            boolean same) {
+            BodyStore b, ContactStore c, RowList list, double perImpulse, double g, boolean same) {
         if (same) {
-            clear(rows);
+            clear(list);
             return false;
         }
         if (now.length < b.slotCount) {
@@ -48,9 +43,9 @@ final class Unloading {
         }
         Arrays.fill(now, 0, b.slotCount, 0.0);
         Arrays.fill(contactsNow, 0, b.slotCount, 0);
-        for (int m = 0; m < rows.count; m++) {
-            rows.unloaded[rows.place[m]] = 0;
-            int source = rows.source[m];
+        for (int m = 0; m < list.count; m++) {
+            list.rows(m).unloaded[list.place[m]] = 0;
+            int source = list.source[m];
             double sum = force(c, source, perImpulse);
             now[c.bodyA[source]] += sum;
             now[c.bodyB[source]] += sum;
@@ -68,34 +63,35 @@ final class Unloading {
             any |= lost;
         }
         if (any) {
-            spread(b, c, rows);
+            spread(b, c, list);
         }
         found = any;
         return any;
     }
 
     /** Takes the marks of the last tick away. */
-    private void clear(ConstraintRows rows) {
+    private void clear(RowList list) {
         if (found) {
-            Arrays.fill(rows.unloaded, (byte) 0);
+            Arrays.fill(list.floats.unloaded, (byte) 0);
+            Arrays.fill(list.doubles.unloaded, (byte) 0);
             found = false;
         }
     }
 
-    private void spread(BodyStore b, ContactStore c, ConstraintRows rows) {
+    private void spread(BodyStore b, ContactStore c, RowList list) {
         boolean again = true;
         for (boolean forward = true; again; forward = !forward) {
             again = false;
-            for (int k = 0; k < rows.count; k++) {
-                int m = forward ? k : rows.count - 1 - k;
-                if (rows.unloaded[rows.place[m]] != 0) {
+            for (int k = 0; k < list.count; k++) {
+                int m = forward ? k : list.count - 1 - k;
+                if (list.rows(m).unloaded[list.place[m]] != 0) {
                     continue;
                 }
-                int source = rows.source[m];
+                int source = list.source[m];
                 int i = c.bodyA[source];
                 int j = c.bodyB[source];
                 if (marked[i] || marked[j]) {
-                    rows.unloaded[rows.place[m]] = 1;
+                    list.rows(m).unloaded[list.place[m]] = 1;
                     marked[i] = b.kind[i] == BodyStore.DYNAMIC;
                     marked[j] = b.kind[j] == BodyStore.DYNAMIC;
                     again = true;

@@ -108,12 +108,13 @@ final class WideSweeps implements Sweeps {
     }
 
     private void warmUp(boolean wanted) {
-        ConstraintRows rows = new ConstraintRows(lanes(), lanes(), isSingle);
+        RowList list = new RowList(lanes(), lanes(), lanes(), lanes());
+        ConstraintRows rows = isSingle ? list.floats : list.doubles;
         ContactStore contacts = new ContactStore();
         contacts.ensureCapacity(ConstraintRows.CHUNK);
-        SolverBodies bodies = new SolverBodies(isSingle);
+        SolverBodies bodies = new SolverBodies();
         bodies.ensureCapacity(2 * ConstraintRows.CHUNK);
-        Scratch scratch = new Scratch(isSingle);
+        Scratch scratch = new Scratch();
         SubStep sub = new SubStep();
         sub.set(1 / 60.0, 0, SolverSettings.DEFAULT);
         sub.fillScale = 1;

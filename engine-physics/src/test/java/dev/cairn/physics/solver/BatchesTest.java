@@ -2,13 +2,15 @@ package dev.cairn.physics.solver;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.Arrays;
 
@@ -18,8 +20,8 @@ class BatchesTest {
     private static final int ON_PLATE = 360;
 
     /** Columns of four, and one large island: a plate with boxes on it. */
-    private static SolverScene scene(Jobs jobs) {
-        SolverScene s = new SolverScene(SolverSettings.DEFAULT, jobs);
+    private static SolverScene scene(Jobs jobs, SolverSettings settings) {
+        SolverScene s = new SolverScene(settings, jobs);
         int plane = s.fixed();
         int[] column = new int[4];
         for (int i = 0; i < COLUMNS; i++) {
@@ -51,8 +53,14 @@ class BatchesTest {
     }
 
     private static double[] run(int workers, boolean bouncing) {
+        return run(workers, bouncing, Integer.MAX_VALUE, 0);
+    }
+
+    private static double[] run(int workers, boolean bouncing, int floatsFrom, int lanes) {
+        SolverSettings settings =
+                SolverSettings.DEFAULT.withFloatsFrom(floatsFrom).withLanes(lanes);
         try (Jobs jobs = Jobs.of(workers)) {
-            SolverScene s = scene(jobs);
+            SolverScene s = scene(jobs, settings);
             int bodies = s.bodies.slotCount;
             if (bouncing) {
                 int ball = s.sphere(1, 0.5, -50, 0.6, 0);
@@ -76,28 +84,57 @@ class BatchesTest {
         }
     }
 
+    /** Where large islands are floats, each body does what it does if all are what it is. */
+    @Test
+    void eachIslandHasItsPrecision() {
+        double[] doubles = run(1, false);
+        double[] floats = run(1, false, 0, 1);
+        int bodies = doubles.length / 4;
+        double[] expected = doubles.clone();
+        int plate = 4 * COLUMNS + 1;
+        for (int part = 0; part < 4; part++) {
+            int from = part * bodies + plate;
+            System.arraycopy(floats, from, expected, from, bodies - plate);
+        }
+        assertFalse(Arrays.equals(doubles, expected), "floats change nothing");
+        for (int workers = 1; workers <= 4; workers++) {
+            int lanes = workers % 2 == 0 ? 4 : 1;
+            String who = workers + " workers, lanes " + lanes;
+            assertArrayEquals(expected, run(workers, false, ON_PLATE, lanes), 0.0, who);
+            assertArrayEquals(
+                    expected, run(workers, true, ON_PLATE, lanes), 0.0, who + ", lockstep");
+        }
+    }
+
+    private static boolean isLockstep(Batches batches, int b) {
+        return b == batches.lockstep(Batches.FLOATS, 0)
+                || b == batches.lockstep(Batches.DOUBLES, 0);
+    }
+
     /** All bodies but the first have contacts. */
-    static Batches cut(SolverScene s, ConstraintRows rows, int workers, int doublings) {
+    static Batches cut(SolverScene s, RowList list, int workers, int doublings, int floatsFrom) {
         s.collide();
-        rows.ensureRows(s.contacts.count);
-        rows.count = s.contacts.count;
+        list.ensureCapacity(s.contacts.count);
+        list.count = s.contacts.count;
         int[] guide = new int[s.bodies.slotCount];
         Arrays.fill(guide, SolverBodies.BOUND);
         guide[0] = SolverBodies.FREE;
-        for (int m = 0; m < rows.count; m++) {
-            rows.source[m] = m;
+        for (int m = 0; m < list.count; m++) {
+            list.source[m] = m;
         }
         Batches batches = new Batches();
-        batches.cut(s.bodies, s.contacts, rows, guide, false, workers, doublings, 0);
+        batches.cut(s.bodies, s.contacts, list, guide, false, workers, doublings, 0, floatsFrom);
         return batches;
     }
 
-    @Test
-    void noBodyIsInTwoBatchesAndNothingIsLost() {
+    /** From 100 contacts on, those of an island are floats: the plate's. */
+    @ParameterizedTest(name = "floats from {0} contacts")
+    @ValueSource(ints = {0, 100, Integer.MAX_VALUE})
+    void noBodyIsInTwoBatchesAndNothingIsLost(int floatsFrom) {
         for (int workers : new int[] {1, 2}) {
-            SolverScene s = scene(Jobs.of(1));
-            ConstraintRows rows = new ConstraintRows(4);
-            Batches batches = cut(s, rows, workers, 0);
+            SolverScene s = scene(Jobs.of(1), SolverSettings.DEFAULT);
+            RowList list = new RowList();
+            Batches batches = cut(s, list, workers, 0, floatsFrom);
             assertTrue(batches.count > 2, "batches: " + batches.count);
             int[] home = new int[s.bodies.slotCount];
             Arrays.fill(home, -1);
@@ -107,14 +144,15 @@ class BatchesTest {
                     home[batches.order[k]] = b;
                 }
             }
-            boolean[] seen = new boolean[rows.count];
+            boolean[] seen = new boolean[list.count];
             for (int b = 0; b < batches.count; b++) {
                 int size = batches.firstRow[b + 1] - batches.firstRow[b];
-                assertTrue(b == 0 || size <= 1024, "rows of a batch: " + size);
+                assertTrue(isLockstep(batches, b) || size <= 1024, "rows of a batch: " + size);
                 for (int k = batches.firstRow[b]; k < batches.firstRow[b + 1]; k++) {
                     int m = batches.byBatch[k];
                     assertTrue(!seen[m], "a row twice");
                     seen[m] = true;
+                    assertEquals(b < batches.divider, list.isSingle[m], "precision of a row");
                     for (int i : new int[] {s.contacts.bodyA[m], s.contacts.bodyB[m]}) {
                         if (s.bodies.kind[i] == BodyStore.DYNAMIC) {
                             assertEquals(b, home[i], "body and row are apart");
@@ -127,11 +165,9 @@ class BatchesTest {
             }
             // the plate is too large a share for one of two workers
             int plate = 4 * COLUMNS + 1;
-            if (workers == 1) {
-                assertNotEquals(0, home[plate]);
-            } else {
-                assertEquals(0, home[plate]);
-            }
+            assertEquals(workers > 1, isLockstep(batches, home[plate]));
+            assertEquals(floatsFrom <= ON_PLATE, batches.isSingle[plate]);
+            assertEquals(floatsFrom == 0, batches.isSingle[1]);
         }
     }
 
@@ -139,13 +175,13 @@ class BatchesTest {
     @Test
     void aBatchHasOneEffort() {
         for (int workers : new int[] {1, 2}) {
-            SolverScene s = scene(Jobs.of(1));
+            SolverScene s = scene(Jobs.of(1), SolverSettings.DEFAULT);
             for (int i = 0; i < COLUMNS; i++) {
                 s.bodies.effort[4 * i + 3] = (byte) (i % 4);
             }
             int plate = 4 * COLUMNS + 1;
             s.bodies.effort[plate] = 2;
-            Batches batches = cut(s, new ConstraintRows(4), workers, 3);
+            Batches batches = cut(s, new RowList(), workers, 3, Integer.MAX_VALUE);
             assertEquals(4, batches.paces);
             int[] seen = new int[4];
             for (int b = 0; b < batches.count; b++) {

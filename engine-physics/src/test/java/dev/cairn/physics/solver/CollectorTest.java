@@ -18,6 +18,9 @@ final class CollectorTest {
     private static final int BODIES = 400;
     private static final int ROWS = 1500;
 
+    /** Some of the islands have as many contacts. */
+    private static final int FLOATS_FROM = 120;
+
     private final Random random = new Random(20261122);
     private final BodyStore bodies = new BodyStore();
     private final ContactStore contacts = new ContactStore();
@@ -95,22 +98,22 @@ final class CollectorTest {
         final Colouring colouring = new Colouring();
         final Batches batches = new Batches();
         final Collector collector = new Collector(colouring, batches);
-        final ConstraintRows rows = new ConstraintRows(4);
+        final RowList list = new RowList(8, 8, 4, 4);
         final int[] guide = new int[BODIES];
 
         void run() {
-            collector.run(bodies, contacts, rows, guide, 2, 0, 0, jobs);
+            collector.run(bodies, contacts, list, guide, 2, 0, 0, FLOATS_FROM, jobs);
         }
 
         void assertSame(Made other, String where) {
-            assertEquals(rows.count, other.rows.count, where);
-            assertEquals(rows.bouncing, other.rows.bouncing, where);
-            same(rows.bouncer, other.rows.bouncer, rows.bouncing, where + ", bouncer");
-            assertEquals(rows.places, other.rows.places, where);
-            same(rows.source, other.rows.source, rows.count, where + ", source");
-            same(rows.place, other.rows.place, rows.count, where + ", place");
-            int links = rows.places * ConstraintRows.LINK;
-            same(rows.link, other.rows.link, links, where + ", link");
+            assertEquals(list.count, other.list.count, where);
+            same(list.source, other.list.source, list.count, where + ", source");
+            same(list.place, other.list.place, list.count, where + ", place");
+            for (int m = 0; m < list.count; m++) {
+                assertEquals(list.isSingle[m], other.list.isSingle[m], where + ", precision");
+            }
+            same(list.floats, other.list.floats, where + ", floats");
+            same(list.doubles, other.list.doubles, where + ", doubles");
             same(guide, other.guide, BODIES, where + ", guide");
             assertEquals(colouring.colours, other.colouring.colours, where);
             same(colouring.start, other.colouring.start, colouring.colours + 1, where + ", start");
@@ -123,6 +126,14 @@ final class CollectorTest {
                     where + ", first colour");
             int bound = batches.firstBody[batches.count];
             same(batches.order, other.batches.order, bound, where + ", order");
+        }
+
+        private void same(ConstraintRows expected, ConstraintRows actual, String where) {
+            assertEquals(expected.bouncing, actual.bouncing, where);
+            same(expected.bouncer, actual.bouncer, expected.bouncing, where + ", bouncer");
+            assertEquals(expected.places, actual.places, where);
+            int links = expected.places * ConstraintRows.LINK;
+            same(expected.link, actual.link, links, where + ", link");
         }
 
         private void same(int[] expected, int[] actual, int n, String where) {

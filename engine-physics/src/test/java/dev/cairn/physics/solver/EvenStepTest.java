@@ -27,13 +27,13 @@ class EvenStepTest {
         bodies.ensureCapacity(s.bodies.slotCount);
         bodies.axes.update(s.bodies, box);
         bodies.loadBound(s.bodies, box, 1);
-        ConstraintRows rows = new ConstraintRows(1);
+        ConstraintRows rows = new RowList().doubles;
         rows.ensurePlaces(1);
         rows.places = 1;
         int b = SolverBodies.offset(box);
         rows.link[ConstraintRows.BODY_B] = b;
         rows.link[ConstraintRows.COUNT] = 4;
-        Scratch scratch = new Scratch(false);
+        Scratch scratch = new Scratch();
         sub.fillScale = 1;
         new PrepareRow().fill(rows, bodies, s.contacts, sub, 0, 1, scratch);
         int o = rows.base(0);

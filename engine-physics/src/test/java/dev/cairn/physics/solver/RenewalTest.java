@@ -48,7 +48,7 @@ class RenewalTest {
         s.spin(box, 0, speed, 0);
         Renewal renewal = new Renewal();
         renewal.ensureCapacity(s.bodies.slotCount);
-        ConstraintRows rows = new ConstraintRows(1);
+        ConstraintRows rows = new RowList().doubles;
         rows.ensurePlaces(1);
         rows.link[ConstraintRows.BODY_B] = SolverBodies.offset(box);
         rows.link[ConstraintRows.COUNT] = 4;

@@ -87,9 +87,12 @@ class WideSweepsTest {
     }
 
     private static double[] columns(Sweeps sweeps, int lanes, boolean isSingle) {
-        SolverSettings settings = SolverSettings.DEFAULT.withLanes(lanes).withSingle(isSingle);
+        SolverSettings settings =
+                SolverSettings.DEFAULT
+                        .withLanes(lanes)
+                        .withFloatsFrom(isSingle ? 0 : Integer.MAX_VALUE);
         try (Jobs jobs = Jobs.of(1)) {
-            SolverScene s = new SolverScene(new ContactSolver(settings, sweeps), jobs);
+            SolverScene s = new SolverScene(new ContactSolver(settings, sweeps, sweeps), jobs);
             int plane = s.fixed();
             for (int column = 0; column < 5; column++) {
                 int below = s.box(1, 0.5, 0.5, 0.5, 2 * column, 0.5, 0);
@@ -147,7 +150,7 @@ class WideSweepsTest {
         assertArrayEquals(scalar, columns(wide, 4, isSingle), 0.0, "asked for, but not warm");
         assertArrayEquals(scalar, columns(wide, 0, isSingle), 0.0, "left to the machine");
         for (int lanes = 4; lanes <= (isSingle ? 8 : 4); lanes += 4) {
-            Sweeps real = Lanes.sweeps(lanes, isSingle);
+            Sweeps real = Lanes.sweeps(lanes, isSingle, true);
             assertArrayEquals(scalar, columns(real, lanes, isSingle), 0.0, lanes + " real ones");
         }
     }

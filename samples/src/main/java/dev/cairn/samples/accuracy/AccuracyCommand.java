@@ -71,7 +71,7 @@ public final class AccuracyCommand {
             paramLabel = "double|single",
             description =
                     "Numbers that contacts are solved in; double by default, as in the tables.")
-    Precision precision = Precision.DOUBLE;
+    Precision precision = Precision.AUTO;
 
     @Option(names = "--list", description = "Print the cases and end.")
     boolean list;

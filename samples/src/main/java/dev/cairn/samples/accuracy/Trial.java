@@ -43,7 +43,7 @@ public final class Trial {
      * @param effort how often the engine may double them where it needs to, 0 to 4
      */
     public Trial(int substeps, int effort) {
-        this(substeps, effort, Precision.DOUBLE);
+        this(substeps, effort, Precision.AUTO);
     }
 
     /**
