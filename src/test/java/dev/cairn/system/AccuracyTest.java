@@ -61,7 +61,7 @@ final class AccuracyTest {
                 "E18",
                 "H1",
                 "H2",
-                "I1:E in the box+p of the blob",
+                "I1",
                 "I2"
             })
     void holds(String name) {

@@ -43,7 +43,9 @@ public interface Contacts {
     int pointCount(int contact);
 
     /**
-     * The direction from A to B.
+     * The direction from A to B, along which the normal impulses are told. Balls that met more than
+     * once in the step, along other lines, pushed each other along their sum: the direction of
+     * that.
      *
      * @param contact 0 to count - 1
      * @param destination receives the unit normal

@@ -5,9 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import dev.cairn.physics.shape.Sphere;
 
 import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Random;
 
 /** Two balls that meet off centre, anywhere within a tick, against the closed form. */
@@ -89,6 +92,64 @@ class BilliardTest {
                 assertEquals(0, a.velocity().distance(truthA), 1e-12 * speed + 1e-12 * fall, what);
                 assertEquals(0, b.velocity().distance(truthB), 1e-12 * speed + 1e-12 * fall, what);
             }
+        }
+    }
+
+    /** A crowd, where pairs meet several times in a tick, along other lines each time. */
+    @Test
+    void reportsAddUpWhereBallsMeetAgain() {
+        System.out.println("seed " + SEED);
+        Random random = new Random(SEED);
+        Material surface = new Material(0, 1, 1000);
+        try (PhysicsWorld world =
+                PhysicsWorld.builder()
+                        .gravity(0, 0, 0)
+                        .settings(PhysicsSettings.DEFAULT.withRestitutionThreshold(0))
+                        .sleeping(false)
+                        .build()) {
+            BodyRef[] balls = new BodyRef[125];
+            for (int i = 0; i < balls.length; i++) {
+                double x = 0.405 * (i % 5) + 0.01 * random.nextDouble();
+                double y = 0.405 * (i / 5 % 5) + 0.01 * random.nextDouble();
+                double z = 0.405 * (i / 25) + 0.01 * random.nextDouble();
+                Vector3d v = direction(random).mul(10 * random.nextDouble());
+                balls[i] =
+                        world.add(
+                                Body.dynamic()
+                                        .shape(Sphere.of(0.2))
+                                        .mass(1 + i % 3)
+                                        .material(surface)
+                                        .at(x, y, z)
+                                        .velocity(v.x, v.y, v.z));
+            }
+            Kinetics start = world.kinetics();
+            Vector3d[] expected = new Vector3d[balls.length];
+            Vector3d n = new Vector3d();
+            for (int tick = 0; tick < 6; tick++) {
+                Map<BodyRef, Vector3d> impulse = new HashMap<>();
+                for (int i = 0; i < balls.length; i++) {
+                    expected[i] = balls[i].velocity();
+                    impulse.put(balls[i], new Vector3d());
+                }
+                world.step(TICK);
+                Contacts contacts = world.contacts();
+                for (int c = 0; c < contacts.count(); c++) {
+                    contacts.normal(c, n);
+                    assertEquals(1, n.length(), 1e-15);
+                    double l = contacts.normalImpulse(c, 0);
+                    impulse.get(contacts.bodyA(c)).fma(-l, n);
+                    impulse.get(contacts.bodyB(c)).fma(l, n);
+                }
+                for (int i = 0; i < balls.length; i++) {
+                    expected[i].fma(1 / balls[i].mass(), impulse.get(balls[i]));
+                    double off = balls[i].velocity().distance(expected[i]);
+                    assertEquals(0, off, 1e-12, "ball " + i + ", tick " + tick);
+                }
+            }
+            Kinetics end = world.kinetics();
+            assertEquals(start.angularMomentumX(), end.angularMomentumX(), 1e-11);
+            assertEquals(start.angularMomentumY(), end.angularMomentumY(), 1e-11);
+            assertEquals(start.angularMomentumZ(), end.angularMomentumZ(), 1e-11);
         }
     }
 }

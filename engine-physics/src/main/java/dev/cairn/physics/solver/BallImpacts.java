@@ -68,6 +68,8 @@ final class BallImpacts {
 
     private int count;
 
+    private final TurnedRows turned = new TurnedRows();
+
     // the step in work
     private ConstraintRows rows = new RowList().doubles;
     private SolverBodies bodies = new SolverBodies();
@@ -97,6 +99,11 @@ final class BallImpacts {
         h = subStep;
         soon = rows.isSingle ? Impacts.SOON_SINGLE : Impacts.SOON;
         threshold = restitutionThreshold;
+    }
+
+    /** End of the tick, when the rows are stored. */
+    void report() {
+        turned.report(rows, contacts);
     }
 
     /** Whether a bouncing row is one of two balls. */
@@ -314,19 +321,10 @@ final class BallImpacts {
         px += mx;
         py += my;
         pz += mz;
-        // the impulses of a tick are reported along one normal: who has pressed in it keeps its own
-        int o = rows.base(rows.list.place[row]);
-        int lanes = rows.lanes;
-        if (rows.get(o + SUM * lanes) == 0) {
-            double inverse = 1 / Math.sqrt(px * px + py * py + pz * pz);
-            px *= inverse;
-            py *= inverse;
-            pz *= inverse;
-        } else {
-            px = rows.get(o);
-            py = rows.get(o + lanes);
-            pz = rows.get(o + 2 * lanes);
-        }
+        double inverse = 1 / Math.sqrt(px * px + py * py + pz * pz);
+        px *= inverse;
+        py *= inverse;
+        pz *= inverse;
         normal[3 * count] = px;
         normal[3 * count + 1] = py;
         normal[3 * count + 2] = pz;
@@ -404,7 +402,14 @@ final class BallImpacts {
         double ra = store.innerRadius[contacts.bodyA[source]];
         double rb = store.innerRadius[contacts.bodyB[source]];
         contacts.setAnchors(p, ra * x, ra * y, ra * z, -rb * x, -rb * y, -rb * z);
+        boolean again = d[o + SUM * lanes] != 0;
+        if (again) {
+            turned.takeOut(rows, row, d, o, lanes);
+        }
         PrepareRow.aim(look, bodies, contacts, place, source);
+        if (again) {
+            turned.turnFriction(d, o, lanes);
+        }
         window.close(rows, rows.list.place[row]);
     }
 

@@ -137,6 +137,11 @@ final class Impacts {
         return any;
     }
 
+    /** End of the tick, when the rows are stored. */
+    void report() {
+        balls.report();
+    }
+
     private void open(int row) {
         look = window.open(rows, rows.list.place[row]);
         place = window.place();

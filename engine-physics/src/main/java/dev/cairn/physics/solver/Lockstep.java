@@ -138,6 +138,7 @@ final class Lockstep {
             ContactSolver.run(within, parts, jobs);
         }
         colours(storeRows, jobs);
+        impacts.report();
     }
 
     private boolean isEmpty() {
