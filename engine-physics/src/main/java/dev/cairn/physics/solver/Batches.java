@@ -264,7 +264,17 @@ final class Batches {
         }
         domains.count = 0;
         if (cuts) {
-            domains.cut(bodies, contacts, list, islands, batchOf, tally, CUT, bound, boundCount);
+            domains.cut(
+                    bodies,
+                    contacts,
+                    list,
+                    islands,
+                    batchOf,
+                    tally,
+                    CUT,
+                    isSingle,
+                    bound,
+                    boundCount);
         }
     }
 

@@ -237,9 +237,9 @@ public final class ContactSolver {
         for (int c = first; c < last; c++) {
             p.prepare(sweeps(c), sub, start[c], start[c + 1], own);
         }
-        boolean renewed = p.findRenewed(start[first], start[last]);
+        boolean renewed = p.findRenewed(head, tail, start[first], start[last]);
         for (int k = 0; k < sub.count; k++) {
-            p.kick(sub, head, tail);
+            p.kick(sub, k, head, tail);
             if (unloaded && k == 0) {
                 p.settle(sub, start[first], start[last], own);
             }

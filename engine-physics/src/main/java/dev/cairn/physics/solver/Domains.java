@@ -15,10 +15,10 @@ import dev.cairn.physics.island.Islands;
  * of all in a wall, some quarter in a heap, are still swept in lockstep.
  *
  * <p>A domain grows from the smallest slot of the island that has none, neighbours first, until it
- * has {@link #WANTED} rows; what is left over between domains is put together. So the cut is a
- * function of the island's contacts and the order of its slots alone, neither of workers nor of
- * other islands, as it must be: the order of solving follows from it. Simulation thread; allocates
- * only when a store has grown.
+ * has {@link #WANTED} rows, or twice as many of floats; what is left over between domains is put
+ * together. So the cut is a function of the island's contacts and the order of its slots alone,
+ * neither of workers nor of other islands, as it must be: the order of solving follows from it.
+ * Simulation thread; allocates only when a store has grown.
  *
  * <p>Source: the greedy growing of graph partitions, e.g. C. Farhat, "A simple and efficient
  * automatic FEM domain decomposer" (1988).
@@ -26,6 +26,9 @@ import dev.cairn.physics.island.Islands;
 final class Domains {
     /** Rows to a domain: some 700 bytes each in a cache of 512 KiB, beside their bodies. */
     static final int WANTED = 384;
+
+    /** The same for rows of floats, which are half as long. */
+    static final int WANTED_FLOATS = 768;
 
     /** Number of domains. */
     int count;
@@ -75,6 +78,7 @@ final class Domains {
      * @param islands of the rows
      * @param root by row: the smallest slot of its island
      * @param tally by that slot: {@code large} if the island is to be cut
+     * @param isSingle by slot: whether the rows of its island are floats
      * @param bound bodies with contacts, ascending
      */
     void cut(
@@ -85,6 +89,7 @@ final class Domains {
             int[] root,
             int[] tally,
             int large,
+            boolean[] isSingle,
             int[] bound,
             int boundCount) {
         ensureCapacity(bodies.slotCount, list.source.length);
@@ -101,7 +106,7 @@ final class Domains {
             int i = bound[k];
             int r = islands.root(i);
             if (tally[r] == large && of[i] < 0) {
-                grow(i, r);
+                grow(i, r, isSingle[r] ? WANTED_FLOATS : WANTED);
             }
         }
     }
@@ -153,7 +158,7 @@ final class Domains {
     }
 
     /** Grows a domain from a body on, breadth first. */
-    private void grow(int from, int root) {
+    private void grow(int from, int root, int wanted) {
         int d = open[root];
         if (d < 0) {
             d = count++;
@@ -179,7 +184,7 @@ final class Domains {
                 }
             }
             size[d] += n;
-            if (size[d] >= WANTED) {
+            if (size[d] >= wanted) {
                 open[root] = -1;
                 return;
             }

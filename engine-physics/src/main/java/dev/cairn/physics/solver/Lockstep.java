@@ -208,7 +208,7 @@ final class Lockstep {
             for (int c = first; c < last; c++) {
                 p.prepare(sweeps(c), pace, start[c], start[c + 1], own);
             }
-            if (p.findRenewed(start[first], start[last])) {
+            if (p.findRenewed(head, tail, start[first], start[last])) {
                 renews = true; // by whoever finds one
             }
         } else {
@@ -221,7 +221,7 @@ final class Lockstep {
             p.storeBodies(head, tail);
             p.storeRows(chosen, pace, renews, start[first], start[last], own);
         } else if (!isApart()) {
-            p.kick(pace, head, tail);
+            p.kick(pace, substep, head, tail);
             biasWithin(domain, worker);
         }
     }
@@ -236,7 +236,7 @@ final class Lockstep {
         if (substep == pace.count) {
             passes.storeBodies(head, tail);
         } else if (!isApart()) {
-            passes.kick(pace, head, tail);
+            passes.kick(pace, substep, head, tail);
         }
     }
 
@@ -315,7 +315,7 @@ final class Lockstep {
     }
 
     private void kick(int block, int worker) {
-        passes.kick(pace, bodiesFrom(block), bodiesTo(block));
+        passes.kick(pace, substep, bodiesFrom(block), bodiesTo(block));
     }
 
     private void bias(int block, int worker) {

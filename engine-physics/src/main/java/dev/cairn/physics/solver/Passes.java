@@ -53,15 +53,31 @@ final class Passes {
         return renewal.find(rows, tick.contacts, tick.bodies, tick.weight(), from, to);
     }
 
-    void kick(SubStep sub, int from, int to) {
+    /**
+     * The same for all rows of the bodies from {@code head} to {@code tail}, which have no others.
+     */
+    boolean findRenewed(int head, int tail, int from, int to) {
+        double weight = tick.weight();
+        return !renewal.isCalm(tick.bodies, tick.order, head, tail, weight, from, to)
+                && findRenewed(from, to);
+    }
+
+    /**
+     * Gravity, forces and warm start.
+     *
+     * @param index of the sub-step
+     */
+    void kick(SubStep sub, int index, int from, int to) {
         double[] g = tick.gravity;
         for (int k = from; k < to; k++) {
             int i = tick.order[k];
-            if (rows.isSingle) {
+            if (rows.isSingle && index == 0) {
                 body.addWarm(i);
             }
             Motion.kick(tick.bodies, body, i, g[0], g[1], g[2], sub.seconds);
-            round(i);
+            if (rows.isSingle) {
+                body.roundVelocity(i);
+            }
         }
     }
 

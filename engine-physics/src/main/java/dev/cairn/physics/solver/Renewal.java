@@ -123,6 +123,35 @@ final class Renewal {
         return any;
     }
 
+    /**
+     * Says that none of a range of rows is renewed, if none can be: none of their bodies turns, and
+     * even two of the fastest would not pass each other fast enough. So what rests or creeps pays
+     * by body, not by row.
+     *
+     * @param order lists the bodies of the rows, from {@code head} to {@code tail}
+     */
+    boolean isCalm(BodyStore b, int[] order, int head, int tail, double gravity, int from, int to) {
+        double fastest = 0;
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = head; k < tail; k++) {
+            int i = order[k];
+            if (turns[i]) {
+                return false;
+            }
+            double x = b.velocityX[i];
+            double y = b.velocityY[i];
+            double z = b.velocityZ[i];
+            fastest = Math.max(fastest, x * x + y * y + z * z);
+            least = Math.min(least, b.innerRadius[i]);
+        }
+        // |vj - vi| <= 2 max |v|, with room for rounding
+        if (!(5 * fastest <= SLOW * SLOW * gravity * least)) {
+            return false;
+        }
+        Arrays.fill(renewed, from, to, false);
+        return true;
+    }
+
     /** Whether a row of a body is renewed. */
     boolean stirs(int slot) {
         return stirred[slot];

@@ -124,6 +124,14 @@ final class SolverBodies {
         }
     }
 
+    /** The same where only velocities have changed since then. */
+    void roundVelocity(int i) {
+        int o = offset(i);
+        for (int k = o; k <= o + LOADED; k++) {
+            floats[k] = (float) state[k];
+        }
+    }
+
     /** Adds what sweeps in single precision have changed since {@link #round} to the state. */
     void add(int i) {
         int o = offset(i);
@@ -149,7 +157,6 @@ final class SolverBodies {
         int w = (i + 1) * HALF;
         for (int k = w; k < w + 6; k++) {
             warm[k] += warmFloats[k];
-            warmFloats[k] = 0;
         }
     }
 
