@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
  * Writes the solver's kernels a second time, in single precision.
@@ -69,12 +70,25 @@ final class Twins {
         }
         Path from = Path.of(arguments[0]);
         Path to = Files.createDirectories(Path.of(arguments[1]));
+        clean(to);
         for (String name : TWINS) {
             Path file = to.resolve("Single" + name + ".java");
             String text = twin(Files.readString(from.resolve(name + ".java")));
             // an unchanged file keeps its time, so that nothing is compiled for it
             if (!Files.exists(file) || !Files.readString(file).equals(text)) {
                 Files.writeString(file, text);
+            }
+        }
+    }
+
+    /** Deletes the twins of classes that are no longer in the list. */
+    private static void clean(Path folder) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            for (Path file : files.toList()) {
+                String name = file.getFileName().toString();
+                if (TWINS.stream().noneMatch(twin -> name.equals("Single" + twin + ".java"))) {
+                    Files.delete(file);
+                }
             }
         }
     }
