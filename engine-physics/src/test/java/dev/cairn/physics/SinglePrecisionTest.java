@@ -106,6 +106,30 @@ class SinglePrecisionTest {
         assertEquals(paths[0], paths[1], "seed " + SEED);
     }
 
+    /**
+     * The state of a body that touches is a double, too: what no contact changes keeps its bits. A
+     * third of a metre a second is no float.
+     */
+    @Test
+    void whatSlidesWithoutFrictionKeepsItsSpeed() {
+        try (PhysicsWorld world = world(Precision.SINGLE, 0)) {
+            Material ice = new Material(0, 0, 1000);
+            world.add(Body.fixed().shape(Box.of(20, 0.5, 20)).at(0, -0.5, 0).material(ice));
+            BodyRef body =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cube(0.25))
+                                    .at(0, 0.25, 0)
+                                    .material(ice)
+                                    .velocity(1 / 3.0, 0, 0));
+            for (int tick = 0; tick < 120; tick++) {
+                world.step(1 / 64.0);
+            }
+            assertEquals(1 / 3.0, body.velocity(new Vector3d()).x);
+            assertEquals(120 / 64.0 / 3, body.position(new Vector3d()).x, 1e-13, "m");
+        }
+    }
+
     /** Ten cubes stand, to what catalogue case E1 asks of double precision. */
     @Test
     void aStackStands() {

@@ -54,7 +54,7 @@ class CommandLineTest {
                 "--workers 1000                 | from 1 to 256",
                 "--substeps 0                   | from 1 to 64",
                 "--lanes 32                     | auto, 1, 4, 8 or 16",
-                "--precision half               | double or single",
+                "--precision half               | auto, double or single",
                 "--seed x                       | --seed x",
                 "--scene pyramid --set bse=5    | did you mean base?",
                 "--scene pyramid --set base=x   | whole number from 1 to 400",

@@ -7,8 +7,8 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 
 /**
- * Solves one tick of motion and contact: a sub-stepped soft contact solver in double, wide over the
- * contacts of a colour.
+ * Solves one tick of motion and contact: a sub-stepped soft contact solver, wide over the contacts
+ * of a colour, in floats for large islands and in doubles for small ones.
  *
  * <p>Bodies, and the contacts of a colour, run as blocks on the job system; the result depends
  * neither on the number of workers nor on that of lanes. Simulation thread only; allocates only

@@ -31,9 +31,10 @@
  * then is three numbers that serve both ways. The warm start costs nothing per contact: a body
  * keeps the sum of what its contacts did.
  *
- * <p>Precision: bodies are doubles, and so are rows and sweeps, unless floats are asked for. Then
- * the sweeps see velocities and movements rounded, and what they change is added to the state; the
- * classes whose names begin with Single are made from the others by {@code build/Twins.java}.
+ * <p>Precision: bodies are doubles. The rows of small islands are, too, those of large ones are
+ * floats, see {@code Batches}. Then the sweeps see velocities and movements rounded, and what they
+ * change is added to the state; the classes whose names begin with Single are made from the others
+ * by {@code build/Twins.java}.
  *
  * <p>Invariants: a contact's impulse on A is the exact negative of that on B, and the reported
  * totals are all the momentum that was exchanged; friction stays in its circle; normal impulses

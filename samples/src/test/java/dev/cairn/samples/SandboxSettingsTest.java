@@ -1,0 +1,30 @@
+package dev.cairn.samples;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import dev.cairn.physics.PhysicsSettings;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.Precision;
+import dev.cairn.samples.scenes.StackOfBoxes;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+import java.util.Map;
+
+/** A window's world has the settings that were asked for; no window is opened for it. */
+final class SandboxSettingsTest {
+    @Test
+    void theWorldHasThem() {
+        SampleScene scene = StackOfBoxes.scene();
+        Sandbox window = new Sandbox(List.of(scene), Map.of(), 1, 7, false, System.err);
+        window.settings(
+                PhysicsSettings.DEFAULT.withLanes(1).withEffort(2).withPrecision(Precision.SINGLE));
+        try (PhysicsWorld world = window.createPhysics()) {
+            assertEquals(1, world.settings().lanes());
+            assertEquals(2, world.settings().effort());
+            assertEquals(Precision.SINGLE, world.settings().precision());
+            assertEquals(7, world.settings().substeps());
+        }
+    }
+}
