@@ -86,7 +86,8 @@ final class Twins {
         try (Stream<Path> files = Files.list(folder)) {
             for (Path file : files.toList()) {
                 String name = file.getFileName().toString();
-                if (TWINS.stream().noneMatch(twin -> name.equals("Single" + twin + ".java"))) {
+                if (name.startsWith("Single")
+                        && TWINS.stream().noneMatch(t -> name.equals("Single" + t + ".java"))) {
                     Files.delete(file);
                 }
             }
