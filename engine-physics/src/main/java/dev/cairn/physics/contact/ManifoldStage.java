@@ -11,7 +11,6 @@ import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.PairMemory;
 import dev.cairn.physics.narrowphase.RoundContacts;
-import dev.cairn.physics.narrowphase.RoundPairs;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
 import dev.cairn.physics.narrowphase.wide.KeptBatch;
@@ -50,6 +49,7 @@ public final class ManifoldStage {
     private final PairKinds kinds = new PairKinds();
     private final PointStore points = new PointStore();
     private final Recycler recycler = new Recycler();
+    private final RoundRows roundRows = new RoundRows(kinds, points);
     private Scratch[] scratch = {};
 
     private BodyStore bodies = new BodyStore();
@@ -96,6 +96,7 @@ public final class ManifoldStage {
         }
         points.use(bodyStore, rows);
         recycler.use(bodyStore, rows, stepSeconds);
+        roundRows.use(bodyStore, rows, motion, reach, settings.speculativeFraction());
         kinds.sort(bodyStore, rows, jobs);
         int round = kinds.begin(PairKinds.ROUND);
         int others = kinds.begin(PairKinds.OTHERS);
@@ -137,83 +138,14 @@ public final class ManifoldStage {
         for (int i = begin; i < end; i += RoundBatch.CAPACITY) {
             int last = Math.min(end, i + RoundBatch.CAPACITY);
             if (wide) {
-                roundBatch(i, last - i, own);
+                int left = roundRows.run(i, last - i, own.roundRows);
+                for (int k = 0; k < left; k++) {
+                    collide(own.roundRows.left[k], own);
+                }
             } else {
                 roundOnes(i, last, own);
             }
         }
-    }
-
-    private void roundBatch(int begin, int count, Scratch own) {
-        RoundPairs batch = own.roundPairs;
-        int[] order = kinds.order();
-        for (int i = 0; i < count; i++) {
-            putRound(i, order[begin + i], batch);
-        }
-        batch.run(count);
-        ContactStore c = contacts;
-        for (int i = 0; i < count; i++) {
-            int row = order[begin + i];
-            int first = ContactStore.POINTS * row;
-            if (batch.touches(i)
-                    && c.pointCount[row] == 1
-                    && c.feature[first] == RoundPairs.NAME
-                    && c.cache[row] == RoundPairs.SINGLE) {
-                // The same point as in the last tick: it keeps its name and its impulses.
-                c.separation[first] =
-                        batch.write(
-                                i,
-                                c.head,
-                                ContactStore.head(row),
-                                c.anchors,
-                                ContactStore.anchor(first));
-            } else if (batch.take(i, own.manifold)) {
-                c.cache[row] = RoundPairs.word(own.manifold);
-                points.store(row, own.manifold, own.points);
-            } else {
-                collide(row, own);
-            }
-        }
-    }
-
-    private void putRound(int i, int row, RoundPairs batch) {
-        BodyStore s = bodies;
-        double[] sizes = kinds.sizes();
-        int a = contacts.bodyA[row];
-        int b = contacts.bodyB[row];
-        int sizeA = PairKinds.SIZES * a;
-        int sizeB = PairKinds.SIZES * b;
-        double radiusA = sizes[sizeA];
-        double radiusB = sizes[sizeB];
-        double halfA = sizes[sizeA + 1];
-        double halfB = sizes[sizeB + 1];
-        batch.put(
-                i,
-                s.apartX(a, b),
-                s.apartY(a, b),
-                s.apartZ(a, b),
-                margin(a, b, Math.min(radiusA, radiusB)),
-                radiusA,
-                halfA,
-                radiusB,
-                halfB);
-        if (halfA != 0) {
-            turn(i, false, a, batch);
-        }
-        if (halfB != 0) {
-            turn(i, true, b, batch);
-        }
-    }
-
-    private void turn(int i, boolean second, int body, RoundPairs batch) {
-        BodyStore s = bodies;
-        batch.turn(
-                i,
-                second,
-                s.orientationX[body],
-                s.orientationY[body],
-                s.orientationZ[body],
-                s.orientationW[body]);
     }
 
     private void roundOnes(int begin, int end, Scratch own) {
@@ -430,7 +362,7 @@ public final class ManifoldStage {
         final BoxContacts boxes = new BoxContacts(narrowPhase);
         final KeptBatch kept = new KeptBatch();
         final RoundContacts round = new RoundContacts();
-        final RoundPairs roundPairs = new RoundPairs();
+        final RoundRows.Scratch roundRows = new RoundRows.Scratch();
         final int[] row = new int[BOXES_PER_BLOCK];
         final double[] margin = new double[BOXES_PER_BLOCK];
         final Manifold manifold = new Manifold();

@@ -1,15 +1,10 @@
 package dev.cairn.physics.narrowphase;
 
-import dev.cairn.physics.shape.Capsule;
-
 /**
  * Two capsules side by side: both ends of the part that their lines share, by the rules of {@link
  * CurvedContact}, in world axes.
  */
 final class CapsuleLines {
-    /** Sine of 0.1 rad: lines that are nearer to being at right angles to the axis are level. */
-    private static final double ACROSS = 0.1;
-
     /** Of a line: what two of them must share. */
     private static final double SHARED = 0x1p-10;
 
@@ -17,13 +12,15 @@ final class CapsuleLines {
     double deepest;
 
     /**
-     * Writes up to two points; none when the lines are not level, do not share anything, or cross
-     * so far that round sides would lose more than is calm.
+     * Writes up to two points; none when the lines, which are level, do not share anything, or
+     * cross so far that round sides would lose more than is calm.
      */
     void run(
             RoundContacts r,
-            Capsule a,
-            Capsule b,
+            double radiusA,
+            double halfA,
+            double radiusB,
+            double halfB,
             double dx,
             double dy,
             double dz,
@@ -36,26 +33,21 @@ final class CapsuleLines {
         double nx = r.x / length;
         double ny = r.y / length;
         double nz = r.z / length;
-        double un = r.axisX * nx + r.axisY * ny + r.axisZ * nz;
-        double vn = r.otherX * nx + r.otherY * ny + r.otherZ * nz;
-        if (Math.abs(un) > ACROSS || Math.abs(vn) > ACROSS) {
-            return;
-        }
         // A's line is a + s u, B's is b + t v, s and t from 0 to 1, each on its surface.
-        double h = 2 * a.halfLength();
-        double k = 2 * b.halfLength();
+        double h = 2 * halfA;
+        double k = 2 * halfB;
         double ux = h * r.axisX;
         double uy = h * r.axisY;
         double uz = h * r.axisZ;
         double vx = k * r.otherX;
         double vy = k * r.otherY;
         double vz = k * r.otherZ;
-        double ax = a.radius() * nx - 0.5 * ux;
-        double ay = a.radius() * ny - 0.5 * uy;
-        double az = a.radius() * nz - 0.5 * uz;
-        double bx = dx - b.radius() * nx - 0.5 * vx;
-        double by = dy - b.radius() * ny - 0.5 * vy;
-        double bz = dz - b.radius() * nz - 0.5 * vz;
+        double ax = radiusA * nx - 0.5 * ux;
+        double ay = radiusA * ny - 0.5 * uy;
+        double az = radiusA * nz - 0.5 * uz;
+        double bx = dx - radiusB * nx - 0.5 * vx;
+        double by = dy - radiusB * ny - 0.5 * vy;
+        double bz = dz - radiusB * nz - 0.5 * vz;
         double square = h * h;
         double begin = ((bx - ax) * ux + (by - ay) * uy + (bz - az) * uz) / square;
         double slope = (vx * ux + vy * uy + vz * uz) / square;
@@ -79,7 +71,7 @@ final class CapsuleLines {
             double gap = gx * nx + gy * ny + gz * nz;
             double side = Math.max(0, gx * gx + gy * gy + gz * gz - gap * gap);
             // What round sides lose where they pass each other: side^2 / (2 (R + r)).
-            if (side > 2 * calm * (a.radius() + b.radius())) {
+            if (side > 2 * calm * (radiusA + radiusB)) {
                 out.pointCount = 0;
                 return;
             }

@@ -1,10 +1,23 @@
 package dev.cairn.physics.narrowphase;
 
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.ACROSS;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.AXIS_A;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.AXIS_B;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.CROSSING;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.HALF_A;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.HALF_B;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.LEAST;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.LEVEL;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.MARGIN;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.MOST;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.NEVER;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.OFFSET;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.ON_A;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.PARALLEL;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.RADIUS_A;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.RADIUS_B;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.SCALE;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.TOUCHING;
 
 import dev.cairn.physics.shape.Capsule;
@@ -31,7 +44,10 @@ public final class RoundContacts {
     /** From the core of A to that of B, and where on A's core that begins. */
     double x, y, z, onA;
 
-    /** The last pair was two capsules that may lie side by side, and touch. */
+    /** Square of the least distance of two segments so far. */
+    private double best;
+
+    /** The last pair was two capsules that touch, nearly parallel and level. */
     private boolean lines;
 
     private final CapsuleLines sideBySide = new CapsuleLines();
@@ -180,11 +196,22 @@ public final class RoundContacts {
             word = 0;
             return true;
         }
-        if (lines) {
+        if (lines && level(length)) {
             return false;
         }
+        lines = false;
         single(length, separation, radiusA, out);
         return true;
+    }
+
+    /** Whether both segments are nearly at right angles to the normal. */
+    private boolean level(double length) {
+        double nx = x / length;
+        double ny = y / length;
+        double nz = z / length;
+        double un = axisX * nx + axisY * ny + axisZ * nz;
+        double vn = otherX * nx + otherY * ny + otherZ * nz;
+        return Math.abs(un) <= LEVEL && Math.abs(vn) <= LEVEL;
     }
 
     /** The nearest points. */
@@ -223,22 +250,84 @@ public final class RoundContacts {
         if (!(lines && a instanceof Capsule first && b instanceof Capsule second)) {
             return false;
         }
+        sideBySide(
+                first.radius(),
+                first.halfLength(),
+                second.radius(),
+                second.halfLength(),
+                dx,
+                dy,
+                dz,
+                margin,
+                cache,
+                out);
+        return true;
+    }
+
+    private void sideBySide(
+            double radiusA,
+            double halfA,
+            double radiusB,
+            double halfB,
+            double dx,
+            double dy,
+            double dz,
+            double margin,
+            long cache,
+            Manifold out) {
         double length = Math.sqrt(x * x + y * y + z * z);
-        double separation = length - first.radius() - second.radius();
-        double inner = Math.min(first.radius(), second.radius());
+        double separation = length - radiusA - radiusB;
+        double inner = Math.min(radiusA, radiusB);
         boolean before = cache >>> 62 == NarrowPhase.EDGES;
         double calm = NarrowPhase.CALM * inner;
         double enough = (before ? 0.5 : 1.5) * calm + (before ? 0.05 : 0.15) * Math.abs(separation);
         double rounding = out.bound;
-        sideBySide.run(this, first, second, dx, dy, dz, length, margin, calm, out);
+        sideBySide.run(this, radiusA, halfA, radiusB, halfB, dx, dy, dz, length, margin, calm, out);
         double wrong = Math.abs(sideBySide.deepest - separation);
         if (out.pointCount > 0 && wrong <= enough) {
             out.bound = wrong + rounding;
             word = Names.of(out) & 0xFFFFFFFFL;
         } else {
-            single(length, separation, first.radius(), out);
+            single(length, separation, radiusA, out);
         }
-        return true;
+    }
+
+    /**
+     * The same after a batch found that the pair is two capsules that may lie side by side.
+     *
+     * @param t the batch
+     * @param i the place of the pair
+     * @param cache the word of the last tick
+     * @param out receives the contact
+     */
+    void sideBySide(double[] t, int i, long cache, Manifold out) {
+        axisX = t[AXIS_A + i];
+        axisY = t[AXIS_A + CAPACITY + i];
+        axisZ = t[AXIS_A + 2 * CAPACITY + i];
+        otherX = t[AXIS_B + i];
+        otherY = t[AXIS_B + CAPACITY + i];
+        otherZ = t[AXIS_B + 2 * CAPACITY + i];
+        x = t[ACROSS + i];
+        y = t[ACROSS + CAPACITY + i];
+        z = t[ACROSS + 2 * CAPACITY + i];
+        onA = t[ON_A + i];
+        out.bound = 0x1p-46 * t[SCALE + i];
+        out.capped = false;
+        out.patch = 0;
+        double dx = t[OFFSET + i];
+        double dy = t[OFFSET + CAPACITY + i];
+        double dz = t[OFFSET + 2 * CAPACITY + i];
+        sideBySide(
+                t[RADIUS_A + i],
+                t[HALF_A + i],
+                t[RADIUS_B + i],
+                t[HALF_B + i],
+                dx,
+                dy,
+                dz,
+                t[MARGIN + i],
+                cache,
+                out);
     }
 
     /** The y axis of an orientation that is unit up to rounding. */
@@ -265,8 +354,7 @@ public final class RoundContacts {
 
     /**
      * Segments along u and v about 0 and d: their nearest points are inside both, or an end of one
-     * and a point of the other. Unless they cross clearly all of these are tried, so that nearly
-     * parallel ones keep their digits.
+     * and a point of the other.
      */
     private void segments(
             double h,
@@ -288,55 +376,100 @@ public final class RoundContacts {
         double dv = dx * vx + dy * vy + dz * vz;
         double uv = ux * vx + uy * vy + uz * vz;
         double inverse = 1 / sine;
+        // Where the lines are nearest, on each.
         double t = (uv * du - dv) * inverse;
         double s = (du - uv * dv) * inverse;
-        if (sine > CROSSING && Math.abs(t) <= k && Math.abs(s) <= h) {
-            double f = (dx * cx + dy * cy + dz * cz) * inverse;
+        double f = (dx * cx + dy * cy + dz * cz) * inverse;
+        boolean beyondA = Math.abs(s) > h;
+        boolean beyondB = Math.abs(t) > k;
+        boolean clear = sine > CROSSING;
+        if (clear && !beyondA && !beyondB) {
             onA = s;
             x = f * cx;
             y = f * cy;
             z = f * cz;
             return;
         }
-        double best = Double.MAX_VALUE;
-        for (int sign = -1; sign <= 1; sign += 2) {
-            // An end of B.
-            double e = sign * k;
-            double on = within(h, du + e * uv);
-            double px = dx + e * vx - on * ux;
-            double py = dy + e * vy - on * uy;
-            double pz = dz + e * vz - on * uz;
-            double square = px * px + py * py + pz * pz;
-            if (square < best) {
-                best = square;
-                onA = on;
-                x = px;
-                y = py;
-                z = pz;
+        best = Double.MAX_VALUE;
+        x = dx;
+        y = dy;
+        z = dz;
+        if (clear) {
+            // The squared distance is convex in s and t, so it is least on a side of the
+            // rectangle of all places that its minimum lies beyond.
+            if (beyondB) {
+                endOfB(t < 0 ? -k : k, h, du, uv, ux, uy, uz, vx, vy, vz, dx, dy, dz);
             }
-            // An end of A.
-            e = sign * h;
-            double other = within(k, e * uv - dv);
-            px = dx + other * vx - e * ux;
-            py = dy + other * vy - e * uy;
-            pz = dz + other * vz - e * uz;
-            square = px * px + py * py + pz * pz;
-            if (square < best) {
-                best = square;
-                onA = e;
-                x = px;
-                y = py;
-                z = pz;
+            if (beyondA) {
+                endOfA(s < 0 ? -h : h, k, dv, uv, ux, uy, uz, vx, vy, vz, dx, dy, dz);
             }
+            return;
         }
-        if (sine > NEVER && sine <= CROSSING && Math.abs(t) <= k && Math.abs(s) <= h) {
-            double f = (dx * cx + dy * cy + dz * cz) * inverse;
-            if (f * f * sine < best) {
-                onA = s;
-                x = f * cx;
-                y = f * cy;
-                z = f * cz;
-            }
+        // Nearly parallel: s and t have lost their digits, so all ends are tried.
+        endOfB(-k, h, du, uv, ux, uy, uz, vx, vy, vz, dx, dy, dz);
+        endOfA(-h, k, dv, uv, ux, uy, uz, vx, vy, vz, dx, dy, dz);
+        endOfB(k, h, du, uv, ux, uy, uz, vx, vy, vz, dx, dy, dz);
+        endOfA(h, k, dv, uv, ux, uy, uz, vx, vy, vz, dx, dy, dz);
+        if (sine > NEVER && Math.abs(t) <= k && Math.abs(s) <= h && f * f * sine < best) {
+            onA = s;
+            x = f * cx;
+            y = f * cy;
+            z = f * cz;
+        }
+    }
+
+    /** Tries the end of B at e with the point of A nearest to it. */
+    private void endOfB(
+            double e,
+            double h,
+            double du,
+            double uv,
+            double ux,
+            double uy,
+            double uz,
+            double vx,
+            double vy,
+            double vz,
+            double dx,
+            double dy,
+            double dz) {
+        double on = within(h, du + e * uv);
+        double px = dx + e * vx - on * ux;
+        double py = dy + e * vy - on * uy;
+        double pz = dz + e * vz - on * uz;
+        better(on, px, py, pz);
+    }
+
+    /** Tries the end of A at e with the point of B nearest to it. */
+    private void endOfA(
+            double e,
+            double k,
+            double dv,
+            double uv,
+            double ux,
+            double uy,
+            double uz,
+            double vx,
+            double vy,
+            double vz,
+            double dx,
+            double dy,
+            double dz) {
+        double on = within(k, e * uv - dv);
+        double px = dx + on * vx - e * ux;
+        double py = dy + on * vy - e * uy;
+        double pz = dz + on * vz - e * uz;
+        better(e, px, py, pz);
+    }
+
+    private void better(double on, double px, double py, double pz) {
+        double square = px * px + py * py + pz * pz;
+        if (square < best) {
+            best = square;
+            onA = on;
+            x = px;
+            y = py;
+            z = pz;
         }
     }
 }

@@ -1,10 +1,12 @@
 package dev.cairn.physics.narrowphase;
 
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.AHEAD;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.ARC_A;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.ARC_B;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.HALF_A;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.HALF_B;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.KIND;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.MARGIN;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.NORMAL;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.OFFSET;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.POINT;
@@ -26,12 +28,9 @@ import dev.cairn.physics.narrowphase.wide.RoundBatch;
 public final class RoundPairs {
     private final RoundBatch batch = new RoundBatch();
     private final double[] t = batch.data;
-    private boolean capsulesA, capsulesB;
+    private final RoundContacts single = new RoundContacts();
 
-    /** The name of a single point. */
-    public static final int NAME = ContactPoints.CLOSEST;
-
-    /** The word of a pair with a single point, see {@link #word}. */
+    /** The word of a pair of balls or capsules that has a single point, and of no other. */
     public static final long SINGLE = RoundContacts.SINGLE;
 
     /** An empty batch. */
@@ -40,11 +39,10 @@ public final class RoundPairs {
     /**
      * Puts a pair into the batch.
      *
-     * @param i its place, 0 to {@link RoundBatch#CAPACITY} - 1; 0 begins a new batch
+     * @param i its place, 0 to {@link RoundBatch#CAPACITY} - 1
      * @param dx centre of B minus centre of A, world axes, m
      * @param dy see {@code dx}
      * @param dz see {@code dx}
-     * @param margin points up to this far apart are reported, m, not negative
      * @param radiusA radius of A, m
      * @param halfA half length of A, m; 0 for a ball
      * @param radiusB radius of B, m
@@ -55,17 +53,13 @@ public final class RoundPairs {
             double dx,
             double dy,
             double dz,
-            double margin,
             double radiusA,
             double halfA,
             double radiusB,
             double halfB) {
-        capsulesA = (capsulesA && i != 0) || halfA != 0;
-        capsulesB = (capsulesB && i != 0) || halfB != 0;
         t[OFFSET + i] = dx;
         t[OFFSET + CAPACITY + i] = dy;
         t[OFFSET + 2 * CAPACITY + i] = dz;
-        t[MARGIN + i] = margin;
         t[RADIUS_A + i] = radiusA;
         t[HALF_A + i] = halfA;
         t[RADIUS_B + i] = radiusB;
@@ -73,7 +67,25 @@ public final class RoundPairs {
     }
 
     /**
-     * Puts the orientation of a capsule.
+     * Puts what the margin of a pair is made of: points up to that far apart are reported.
+     *
+     * @param i its place
+     * @param vx velocity of B minus that of A, world axes, m/s
+     * @param vy see {@code vx}
+     * @param vz see {@code vx}
+     * @param arcA what turning of A adds, m, not negative
+     * @param arcB what turning of B adds, m, not negative
+     */
+    public void ahead(int i, double vx, double vy, double vz, double arcA, double arcB) {
+        t[AHEAD + i] = vx;
+        t[AHEAD + CAPACITY + i] = vy;
+        t[AHEAD + 2 * CAPACITY + i] = vz;
+        t[ARC_A + i] = arcA;
+        t[ARC_B + i] = arcB;
+    }
+
+    /**
+     * Puts the orientation of a capsule; that of a ball is not minded.
      *
      * @param i the pair
      * @param second whether it is B
@@ -94,9 +106,14 @@ public final class RoundPairs {
      * Collides all pairs that were put.
      *
      * @param count how many
+     * @param capsulesA whether there may be capsules among the first shapes, all turned
+     * @param capsulesB likewise, the second ones
+     * @param reach share of the relative speed in the margin, s
+     * @param fraction share of the smaller radius in the margin
      */
-    public void run(int count) {
-        batch.run(count, capsulesA, capsulesB);
+    public void run(
+            int count, boolean capsulesA, boolean capsulesB, double reach, double fraction) {
+        batch.run(count, capsulesA, capsulesB, reach, fraction);
     }
 
     /**
@@ -104,11 +121,12 @@ public final class RoundPairs {
      *
      * @param i its place
      * @param out receives the contact
-     * @return false when {@link NarrowPhase} must find it; nothing is written then
+     * @return false when {@link #sideBySide} or {@link NarrowPhase} must find it; nothing is
+     *     written then
      */
     public boolean take(int i, Manifold out) {
         double kind = t[KIND + i];
-        if (kind == RoundBatch.OTHER) {
+        if (kind >= RoundBatch.LINES) {
             return false;
         }
         out.bound = 0x1p-46 * t[SCALE + i];
@@ -140,6 +158,31 @@ public final class RoundPairs {
     }
 
     /**
+     * The contact of two capsules that may lie side by side, after {@link #take} left it.
+     *
+     * @param i its place
+     * @param cache the word of the last tick
+     * @param out receives the contact
+     * @return false when {@link NarrowPhase} must find it; nothing is written then
+     */
+    public boolean sideBySide(int i, long cache, Manifold out) {
+        if (t[KIND + i] != RoundBatch.LINES) {
+            return false;
+        }
+        single.sideBySide(t, i, cache, out);
+        return true;
+    }
+
+    /**
+     * The word to pass for a pair next time, after {@link #sideBySide}.
+     *
+     * @return 0 when the pair is apart
+     */
+    public long word() {
+        return single.word();
+    }
+
+    /**
      * Writes the contact of a pair that {@link #touches}, without more.
      *
      * @param i its place
@@ -166,7 +209,7 @@ public final class RoundPairs {
     }
 
     /**
-     * The word to pass for a pair next time.
+     * The word to pass for a pair next time, after {@link #take}.
      *
      * @param out what {@link #take} filled
      * @return 0 when the pair is apart

@@ -37,15 +37,8 @@ class RoundPairsTest {
 
     private static void put(RoundPairs batch, int i, Scene s, double margin) {
         batch.put(
-                i,
-                s.d.x,
-                s.d.y,
-                s.d.z,
-                margin,
-                s.a.innerRadius(),
-                half(s.a),
-                s.b.innerRadius(),
-                half(s.b));
+                i, s.d.x, s.d.y, s.d.z, s.a.innerRadius(), half(s.a), s.b.innerRadius(), half(s.b));
+        batch.ahead(i, 0, 0, 0, margin, 0);
         batch.turn(i, false, s.qa.x, s.qa.y, s.qa.z, s.qa.w);
         batch.turn(i, true, s.qb.x, s.qb.y, s.qb.z, s.qb.w);
     }
@@ -87,7 +80,13 @@ class RoundPairsTest {
                 } while (!isOf(scenes[i], round % 5));
                 put(batch, i, scenes[i], margin);
             }
-            batch.run(count);
+            boolean capsulesA = false;
+            boolean capsulesB = false;
+            for (int i = 0; i < count; i++) {
+                capsulesA |= scenes[i].a instanceof Capsule;
+                capsulesB |= scenes[i].b instanceof Capsule;
+            }
+            batch.run(count, capsulesA, capsulesB, 1, 0);
             for (int i = 0; i < count; i++) {
                 Scene s = scenes[i];
                 String where = "seed 81 round " + round + " pair " + i + " " + s.a + " " + s.b;
