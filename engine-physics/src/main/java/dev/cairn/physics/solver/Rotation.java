@@ -22,6 +22,9 @@ final class Rotation {
     /** Above this an angle is taken modulo a full turn, so that halving ends after a few steps. */
     private static final double LARGE = 4;
 
+    /** Square of an angle for which three terms are enough. */
+    private static final double TINY = 1e-6;
+
     private static final double TURN = 2 * Math.PI;
 
     /** Of a square: the root by one term of its series is exact. */
@@ -85,7 +88,11 @@ final class Rotation {
         }
         double k;
         double dw;
-        if (square <= SMALL * SMALL) {
+        if (square <= TINY) {
+            // sin x / x and cos x, x = sqrt(square): the next terms are below 1e-23
+            k = 0.5 - square * (1 / 12.0 - square * (1 / 240.0 - square * (1 / 10080.0)));
+            dw = 1 - square * (0.5 - square * (1 / 24.0 - square * (1 / 720.0)));
+        } else if (square <= SMALL * SMALL) {
             k = 0.5 + 0.5 * square * sinSeries(square);
             dw = 1 + square * cosSeries(square);
         } else {
