@@ -109,11 +109,15 @@ final class Passes {
 
     void drift(SubStep sub, int from, int to) {
         double[] g = tick.gravity;
+        // in three loops: a turn is one long chain, and short bodies of a loop overlap
         for (int k = from; k < to; k++) {
-            int i = tick.order[k];
-            add(i);
-            Motion.drift(tick.bodies, body, i, g[0], g[1], g[2], sub.seconds);
-            round(i);
+            add(tick.order[k]);
+        }
+        for (int k = from; k < to; k++) {
+            Motion.drift(tick.bodies, body, tick.order[k], g[0], g[1], g[2], sub.seconds);
+        }
+        for (int k = from; k < to; k++) {
+            round(tick.order[k]);
         }
     }
 
