@@ -6,8 +6,8 @@ import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
 
 /**
- * The exact axis of a capsule's segment and a hull of few faces, when they are apart and near
- * features settle it; else nothing, and {@link CurvedAxis} iterates.
+ * The exact axis of a capsule's segment and a hull, when they are apart and near features settle
+ * it; else nothing, and {@link CurvedAxis} iterates.
  *
  * <p>In the hull's frame the segment is c + t u, |t| &lt;= h. The separation along any unit axis is
  * a lower bound of the distance, the distance of any two points an upper one. The face that
@@ -17,7 +17,7 @@ import dev.cairn.physics.shape.Shape;
  */
 final class SegmentHull {
     /** Hulls with more faces are left to the iteration, which does not look at all of them. */
-    private static final int MOST_FACES = 64;
+    private static final int MOST_FACES = 1024;
 
     private static final int STEPS = 4;
 

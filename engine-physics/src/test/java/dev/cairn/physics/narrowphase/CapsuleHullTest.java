@@ -57,6 +57,55 @@ class CapsuleHullTest {
         check(ShapeKind.HULL, ShapeKind.CAPSULE, 312);
     }
 
+    /** From 76 to 996 faces, round and long ones. */
+    @Test
+    void agreesWithTheGeneralWayOnHullsOfManyFaces() {
+        SplittableRandom r = new SplittableRandom(316);
+        EveryPairTest.Sort[] sorts = EveryPairTest.Sort.values();
+        ConvexHull[] hulls = new ConvexHull[12];
+        for (int i = 0; i < hulls.length; i++) {
+            int points = (int) Scene.logUniform(r, 40, 500);
+            double[] xyz = new double[3 * points];
+            double wide = Scene.logUniform(r, .2, 2);
+            double high = Scene.logUniform(r, .2, 2);
+            for (int k = 0; k < points; k++) {
+                Vector3d p = Scene.direction(r);
+                xyz[3 * k] = wide * p.x;
+                xyz[3 * k + 1] = high * p.y;
+                xyz[3 * k + 2] = p.z;
+            }
+            hulls[i] = ConvexHull.of(xyz);
+        }
+        ShapeKind.Two kinds = new ShapeKind.Two(ShapeKind.HULL, ShapeKind.CAPSULE);
+        double ways = 0;
+        double out = 0;
+        int settled = 0;
+        for (int i = 0; i < 14_000; i++) {
+            EveryPairTest.Sort sort = sorts[i % sorts.length];
+            Scene s = sort.scene(r, kinds);
+            ConvexHull hull = hulls[r.nextInt(hulls.length)];
+            double bySize = hull.outerRadius() / s.a.outerRadius();
+            s.d.mul(bySize);
+            s.b = ShapeKind.scaled(s.b, bySize);
+            s.a = hull;
+            String where = "seed 316 pose " + i + " " + sort;
+            double size = ShapeKind.size(s) + s.d.length();
+            special.forgetIterations();
+            double d = s.distance(special);
+            settled += special.iterations() == 0 ? 1 : 0;
+            Vector3d axis = EveryPairTest.axis(special);
+            ways = Math.max(ways, Math.abs(s.distance(general) - d) / size);
+            assertTrue(ways <= ROUNDING, where + ": GENERAL differs by " + ways);
+            s.d.fma(-d, axis);
+            out = Math.max(out, Math.abs(s.distance(special)) / size);
+            assertTrue(out <= ROUNDING, where + ": pushed out, left " + out);
+        }
+        System.out.printf(
+                "many faces: %.1e from GENERAL, pushed out %.1e, without iteration %d%n",
+                ways, out, settled);
+        assertTrue(settled > 7_000, settled + " without iteration");
+    }
+
     private static ConvexHull hullOf(Box box) {
         double[] xyz = new double[24];
         for (int i = 0; i < 8; i++) {
