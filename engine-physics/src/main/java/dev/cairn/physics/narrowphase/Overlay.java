@@ -19,7 +19,7 @@ final class Overlay {
     private double slack, slackBefore;
     private int last;
     private double ux, uy, uz, vx, vy, vz;
-    private double[] key = new double[32];
+    private final CornerOrder order = new CornerOrder();
 
     /** Sets the reference, whose flat's normal the separations are along. */
     void begin(Pair p, Patch reference, Patch incident, int lastNames) {
@@ -451,79 +451,8 @@ final class Overlay {
                 inc.kind | (inc.rim + 5));
     }
 
-    // Order -------------------------------------------------------------------------------------
-
     /** Drops what is farther apart than the margin and sorts the rest around their middle. */
     void finish(double margin) {
-        Clipper c = out;
-        double mx = 0;
-        double my = 0;
-        double mz = 0;
-        int kept = 0;
-        for (int i = 0; i < c.count; i++) {
-            if (c.separation[i] <= margin) {
-                move(i, kept++);
-                mx += c.x[i];
-                my += c.y[i];
-                mz += c.z[i];
-            }
-        }
-        c.count = kept;
-        if (kept <= 4) {
-            return;
-        }
-        mx /= kept;
-        my /= kept;
-        mz /= kept;
-        if (key.length < kept) {
-            key = new double[2 * kept];
-        }
-        // Any two directions across the normal will do for an order.
-        boolean small = Math.abs(nx) < 0.6;
-        double ax = small ? 0 : -nz;
-        double ay = small ? nz : 0;
-        double az = small ? -ny : nx;
-        double bx = ny * az - nz * ay;
-        double by = nz * ax - nx * az;
-        double bz = nx * ay - ny * ax;
-        for (int i = 0; i < kept; i++) {
-            double x = c.x[i] - mx;
-            double y = c.y[i] - my;
-            double z = c.z[i] - mz;
-            double p = x * ax + y * ay + z * az;
-            double q = x * bx + y * by + z * bz;
-            double sum = Math.abs(p) + Math.abs(q);
-            double turn = sum > 0 ? p / sum : 0;
-            insert(i, q < 0 ? 3 + turn : 1 - turn);
-        }
-    }
-
-    private void insert(int i, double turn) {
-        Clipper c = out;
-        double x = c.x[i];
-        double y = c.y[i];
-        double z = c.z[i];
-        double s = c.separation[i];
-        int f = c.feature[i];
-        int at = i;
-        while (at > 0 && key[at - 1] > turn) {
-            move(at - 1, at);
-            key[at] = key[at - 1];
-            at--;
-        }
-        c.x[at] = x;
-        c.y[at] = y;
-        c.z[at] = z;
-        c.separation[at] = s;
-        c.feature[at] = f;
-        key[at] = turn;
-    }
-
-    private void move(int i, int to) {
-        out.x[to] = out.x[i];
-        out.y[to] = out.y[i];
-        out.z[to] = out.z[i];
-        out.separation[to] = out.separation[i];
-        out.feature[to] = out.feature[i];
+        order.sort(out, nx, ny, nz, margin);
     }
 }

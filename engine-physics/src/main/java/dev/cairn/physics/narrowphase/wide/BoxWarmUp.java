@@ -91,6 +91,14 @@ public final class BoxWarmUp {
             pairs.run(RoundBatch.CAPACITY, true, false, 1, 1);
             pairs.run(RoundBatch.CAPACITY, false, true, 1, 1);
             pairs.run(RoundBatch.CAPACITY, false, false, 1, 1);
+            // All parallel: these take another kernel.
+            System.arraycopy(
+                    pairs.data,
+                    RoundBatch.TURN_A,
+                    pairs.data,
+                    RoundBatch.TURN_B,
+                    4 * RoundBatch.CAPACITY);
+            pairs.run(RoundBatch.CAPACITY, true, true, 1, 1);
             kept.run(KeptBatch.CAPACITY, numbers, 0, 1, 1);
             others = Math.min(others, System.nanoTime() - fifth);
             int places = 1 + round % KeptBatch.CAPACITY;
