@@ -32,6 +32,7 @@ final class Twins {
                     "LanePrepare",
                     "LaneStore",
                     "PrepareRow",
+                    "WarmStart",
                     "StoreRow",
                     "Offsets",
                     "LaneBodies",

@@ -386,8 +386,8 @@ final class BallImpacts {
         int o = look.base(place);
         int lanes = look.lanes;
         double[] d = look.doubles;
-        PrepareRow.addNormals(look, bodies.warm, place, o, -1);
-        PrepareRow.addFriction(look, bodies.warm, place, o, -1);
+        WarmStart.addNormals(look, bodies.warm, place, o, -1);
+        WarmStart.addFriction(look, bodies.warm, place, o, -1);
         d[o + (POINT + IMPULSE) * lanes] = 0;
         for (int k = 0; k < 3; k++) {
             d[o + (LAMBDA + k) * lanes] = 0;

@@ -237,8 +237,8 @@ final class Impacts {
     private void strike(double time, double early) {
         System.arraycopy(body, a, before, 0, 6);
         System.arraycopy(body, b, before, 6, 6);
-        PrepareRow.addNormals(look, bodies.warm, place, o, -1);
-        PrepareRow.addFriction(look, bodies.warm, place, o, -1);
+        WarmStart.addNormals(look, bodies.warm, place, o, -1);
+        WarmStart.addFriction(look, bodies.warm, place, o, -1);
         for (int p = 0; p < points; p++) {
             d[point(p) + IMPULSE * lanes] = 0;
         }

@@ -186,9 +186,9 @@ final class Renewal {
                 ConstraintRows rows = window.open(all, j);
                 int place = window.place();
                 int o = rows.base(place);
-                PrepareRow.addNormals(rows, warm, place, o, -1);
+                WarmStart.addNormals(rows, warm, place, o, -1);
                 if (rows.doubles[o + ConstraintRows.FRICTION * rows.lanes] > 0) {
-                    PrepareRow.addFriction(rows, warm, place, o, -1);
+                    WarmStart.addFriction(rows, warm, place, o, -1);
                 }
             }
         }
