@@ -31,21 +31,30 @@ final class SolverClock {
     SolverClock(PhysicsWorld world) {
         try {
             Object solver = field(field(world, "physics"), "solver");
-            Object lockstep = field(solver, "lockstep");
-            jobNanos = new long[jobs(solver).size() + jobs(lockstep).size()];
+            List<Object> owners = new ArrayList<>(List.of(solver));
+            // one for rows of floats, one for rows of doubles: their jobs have the same names
+            owners.addAll(Arrays.asList((Object[]) field(solver, "lockstep")));
+            for (Object owner : owners) {
+                for (Field field : jobs(owner)) {
+                    if (!names.contains(field.getName())) {
+                        names.add(field.getName());
+                    }
+                }
+            }
+            jobNanos = new long[names.size()];
             gapNanos = new long[jobNanos.length];
-            for (Object owner : List.of(solver, lockstep)) {
+            for (Object owner : owners) {
                 for (Field field : jobs(owner)) {
                     field.setAccessible(true);
-                    field.set(owner, clocked(names.size(), (BlockJob) field.get(owner)));
-                    names.add(field.getName());
+                    int job = names.indexOf(field.getName());
+                    field.set(owner, clocked(job, (BlockJob) field.get(owner)));
                 }
             }
         } catch (ReflectiveOperationException changed) {
             throw new IllegalStateException(
                     "The contact solver is built another way now; SolverClock looks for"
                         + " PhysicsWorld.physics, its solver, and the block jobs of that one and of"
-                        + " its lockstep",
+                        + " its two locksteps",
                     changed);
         }
     }
