@@ -55,20 +55,13 @@ final class Reduction {
             least = Math.min(least, c.separation[i]);
         }
         thin(c, least + tie, last);
-        double before = before(c, least + calm, last);
-        boolean stays = before >= NEARLY * most();
-        if (!stays) {
-            best = -1;
-            for (int i = 0; i < count; i++) {
-                if (c.separation[index[i]] <= least + tie) {
-                    around(i, c, least + tie);
-                }
+        best = -1;
+        for (int i = 0; i < count; i++) {
+            if (c.separation[index[i]] <= least + tie) {
+                around(i, c, least + tie);
             }
-            stays = before >= NEARLY * best;
         }
-        if (stays) {
-            System.arraycopy(old, 0, four, 0, 4);
-        }
+        keep(c, least + calm, last);
         Arrays.fill(chosen, 0, c.count, false);
         for (int i = 0; i < 4; i++) {
             chosen[index[four[i]]] = true;
@@ -251,11 +244,8 @@ final class Reduction {
         return x * x + y * y;
     }
 
-    /**
-     * Twice the area of the four of the last tick; -infinite when they are not all there, or none
-     * is deep enough.
-     */
-    private double before(Clipper c, double deep, int last) {
+    /** Chooses the four of the last tick if they will do. */
+    private void keep(Clipper c, double deep, int last) {
         int found = 0;
         boolean touches = false;
         for (int i = 0; i < count && found <= 4; i++) {
@@ -267,20 +257,13 @@ final class Reduction {
                 touches |= c.separation[index[i]] <= deep;
             }
         }
-        return found == 4 && touches
-                ? wide(old[0], old[2], old[1]) + wide(old[0], old[2], old[3])
-                : Double.NEGATIVE_INFINITY;
-    }
-
-    /** At least what {@link #around} can find: all of the polygon, and more than rounding. */
-    private double most() {
-        double area = 0;
-        double far = square(0, 1);
-        for (int i = 2; i < count; i++) {
-            area += wide(0, i - 1, i);
-            far = Math.max(far, square(0, i));
+        if (found != 4 || !touches) {
+            return;
         }
-        return (1 + 0x1p-30) * area + 0x1p-27 * far;
+        double area = wide(old[0], old[2], old[1]) + wide(old[0], old[2], old[3]);
+        if (area >= NEARLY * best) {
+            System.arraycopy(old, 0, four, 0, 4);
+        }
     }
 
     private void compact(Clipper c) {
