@@ -33,8 +33,11 @@ import java.util.concurrent.TimeUnit;
 public class SolverStages {
     private static final double MICROS = 1e6;
 
-    /** A settled scene, or one that bounces. */
-    @State(Scope.Thread)
+    /**
+     * A settled scene, or one that bounces. Of all threads, which are one: with a state of the
+     * thread JMH gives the step a scene, and its clocks another one.
+     */
+    @State(Scope.Benchmark)
     public static class Watched {
         /** Which, by the scene's id; only {@code bouncing} has restitution. */
         @Param({"pyramid", "pile-mixed", "bouncing"})

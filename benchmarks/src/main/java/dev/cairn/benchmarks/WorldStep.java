@@ -33,8 +33,8 @@ import java.util.concurrent.TimeUnit;
 public class WorldStep {
     private static final double MICROS = 1e6;
 
-    /** A settled scene. */
-    @State(Scope.Thread)
+    /** A settled scene; of all threads, which are one, see {@link SolverStages.Watched}. */
+    @State(Scope.Benchmark)
     public static class Settled {
         /** Which, by the scene's id. */
         @Param({"pyramid", "many-pyramids", "pile-spheres", "pile-boxes", "pile-mixed"})

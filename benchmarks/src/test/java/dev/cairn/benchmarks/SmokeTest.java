@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.openjdk.jmh.results.Result;
 import org.openjdk.jmh.results.RunResult;
 import org.openjdk.jmh.runner.Runner;
 import org.openjdk.jmh.runner.RunnerException;
@@ -44,6 +45,8 @@ class SmokeTest {
         for (RunResult result : results) {
             String benchmark = result.getParams().getBenchmark();
             assertTrue(result.getPrimaryResult().getScore() > 0.0, benchmark);
+            Result<?> solver = result.getSecondaryResults().get("solverMicros");
+            assertTrue(solver == null || solver.getScore() > 0.0, benchmark + " has no stages");
             suites.add(benchmark.split("\\.")[3]);
         }
         assertEquals(
