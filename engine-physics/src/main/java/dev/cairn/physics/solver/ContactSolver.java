@@ -239,7 +239,7 @@ public final class ContactSolver {
         }
         boolean renewed = p.findRenewed(head, tail, start[first], start[last]);
         for (int k = 0; k < sub.count; k++) {
-            p.kick(sub, k, head, tail);
+            p.kick(sub, k, head, tail, own);
             if (unloaded && k == 0) {
                 p.settle(sub, start[first], start[last], own);
             }

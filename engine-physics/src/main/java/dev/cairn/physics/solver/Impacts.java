@@ -1,18 +1,10 @@
 package dev.cairn.physics.solver;
 
-import static dev.cairn.physics.solver.ConstraintRows.ARM_A;
-import static dev.cairn.physics.solver.ConstraintRows.ARM_B;
 import static dev.cairn.physics.solver.ConstraintRows.COUNT;
 import static dev.cairn.physics.solver.ConstraintRows.FRICTION;
-import static dev.cairn.physics.solver.ConstraintRows.GAP;
 import static dev.cairn.physics.solver.ConstraintRows.IMPULSE;
 import static dev.cairn.physics.solver.ConstraintRows.LAMBDA;
 import static dev.cairn.physics.solver.ConstraintRows.LINK;
-import static dev.cairn.physics.solver.ConstraintRows.MASS;
-import static dev.cairn.physics.solver.ConstraintRows.MASS_A;
-import static dev.cairn.physics.solver.ConstraintRows.MASS_B;
-import static dev.cairn.physics.solver.ConstraintRows.POINT;
-import static dev.cairn.physics.solver.ConstraintRows.POINT_FIELDS;
 import static dev.cairn.physics.solver.ConstraintRows.REACH;
 import static dev.cairn.physics.solver.ConstraintRows.SUM;
 import static dev.cairn.physics.solver.ConstraintRows.TOTAL;
@@ -44,13 +36,11 @@ final class Impacts {
     /** Few contacts may take more rounds, up to so many visits of a contact in a sub-step. */
     private static final int VISITS = 16384;
 
-    private static final int SWEEPS = 64;
-
     /**
      * Points within this share of the patch's radius of the surface at the time of impact take part
      * in it.
      */
-    private static final double FLUSH = 0.005;
+    static final double FLUSH = 0.005;
 
     /**
      * Share of a gap that is rounding, by precision: what the contact solver would take for a
@@ -69,8 +59,7 @@ final class Impacts {
     /** Velocities of both bodies before the impact. */
     private final double[] before = new double[12];
 
-    /** The wanted speeds after the impact; NaN for points that do not touch then. */
-    private final double[] goal = new double[ContactStore.POINTS];
+    private final Blow blow = new Blow();
 
     private double soon;
     private final RowWindow window = new RowWindow();
@@ -151,10 +140,7 @@ final class Impacts {
         a = look.link[place * LINK];
         b = look.link[place * LINK + 1];
         points = look.link[place * LINK + COUNT];
-    }
-
-    private int point(int p) {
-        return o + (POINT + p * POINT_FIELDS) * lanes;
+        blow.open(look, place, body);
     }
 
     private boolean impact(double restitution, double[] g, double h, double threshold) {
@@ -168,7 +154,7 @@ final class Impacts {
         double time = Double.POSITIVE_INFINITY;
         double radius = 0;
         for (int p = 0; p < points; p++) {
-            time = Math.min(time, timeOfImpact(gap(p), speed(p), an, h, threshold));
+            time = Math.min(time, timeOfImpact(blow.gap(p), blow.speed(p), an, h, threshold));
             radius = Math.max(radius, d[o + (REACH + p) * lanes]);
         }
         if (time == Double.POSITIVE_INFINITY) {
@@ -176,10 +162,10 @@ final class Impacts {
         }
         double flush = FLUSH * radius;
         for (int p = 0; p < points; p++) {
-            double v = speed(p);
-            double now = gap(p);
+            double v = blow.speed(p);
+            double now = blow.gap(p);
             double at = now + time * (v + 0.5 * time * an);
-            goal[p] =
+            blow.goal[p] =
                     at <= flush + soon * now
                             ? Math.max(0, -restitution * (v + time * an))
                             : Double.NaN;
@@ -240,15 +226,15 @@ final class Impacts {
         WarmStart.addNormals(look, bodies.warm, place, o, -1);
         WarmStart.addFriction(look, bodies.warm, place, o, -1);
         for (int p = 0; p < points; p++) {
-            d[point(p) + IMPULSE * lanes] = 0;
+            d[blow.point(p) + IMPULSE * lanes] = 0;
         }
         for (int k = 0; k < 3; k++) {
             d[o + (LAMBDA + k) * lanes] = 0;
         }
-        uniform(early);
-        newton(early);
+        blow.uniform(early);
+        blow.newton(early);
         for (int p = 0; p < points; p++) {
-            d[o + (SUM + p) * lanes] += d[point(p) + IMPULSE * lanes];
+            d[o + (SUM + p) * lanes] += d[blow.point(p) + IMPULSE * lanes];
         }
         if (d[o + FRICTION * lanes] > 0) {
             ScalarFriction.rub(d, o, lanes, body, a, b, points);
@@ -258,88 +244,12 @@ final class Impacts {
             }
         }
         for (int p = 0; p < points; p++) {
-            d[point(p) + IMPULSE * lanes] = 0;
+            d[blow.point(p) + IMPULSE * lanes] = 0;
         }
         Restraint.lock(store, bodies.state, a);
         Restraint.lock(store, bodies.state, b);
         shift(a, before, 0, time);
         shift(b, before, 6, time);
-    }
-
-    /**
-     * First guess: the same impulse at all points that touch, such that their mean speed is right.
-     * A flat symmetric impact is solved by it, so that its symmetry does not drown in the order of
-     * the points.
-     */
-    private void uniform(double early) {
-        double miss = 0;
-        double response = 0;
-        int n = 0;
-        for (int p = 0; p < points; p++) {
-            if (Double.isNaN(goal[p])) {
-                continue;
-            }
-            n++;
-            miss += speed(p) + early - goal[p];
-            int q = point(p);
-            for (int i = 0; i < points; i++) {
-                if (!Double.isNaN(goal[i])) {
-                    int r = point(i);
-                    for (int k = 0; k < 6; k++) {
-                        response += d[q + k * lanes] * d[r + k * lanes];
-                    }
-                }
-            }
-        }
-        response += (double) n * n * (d[o + MASS_A * lanes] + d[o + MASS_B * lanes]);
-        double impulse = -miss / response;
-        for (int p = 0; impulse > 0 && p < points; p++) {
-            if (!Double.isNaN(goal[p])) {
-                d[point(p) + IMPULSE * lanes] = impulse;
-                push(p, impulse);
-            }
-        }
-    }
-
-    /** {@code v_i + early >= goal_i, l_i >= 0}, complementary, by Gauss-Seidel to convergence. */
-    private void newton(double early) {
-        for (int sweep = 0; sweep < SWEEPS; sweep++) {
-            double largest = 0;
-            double sum = 0;
-            for (int p = 0; p < points; p++) {
-                if (Double.isNaN(goal[p])) {
-                    continue;
-                }
-                int q = point(p);
-                double v = speed(p) + early;
-                double old = d[q + IMPULSE * lanes];
-                double next = Math.max(0, old - d[q + MASS * lanes] * (v - goal[p]));
-                double delta = next - old;
-                d[q + IMPULSE * lanes] = next;
-                largest = Math.max(largest, Math.abs(delta));
-                sum += next;
-                push(p, delta);
-            }
-            if (largest <= 1e-15 * sum) {
-                return;
-            }
-        }
-    }
-
-    private void push(int p, double impulse) {
-        int q = point(p);
-        double ma = impulse * d[o + MASS_A * lanes];
-        double mb = impulse * d[o + MASS_B * lanes];
-        for (int k = 0; k < 3; k++) {
-            if (a != 0) {
-                body[a + k] -= ma * d[o + k * lanes];
-                body[a + 3 + k] -= impulse * d[q + (ARM_A + k) * lanes];
-            }
-            if (b != 0) {
-                body[b + k] += mb * d[o + k * lanes];
-                body[b + 3 + k] += impulse * d[q + (ARM_B + k) * lanes];
-            }
-        }
     }
 
     /**
@@ -352,6 +262,13 @@ final class Impacts {
             return;
         }
         since[SolverBodies.slot(at)] = time;
+        shift(store, bodies, at, old, q, time);
+    }
+
+    /** The same, for who keeps no time of impacts. */
+    static void shift(
+            BodyStore store, SolverBodies bodies, int at, double[] old, int q, double time) {
+        double[] body = bodies.state;
         if (!(time > 0)) {
             return;
         }
@@ -378,23 +295,5 @@ final class Impacts {
     /** Time of the last impact of the body at {@code at} in this sub-step; 0 if there was none. */
     double since(int at) {
         return at == 0 ? 0 : since[SolverBodies.slot(at)];
-    }
-
-    private double gap(int p) {
-        return d[o + (GAP + p) * lanes] + along(p, a + SolverBodies.P, b + SolverBodies.P);
-    }
-
-    private double speed(int p) {
-        return along(p, a, b);
-    }
-
-    /** {@code n.(yB - yA) + uB.armB - uA.armA} of the pairs (y, u) at {@code i} and {@code j}. */
-    private double along(int p, int i, int j) {
-        int q = point(p);
-        return d[o] * (body[j] - body[i])
-                + d[o + lanes] * (body[j + 1] - body[i + 1])
-                + d[o + 2 * lanes] * (body[j + 2] - body[i + 2])
-                + ScalarNormals.dot(d, q + ARM_B * lanes, lanes, body, j + 3)
-                - ScalarNormals.dot(d, q + ARM_A * lanes, lanes, body, i + 3);
     }
 }

@@ -221,7 +221,7 @@ final class Lockstep {
             p.storeBodies(head, tail);
             p.storeRows(chosen, pace, renews, start[first], start[last], own);
         } else if (!isApart()) {
-            p.kick(pace, substep, head, tail);
+            p.kick(pace, substep, head, tail, own);
             biasWithin(domain, worker);
         }
     }
@@ -236,7 +236,7 @@ final class Lockstep {
         if (substep == pace.count) {
             passes.storeBodies(head, tail);
         } else if (!isApart()) {
-            passes.kick(pace, substep, head, tail);
+            passes.kick(pace, substep, head, tail, scratch[worker]);
         }
     }
 
@@ -315,7 +315,7 @@ final class Lockstep {
     }
 
     private void kick(int block, int worker) {
-        passes.kick(pace, substep, bodiesFrom(block), bodiesTo(block));
+        passes.kick(pace, substep, bodiesFrom(block), bodiesTo(block), scratch[worker]);
     }
 
     private void bias(int block, int worker) {

@@ -67,17 +67,31 @@ final class Passes {
      *
      * @param index of the sub-step
      */
-    void kick(SubStep sub, int index, int from, int to) {
+    void kick(SubStep sub, int index, int from, int to, Scratch scratch) {
         double[] g = tick.gravity;
         for (int k = from; k < to; k++) {
             int i = tick.order[k];
             if (rows.isSingle && index == 0) {
                 body.addWarm(i);
             }
+            land(sub, i, scratch);
             Motion.kick(tick.bodies, body, i, g[0], g[1], g[2], sub.seconds);
             if (rows.isSingle) {
                 body.roundVelocity(i);
             }
+        }
+    }
+
+    /** The blow of points that land in this sub-step, of a body on one contact. */
+    private void land(SubStep sub, int i, Scratch scratch) {
+        int guide = body.guide[i];
+        if (guide < 0 || sub.lone == 0 || !Landing.isAwaited(rows, rows.list.place[guide])) {
+            return;
+        }
+        int row = rows.list.place[guide];
+        ConstraintRows window = scratch.row.open(rows, row);
+        if (scratch.landing.run(tick, window, scratch.row.place(), i, sub.seconds, sub.lone)) {
+            scratch.row.close(rows, row);
         }
     }
 

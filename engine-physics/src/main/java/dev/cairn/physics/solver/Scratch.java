@@ -77,6 +77,8 @@ final class Scratch {
 
     final RowWindow row = new RowWindow();
 
+    final Landing landing = new Landing();
+
     Scratch() {
         Arrays.fill(doubles, ONES, ONES + CHUNK, 1.0);
         Arrays.fill(floats, ONES, ONES + CHUNK, 1.0f);

@@ -13,6 +13,7 @@
  *   prepare ─ weighted arms, effective masses, friction block; the bodies' first warm start
  *   sub-step, four times:
  *     impacts  bounces, each at its own time, before anything is solved
+ *     land     points that land, of bodies on one static contact: their blow, at its own time
  *     kick     v += h (g + f/m), then the warm start of all contacts of a body at once
  *     bias     normals, soft: overlap is pushed out, gaps close at most to zero
  *     drift    x += h v under load, the parabola without; free rotation, exact or of order 6
