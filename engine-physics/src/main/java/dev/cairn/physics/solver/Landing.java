@@ -21,8 +21,8 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 
 /**
- * Points that land, of a body whose only contact is with what does not move: their blow, without a
- * bounce, at its own time inside the sub-step.
+ * Points that land, of a body that rocks on its only contact, which is with what does not move:
+ * their blow, without a bounce, at its own time inside the sub-step.
  *
  * <p>Problem: the soft step closes a gap at most to zero, so that an edge that comes down is
  * stopped over two sub-steps, with the levers of before and after, while the edge on which the body
@@ -35,9 +35,11 @@ import dev.cairn.physics.internal.ContactStore;
  * dv} at {@code x - t dv - t f/2}, as in {@link Impacts}. Gravity then pulls from the start of the
  * sub-step on, and what landed is held from t on: that is made up for along the normal.
  *
- * <p>Only what lands faster than gravity and forces make it in a sub-step, and while gaps close as
- * {@link Impacts} has it. One body at a time, any worker. Does not allocate. Source: G. W. Housner,
- * "The behavior of inverted pendulum structures during earthquakes" (1963), for the law; own study.
+ * <p>Not what lands from flight: its points then lie at a gap of zero but for rounding, and whether
+ * they are soft or hard in the next sub-step would hang on that. Only what lands faster than
+ * gravity and forces make it in a sub-step, and while gaps close as {@link Impacts} has it. One
+ * body at a time, any worker. Does not allocate. Source: G. W. Housner, "The behavior of inverted
+ * pendulum structures during earthquakes" (1963), for the law; own study.
  */
 final class Landing {
     /** Change of an impulse over the largest one at which normals and friction agree. */
@@ -74,18 +76,19 @@ final class Landing {
     private boolean isA;
     private int points;
 
-    /** Whether a row has a point that is open and does not press. */
+    /** Whether a row has a point that presses, and one that is open and does not. */
     static boolean isAwaited(ConstraintRows rows, int place) {
         int o = rows.base(place);
         int n = rows.points(place);
+        boolean opens = false;
+        boolean presses = false;
         for (int p = 0; p < n; p++) {
             int q = o + (POINT + p * POINT_FIELDS) * rows.lanes;
-            if (rows.get(q + SEPARATION * rows.lanes) > 0
-                    && rows.get(q + IMPULSE * rows.lanes) == 0) {
-                return true;
-            }
+            boolean idle = rows.get(q + IMPULSE * rows.lanes) == 0;
+            presses |= !idle;
+            opens |= idle && rows.get(q + SEPARATION * rows.lanes) > 0;
         }
-        return false;
+        return opens && presses;
     }
 
     /**
