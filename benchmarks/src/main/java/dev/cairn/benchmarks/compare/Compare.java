@@ -75,7 +75,7 @@ public final class Compare implements Callable<Integer> {
             paramLabel = "SECONDS",
             description =
                     "CPU time after which an error run is stopped; by default 6, up to 20 in scenes"
-                        + " of many bodies")
+                            + " of many bodies")
     private double patience;
 
     @Option(
