@@ -5,6 +5,7 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaFieldAccess;
 import com.tngtech.archunit.core.domain.JavaMethodCall;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
@@ -130,6 +131,32 @@ final class ArchitectureTest {
                                 public boolean test(JavaMethodCall call) {
                                     return call.getTargetOwner().isEquivalentTo(Math.class)
                                             && PLATFORM_MATH.contains(call.getName());
+                                }
+                            });
+
+    /**
+     * Vectors of two sizes in one JVM mix the compiler's profiles of the Vector API, and then are
+     * objects on the heap. The solver's kernels of a given number of lanes are classes of their
+     * own.
+     */
+    @ArchTest
+    static final ArchRule vectorsHaveOneSize =
+            noClasses()
+                    .that()
+                    .resideInAPackage("dev.cairn..")
+                    .and()
+                    .doNotHaveSimpleName("LaneSpecies")
+                    .should()
+                    .accessFieldWhere(
+                            new DescribedPredicate<JavaFieldAccess>(
+                                    "a species other than SPECIES_PREFERRED") {
+                                @Override
+                                public boolean test(JavaFieldAccess access) {
+                                    return access.getTargetOwner()
+                                                    .getPackageName()
+                                                    .equals("jdk.incubator.vector")
+                                            && access.getName().startsWith("SPECIES_")
+                                            && !access.getName().equals("SPECIES_PREFERRED");
                                 }
                             });
 

@@ -246,7 +246,7 @@ public final class ManifoldStage {
     private int renewWide(int begin, int count, Scratch own) {
         ContactStore c = contacts;
         int[] order = kinds.order();
-        int first = order[begin] & -KeptBatch.LANES;
+        int first = order[begin] & -KeptBatch.ROWS;
         int places = order[begin + count - 1] - first + 1;
         int keeps = 0;
         for (int i = begin; i < begin + count; i++) {

@@ -41,7 +41,7 @@ public final class ContactStore {
     public static final int KEPT = 24;
 
     /** Rows whose numbers in {@link #kept} lie together: the first of each, then the second. */
-    public static final int KEPT_ROWS = 4;
+    public static final int KEPT_ROWS = 8;
 
     /** Rows in use. */
     public int count;
@@ -95,8 +95,7 @@ public final class ContactStore {
 
     /**
      * Relative pose and points when a pair of boxes was last collided; the manifold stage's own.
-     * Number n of a row is at {@code keptAt(row) + KEPT_ROWS * n}, so lanes read four rows as they
-     * lie.
+     * Number n of a row is at {@code keptAt(row) + KEPT_ROWS * n}, so lanes read rows as they lie.
      */
     public double[] kept = {};
 

@@ -299,15 +299,15 @@ public final class ContactSolver {
     /** Which sweeps are used has no influence on the result. */
     private void choose() {
         int k = kind;
-        int rows = passes[k].rows.places;
         chosen[k] = sweeps[k];
-        if (rows > 0 && sweeps[k] instanceof WideSweeps wide && !wide.isWarm()) {
+        if (passes[k].rows.places > 0 && sweeps[k] instanceof WideSweeps wide && !wide.isWarm()) {
             chosen[k] = narrow[k];
-            contactTicks = Math.min(WORTH_WIDE, contactTicks + rows);
+            // Not places: how many there are depends on the lanes.
+            contactTicks = Math.min(WORTH_WIDE, contactTicks + list.count);
             if (tick.settings.lanes() != 0 && k == Batches.FLOATS && settings().floatsFrom() > 0) {
                 wide.finish();
                 chosen[k] = wide;
-            } else if (rows >= WIDE_FROM || contactTicks == WORTH_WIDE) {
+            } else if (list.count >= WIDE_FROM || contactTicks == WORTH_WIDE) {
                 wide.begin();
             }
         }

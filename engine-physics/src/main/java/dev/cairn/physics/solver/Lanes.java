@@ -1,5 +1,7 @@
 package dev.cairn.physics.solver;
 
+import dev.cairn.physics.internal.Vectors;
+
 import org.jspecify.annotations.Nullable;
 
 import java.io.IOException;
@@ -14,7 +16,6 @@ import java.util.concurrent.atomic.AtomicBoolean;
 final class Lanes {
     private static final Logger LOG = System.getLogger("dev.cairn.physics");
     private static final AtomicBoolean TOLD = new AtomicBoolean();
-    private static final String MODULE = "jdk.incubator.vector";
 
     /** Doubles of the largest vector. */
     private static final int LARGEST = 8;
@@ -37,17 +38,20 @@ final class Lanes {
         if (lanes == 1) {
             return RowSweeps.scalar(isSingle);
         }
-        if (ModuleLayer.boot().findModule(MODULE).isEmpty()) {
+        if (!Vectors.areThere()) {
             if (TOLD.compareAndSet(false, true)) {
                 LOG.log(
                         Level.WARNING,
                         "The contact solver runs without vectors, at half its speed, because the"
                                 + " JVM was started without the module "
-                                + MODULE
+                                + Vectors.MODULE
                                 + ". Add --add-modules="
-                                + MODULE
+                                + Vectors.MODULE
                                 + " to its options; the results are the same.");
             }
+            return RowSweeps.scalar(isSingle);
+        }
+        if (lanes == 0 && !Vectors.areCompiled()) {
             return RowSweeps.scalar(isSingle);
         }
         int wanted = Math.min(LARGEST, lanes == 0 ? Preferred.lanes(isSingle) : lanes);

@@ -1,5 +1,7 @@
 package dev.cairn.physics.narrowphase.wide;
 
+import dev.cairn.physics.internal.Vectors;
+
 /**
  * The fifteen axes of many pairs of boxes at once (Gottschalk, Lin, Manocha 1996), a pair to a
  * lane, in double precision. The operations and their order are those of the scalar test in {@code
@@ -12,17 +14,9 @@ public final class BoxAxes {
     static final double PARALLEL = 0x1p-40;
 
     private static final boolean WIDE =
-            ModuleLayer.boot().findModule("jdk.incubator.vector").isPresent()
-                    && vectorsAreCompiled()
-                    && BoxAxesWide.paysOff();
+            Vectors.areThere() && Vectors.areCompiled() && BoxAxesWide.paysOff();
 
     private BoxAxes() {}
-
-    /** Without the C2 compiler every vector is an object on the heap, for good. */
-    private static boolean vectorsAreCompiled() {
-        String mode = System.getProperty("java.vm.info", "");
-        return !(mode.contains("emulated-client") || mode.contains("interpreted"));
-    }
 
     /**
      * Fills the columns from {@link BoxBatch#WORLD} to {@link BoxBatch#EDGE} of the first pairs of

@@ -102,8 +102,8 @@ public final class BoxWarmUp {
             kept.run(KeptBatch.CAPACITY, numbers, 0, 1, 1);
             others = Math.min(others, System.nanoTime() - fifth);
             int places = 1 + round % KeptBatch.CAPACITY;
-            int first = random.nextInt((KeptBatch.CAPACITY - places) / KeptBatch.LANES + 1);
-            kept.run(places, numbers, first * KeptBatch.LANES * KeptBatch.KEPT, 1, 1);
+            int first = random.nextInt((KeptBatch.CAPACITY - places) / KeptBatch.ROWS + 1);
+            kept.run(places, numbers, first * KeptBatch.ROWS * KeptBatch.KEPT, 1, 1);
             pairs.run(1 + round % RoundBatch.CAPACITY, round % 2 == 0, round % 4 < 2, 1, 1);
             scalar = Math.min(scalar, second - start);
             axes = Math.min(axes, third - second);

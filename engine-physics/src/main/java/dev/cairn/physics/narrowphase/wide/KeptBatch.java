@@ -3,15 +3,15 @@ package dev.cairn.physics.narrowphase.wide;
 /**
  * Pairs of boxes in neighbouring rows that may have hardly moved, for {@link KeptWide}: one array,
  * cut into columns, as in {@link BoxBatch}. Place {@code p} is row {@code first + p} with {@code
- * first} a multiple of {@link #LANES}, so that what is kept of the rows, which lies in groups of so
+ * first} a multiple of {@link #ROWS}, so that what is kept of the rows, which lies in groups of so
  * many, is read as it lies. Let the reference be the box whose face carries the contact, the
  * incident box the other one. One per worker.
  */
 public final class KeptBatch {
-    /** Rows in a group. */
-    public static final int LANES = 4;
+    /** Rows in a group: as many as the largest vector has lanes. */
+    public static final int ROWS = 8;
 
-    /** Numbers that are kept of a row; number {@code n} of a group begins at {@code LANES * n}. */
+    /** Numbers that are kept of a row; number {@code n} of a group begins at {@code ROWS * n}. */
     public static final int KEPT = 24;
 
     /** Of the kept: orientation of the incident box seen from the reference, four numbers. */

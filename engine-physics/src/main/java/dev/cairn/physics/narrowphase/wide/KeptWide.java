@@ -10,13 +10,13 @@ import static dev.cairn.physics.narrowphase.wide.KeptBatch.CENTRE;
 import static dev.cairn.physics.narrowphase.wide.KeptBatch.GAP;
 import static dev.cairn.physics.narrowphase.wide.KeptBatch.INNER;
 import static dev.cairn.physics.narrowphase.wide.KeptBatch.KEPT;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.LANES;
 import static dev.cairn.physics.narrowphase.wide.KeptBatch.LIMIT;
 import static dev.cairn.physics.narrowphase.wide.KeptBatch.MARGIN;
 import static dev.cairn.physics.narrowphase.wide.KeptBatch.NORMAL;
 import static dev.cairn.physics.narrowphase.wide.KeptBatch.OFFSET;
 import static dev.cairn.physics.narrowphase.wide.KeptBatch.PLANE;
 import static dev.cairn.physics.narrowphase.wide.KeptBatch.POINT;
+import static dev.cairn.physics.narrowphase.wide.KeptBatch.ROWS;
 import static dev.cairn.physics.narrowphase.wide.KeptBatch.SEPARATION;
 import static dev.cairn.physics.narrowphase.wide.KeptBatch.SIGN;
 import static dev.cairn.physics.narrowphase.wide.KeptBatch.SPIN;
@@ -36,7 +36,8 @@ import jdk.incubator.vector.VectorSpecies;
  * the same operations on each number.
  */
 final class KeptWide {
-    private static final VectorSpecies<Double> S = DoubleVector.SPECIES_256;
+    private static final VectorSpecies<Double> S = DoubleVector.SPECIES_PREFERRED;
+    private static final int LANES = S.length();
 
     private KeptWide() {}
 
@@ -46,6 +47,11 @@ final class KeptWide {
         normals(t, count);
         matrices(t, count);
         points(t, count, kept, at);
+    }
+
+    /** Where the numbers of place {@code i} begin, a place where a vector begins. */
+    private static int kept(int i) {
+        return KEPT * (i & -ROWS) + (i & (ROWS - 1));
     }
 
     private static void margins(double[] t, int count, double reach, double fraction) {
@@ -68,7 +74,7 @@ final class KeptWide {
     /** Which pairs have hardly moved. */
     private static void moves(double[] t, int count, double[] kept, int at) {
         for (int i = 0; i < count; i += LANES) {
-            int k = at + KEPT * i;
+            int k = at + kept(i);
             DoubleVector rx = DoubleVector.fromArray(S, t, TURN_R + i);
             DoubleVector ry = DoubleVector.fromArray(S, t, TURN_R + CAPACITY + i);
             DoubleVector rz = DoubleVector.fromArray(S, t, TURN_R + 2 * CAPACITY + i);
@@ -82,25 +88,25 @@ final class KeptWide {
                             .sub(rx.mul(iw))
                             .sub(ry.mul(iz))
                             .add(rz.mul(iy))
-                            .sub(DoubleVector.fromArray(S, kept, k + LANES * TURN));
+                            .sub(DoubleVector.fromArray(S, kept, k + ROWS * TURN));
             DoubleVector qy =
                     rw.mul(iy)
                             .sub(ry.mul(iw))
                             .sub(rz.mul(ix))
                             .add(rx.mul(iz))
-                            .sub(DoubleVector.fromArray(S, kept, k + LANES * (TURN + 1)));
+                            .sub(DoubleVector.fromArray(S, kept, k + ROWS * (TURN + 1)));
             DoubleVector qz =
                     rw.mul(iz)
                             .sub(rz.mul(iw))
                             .sub(rx.mul(iy))
                             .add(ry.mul(ix))
-                            .sub(DoubleVector.fromArray(S, kept, k + LANES * (TURN + 2)));
+                            .sub(DoubleVector.fromArray(S, kept, k + ROWS * (TURN + 2)));
             DoubleVector qw =
                     rw.mul(iw)
                             .add(rx.mul(ix))
                             .add(ry.mul(iy))
                             .add(rz.mul(iz))
-                            .sub(DoubleVector.fromArray(S, kept, k + LANES * (TURN + 3)));
+                            .sub(DoubleVector.fromArray(S, kept, k + ROWS * (TURN + 3)));
             DoubleVector ex = DoubleVector.fromArray(S, t, OFFSET + i);
             DoubleVector ey = DoubleVector.fromArray(S, t, OFFSET + CAPACITY + i);
             DoubleVector ez = DoubleVector.fromArray(S, t, OFFSET + 2 * CAPACITY + i);
@@ -110,31 +116,31 @@ final class KeptWide {
             DoubleVector cx =
                     ex.add(rw.mul(tx))
                             .add(rz.mul(ty).sub(ry.mul(tz)))
-                            .sub(DoubleVector.fromArray(S, kept, k + LANES * CENTRE));
+                            .sub(DoubleVector.fromArray(S, kept, k + ROWS * CENTRE));
             DoubleVector cy =
                     ey.add(rw.mul(ty))
                             .add(rx.mul(tz).sub(rz.mul(tx)))
-                            .sub(DoubleVector.fromArray(S, kept, k + LANES * (CENTRE + 1)));
+                            .sub(DoubleVector.fromArray(S, kept, k + ROWS * (CENTRE + 1)));
             DoubleVector cz =
                     ez.add(rw.mul(tz))
                             .add(ry.mul(tx).sub(rx.mul(ty)))
-                            .sub(DoubleVector.fromArray(S, kept, k + LANES * (CENTRE + 2)));
+                            .sub(DoubleVector.fromArray(S, kept, k + ROWS * (CENTRE + 2)));
             DoubleVector turned = qx.mul(qx).add(qy.mul(qy)).add(qz.mul(qz).add(qw.mul(qw)));
             DoubleVector moved =
                     cx.mul(cx)
                             .add(cy.mul(cy))
                             .add(cz.mul(cz))
-                            .add(DoubleVector.fromArray(S, kept, k + LANES * SPIN).mul(turned))
+                            .add(DoubleVector.fromArray(S, kept, k + ROWS * SPIN).mul(turned))
                             .mul(2);
             DoubleVector room =
-                    DoubleVector.fromArray(S, kept, k + LANES * GAP)
+                    DoubleVector.fromArray(S, kept, k + ROWS * GAP)
                             .sub(DoubleVector.fromArray(S, t, MARGIN + i));
             VectorMask<Double> stays =
                     room.compare(VectorOperators.GT, 0)
                             .and(
                                     moved.compare(
                                             VectorOperators.LE,
-                                            DoubleVector.fromArray(S, kept, k + LANES * LIMIT)))
+                                            DoubleVector.fromArray(S, kept, k + ROWS * LIMIT)))
                             .and(moved.compare(VectorOperators.LT, room.mul(room)));
             DoubleVector.zero(S).blend(1, stays).intoArray(t, STAYS + i);
         }
@@ -209,17 +215,17 @@ final class KeptWide {
             DoubleVector ex = DoubleVector.fromArray(S, t, OFFSET + i);
             DoubleVector ey = DoubleVector.fromArray(S, t, OFFSET + CAPACITY + i);
             DoubleVector ez = DoubleVector.fromArray(S, t, OFFSET + 2 * CAPACITY + i);
-            int k = at + KEPT * i;
+            int k = at + kept(i);
             DoubleVector before =
                     ex.mul(nx)
                             .add(ey.mul(ny))
                             .add(ez.mul(nz))
-                            .sub(DoubleVector.fromArray(S, kept, k + LANES * PLANE));
+                            .sub(DoubleVector.fromArray(S, kept, k + ROWS * PLANE));
             for (int p = 0; p < 4; p++) {
-                int from = k + LANES * (POINT + 3 * p);
+                int from = k + ROWS * (POINT + 3 * p);
                 DoubleVector px = DoubleVector.fromArray(S, kept, from);
-                DoubleVector py = DoubleVector.fromArray(S, kept, from + LANES);
-                DoubleVector pz = DoubleVector.fromArray(S, kept, from + 2 * LANES);
+                DoubleVector py = DoubleVector.fromArray(S, kept, from + ROWS);
+                DoubleVector pz = DoubleVector.fromArray(S, kept, from + 2 * ROWS);
                 DoubleVector x =
                         DoubleVector.fromArray(S, t, WORLD + i)
                                 .mul(px)
