@@ -8,6 +8,8 @@ import java.lang.management.ThreadMXBean;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
 
 /**
  * CPU time of a piece of work on all threads that took part: the calling one, an engine's workers,
@@ -16,7 +18,8 @@ import java.nio.file.Path;
  * <p>The calling thread's part comes from the JVM, in nanoseconds, close around the work. On Linux
  * the other threads' parts come from {@code /proc/self/task/T/schedstat}, whose first number is the
  * nanoseconds on a core (Documentation/scheduler/sched-stats.rst); reading them is outside the
- * work. Elsewhere the process's time is taken for all, the compilers in it. One thread.
+ * work. A thread that ends within the work is left out of it from the start: what it took is gone
+ * with it. Elsewhere the process's time is taken for all, the compilers in it. One thread.
  */
 final class CpuClock {
     private static final Path TASKS = Path.of("/proc/self/task");
@@ -30,10 +33,10 @@ final class CpuClock {
                     ? known
                     : null;
     private long ownBefore;
-    private long othersBefore;
-    private long compilersBefore;
-    private long others;
     private long compilers;
+
+    /** By number of the thread, ns at the start. */
+    private final Map<String, Long> before = new HashMap<>();
 
     /** Number of the calling thread, as /proc/thread-self tells it; empty elsewhere. */
     private static String ownTask() {
@@ -46,22 +49,30 @@ final class CpuClock {
     }
 
     void start() {
-        look();
-        othersBefore = others;
-        compilersBefore = compilers;
+        before.clear();
+        look((task, name, nanos) -> before.put(task, nanos));
         ownBefore = ownNanos();
     }
 
     /** Returns the CPU time since the start, ns. */
     long stop() {
         long mine = ownNanos() - ownBefore;
-        look();
-        return mine + others - othersBefore;
+        compilers = 0;
+        long[] others = {0};
+        look((task, name, nanos) -> {
+            long since = nanos - before.getOrDefault(task, 0L);
+            if (name.startsWith("C1 Comp") || name.startsWith("C2 Comp")) {
+                compilers += since;
+            } else {
+                others[0] += since;
+            }
+        });
+        return mine + others[0];
     }
 
     /** Returns the JIT compilers' CPU time between start and stop, ns; -1 if it is not known. */
     long compilerNanos() {
-        return perThread ? compilers - compilersBefore : -1;
+        return perThread ? compilers : -1;
     }
 
     private long ownNanos() {
@@ -71,16 +82,19 @@ final class CpuClock {
         return bean.getProcessCpuTime();
     }
 
-    private void look() {
-        others = 0;
-        compilers = 0;
+    /** What is read of another thread. */
+    private interface Reading {
+        void of(String task, String name, long nanos);
+    }
+
+    private void look(Reading reading) {
         if (!perThread) {
             return;
         }
         try (DirectoryStream<Path> tasks = Files.newDirectoryStream(TASKS)) {
             for (Path task : tasks) {
                 if (!task.endsWith(own)) {
-                    add(task);
+                    read(task, reading);
                 }
             }
         } catch (IOException unreadable) {
@@ -88,18 +102,17 @@ final class CpuClock {
         }
     }
 
-    private void add(Path task) {
+    private static void read(Path task, Reading reading) {
+        String name;
+        String line;
         try {
-            String name = Files.readString(task.resolve("comm"));
-            String line = Files.readString(task.resolve("schedstat"));
-            long nanos = Long.parseLong(line.substring(0, line.indexOf(' ')));
-            if (name.startsWith("C1 Comp") || name.startsWith("C2 Comp")) {
-                compilers += nanos;
-            } else {
-                others += nanos;
-            }
+            name = Files.readString(task.resolve("comm"));
+            line = Files.readString(task.resolve("schedstat"));
         } catch (IOException ended) {
             // A thread that ended between the listing and the look.
+            return;
         }
+        long nanos = Long.parseLong(line.substring(0, line.indexOf(' ')));
+        reading.of(String.valueOf(task.getFileName()), name, nanos);
     }
 }
