@@ -87,11 +87,26 @@ final class LoneContact {
         return worst;
     }
 
-    /** {@code v² + w'²/m} above the square of a speed, w' weighted. */
+    /**
+     * Whether a body turns.
+     *
+     * @param gain what gravity adds to a speed in the sub-step, m/s
+     */
+    static boolean turns(double[] body, int i, double gain) {
+        double still = STILL * gain;
+        return turn(body, SolverBodies.offset(i)) > still * still;
+    }
+
+    /** {@code v² + w'²/m} above the square of a speed. */
     private static boolean moves(double[] body, int o, double still) {
         double v = body[o] * body[o] + body[o + 1] * body[o + 1] + body[o + 2] * body[o + 2];
+        return v + turn(body, o) > still * still;
+    }
+
+    /** {@code w'²/m}, w' weighted: the square of a speed. */
+    private static double turn(double[] body, int o) {
         double w =
                 body[o + 3] * body[o + 3] + body[o + 4] * body[o + 4] + body[o + 5] * body[o + 5];
-        return v + w * body[o + SolverBodies.MASS] > still * still;
+        return w * body[o + SolverBodies.MASS];
     }
 }

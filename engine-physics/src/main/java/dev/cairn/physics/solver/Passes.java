@@ -69,12 +69,15 @@ final class Passes {
      */
     void kick(SubStep sub, int index, int from, int to, Scratch scratch) {
         double[] g = tick.gravity;
+        double gain = tick.weight() * sub.seconds;
         for (int k = from; k < to; k++) {
             int i = tick.order[k];
             if (rows.isSingle && index == 0) {
                 body.addWarm(i);
             }
-            land(sub, i, scratch);
+            if (body.guide[i] >= 0 && LoneContact.turns(body.state, i, gain)) {
+                land(sub, i, scratch);
+            }
             Motion.kick(tick.bodies, body, i, g[0], g[1], g[2], sub.seconds);
             if (rows.isSingle) {
                 body.roundVelocity(i);
@@ -84,11 +87,10 @@ final class Passes {
 
     /** The blow of points that land in this sub-step, of a body on one contact. */
     private void land(SubStep sub, int i, Scratch scratch) {
-        int guide = body.guide[i];
-        if (guide < 0 || sub.lone == 0 || !Landing.isAwaited(rows, rows.list.place[guide])) {
+        int row = rows.list.place[body.guide[i]];
+        if (sub.lone == 0 || !Landing.isAwaited(rows, row)) {
             return;
         }
-        int row = rows.list.place[guide];
         ConstraintRows window = scratch.row.open(rows, row);
         if (scratch.landing.run(tick, window, scratch.row.place(), i, sub.seconds, sub.lone)) {
             scratch.row.close(rows, row);
