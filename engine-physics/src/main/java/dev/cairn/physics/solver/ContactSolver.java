@@ -29,6 +29,12 @@ public final class ContactSolver {
      */
     private static final double STILL = 0.125;
 
+    /**
+     * A point touches up to a gap of this share of {@code g h²}: what has landed lies at a gap of 0
+     * but for rounding, and whether it is soft or hard there must not hang on that.
+     */
+    private static final double TOUCH = 1e-9;
+
     /** By kind of rows, see {@link Batches}: the sweeps, the scalar ones, those of this tick. */
     private final Sweeps[] sweeps;
 
@@ -342,6 +348,7 @@ public final class ContactSolver {
         for (SubStep sub : paces) {
             sub.fillScale = tick.impulseScale / sub.keepScale;
             sub.still = STILL * tick.weight() * stepSeconds;
+            sub.touch = TOUCH * tick.weight() * sub.seconds * sub.seconds;
         }
     }
 

@@ -32,13 +32,7 @@ final class LaneKernels {
 
         /** The same, hard. */
         void harden(
-                ConstraintRows rows,
-                int from,
-                int to,
-                double[] st,
-                int g,
-                double inverse,
-                int marks);
+                ConstraintRows rows, int from, int to, double[] st, int g, SubStep sub, int marks);
 
         /**
          * Where the points are after the movement of the sub-step. A group whose points are all
@@ -47,7 +41,7 @@ final class LaneKernels {
          *
          * @return whether a group is busy
          */
-        boolean separate(ConstraintRows rows, int from, int to, double[] st, int g);
+        boolean separate(ConstraintRows rows, int from, int to, double[] st, int g, SubStep sub);
 
         /** Marks the bodies that are pressed on. */
         void load(ConstraintRows rows, int from, int to, double[] st, int g);

@@ -63,6 +63,7 @@ final class LaneNormals implements LaneKernels.Normals {
             ConstraintRows rows, int from, int to, double[] st, int g, SubStep sub, int marks) {
         double inverse = sub.inverse;
         double push = -sub.pushSpeed;
+        double touch = /*(float)*/ sub.touch;
         double freeRate = sub.rate;
         double fixedRate = sub.fixedRate;
         double freeScale = sub.massScale;
@@ -82,7 +83,7 @@ final class LaneNormals implements LaneKernels.Normals {
                 int q = o + (POINT + p * POINT_FIELDS) * L;
                 var s = DoubleVector.fromArray(S, d, q + SEPARATION * L);
                 var mass = DoubleVector.fromArray(S, d, q + MASS * L);
-                var open = s.compare(VectorOperators.GT, 0.0);
+                var open = s.compare(VectorOperators.GT, touch);
                 var b = s.mul(rate);
                 b = b.blend(push, b.compare(VectorOperators.LT, push)).blend(s.mul(inverse), open);
                 mass.mul(scale.blend(1.0, open)).blend(0.0, rests).intoArray(st, k + GAIN + p * L);
@@ -96,7 +97,9 @@ final class LaneNormals implements LaneKernels.Normals {
 
     @Override
     public void harden(
-            ConstraintRows rows, int from, int to, double[] st, int g, double inverse, int marks) {
+            ConstraintRows rows, int from, int to, double[] st, int g, SubStep sub, int marks) {
+        double inverse = sub.inverse;
+        double touch = /*(float)*/ sub.touch;
         double[] d = rows.doubles;
         for (int j = from; j < to; j += L, g += L) {
             int points = rows.points[j / L];
@@ -108,7 +111,7 @@ final class LaneNormals implements LaneKernels.Normals {
                 var s = DoubleVector.fromArray(S, d, q + SEPARATION * L);
                 var mass = DoubleVector.fromArray(S, d, q + MASS * L);
                 var impulse = DoubleVector.fromArray(S, d, q + IMPULSE * L);
-                var open = s.compare(VectorOperators.GT, 0.0);
+                var open = s.compare(VectorOperators.GT, touch);
                 var stays = rests.or(open.and(impulse.compare(VectorOperators.EQ, 0.0)));
                 var b = DoubleVector.zero(S).blend(s.mul(inverse), open);
                 mass.blend(0.0, stays).intoArray(st, k + GAIN + p * L);
@@ -118,7 +121,9 @@ final class LaneNormals implements LaneKernels.Normals {
     }
 
     @Override
-    public boolean separate(ConstraintRows rows, int from, int to, double[] st, int g) {
+    public boolean separate(
+            ConstraintRows rows, int from, int to, double[] st, int g, SubStep sub) {
+        double touch = /*(float)*/ sub.touch;
         boolean any = false;
         double[] d = rows.doubles;
         for (int j = from; j < to; j += L, g += L) {
@@ -164,7 +169,7 @@ final class LaneNormals implements LaneKernels.Normals {
                 s.intoArray(d, q + SEPARATION * L);
                 // a point that is not there has no mass
                 var open =
-                        s.compare(VectorOperators.GT, 0.0)
+                        s.compare(VectorOperators.GT, touch)
                                 .and(
                                         DoubleVector.fromArray(S, d, q + IMPULSE * L)
                                                 .compare(VectorOperators.EQ, 0.0));

@@ -76,16 +76,15 @@ final class LaneSweep implements Sweep {
         double[] st = scratch.doubles;
         bodies.gather(body, rows.link, from, to, st);
         bodies.gatherMovement(body, rows.link, from, to, st);
-        if (!normals.separate(rows, from, to, st, 0)) {
+        if (!normals.separate(rows, from, to, st, 0, sub)) {
             return;
         }
-        double inverse = sub.inverse;
-        normals.harden(rows, from, to, st, 0, inverse, ONES);
+        normals.harden(rows, from, to, st, 0, sub, ONES);
         if (sweep(rows, from, to, st, 0, sub.sweeps, HARD)) {
             for (int j = from; j < to; j += lanes) {
                 int g = j - from;
                 if (any(st, LANDS + g)) {
-                    normals.harden(rows, j, j + lanes, st, g, inverse, LANDS);
+                    normals.harden(rows, j, j + lanes, st, g, sub, LANDS);
                     sweep(rows, j, j + lanes, st, g, sub.landing - sub.sweeps, NONE);
                 }
             }
@@ -120,7 +119,7 @@ final class LaneSweep implements Sweep {
         int end = j + lanes;
         boolean again = any(st, RUBS + g);
         for (int round = 1; again && round < sub.coldRounds; round++) {
-            normals.harden(rows, j, end, st, g, sub.inverse, RUBS);
+            normals.harden(rows, j, end, st, g, sub, RUBS);
             sweep(rows, j, end, st, g, sub.landing, NONE);
             again = friction.rub(rows, j, end, st, g, RUBS);
         }

@@ -63,8 +63,7 @@ final class LoneContact {
         int b = rows.link[l + 1];
         int n = rows.link[l + ConstraintRows.COUNT];
         int o = rows.base(j);
-        ScalarSweep.hard(
-                d, o, lanes, body, a, b, n, sub.inverse, sub.sweeps, LaneKernels.Points.HARD, st);
+        ScalarSweep.hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, LaneKernels.Points.HARD, st);
         double worst = 0;
         for (int p = 0; p < n; p++) {
             double change = st[Scratch.CHANGE + p];

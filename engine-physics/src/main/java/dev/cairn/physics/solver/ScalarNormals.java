@@ -36,28 +36,31 @@ final class ScalarNormals {
         double massScale = fixed ? sub.fixedMassScale : sub.massScale;
         double inverse = sub.inverse;
         double push = -sub.pushSpeed;
+        double touch = /*(float)*/ sub.touch;
         for (int p = 0; p < points; p++) {
             int q = o + (POINT + p * POINT_FIELDS) * lanes;
             double s = d[q + SEPARATION * lanes];
             double mass = d[q + MASS * lanes];
             double b = s * rate;
             b = b < push ? push : b;
-            b = s > 0 ? s * inverse : b;
-            st[GAIN + p] = mass * (s > 0 ? 1 : massScale);
+            b = s > touch ? s * inverse : b;
+            st[GAIN + p] = mass * (s > touch ? 1 : massScale);
             st[GOAL + p] = -(mass * b);
         }
     }
 
     /** The same, hard; an open gap without an impulse stays without one. */
-    static void harden(double[] d, int o, int lanes, int points, double inverse, double[] st) {
+    static void harden(double[] d, int o, int lanes, int points, SubStep sub, double[] st) {
+        double inverse = sub.inverse;
+        double touch = /*(float)*/ sub.touch;
         for (int p = 0; p < points; p++) {
             int q = o + (POINT + p * POINT_FIELDS) * lanes;
             double s = d[q + SEPARATION * lanes];
             double mass = d[q + MASS * lanes];
             double impulse = d[q + IMPULSE * lanes];
-            boolean stays = s > 0 && impulse == 0;
+            boolean stays = s > touch && impulse == 0;
             st[GAIN + p] = stays ? 0 : mass;
-            st[GOAL + p] = stays ? impulse : -(mass * (s > 0 ? s * inverse : 0));
+            st[GOAL + p] = stays ? impulse : -(mass * (s > touch ? s * inverse : 0));
         }
     }
 

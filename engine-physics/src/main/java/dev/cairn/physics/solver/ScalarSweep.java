@@ -75,7 +75,6 @@ final class ScalarSweep implements ScalarPasses {
         double[] body = bodies.state;
         int[] link = rows.link;
         int lanes = rows.lanes;
-        double inverse = sub.inverse;
         for (int j = from; j < to; j++) {
             int l = j * LINK;
             int n = link[l + ConstraintRows.COUNT];
@@ -89,16 +88,16 @@ final class ScalarSweep implements ScalarPasses {
             // a contact without a warm start, or with that of a blow, has its normals and its
             // friction still to agree on who stops what
             boolean cold = d[o + COLD * lanes] > 0;
-            boolean moved = hard(d, o, lanes, body, a, b, n, inverse, sub.sweeps, HARD, st);
+            boolean moved = hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, HARD, st);
             if (cold && moved) {
                 int more = sub.landing - sub.sweeps;
-                hard(d, o, lanes, body, a, b, n, inverse, more, NONE, st);
+                hard(d, o, lanes, body, a, b, n, sub, more, NONE, st);
             }
             if (d[o + FRICTION * lanes] > 0) {
                 cold |= ScalarFriction.isStale(d, o, lanes, n);
                 double normal = ScalarFriction.rub(d, o, lanes, body, a, b, n);
                 for (int round = 1; cold && normal > 0 && round < sub.coldRounds; round++) {
-                    hard(d, o, lanes, body, a, b, n, inverse, sub.landing, NONE, st);
+                    hard(d, o, lanes, body, a, b, n, sub, sub.landing, NONE, st);
                     normal = ScalarFriction.rub(d, o, lanes, body, a, b, n);
                 }
             }
@@ -115,11 +114,11 @@ final class ScalarSweep implements ScalarPasses {
             int a,
             int b,
             int points,
-            double inverse,
+            SubStep sub,
             int sweeps,
             int step,
             double[] st) {
-        ScalarNormals.harden(d, o, lanes, points, inverse, st);
+        ScalarNormals.harden(d, o, lanes, points, sub, st);
         return ScalarNormals.sweep(d, o, lanes, body, a, b, points, sweeps, step, st);
     }
 
@@ -137,7 +136,6 @@ final class ScalarSweep implements ScalarPasses {
         double[] body = bodies.state;
         int[] link = rows.link;
         int lanes = rows.lanes;
-        double inverse = sub.inverse;
         for (int round = 0; round < rounds; round++) {
             for (int j = from; j < to; j++) {
                 if (rows.unloaded[j] == 0) {
@@ -148,7 +146,7 @@ final class ScalarSweep implements ScalarPasses {
                 int o = rows.base(j);
                 int a = link[l];
                 int b = link[l + 1];
-                hard(d, o, lanes, body, a, b, n, inverse, sub.sweeps, NONE, st);
+                hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, NONE, st);
                 if (d[o + FRICTION * lanes] > 0) {
                     ScalarFriction.rub(d, o, lanes, body, a, b, n);
                 }

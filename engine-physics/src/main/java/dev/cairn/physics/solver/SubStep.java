@@ -29,6 +29,9 @@ final class SubStep {
     /** Speed below which a point rests, m/s; set for each tick. */
     double still;
 
+    /** Gap up to which a point touches, and is not open, m; set for each tick. */
+    double touch;
+
     /** Soft step of two bodies that move: bias rate times mass scale, 1/s, and the two scales. */
     double rate;
 

@@ -38,7 +38,7 @@ class EvenStepTest {
         new PrepareRow().fill(rows, bodies, s.contacts, sub, 0, 1, scratch);
         int o = rows.base(0);
         double[] v = bodies.state;
-        ScalarNormals.harden(rows.doubles, o, 1, 4, sub.inverse, scratch.doubles);
+        ScalarNormals.harden(rows.doubles, o, 1, 4, sub, scratch.doubles);
         ScalarNormals.sweep(
                 rows.doubles, o, 1, v, 0, b, 4, 0, LaneKernels.Points.HARD, scratch.doubles);
         double mean = 0;
