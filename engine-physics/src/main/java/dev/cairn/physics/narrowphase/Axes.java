@@ -31,6 +31,9 @@ final class Axes {
 
     double separationEdge, edgeX, edgeY, edgeZ;
 
+    /** Of the best edge axis so far: separation times its size, and squared length. */
+    private double signedSquare, square;
+
     /**
      * The axis as it came from an iteration; {@code separationRaw} is {@link #NEVER} when none ran.
      */
@@ -93,6 +96,8 @@ final class Axes {
         if (separationB > margin) {
             return;
         }
+        signedSquare = NEVER;
+        square = 1;
         int pair = -1;
         pair =
                 boxEdges(
@@ -107,6 +112,11 @@ final class Axes {
                         p, 2, p.r02, p.r12, p.r22, ax, ay, az, bx, by, p.r00, p.r10, p.r20, p.r01,
                         p.r11, p.r21, pair);
         if (pair >= 0) {
+            double length = Math.sqrt(square);
+            separationEdge /= length;
+            edgeX /= length;
+            edgeY /= length;
+            edgeZ /= length;
             nameBoxEdges(p, pair / 3, pair % 3);
         }
     }
@@ -154,49 +164,56 @@ final class Axes {
             double vz,
             int pair) {
         int best = pair;
-        double square = y * y + z * z;
-        if (square > 0x1p-40) {
+        double across = y * y + z * z;
+        if (across > 0x1p-40) {
             double s =
                     Math.abs(p.dz * y - p.dy * z)
                             - ay * Math.abs(z)
                             - az * Math.abs(y)
                             - h1 * Math.abs(uz * y - uy * z)
                             - h2 * Math.abs(vz * y - vy * z);
-            best = boxEdge(s, Math.sqrt(square), 0, -z, y, j, best);
+            best = boxEdge(s, across, 0, -z, y, j, best);
         }
-        square = x * x + z * z;
-        if (square > 0x1p-40) {
+        across = x * x + z * z;
+        if (across > 0x1p-40) {
             double s =
                     Math.abs(p.dx * z - p.dz * x)
                             - ax * Math.abs(z)
                             - az * Math.abs(x)
                             - h1 * Math.abs(ux * z - uz * x)
                             - h2 * Math.abs(vx * z - vz * x);
-            best = boxEdge(s, Math.sqrt(square), z, 0, -x, 3 + j, best);
+            best = boxEdge(s, across, z, 0, -x, 3 + j, best);
         }
-        square = x * x + y * y;
-        if (square > 0x1p-40) {
+        across = x * x + y * y;
+        if (across > 0x1p-40) {
             double s =
                     Math.abs(p.dy * x - p.dx * y)
                             - ax * Math.abs(y)
                             - ay * Math.abs(x)
                             - h1 * Math.abs(uy * x - ux * y)
                             - h2 * Math.abs(vy * x - vx * y);
-            best = boxEdge(s, Math.sqrt(square), -y, x, 0, 6 + j, best);
+            best = boxEdge(s, across, -y, x, 0, 6 + j, best);
         }
         return best;
     }
 
+    /**
+     * Takes an axis (x, y, z), not of unit length, if it separates by more. Separations {@code s /
+     * sqrt(square)} are compared as {@link dev.cairn.physics.narrowphase.wide.BoxAxes} compares
+     * them, by {@code s |s| square'} against {@code s' |s'| square}.
+     */
     private int boxEdge(
-            double s, double length, double x, double y, double z, int pair, int before) {
-        double separation = s / length;
-        if (separation <= separationEdge) {
+            double s, double across, double x, double y, double z, int pair, int before) {
+        double signed = s * Math.abs(s);
+        if (!(signed * square > signedSquare * across)) {
             return before;
         }
-        separationEdge = separation;
-        edgeX = x / length;
-        edgeY = y / length;
-        edgeZ = z / length;
+        signedSquare = signed;
+        square = across;
+        separationEdge = s;
+        edgeX = x;
+        edgeY = y;
+        edgeZ = z;
         return pair;
     }
 

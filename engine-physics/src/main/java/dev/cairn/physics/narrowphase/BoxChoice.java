@@ -3,6 +3,8 @@ package dev.cairn.physics.narrowphase;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.CROSSING_COSINE;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.EDGE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
@@ -34,6 +36,12 @@ final class BoxChoice {
     /** The largest separation along an axis, and that along the reference face, m. */
     final double[] best = new double[CAPACITY], separation = new double[CAPACITY];
 
+    /**
+     * Of each pair on a face: whether two edges are tried before the face is clipped; after {@link
+     * #choose} whether they separate by so much more that {@link #crosses} has to tell.
+     */
+    final boolean[] crosses = new boolean[CAPACITY];
+
     /** See {@link BoxContacts#leftOut}. */
     final double[] leftOut = new double[CAPACITY];
 
@@ -42,8 +50,11 @@ final class BoxChoice {
 
     private double separationA, separationB;
 
+    final BoxCrossing crossing;
+
     BoxChoice(double[] columns) {
         t = columns;
+        crossing = new BoxCrossing(columns);
     }
 
     private void load(int i) {
@@ -95,17 +106,33 @@ final class BoxChoice {
         t[FLIP + i] = flip ? 1 : 0;
         t[AXIS + i] = face >> 1;
         t[SIGN + i] = (face & 1) == 0 ? -1 : 1;
+        crosses[i] = best[i] - separation[i] > better(i);
+    }
+
+    /** Decides between edges and face by their directions, as {@link Polyhedra} does. */
+    void crosses(int i, boolean wide) {
+        if (wide) {
+            crosses[i] = t[EDGE + i] >= 0 && t[CROSSING_COSINE + i] <= Polyhedra.NEARLY_PARALLEL;
+            return;
+        }
+        int face = 2 * (int) t[AXIS + i] + (t[SIGN + i] > 0 ? 1 : 0);
+        crosses[i] =
+                crossing.place(i)
+                        && crossing.cosine(i, t[FLIP + i] != 0, face) <= Polyhedra.NEARLY_PARALLEL;
     }
 
     /** Whether the face contact tells another depth than the best axis, see {@link NarrowPhase}. */
     boolean strays(int i, double least) {
+        return Math.abs(least - best[i]) > better(i);
+    }
+
+    /** How much truer a point contact must be, as in {@link Polyhedra}. */
+    private double better(int i) {
         double calm = NarrowPhase.CALM * t[INNER + i];
         double depth = Math.abs(best[i]);
-        double better =
-                word[i] >>> 62 == NarrowPhase.EDGES
-                        ? 0.5 * calm + 0.05 * depth
-                        : 1.5 * calm + 0.15 * depth;
-        return Math.abs(least - best[i]) > better || best[i] - separation[i] > better;
+        return word[i] >>> 62 == NarrowPhase.EDGES
+                ? 0.5 * calm + 0.05 * depth
+                : 1.5 * calm + 0.15 * depth;
     }
 
     /** The face that separated or carried the pair last time separates it now. */

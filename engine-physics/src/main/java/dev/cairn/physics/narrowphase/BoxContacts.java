@@ -14,6 +14,7 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OFFSET;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_EDGE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_A;
@@ -193,9 +194,18 @@ public final class BoxContacts {
             int i = Integer.numberOfTrailingZeros(bits);
             choice.choose(i);
         }
+        int edges = 0;
         for (int bits = all & ~settled; bits != 0; bits &= bits - 1) {
             int i = Integer.numberOfTrailingZeros(bits);
-            if (choice.onFace[i]) {
+            edges |= choice.onFace[i] && choice.crosses[i] ? 1 << i : 0;
+        }
+        BoxAxes.crossings(batch, edges);
+        for (int bits = all & ~settled; bits != 0; bits &= bits - 1) {
+            int i = Integer.numberOfTrailingZeros(bits);
+            if ((edges >>> i & 1) != 0) {
+                choice.crosses(i, true);
+            }
+            if (choice.onFace[i] && !choice.crosses[i]) {
                 int points = cuts.clip(t, i, t[INNER + i], t[MARGIN + i], (int) choice.word[i]);
                 deepest[i] = cuts.deepest;
                 choice.leftOut[i] = cuts.leftOut;
@@ -234,12 +244,18 @@ public final class BoxContacts {
         if (!wide) {
             if (!choice.apartByFaces(i)) {
                 choice.choose(i);
+                if (choice.crosses[i]) {
+                    choice.crosses(i, false);
+                }
             }
         }
         out.pointCount = 0;
         out.bound = 0;
         if (!choice.onFace[i]) {
             return choice.word[i];
+        }
+        if (choice.crosses[i]) {
+            return point(i, a, b, out);
         }
         int face = 2 * (int) t[AXIS + i] + (t[SIGN + i] > 0 ? 1 : 0);
         boolean flip = t[FLIP + i] != 0;
@@ -254,8 +270,7 @@ public final class BoxContacts {
         }
         int points = wide ? pointCount[i] : out.pointCount;
         if (points == 0 || choice.strays(i, least)) {
-            choice.leftOut[i] = Double.NaN;
-            return single(i, a, b, out);
+            return point(i, a, b, out);
         }
         out.bound = Math.abs(choice.best[i] - least) + 0x1p-48 * scale(i);
         if (wide) {
@@ -314,6 +329,7 @@ public final class BoxContacts {
         if (!isSettled(i)
                 && (!wide
                         || !choice.onFace[i]
+                        || choice.crosses[i]
                         || t[STRAIGHT + i] < 0
                         || choice.strays(i, deepest[i]))) {
             return false;
@@ -342,6 +358,24 @@ public final class BoxContacts {
             double[] separation,
             int first) {
         return StraightPoints.write(t, i, normal, n, anchors, at, separation, first);
+    }
+
+    /** Two edges that cross; where they do not, {@link NarrowPhase} finds what touches. */
+    private long point(int i, Box a, Box b, Manifold out) {
+        choice.leftOut[i] = Double.NaN;
+        double best = choice.best[i];
+        double separation = t[SEPARATION_EDGE + i];
+        BoxCrossing crossing = choice.crossing;
+        boolean found =
+                separation >= best - NarrowPhase.CALM * t[INNER + i]
+                        && (wide && choice.crosses[i]
+                                ? crossing.copy(i, out)
+                                : crossing.place(i) && crossing.point(i, out));
+        if (found) {
+            out.bound = Math.abs(best - separation) + 0x1p-48 * scale(i);
+            return Word.of(NarrowPhase.EDGES, 0, Names.of(out));
+        }
+        return single(i, a, b, out);
     }
 
     private long single(int i, Box a, Box b, Manifold out) {

@@ -1,5 +1,6 @@
 package dev.cairn.physics.narrowphase;
 
+import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.shape.Polyhedron;
 
 /**
@@ -9,6 +10,9 @@ import dev.cairn.physics.shape.Polyhedron;
 final class ContactPoints {
     /** Name of a point that has no better one. */
     static final int CLOSEST = 3 << 30;
+
+    /** In half lengths from the middle of an edge: edges cross up to there. */
+    static final double CROSSING_END = BoxBatch.CROSSING_END;
 
     private final Pair pair;
     private final Axes axes;
@@ -139,29 +143,37 @@ final class ContactPoints {
 
     /**
      * Midway between the nearest points of the lines of two edges; false when they pass beyond an
-     * end while apart.
+     * end while apart. Places on an edge count from its middle, so nothing depends on which end is
+     * which, and a mirror image gives the mirrored bits.
      */
     boolean crossing(double margin, Manifold out) {
         Polyhedron a = pair.a;
         int from = a.edgeFrom(axes.edgeA);
         int to = a.edgeTo(axes.edgeA);
-        double ax = a.vertexX(from);
-        double ay = a.vertexY(from);
-        double az = a.vertexZ(from);
-        double ux = a.vertexX(to) - ax;
-        double uy = a.vertexY(to) - ay;
-        double uz = a.vertexZ(to) - az;
-        pair.vertexB(pair.b.edgeTo(axes.edgeB));
-        double vx = pair.px;
-        double vy = pair.py;
-        double vz = pair.pz;
-        pair.vertexB(pair.b.edgeFrom(axes.edgeB));
-        vx -= pair.px;
-        vy -= pair.py;
-        vz -= pair.pz;
-        double rx = pair.px - ax;
-        double ry = pair.py - ay;
-        double rz = pair.pz - az;
+        double ax = (a.vertexX(from) + a.vertexX(to)) / 2;
+        double ay = (a.vertexY(from) + a.vertexY(to)) / 2;
+        double az = (a.vertexZ(from) + a.vertexZ(to)) / 2;
+        double ux = (a.vertexX(to) - a.vertexX(from)) / 2;
+        double uy = (a.vertexY(to) - a.vertexY(from)) / 2;
+        double uz = (a.vertexZ(to) - a.vertexZ(from)) / 2;
+        Polyhedron b = pair.b;
+        from = b.edgeFrom(axes.edgeB);
+        to = b.edgeTo(axes.edgeB);
+        double x = (b.vertexX(from) + b.vertexX(to)) / 2;
+        double y = (b.vertexY(from) + b.vertexY(to)) / 2;
+        double z = (b.vertexZ(from) + b.vertexZ(to)) / 2;
+        double px = pair.r00 * x + pair.r01 * y + pair.r02 * z + pair.dx;
+        double py = pair.r10 * x + pair.r11 * y + pair.r12 * z + pair.dy;
+        double pz = pair.r20 * x + pair.r21 * y + pair.r22 * z + pair.dz;
+        x = (b.vertexX(to) - b.vertexX(from)) / 2;
+        y = (b.vertexY(to) - b.vertexY(from)) / 2;
+        z = (b.vertexZ(to) - b.vertexZ(from)) / 2;
+        double vx = pair.r00 * x + pair.r01 * y + pair.r02 * z;
+        double vy = pair.r10 * x + pair.r11 * y + pair.r12 * z;
+        double vz = pair.r20 * x + pair.r21 * y + pair.r22 * z;
+        double rx = px - ax;
+        double ry = py - ay;
+        double rz = pz - az;
         double uu = ux * ux + uy * uy + uz * uz;
         double vv = vx * vx + vy * vy + vz * vz;
         double uv = ux * vx + uy * vy + uz * vz;
@@ -170,15 +182,15 @@ final class ContactPoints {
         double det = uu * vv - uv * uv;
         double s = (ur * vv - vr * uv) / det;
         double t = (ur * uv - vr * uu) / det;
-        boolean beside = !(s >= -1e-9 && s <= 1 + 1e-9 && t >= -1e-9 && t <= 1 + 1e-9);
+        boolean beside = !(Math.abs(s) <= CROSSING_END && Math.abs(t) <= CROSSING_END);
         if (beside || axes.separationEdge > margin) {
             return false;
         }
         setAxis(axes.edgeX, axes.edgeY, axes.edgeZ);
         single(
-                (ax + s * ux + pair.px + t * vx) / 2,
-                (ay + s * uy + pair.py + t * vy) / 2,
-                (az + s * uz + pair.pz + t * vz) / 2,
+                (ax + s * ux + (px + t * vx)) / 2,
+                (ay + s * uy + (py + t * vy)) / 2,
+                (az + s * uz + (pz + t * vz)) / 2,
                 axes.separationEdge,
                 Clipper.CROSSING | axes.edgeA << 15 | axes.edgeB,
                 out);

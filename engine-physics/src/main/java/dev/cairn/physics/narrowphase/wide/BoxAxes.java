@@ -61,6 +61,18 @@ public final class BoxAxes {
     }
 
     /**
+     * The points of edges that cross: fills the columns from {@link BoxBatch#CROSSING_COSINE} on of
+     * some pairs, and perhaps of their neighbours.
+     *
+     * @param batch after {@link #edges}, with {@link BoxBatch#FLIP}, {@link BoxBatch#AXIS} and
+     *     {@link BoxBatch#SIGN}
+     * @param pairs a bit each
+     */
+    public static void crossings(BoxBatch batch, int pairs) {
+        BoxCrossingWide.run(batch.data, pairs);
+    }
+
+    /**
      * Chooses the face of pairs that had one of their two best faces in the last tick and are not
      * apart by these: fills {@link BoxBatch#FLIP}, {@link BoxBatch#AXIS} and {@link BoxBatch#SIGN},
      * of other pairs with anything.

@@ -152,8 +152,29 @@ public final class BoxBatch {
     /** 1 when a corner that was cut off would have stayed as a point of the last tick. */
     static final int SOFT = 113 * CAPACITY;
 
+    /** In half lengths from the middle of an edge: edges cross up to there. */
+    public static final double CROSSING_END = 1 + 2e-9;
+
+    /** The unit axis of the edges that separate best, from A to B, in A's frame: x, y, z. */
+    static final int CROSSING_AXIS = 114 * CAPACITY;
+
+    /** Its cosine with the normal of the chosen face, from A to B. */
+    public static final int CROSSING_COSINE = 117 * CAPACITY;
+
+    /** The point midway between these edges and the unit normal, world: columns x, y, z. */
+    public static final int CROSSING_POINT = 118 * CAPACITY, CROSSING_NORMAL = 121 * CAPACITY;
+
+    /**
+     * 8 v + w for the edges from vertex v of A and from w of B; -1 where they do not cross within
+     * the margin.
+     */
+    public static final int CROSSING_ENDS = 124 * CAPACITY;
+
+    /** Half the edge of B, in A's frame: columns x, y, z. */
+    static final int CROSSING_LINES = 125 * CAPACITY;
+
     /** All columns. */
-    public final double[] data = new double[114 * CAPACITY];
+    public final double[] data = new double[128 * CAPACITY];
 
     /**
      * The number of a way to cut a face.

@@ -83,6 +83,7 @@ public final class BoxWarmUp {
             BoxAxes.choose(batch, BoxBatch.CAPACITY);
             BoxAxes.corners(batch, BoxBatch.CAPACITY);
             BoxAxes.cutStraight(batch, BoxBatch.CAPACITY);
+            BoxAxes.crossings(batch, -1);
             BoxAxes.world(batch, BoxBatch.CAPACITY);
             long end = System.nanoTime();
             System.arraycopy(batch.data, 0, pairs.data, 0, RoundBatch.CAPACITY * 20);
