@@ -6,6 +6,8 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.DEEPEST;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
@@ -66,6 +68,9 @@ final class BoxCuts {
 
     /** What the side after a corner came from, as in {@link Clipper}. */
     private final int[] side = new int[MOST];
+
+    /** Of the pair at hand: the first slot of the incident face. */
+    private int incident;
 
     /** How far from a side plane a corner counts as on it. */
     private final double[] slack = new double[MOST];
@@ -138,6 +143,7 @@ final class BoxCuts {
             int begin,
             double margin,
             double inner) {
+        this.incident = incident;
         load(t, i, incident);
         double limitU = t[HALF + CAPACITY + i];
         double limitV = t[HALF + 2 * CAPACITY + i];
@@ -146,7 +152,7 @@ final class BoxCuts {
                 continue;
             }
             boolean onU = SIDE_FIRST[slot];
-            if (!cut(slot, begin, onU ? u : v, onU ? limitU : limitV)) {
+            if (!cut(t, i, slot, begin, onU ? u : v, onU ? limitU : limitV)) {
                 return UNSURE;
             }
         }
@@ -207,7 +213,7 @@ final class BoxCuts {
             v[k] = t[at + 2 * CAPACITY];
             feature[k] = kind | SLOT_VERTEX[incident + k];
             slack[k] = slack(feature[k]);
-            side[k] = SLOT_EDGE[incident + k];
+            side[k] = k;
         }
     }
 
@@ -221,7 +227,7 @@ final class BoxCuts {
      *
      * @return false when they are more than one run, which rounding can make of flush sides
      */
-    private boolean cut(int slot, int begin, double[] c, double limit) {
+    private boolean cut(double[] t, int pair, int slot, int begin, double[] c, double limit) {
         double sign = SIDE_POSITIVE[slot] ? 1 : -1;
         int corners = count;
         int outside = 0;
@@ -254,7 +260,7 @@ final class BoxCuts {
         long leave = 0;
         int left = 0;
         if (beyond[from] < -slack[from]) {
-            cross(from, at(stays + 1 == corners ? 0 : stays + 1), slot, begin, ~slot);
+            cross(t, pair, side[from], slot, begin, c, limit, ~slot);
             leave = made - 1L;
             left = 1;
         } else {
@@ -263,8 +269,8 @@ final class BoxCuts {
         long enter = 0;
         int entered = 0;
         if (beyond[back] < -slack[back]) {
-            int before = at(again == 0 ? corners - 1 : again - 1);
-            cross(before, back, slot, begin, side[before]);
+            int cutSide = side[at(again == 0 ? corners - 1 : again - 1)];
+            cross(t, pair, cutSide, slot, begin, c, limit, cutSide);
             enter = made - 1L;
             entered = 1;
         }
@@ -292,16 +298,52 @@ final class BoxCuts {
         return (int) (order >>> (4 * place)) & 15;
     }
 
-    private void cross(int i, int j, int slot, int begin, int leaving) {
-        double s = beyond[i] / (beyond[i] - beyond[j]);
-        int crossing = name(side[i], slot, begin);
+    private void cross(
+            double[] t,
+            int pair,
+            int cutSide,
+            int slot,
+            int begin,
+            double[] c,
+            double limit,
+            int leaving) {
         int k = made++;
-        n[k] = n[i] + s * (n[j] - n[i]);
-        u[k] = u[i] + s * (u[j] - u[i]);
-        v[k] = v[i] + s * (v[j] - v[i]);
+        int crossing = name(cutSide < 0 ? cutSide : SLOT_EDGE[incident + cutSide], slot, begin);
+        if (cutSide >= 0) {
+            // The corners of the incident face keep their places.
+            double sign = SIDE_POSITIVE[slot] ? 1 : -1;
+            int next = cutSide + 1 & 3;
+            double here = sign * c[cutSide] - limit;
+            double there = sign * c[next] - limit;
+            boolean enters = there < here;
+            int i = enters ? next : cutSide;
+            int j = enters ? cutSide : next;
+            double s = enters ? there / (there - here) : here / (here - there);
+            n[k] = n[i] + s * (n[j] - n[i]);
+            u[k] = u[i] + s * (u[j] - u[i]);
+            v[k] = v[i] + s * (v[j] - v[i]);
+        } else {
+            int after = slot == begin + 3 ? begin : slot + 1;
+            corner(t, pair, k, SLOT_VERTEX[after == ~cutSide ? after : slot], begin);
+        }
         feature[k] = crossing;
         slack[k] = slack(crossing);
         side[k] = leaving;
+    }
+
+    /** The point of the incident plane above a corner of the face, as {@link IncidentPlane}'s. */
+    private void corner(double[] t, int i, int k, int vertex, int begin) {
+        int axis = begin >> 3;
+        double normal = (begin & 4) != 0 ? 1 : -1;
+        int half = (flip ? HALF_B : HALF_A) + i;
+        double x = (vertex & 1) == 0 ? -t[half] : t[half];
+        double y = (vertex & 2) == 0 ? -t[half + CAPACITY] : t[half + CAPACITY];
+        double z = (vertex & 4) == 0 ? -t[half + 2 * CAPACITY] : t[half + 2 * CAPACITY];
+        double above = BoxPlane.above(t, i, flip, incident >> 2, axis, normal, x, y, z);
+        double height = axis == 0 ? x : axis == 1 ? y : z;
+        n[k] = height + above * normal;
+        u[k] = axis == 0 ? y : x;
+        v[k] = axis == 2 ? y : z;
     }
 
     private int name(int cutSide, int slot, int begin) {

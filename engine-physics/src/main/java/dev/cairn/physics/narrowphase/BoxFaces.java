@@ -47,6 +47,9 @@ final class BoxFaces {
     /** How far from a side plane a corner counts as on it. */
     private double[] slack = new double[MOST], nextSlack = new double[MOST];
 
+    /** The corners of the incident face before it is cut, three numbers each. */
+    private final double[] origin = new double[12];
+
     private final double[] beyond = new double[MOST];
     private final double[] separation = new double[MOST];
     private int count, made;
@@ -55,6 +58,8 @@ final class BoxFaces {
     private final double[] turn = new double[9];
 
     private final double[] half = new double[3];
+    private double[] columns = {};
+    private int pair, incidentFace;
     private boolean flip;
     private int last;
     private double first, later;
@@ -118,8 +123,10 @@ final class BoxFaces {
         double sz = Math.abs(tz);
         int along = sx >= sy && sx >= sz ? 0 : sy >= sz ? 1 : 2;
         double toward = along == 0 ? tx : along == 1 ? ty : tz;
-        int incident = 2 * along + (positive == toward < 0 ? 1 : 0);
-        corners(t, i, 4 * incident);
+        incidentFace = 2 * along + (positive == toward < 0 ? 1 : 0);
+        columns = t;
+        pair = i;
+        corners(t, i, 4 * incidentFace);
     }
 
     private void corners(double[] t, int i, int begin) {
@@ -150,8 +157,11 @@ final class BoxFaces {
                 y[k] = m[3] * px + m[4] * py + m[5] * pz + dy;
                 z[k] = m[6] * px + m[7] * py + m[8] * pz + dz;
             }
+            origin[3 * k] = x[k];
+            origin[3 * k + 1] = y[k];
+            origin[3 * k + 2] = z[k];
             feature[k] = kind | v;
-            side[k] = SLOT_EDGE[begin + k];
+            side[k] = k;
         }
     }
 
@@ -210,10 +220,10 @@ final class BoxFaces {
                 boolean inside = here < -slack[i];
                 emit(x[i], y[i], z[i], feature[i], slack[i], leaves && !inside ? ~slot : side[i]);
                 if (leaves && inside) {
-                    cross(i, j, slot, begin, ~slot);
+                    cross(side[i], slot, begin, ~slot);
                 }
             } else if (there < -slack[j]) {
-                cross(i, j, slot, begin, side[i]);
+                cross(side[i], slot, begin, side[i]);
             }
         }
         swap();
@@ -228,13 +238,46 @@ final class BoxFaces {
         nextSide[made++] = leaving;
     }
 
-    private void cross(int i, int j, int slot, int begin, int leaving) {
-        double s = beyond[i] / (beyond[i] - beyond[j]);
-        int name = name(side[i], slot, begin);
+    /** As {@link Clipper}'s. */
+    private void cross(int cutSide, int slot, int begin, int leaving) {
+        int name = name(cutSide, slot, begin);
+        if (cutSide < 0) {
+            int after = slot == begin + 3 ? begin : slot + 1;
+            corner(SLOT_VERTEX[after == ~cutSide ? after : slot], begin, name, leaving);
+            return;
+        }
+        double[] o = origin;
+        int axis = SIDE_AXIS[slot];
+        int i = 3 * cutSide;
+        int j = cutSide == 3 ? 0 : i + 3;
+        double sign = SIDE_POSITIVE[slot] ? 1 : -1;
+        double here = sign * o[i + axis] - half[axis];
+        double there = sign * o[j + axis] - half[axis];
+        boolean enters = there < here;
+        int in = enters ? j : i;
+        int out = enters ? i : j;
+        double s = enters ? there / (there - here) : here / (here - there);
         emit(
-                x[i] + s * (x[j] - x[i]),
-                y[i] + s * (y[j] - y[i]),
-                z[i] + s * (z[j] - z[i]),
+                o[in] + s * (o[out] - o[in]),
+                o[in + 1] + s * (o[out + 1] - o[in + 1]),
+                o[in + 2] + s * (o[out + 2] - o[in + 2]),
+                name,
+                slack(name),
+                leaving);
+    }
+
+    /** The point of the incident plane above a corner of the face. */
+    private void corner(int vertex, int begin, int name, int leaving) {
+        int axis = begin >> 3;
+        double normal = (begin & 4) != 0 ? 1 : -1;
+        double px = (vertex & 1) == 0 ? -half[0] : half[0];
+        double py = (vertex & 2) == 0 ? -half[1] : half[1];
+        double pz = (vertex & 4) == 0 ? -half[2] : half[2];
+        double above = BoxPlane.above(columns, pair, flip, incidentFace, axis, normal, px, py, pz);
+        emit(
+                axis == 0 ? px + above * normal : px,
+                axis == 1 ? py + above * normal : py,
+                axis == 2 ? pz + above * normal : pz,
                 name,
                 slack(name),
                 leaving);
@@ -242,10 +285,7 @@ final class BoxFaces {
 
     private int name(int cutSide, int slot, int begin) {
         if (cutSide >= 0) {
-            int edge = SLOT_EDGE[slot];
-            return flip
-                    ? Clipper.CROSSING | cutSide << 15 | edge
-                    : Clipper.CROSSING | edge << 15 | cutSide;
+            return BoxCuts.crossing(flip, SLOT_EDGE[4 * incidentFace + cutSide], SLOT_EDGE[slot]);
         }
         int kind = flip ? Clipper.VERTEX_B : Clipper.VERTEX_A;
         int after = slot == begin + 3 ? begin : slot + 1;

@@ -48,16 +48,26 @@ final class Clipper {
     private double[] whole = new double[4 * 32], rest = new double[4 * 32];
 
     /**
-     * Of each corner its name and, in the lower half, what the side after it came from: an edge of
-     * the incident shape, or the complement of a reference slot.
+     * Of each corner its name and, in the lower half, what the side after it came from: the place
+     * of an edge in the loop of the incident face, or the complement of a reference slot.
      */
     private long[] names = new long[32], restNames = new long[32];
+
+    /** The corners of the incident face before it is cut, three numbers each. */
+    private double[] origin = new double[3 * 32];
 
     private boolean flip;
     private int last;
     private double onPlane, stillOnPlane;
     private double vx, vy, vz;
     private Polyhedron reference = dev.cairn.physics.shape.Box.cube(1).polyhedron();
+
+    /** Of the incident shape: its face, the first slot of it, and how many corners it has. */
+    private int incidentFace, incidentBegin, incidentCorners;
+
+    private Polyhedron other = reference;
+    private final IncidentPlane plane = new IncidentPlane();
+    private Pair pair = new Pair();
 
     /**
      * Fills the corners with separation up to the margin, in the reference's frame.
@@ -71,7 +81,10 @@ final class Clipper {
         onPlane = ON_PLANE * p.inner;
         stillOnPlane = STILL_ON_PLANE * p.inner;
         reference = flip ? p.b : p.a;
-        Polyhedron other = flip ? p.a : p.b;
+        other = flip ? p.a : p.b;
+        pair = p;
+        incidentFace = incident;
+        plane.forget();
         int begin = reference.faceBegin(face);
         int end = reference.faceBegin(face + 1);
         int first = other.faceBegin(incident);
@@ -81,10 +94,12 @@ final class Clipper {
             grow(need);
         }
         int slot = begin;
+        incidentBegin = first;
+        incidentCorners = corners;
         if (corners == 3) {
-            slot = triangle(p, other, first, face, begin, end);
+            slot = triangle(p, first, face, begin, end);
         } else {
-            load(p, other, first, corners);
+            load(p, first, corners);
         }
         for (; slot < end && count > 0; slot++) {
             cut(slot, face);
@@ -119,18 +134,19 @@ final class Clipper {
         count = kept;
     }
 
-    private void load(Pair p, Polyhedron other, int begin, int corners) {
+    private void load(Pair p, int begin, int corners) {
         int kind = flip ? VERTEX_A : VERTEX_B;
         for (int i = 0; i < corners; i++) {
             int v = other.slotVertex(begin + i);
-            corner(p, other, v);
-            put(whole, names, i, vx, vy, vz, kind | v, slack(kind | v), other.slotEdge(begin + i));
+            corner(p, v);
+            remember(i, vx, vy, vz);
+            put(whole, names, i, vx, vy, vz, kind | v, slack(kind | v), i);
         }
         count = corners;
     }
 
     /** Puts a vertex of the incident shape, in the reference's frame, into v. */
-    private void corner(Pair p, Polyhedron other, int v) {
+    private void corner(Pair p, int v) {
         if (flip) {
             double ux = other.vertexX(v) - p.dx;
             double uy = other.vertexY(v) - p.dy;
@@ -152,21 +168,21 @@ final class Clipper {
      * Cuts a triangle by the first side that has a corner of it beyond; returns the next slot. Most
      * faces of hulls are triangles; until then its corners need no memory.
      */
-    private int triangle(Pair p, Polyhedron other, int at, int face, int begin, int end) {
+    private int triangle(Pair p, int at, int face, int begin, int end) {
         Polyhedron h = reference;
         int kind = flip ? VERTEX_A : VERTEX_B;
         int v0 = other.slotVertex(at);
         int v1 = other.slotVertex(at + 1);
         int v2 = other.slotVertex(at + 2);
-        corner(p, other, v0);
+        corner(p, v0);
         double x0 = vx;
         double y0 = vy;
         double z0 = vz;
-        corner(p, other, v1);
+        corner(p, v1);
         double x1 = vx;
         double y1 = vy;
         double z1 = vz;
-        corner(p, other, v2);
+        corner(p, v2);
         double x2 = vx;
         double y2 = vy;
         double z2 = vz;
@@ -176,9 +192,6 @@ final class Clipper {
         double s0 = slack(n0);
         double s1 = slack(n1);
         double s2 = slack(n2);
-        int e0 = other.slotEdge(at);
-        int e1 = other.slotEdge(at + 1);
-        int e2 = other.slotEdge(at + 2);
         double[] w = whole;
         long[] n = names;
         for (int slot = begin; slot < end; slot++) {
@@ -190,15 +203,18 @@ final class Clipper {
             double b1 = sx * x1 + sy * y1 + sz * z1 - so;
             double b2 = sx * x2 + sy * y2 + sz * z2 - so;
             if (b0 > s0 || b1 > s1 || b2 > s2) {
-                int m = side(w, n, 0, x0, y0, z0, x1, y1, z1, b0, b1, s0, s1, n0, e0, slot, face);
-                m = side(w, n, m, x1, y1, z1, x2, y2, z2, b1, b2, s1, s2, n1, e1, slot, face);
-                count = side(w, n, m, x2, y2, z2, x0, y0, z0, b2, b0, s2, s0, n2, e2, slot, face);
+                remember(0, x0, y0, z0);
+                remember(1, x1, y1, z1);
+                remember(2, x2, y2, z2);
+                int m = side(w, n, 0, x0, y0, z0, x1, y1, z1, b0, b1, s0, s1, n0, 0, slot, face);
+                m = side(w, n, m, x1, y1, z1, x2, y2, z2, b1, b2, s1, s2, n1, 1, slot, face);
+                count = side(w, n, m, x2, y2, z2, x0, y0, z0, b2, b0, s2, s0, n2, 2, slot, face);
                 return slot + 1;
             }
         }
-        put(w, n, 0, x0, y0, z0, n0, s0, e0);
-        put(w, n, 1, x1, y1, z1, n1, s1, e1);
-        put(w, n, 2, x2, y2, z2, n2, s2, e2);
+        put(w, n, 0, x0, y0, z0, n0, s0, 0);
+        put(w, n, 1, x1, y1, z1, n1, s1, 1);
+        put(w, n, 2, x2, y2, z2, n2, s2, 2);
         count = 3;
         return end;
     }
@@ -244,14 +260,81 @@ final class Clipper {
             leaving = ~slot;
         }
         if (crosses) {
-            double t = here / (here - there);
             int name = name(edge, slot, face);
-            double cx = px + t * (qx - px);
-            double cy = py + t * (qy - py);
-            double cz = pz + t * (qz - pz);
-            put(w, named, at++, cx, cy, cz, name, slack(name), leaving);
+            if (edge >= 0) {
+                crossEdge(edge, slot);
+            } else if (!crossSides(~edge, slot, face)) {
+                boolean enters = there < here;
+                double t = enters ? there / (there - here) : here / (here - there);
+                vx = enters ? qx + t * (px - qx) : px + t * (qx - px);
+                vy = enters ? qy + t * (py - qy) : py + t * (qy - py);
+                vz = enters ? qz + t * (pz - qz) : pz + t * (qz - pz);
+            }
+            put(w, named, at++, vx, vy, vz, name, slack(name), leaving);
         }
         return at;
+    }
+
+    /**
+     * Puts into v where an edge of the incident face crosses a side plane: from the end that is
+     * farther inside to the other, whatever was cut off before. So it depends on the edge and the
+     * side alone, neither on the order of the sides nor on the way round, and a mirror image has
+     * the mirrored bits.
+     */
+    private void crossEdge(int edge, int slot) {
+        double sx = reference.sideX(slot);
+        double sy = reference.sideY(slot);
+        double sz = reference.sideZ(slot);
+        double so = reference.sideOffset(slot);
+        double[] o = origin;
+        int i = 3 * edge;
+        int j = edge + 1 == incidentCorners ? 0 : i + 3;
+        double here = sx * o[i] + sy * o[i + 1] + sz * o[i + 2] - so;
+        double there = sx * o[j] + sy * o[j + 1] + sz * o[j + 2] - so;
+        boolean enters = there < here;
+        int in = enters ? j : i;
+        int out = enters ? i : j;
+        double t = enters ? there / (there - here) : here / (here - there);
+        vx = o[in] + t * (o[out] - o[in]);
+        vy = o[in + 1] + t * (o[out + 1] - o[in + 1]);
+        vz = o[in + 2] + t * (o[out + 2] - o[in + 2]);
+    }
+
+    /**
+     * Puts into v the point of the incident plane above the corner of the reference face between
+     * two sides; false when they are not neighbours (then a side between them cuts it off later),
+     * or the plane is too steep.
+     */
+    private boolean crossSides(int cut, int slot, int face) {
+        int begin = reference.faceBegin(face);
+        int end = reference.faceBegin(face + 1);
+        int afterSlot = slot + 1 == end ? begin : slot + 1;
+        int afterCut = cut + 1 == end ? begin : cut + 1;
+        if (afterSlot != cut && afterCut != slot) {
+            return false;
+        }
+        int corner = reference.slotVertex(afterSlot == cut ? cut : slot);
+        double x = reference.vertexX(corner);
+        double y = reference.vertexY(corner);
+        double z = reference.vertexZ(corner);
+        double nx = reference.normalX(face);
+        double ny = reference.normalY(face);
+        double nz = reference.normalZ(face);
+        plane.set(pair, flip, other, incidentFace);
+        double above = plane.above(x, y, z, nx, ny, nz);
+        if (Double.isNaN(above)) {
+            return false;
+        }
+        vx = x + above * nx;
+        vy = y + above * ny;
+        vz = z + above * nz;
+        return true;
+    }
+
+    private void remember(int i, double px, double py, double pz) {
+        origin[3 * i] = px;
+        origin[3 * i + 1] = py;
+        origin[3 * i + 2] = pz;
     }
 
     /** Writes a corner. */
@@ -288,6 +371,7 @@ final class Clipper {
         beyond = new double[need];
         whole = new double[4 * need];
         rest = new double[4 * need];
+        origin = new double[3 * need];
         names = new long[need];
         restNames = new long[need];
     }
@@ -351,8 +435,9 @@ final class Clipper {
     /** Names the crossing of a polygon side with a reference side. */
     private int name(int cutSide, int slot, int face) {
         if (cutSide >= 0) {
+            int cutEdge = other.slotEdge(incidentBegin + cutSide);
             int edge = reference.slotEdge(slot);
-            return flip ? CROSSING | cutSide << 15 | edge : CROSSING | edge << 15 | cutSide;
+            return flip ? CROSSING | cutEdge << 15 | edge : CROSSING | edge << 15 | cutEdge;
         }
         int kind = flip ? VERTEX_B : VERTEX_A;
         int begin = reference.faceBegin(face);

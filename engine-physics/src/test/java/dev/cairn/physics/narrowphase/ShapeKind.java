@@ -124,25 +124,37 @@ enum ShapeKind {
 
     /** The mirror image with x negated, which for most is the shape itself. */
     static Shape mirrored(Shape shape) {
+        return mirrored(shape, 0);
+    }
+
+    /** The mirror image with one coordinate negated. */
+    static Shape mirrored(Shape shape, int axis) {
         return switch (shape) {
             case ConvexHull h -> {
                 double[] xyz = POINTS.get(h).clone();
-                for (int i = 0; i < xyz.length; i += 3) {
+                for (int i = axis; i < xyz.length; i += 3) {
                     xyz[i] = -xyz[i];
                 }
                 yield hull(xyz);
             }
             case Moved m -> {
-                Vector3d at = m.position(new Vector3d());
-                Quaterniond q = mirrored(m.rotation(new Quaterniond()));
-                yield mirrored(m.inner()).moved(-at.x, at.y, at.z, q);
+                Vector3d at = mirrored(m.position(new Vector3d()), axis);
+                Quaterniond q = mirrored(m.rotation(new Quaterniond()), axis);
+                yield mirrored(m.inner(), axis).moved(at.x, at.y, at.z, q);
             }
             default -> shape;
         };
     }
 
-    static Quaterniond mirrored(Quaterniond q) {
-        return new Quaterniond(q.x, -q.y, -q.z, q.w);
+    static Quaterniond mirrored(Quaterniond q, int axis) {
+        double x = axis == 0 ? q.x : -q.x;
+        double y = axis == 1 ? q.y : -q.y;
+        double z = axis == 2 ? q.z : -q.z;
+        return new Quaterniond(x, y, z, q.w);
+    }
+
+    static Vector3d mirrored(Vector3d v, int axis) {
+        return new Vector3d(v).setComponent(axis, -v.get(axis));
     }
 
     static Scene scaled(Scene s, double f) {
@@ -154,10 +166,14 @@ enum ShapeKind {
     }
 
     static Scene mirrored(Scene s) {
-        Scene t = new Scene(mirrored(s.a), mirrored(s.b));
-        t.qa = mirrored(s.qa);
-        t.qb = mirrored(s.qb);
-        t.d.set(-s.d.x, s.d.y, s.d.z);
+        return mirrored(s, 0);
+    }
+
+    static Scene mirrored(Scene s, int axis) {
+        Scene t = new Scene(mirrored(s.a, axis), mirrored(s.b, axis));
+        t.qa = mirrored(s.qa, axis);
+        t.qb = mirrored(s.qb, axis);
+        t.d = mirrored(s.d, axis);
         return t;
     }
 }

@@ -143,8 +143,8 @@ public final class BoxBatch {
     /** 1 when the second side is on the first axis. */
     static final int SECOND_ON_U = 95 * CAPACITY;
 
-    /** 1 when it cuts the edge of corner 0 from there, see {@link BoxStraightWide}. */
-    static final int SECOND_FROM_LOW = 96 * CAPACITY;
+    /** 1 when the first side cuts off the corner p, see {@link BoxStraightWide}. */
+    static final int FIRST_LOW = 96 * CAPACITY;
 
     /** The points, as {@link #CORNER}. */
     static final int STRAIGHT_POINT = 97 * CAPACITY;
@@ -173,8 +173,14 @@ public final class BoxBatch {
     /** Half the edge of B, in A's frame: columns x, y, z. */
     static final int CROSSING_LINES = 125 * CAPACITY;
 
+    /**
+     * The point of the incident plane above the corner between the two sides that cut: along the
+     * two axes beside the face's own, then along that.
+     */
+    static final int BETWEEN = 128 * CAPACITY;
+
     /** All columns. */
-    public final double[] data = new double[128 * CAPACITY];
+    public final double[] data = new double[131 * CAPACITY];
 
     /**
      * The number of a way to cut a face.

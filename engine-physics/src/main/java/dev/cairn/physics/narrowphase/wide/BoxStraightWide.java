@@ -1,11 +1,13 @@
 package dev.cairn.physics.narrowphase.wide;
 
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.BETWEEN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.BOUND;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.DEEPEST;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.FIRST_LOW;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
@@ -15,8 +17,8 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.INNER;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ROWS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_FROM_LOW;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_ON_U;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_WAYS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION;
@@ -75,6 +77,7 @@ final class BoxStraightWide {
         for (int i = 0; i < count; i += LANES) {
             first(t, i);
             if (DoubleVector.fromArray(S, t, SECOND + i).compare(VectorOperators.NE, 0).anyTrue()) {
+                corner(t, i);
                 second(t, i);
             }
             bits |= finish(t, i);
@@ -120,6 +123,8 @@ final class BoxStraightWide {
         zero.blend(signU.blend(signV, firstU), onU.and(onV)).intoArray(t, SECOND + i);
         halfU.blend(halfV, firstU).intoArray(t, SECOND + CAPACITY + i);
         one.blend(0, firstU).intoArray(t, SECOND_ON_U + i);
+        signU.mul(halfU).intoArray(t, BETWEEN + i);
+        signV.mul(halfV).intoArray(t, BETWEEN + CAPACITY + i);
 
         int u = CORNER + CAPACITY + i;
         int v = u + CAPACITY;
@@ -164,23 +169,16 @@ final class BoxStraightWide {
                         .or(out3.and(s3.compare(VectorOperators.LE, still)));
         zero.blend(1, soft.and(cuts)).intoArray(t, SOFT + i);
         VectorMask<Double> along = out0.xor(out1).not().and(cuts);
-        // The loop of corners is 0, 1, 3, 2 on incident faces 1, 2 and 5, and 0, 2, 3, 1 on the
-        // others; an edge is cut from the corner that comes first.
-        DoubleVector face = DoubleVector.fromArray(S, t, INCIDENT + i);
-        VectorMask<Double> fromP =
-                face.compare(VectorOperators.EQ, 1)
-                        .or(face.compare(VectorOperators.EQ, 2))
-                        .or(face.compare(VectorOperators.EQ, 5))
-                        .xor(along);
-        one.blend(0, fromP).intoArray(t, SECOND_FROM_LOW + i);
         VectorMask<Double> low = out0.and(cuts);
         VectorMask<Double> high = cuts.andNot(out0);
+        zero.blend(1, low).intoArray(t, FIRST_LOW + i);
         DoubleVector sq = s1.blend(s2, along);
         DoubleVector sr = s2.blend(s1, along);
-        DoubleVector begin = sq.blend(s0, fromP);
-        DoubleVector cutPq = begin.div(begin.sub(s0.blend(sq, fromP)));
-        begin = sr.blend(s3, fromP);
-        DoubleVector cutRw = begin.div(begin.sub(s3.blend(sr, fromP)));
+        // An edge is cut from its end inside.
+        DoubleVector begin = s0.blend(sq, low);
+        DoubleVector cutPq = begin.div(begin.sub(sq.blend(s0, low)));
+        begin = s3.blend(sr, high);
+        DoubleVector cutRw = begin.div(begin.sub(sr.blend(s3, high)));
         // No loop: where one begins and ends, masks would be kept as arrays.
         DoubleVector p = DoubleVector.fromArray(S, t, CORNER + i);
         DoubleVector x1 = DoubleVector.fromArray(S, t, CORNER + i + POINT);
@@ -188,10 +186,10 @@ final class BoxStraightWide {
         DoubleVector w = DoubleVector.fromArray(S, t, CORNER + i + 3 * POINT);
         DoubleVector q = x1.blend(x2, along);
         DoubleVector r = x2.blend(x1, along);
-        begin = q.blend(p, fromP);
-        DoubleVector pq = begin.add(cutPq.mul(p.blend(q, fromP).sub(begin)));
-        begin = r.blend(w, fromP);
-        DoubleVector rw = begin.add(cutRw.mul(w.blend(r, fromP).sub(begin)));
+        begin = p.blend(q, low);
+        DoubleVector pq = begin.add(cutPq.mul(q.blend(p, low).sub(begin)));
+        begin = w.blend(r, high);
+        DoubleVector rw = begin.add(cutRw.mul(r.blend(w, high).sub(begin)));
         p.blend(pq, low).intoArray(t, P + i);
         q.blend(pq, high).intoArray(t, Q + i);
         r.blend(rw, low).intoArray(t, R + i);
@@ -203,10 +201,10 @@ final class BoxStraightWide {
         w = DoubleVector.fromArray(S, t, u + 3 * POINT);
         q = x1.blend(x2, along);
         r = x2.blend(x1, along);
-        begin = q.blend(p, fromP);
-        pq = begin.add(cutPq.mul(p.blend(q, fromP).sub(begin)));
-        begin = r.blend(w, fromP);
-        rw = begin.add(cutRw.mul(w.blend(r, fromP).sub(begin)));
+        begin = p.blend(q, low);
+        pq = begin.add(cutPq.mul(q.blend(p, low).sub(begin)));
+        begin = w.blend(r, high);
+        rw = begin.add(cutRw.mul(r.blend(w, high).sub(begin)));
         p.blend(pq, low).intoArray(t, P + CAPACITY + i);
         q.blend(pq, high).intoArray(t, Q + CAPACITY + i);
         r.blend(rw, low).intoArray(t, R + CAPACITY + i);
@@ -218,10 +216,10 @@ final class BoxStraightWide {
         w = DoubleVector.fromArray(S, t, v + 3 * POINT);
         q = x1.blend(x2, along);
         r = x2.blend(x1, along);
-        begin = q.blend(p, fromP);
-        pq = begin.add(cutPq.mul(p.blend(q, fromP).sub(begin)));
-        begin = r.blend(w, fromP);
-        rw = begin.add(cutRw.mul(w.blend(r, fromP).sub(begin)));
+        begin = p.blend(q, low);
+        pq = begin.add(cutPq.mul(q.blend(p, low).sub(begin)));
+        begin = w.blend(r, high);
+        rw = begin.add(cutRw.mul(r.blend(w, high).sub(begin)));
         p.blend(pq, low).intoArray(t, P + 2 * CAPACITY + i);
         q.blend(pq, high).intoArray(t, Q + 2 * CAPACITY + i);
         r.blend(rw, low).intoArray(t, R + 2 * CAPACITY + i);
@@ -242,8 +240,8 @@ final class BoxStraightWide {
         DoubleVector limit = DoubleVector.fromArray(S, t, SECOND + CAPACITY + i);
         VectorMask<Double> onU =
                 DoubleVector.fromArray(S, t, SECOND_ON_U + i).compare(VectorOperators.NE, 0);
-        VectorMask<Double> fromP =
-                DoubleVector.fromArray(S, t, SECOND_FROM_LOW + i).compare(VectorOperators.NE, 0);
+        VectorMask<Double> firstLow =
+                DoubleVector.fromArray(S, t, FIRST_LOW + i).compare(VectorOperators.NE, 0);
         int u = CAPACITY + i;
         int v = u + CAPACITY;
         DoubleVector sp =
@@ -289,10 +287,10 @@ final class BoxStraightWide {
                         .or(outW.and(sw.compare(VectorOperators.LE, still)));
         DoubleVector.fromArray(S, t, SOFT + i).blend(1, soft.and(cuts)).intoArray(t, SOFT + i);
         VectorMask<Double> high = cuts.andNot(low);
-        DoubleVector begin = sr.blend(sp, fromP);
-        DoubleVector cutPr = begin.div(begin.sub(sp.blend(sr, fromP)));
-        begin = sq.blend(sw, fromP);
-        DoubleVector cutQw = begin.div(begin.sub(sw.blend(sq, fromP)));
+        DoubleVector begin = sp.blend(sr, low);
+        DoubleVector cutPr = begin.div(begin.sub(sr.blend(sp, low)));
+        begin = sq.blend(sw, low);
+        DoubleVector cutQw = begin.div(begin.sub(sw.blend(sq, low)));
         DoubleVector way = DoubleVector.fromArray(S, t, STRAIGHT + i);
         VectorMask<Double> missed = fits.not().and(cuts).or(way.compare(VectorOperators.LT, 0));
         DoubleVector zero = DoubleVector.zero(S);
@@ -306,10 +304,13 @@ final class BoxStraightWide {
         DoubleVector q = DoubleVector.fromArray(S, t, Q + i);
         DoubleVector r = DoubleVector.fromArray(S, t, R + i);
         DoubleVector w = DoubleVector.fromArray(S, t, W + i);
-        begin = r.blend(p, fromP);
-        DoubleVector pr = begin.add(cutPr.mul(p.blend(r, fromP).sub(begin)));
-        begin = q.blend(w, fromP);
-        DoubleVector qw = begin.add(cutQw.mul(w.blend(q, fromP).sub(begin)));
+        begin = p.blend(r, low);
+        DoubleVector pr = begin.add(cutPr.mul(r.blend(p, low).sub(begin)));
+        begin = q.blend(w, low);
+        DoubleVector qw = begin.add(cutQw.mul(w.blend(q, low).sub(begin)));
+        DoubleVector corner = DoubleVector.fromArray(S, t, BETWEEN + 2 * CAPACITY + i);
+        pr = pr.blend(corner, firstLow);
+        qw = corner.blend(qw, firstLow);
         p.blend(pr, low).intoArray(t, P + i);
         q.blend(qw, low).intoArray(t, Q + i);
         r.blend(pr, high).intoArray(t, R + i);
@@ -319,10 +320,13 @@ final class BoxStraightWide {
         q = DoubleVector.fromArray(S, t, Q + u);
         r = DoubleVector.fromArray(S, t, R + u);
         w = DoubleVector.fromArray(S, t, W + u);
-        begin = r.blend(p, fromP);
-        pr = begin.add(cutPr.mul(p.blend(r, fromP).sub(begin)));
-        begin = q.blend(w, fromP);
-        qw = begin.add(cutQw.mul(w.blend(q, fromP).sub(begin)));
+        begin = p.blend(r, low);
+        pr = begin.add(cutPr.mul(r.blend(p, low).sub(begin)));
+        begin = q.blend(w, low);
+        qw = begin.add(cutQw.mul(w.blend(q, low).sub(begin)));
+        corner = DoubleVector.fromArray(S, t, BETWEEN + i);
+        pr = pr.blend(corner, firstLow);
+        qw = corner.blend(qw, firstLow);
         p.blend(pr, low).intoArray(t, P + u);
         q.blend(qw, low).intoArray(t, Q + u);
         r.blend(pr, high).intoArray(t, R + u);
@@ -332,14 +336,78 @@ final class BoxStraightWide {
         q = DoubleVector.fromArray(S, t, Q + v);
         r = DoubleVector.fromArray(S, t, R + v);
         w = DoubleVector.fromArray(S, t, W + v);
-        begin = r.blend(p, fromP);
-        pr = begin.add(cutPr.mul(p.blend(r, fromP).sub(begin)));
-        begin = q.blend(w, fromP);
-        qw = begin.add(cutQw.mul(w.blend(q, fromP).sub(begin)));
+        begin = p.blend(r, low);
+        pr = begin.add(cutPr.mul(r.blend(p, low).sub(begin)));
+        begin = q.blend(w, low);
+        qw = begin.add(cutQw.mul(w.blend(q, low).sub(begin)));
+        corner = DoubleVector.fromArray(S, t, BETWEEN + CAPACITY + i);
+        pr = pr.blend(corner, firstLow);
+        qw = corner.blend(qw, firstLow);
         p.blend(pr, low).intoArray(t, P + v);
         q.blend(qw, low).intoArray(t, Q + v);
         r.blend(pr, high).intoArray(t, R + v);
         w.blend(qw, high).intoArray(t, W + v);
+    }
+
+    /**
+     * The point of the incident plane above the corner between the two sides that cut, as {@code
+     * narrowphase.IncidentPlane} finds it: along the face's normal; along the others it is known.
+     */
+    private static void corner(double[] t, int i) {
+        DoubleVector axis = DoubleVector.fromArray(S, t, AXIS + i);
+        VectorMask<Double> isX = axis.compare(VectorOperators.EQ, 0);
+        VectorMask<Double> isZ = axis.compare(VectorOperators.EQ, 2);
+        DoubleVector incident = DoubleVector.fromArray(S, t, INCIDENT + i);
+        VectorMask<Double> kx = incident.compare(VectorOperators.LT, 2);
+        VectorMask<Double> kz = incident.compare(VectorOperators.GE, 4);
+        DoubleVector positive =
+                incident.sub(DoubleVector.broadcast(S, 2).blend(0, kx).blend(4, kz));
+        DoubleVector m =
+                DoubleVector.broadcast(S, -1).blend(1, positive.compare(VectorOperators.GT, 0));
+        DoubleVector n =
+                DoubleVector.fromArray(S, t, ROWS + CAPACITY + i)
+                        .blend(DoubleVector.fromArray(S, t, ROWS + i), kx)
+                        .blend(DoubleVector.fromArray(S, t, ROWS + 2 * CAPACITY + i), kz)
+                        .mul(m);
+        DoubleVector u =
+                DoubleVector.fromArray(S, t, ROWS + 4 * CAPACITY + i)
+                        .blend(DoubleVector.fromArray(S, t, ROWS + 3 * CAPACITY + i), kx)
+                        .blend(DoubleVector.fromArray(S, t, ROWS + 5 * CAPACITY + i), kz)
+                        .mul(m);
+        DoubleVector v =
+                DoubleVector.fromArray(S, t, ROWS + 7 * CAPACITY + i)
+                        .blend(DoubleVector.fromArray(S, t, ROWS + 6 * CAPACITY + i), kx)
+                        .blend(DoubleVector.fromArray(S, t, ROWS + 8 * CAPACITY + i), kz)
+                        .mul(m);
+        DoubleVector x = u.blend(n, isX);
+        DoubleVector y = n.blend(u, isX).blend(v, isZ);
+        DoubleVector z = v.blend(n, isZ);
+        DoubleVector dx = DoubleVector.fromArray(S, t, CENTRE + i);
+        DoubleVector dy = DoubleVector.fromArray(S, t, CENTRE + CAPACITY + i);
+        DoubleVector dz = DoubleVector.fromArray(S, t, CENTRE + 2 * CAPACITY + i);
+        VectorMask<Double> flip =
+                DoubleVector.fromArray(S, t, FLIP + i).compare(VectorOperators.GT, 0);
+        DoubleVector hx =
+                DoubleVector.fromArray(S, t, HALF_B + i)
+                        .blend(DoubleVector.fromArray(S, t, HALF_A + i), flip);
+        DoubleVector hy =
+                DoubleVector.fromArray(S, t, HALF_B + CAPACITY + i)
+                        .blend(DoubleVector.fromArray(S, t, HALF_A + CAPACITY + i), flip);
+        DoubleVector hz =
+                DoubleVector.fromArray(S, t, HALF_B + 2 * CAPACITY + i)
+                        .blend(DoubleVector.fromArray(S, t, HALF_A + 2 * CAPACITY + i), flip);
+        DoubleVector along = x.mul(dx).add(y.mul(dy)).add(z.mul(dz));
+        along = along.blend(m.mul(dy.blend(dx, kx).blend(dz, kz)).neg(), flip);
+        DoubleVector offset = hy.blend(hx, kx).blend(hz, kz).add(along);
+        DoubleVector sign = DoubleVector.fromArray(S, t, SIGN + i);
+        DoubleVector height = DoubleVector.fromArray(S, t, HALF + i).mul(sign);
+        DoubleVector sideU = DoubleVector.fromArray(S, t, BETWEEN + i);
+        DoubleVector sideV = DoubleVector.fromArray(S, t, BETWEEN + CAPACITY + i);
+        DoubleVector px = sideU.blend(height, isX);
+        DoubleVector py = height.blend(sideU, isX).blend(sideV, isZ);
+        DoubleVector pz = sideV.blend(height, isZ);
+        DoubleVector above = offset.sub(x.mul(px).add(y.mul(py)).add(z.mul(pz))).div(n.mul(sign));
+        height.add(above.mul(sign)).intoArray(t, BETWEEN + 2 * CAPACITY + i);
     }
 
     /** Puts the points of the pairs of some lanes in the place of their corners. */
