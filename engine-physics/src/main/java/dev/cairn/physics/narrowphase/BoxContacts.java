@@ -366,11 +366,12 @@ public final class BoxContacts {
         double best = choice.best[i];
         double separation = t[SEPARATION_EDGE + i];
         BoxCrossing crossing = choice.crossing;
-        boolean found =
-                separation >= best - NarrowPhase.CALM * t[INNER + i]
-                        && (wide && choice.crosses[i]
-                                ? crossing.copy(i, out)
-                                : crossing.place(i) && crossing.point(i, out));
+        boolean found = separation >= best - NarrowPhase.CALM * t[INNER + i];
+        if (found && wide && choice.crosses[i]) {
+            found = crossing.copy(i, out);
+        } else if (found) {
+            found = crossing.place(i) && crossing.point(i, out);
+        }
         if (found) {
             out.bound = Math.abs(best - separation) + 0x1p-48 * scale(i);
             return Word.of(NarrowPhase.EDGES, 0, Names.of(out));

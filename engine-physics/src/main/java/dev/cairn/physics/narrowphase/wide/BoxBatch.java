@@ -140,10 +140,12 @@ public final class BoxBatch {
     /** Of the side that cuts second: its sign, 0 for none, and its offset, m. */
     static final int SECOND = 93 * CAPACITY;
 
-    /** 1 when the second side is on the first axis. */
+    /**
+     * 1 when the second side is on the first axis; once it has cut, 1 or -1 as {@link #FIRST_LOW}.
+     */
     static final int SECOND_ON_U = 95 * CAPACITY;
 
-    /** 1 when the first side cuts off the corner p, see {@link BoxStraightWide}. */
+    /** 1 when the first side cuts off the corner p, else -1; 0 when none cuts. */
     static final int FIRST_LOW = 96 * CAPACITY;
 
     /** The points, as {@link #CORNER}. */
@@ -179,8 +181,23 @@ public final class BoxBatch {
      */
     static final int BETWEEN = 128 * CAPACITY;
 
+    /** Of the side that cuts first: its sign and its offset, m. */
+    static final int FIRST = 131 * CAPACITY;
+
+    /** 1 when a side cuts; 1 when the first one cuts edges along the second axis. */
+    static final int CUTS = 133 * CAPACITY, ALONG = 134 * CAPACITY;
+
+    /** Where a side cuts the two edges that it crosses, from their ends inside: shares of them. */
+    static final int CUT = 135 * CAPACITY;
+
+    /** The plane of the incident face in the frame of the chosen one: normal and offset, m. */
+    static final int PLANE = 137 * CAPACITY;
+
+    /** The largest separation of the points that were cut straight, m. */
+    static final int HIGHEST = 141 * CAPACITY;
+
     /** All columns. */
-    public final double[] data = new double[131 * CAPACITY];
+    public final double[] data = new double[142 * CAPACITY];
 
     /**
      * The number of a way to cut a face.

@@ -1,23 +1,27 @@
 package dev.cairn.physics.narrowphase.wide;
 
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALONG;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.BETWEEN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.BOUND;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.CUT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.CUTS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.DEEPEST;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.FIRST;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FIRST_LOW;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.HIGHEST;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.INNER;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ROWS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_ON_U;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_WAYS;
@@ -52,10 +56,13 @@ final class BoxStraightWide {
     private static final VectorSpecies<Double> S = DoubleVector.SPECIES_PREFERRED;
     private static final int LANES = S.length();
 
-    private static final int P = STRAIGHT_POINT;
-    private static final int Q = P + POINT;
-    private static final int R = Q + POINT;
-    private static final int W = R + POINT;
+    static final int P = STRAIGHT_POINT;
+    static final int Q = P + POINT;
+    static final int R = Q + POINT;
+    static final int W = R + POINT;
+
+    /** In place of separations, how far the corners are beyond the side that cuts first. */
+    private static final int BEYOND = P + 3 * CAPACITY;
 
     /**
      * Of the scale: more than the rounding of a separation along the cross product of two edges,
@@ -75,20 +82,24 @@ final class BoxStraightWide {
     static long run(double[] t, int count) {
         long bits = 0;
         for (int i = 0; i < count; i += LANES) {
+            sides(t, i);
+            beyondFirst(t, i);
             first(t, i);
+            moveFirst(t, i, 0);
+            moveFirst(t, i, CAPACITY);
+            moveFirst(t, i, 2 * CAPACITY);
             if (DoubleVector.fromArray(S, t, SECOND + i).compare(VectorOperators.NE, 0).anyTrue()) {
-                corner(t, i);
-                second(t, i);
+                BoxSecondSideWide.run(t, i);
             }
-            bits |= finish(t, i);
+            separations(t, i);
+            bits |= proof(t, i);
         }
         return bits;
     }
 
     /** The side that cuts first, in the order of the face's loop; which cuts after it. */
-    private static void first(double[] t, int i) {
-        DoubleVector inner = DoubleVector.fromArray(S, t, INNER + i);
-        DoubleVector near = inner.mul(BoxBatch.ON_PLANE);
+    private static void sides(double[] t, int i) {
+        DoubleVector near = DoubleVector.fromArray(S, t, INNER + i).mul(BoxBatch.ON_PLANE);
         VectorMask<Double> highU =
                 DoubleVector.fromArray(S, t, OUTSIDE + i).compare(VectorOperators.GT, near);
         VectorMask<Double> lowU =
@@ -102,8 +113,6 @@ final class BoxStraightWide {
                         .compare(VectorOperators.GT, near);
         VectorMask<Double> onU = highU.or(lowU);
         VectorMask<Double> onV = highV.or(lowV);
-        VectorMask<Double> cuts = onU.or(onV);
-        VectorMask<Double> opposite = highU.and(lowU).or(highV.and(lowV));
         // The loop of sides is low v, high u, high v, low u on faces 1, 2 and 5, and low u, high v,
         // high u, low v on the others.
         VectorMask<Double> odd =
@@ -118,40 +127,70 @@ final class BoxStraightWide {
         DoubleVector signV = one.blend(-1, lowV);
         DoubleVector halfU = DoubleVector.fromArray(S, t, HALF + CAPACITY + i);
         DoubleVector halfV = DoubleVector.fromArray(S, t, HALF + 2 * CAPACITY + i);
-        DoubleVector sign = signV.blend(signU, firstU);
-        DoubleVector limit = halfV.blend(halfU, firstU);
+        signV.blend(signU, firstU).intoArray(t, FIRST + i);
+        halfV.blend(halfU, firstU).intoArray(t, FIRST + CAPACITY + i);
+        zero.blend(1, onU.or(onV)).intoArray(t, CUTS + i);
         zero.blend(signU.blend(signV, firstU), onU.and(onV)).intoArray(t, SECOND + i);
         halfU.blend(halfV, firstU).intoArray(t, SECOND + CAPACITY + i);
         one.blend(0, firstU).intoArray(t, SECOND_ON_U + i);
         signU.mul(halfU).intoArray(t, BETWEEN + i);
         signV.mul(halfV).intoArray(t, BETWEEN + CAPACITY + i);
+        // Opposite sides do not cut straight.
+        zero.blend(-1, highU.and(lowU).or(highV.and(lowV))).intoArray(t, STRAIGHT + i);
+    }
 
+    /** How far the corners are beyond the first side. */
+    private static void beyondFirst(double[] t, int i) {
+        VectorMask<Double> firstU =
+                DoubleVector.fromArray(S, t, SECOND_ON_U + i).compare(VectorOperators.EQ, 0);
+        DoubleVector sign = DoubleVector.fromArray(S, t, FIRST + i);
+        DoubleVector limit = DoubleVector.fromArray(S, t, FIRST + CAPACITY + i);
         int u = CORNER + CAPACITY + i;
         int v = u + CAPACITY;
-        DoubleVector s0 =
-                DoubleVector.fromArray(S, t, v)
-                        .blend(DoubleVector.fromArray(S, t, u), firstU)
-                        .mul(sign)
-                        .sub(limit);
-        DoubleVector s1 =
-                DoubleVector.fromArray(S, t, v + POINT)
-                        .blend(DoubleVector.fromArray(S, t, u + POINT), firstU)
-                        .mul(sign)
-                        .sub(limit);
-        DoubleVector s2 =
-                DoubleVector.fromArray(S, t, v + 2 * POINT)
-                        .blend(DoubleVector.fromArray(S, t, u + 2 * POINT), firstU)
-                        .mul(sign)
-                        .sub(limit);
-        DoubleVector s3 =
-                DoubleVector.fromArray(S, t, v + 3 * POINT)
-                        .blend(DoubleVector.fromArray(S, t, u + 3 * POINT), firstU)
-                        .mul(sign)
-                        .sub(limit);
-        DoubleVector still = inner.mul(BoxBatch.STILL_ON_PLANE);
-        DoubleVector within = still.neg();
+        DoubleVector.fromArray(S, t, v)
+                .blend(DoubleVector.fromArray(S, t, u), firstU)
+                .mul(sign)
+                .sub(limit)
+                .intoArray(t, BEYOND + i);
+        DoubleVector.fromArray(S, t, v + POINT)
+                .blend(DoubleVector.fromArray(S, t, u + POINT), firstU)
+                .mul(sign)
+                .sub(limit)
+                .intoArray(t, BEYOND + POINT + i);
+        DoubleVector.fromArray(S, t, v + 2 * POINT)
+                .blend(DoubleVector.fromArray(S, t, u + 2 * POINT), firstU)
+                .mul(sign)
+                .sub(limit)
+                .intoArray(t, BEYOND + 2 * POINT + i);
+        DoubleVector.fromArray(S, t, v + 3 * POINT)
+                .blend(DoubleVector.fromArray(S, t, u + 3 * POINT), firstU)
+                .mul(sign)
+                .sub(limit)
+                .intoArray(t, BEYOND + 3 * POINT + i);
+    }
+
+    /** Which corners the first side cuts off, and where it cuts the two edges. */
+    private static void first(double[] t, int i) {
+        DoubleVector one = DoubleVector.broadcast(S, 1);
+        DoubleVector zero = DoubleVector.zero(S);
+        VectorMask<Double> cuts =
+                DoubleVector.fromArray(S, t, CUTS + i).compare(VectorOperators.NE, 0);
+        VectorMask<Double> firstU =
+                DoubleVector.fromArray(S, t, SECOND_ON_U + i).compare(VectorOperators.EQ, 0);
+        DoubleVector sign = DoubleVector.fromArray(S, t, FIRST + i);
+        DoubleVector s0 = DoubleVector.fromArray(S, t, BEYOND + i);
+        DoubleVector s1 = DoubleVector.fromArray(S, t, BEYOND + POINT + i);
+        DoubleVector s2 = DoubleVector.fromArray(S, t, BEYOND + 2 * POINT + i);
+        DoubleVector s3 = DoubleVector.fromArray(S, t, BEYOND + 3 * POINT + i);
+        DoubleVector inner = DoubleVector.fromArray(S, t, INNER + i);
+        DoubleVector near = inner.mul(BoxBatch.ON_PLANE);
         VectorMask<Double> out0 = s0.compare(VectorOperators.GT, near);
         VectorMask<Double> out1 = s1.compare(VectorOperators.GT, near);
+        VectorMask<Double> along = out0.xor(out1).not().and(cuts);
+        VectorMask<Double> low = out0.and(cuts);
+        VectorMask<Double> high = cuts.andNot(out0);
+        DoubleVector still = inner.mul(BoxBatch.STILL_ON_PLANE);
+        DoubleVector within = still.neg();
         VectorMask<Double> out2 = s2.compare(VectorOperators.GT, near);
         VectorMask<Double> out3 = s3.compare(VectorOperators.GT, near);
         // Two neighbours are outside when the opposite corners are not.
@@ -168,246 +207,55 @@ final class BoxStraightWide {
                         .or(out2.and(s2.compare(VectorOperators.LE, still)))
                         .or(out3.and(s3.compare(VectorOperators.LE, still)));
         zero.blend(1, soft.and(cuts)).intoArray(t, SOFT + i);
-        VectorMask<Double> along = out0.xor(out1).not().and(cuts);
-        VectorMask<Double> low = out0.and(cuts);
-        VectorMask<Double> high = cuts.andNot(out0);
-        zero.blend(1, low).intoArray(t, FIRST_LOW + i);
+        zero.blend(1, along).intoArray(t, ALONG + i);
+        zero.blend(-1, high).blend(1, low).intoArray(t, FIRST_LOW + i);
+        // An edge is cut from its end inside.
         DoubleVector sq = s1.blend(s2, along);
         DoubleVector sr = s2.blend(s1, along);
-        // An edge is cut from its end inside.
         DoubleVector begin = s0.blend(sq, low);
-        DoubleVector cutPq = begin.div(begin.sub(sq.blend(s0, low)));
+        begin.div(begin.sub(sq.blend(s0, low))).intoArray(t, CUT + i);
         begin = s3.blend(sr, high);
-        DoubleVector cutRw = begin.div(begin.sub(sr.blend(s3, high)));
-        // No loop: where one begins and ends, masks would be kept as arrays.
-        DoubleVector p = DoubleVector.fromArray(S, t, CORNER + i);
-        DoubleVector x1 = DoubleVector.fromArray(S, t, CORNER + i + POINT);
-        DoubleVector x2 = DoubleVector.fromArray(S, t, CORNER + i + 2 * POINT);
-        DoubleVector w = DoubleVector.fromArray(S, t, CORNER + i + 3 * POINT);
-        DoubleVector q = x1.blend(x2, along);
-        DoubleVector r = x2.blend(x1, along);
-        begin = p.blend(q, low);
-        DoubleVector pq = begin.add(cutPq.mul(q.blend(p, low).sub(begin)));
-        begin = w.blend(r, high);
-        DoubleVector rw = begin.add(cutRw.mul(r.blend(w, high).sub(begin)));
-        p.blend(pq, low).intoArray(t, P + i);
-        q.blend(pq, high).intoArray(t, Q + i);
-        r.blend(rw, low).intoArray(t, R + i);
-        w.blend(rw, high).intoArray(t, W + i);
-
-        p = DoubleVector.fromArray(S, t, u);
-        x1 = DoubleVector.fromArray(S, t, u + POINT);
-        x2 = DoubleVector.fromArray(S, t, u + 2 * POINT);
-        w = DoubleVector.fromArray(S, t, u + 3 * POINT);
-        q = x1.blend(x2, along);
-        r = x2.blend(x1, along);
-        begin = p.blend(q, low);
-        pq = begin.add(cutPq.mul(q.blend(p, low).sub(begin)));
-        begin = w.blend(r, high);
-        rw = begin.add(cutRw.mul(r.blend(w, high).sub(begin)));
-        p.blend(pq, low).intoArray(t, P + CAPACITY + i);
-        q.blend(pq, high).intoArray(t, Q + CAPACITY + i);
-        r.blend(rw, low).intoArray(t, R + CAPACITY + i);
-        w.blend(rw, high).intoArray(t, W + CAPACITY + i);
-
-        p = DoubleVector.fromArray(S, t, v);
-        x1 = DoubleVector.fromArray(S, t, v + POINT);
-        x2 = DoubleVector.fromArray(S, t, v + 2 * POINT);
-        w = DoubleVector.fromArray(S, t, v + 3 * POINT);
-        q = x1.blend(x2, along);
-        r = x2.blend(x1, along);
-        begin = p.blend(q, low);
-        pq = begin.add(cutPq.mul(q.blend(p, low).sub(begin)));
-        begin = w.blend(r, high);
-        rw = begin.add(cutRw.mul(r.blend(w, high).sub(begin)));
-        p.blend(pq, low).intoArray(t, P + 2 * CAPACITY + i);
-        q.blend(pq, high).intoArray(t, Q + 2 * CAPACITY + i);
-        r.blend(rw, low).intoArray(t, R + 2 * CAPACITY + i);
-        w.blend(rw, high).intoArray(t, W + 2 * CAPACITY + i);
+        begin.div(begin.sub(sr.blend(s3, high))).intoArray(t, CUT + CAPACITY + i);
         DoubleVector way =
                 zero.blend(2 * 4 * SECOND_WAYS, firstU.not())
                         .add(zero.blend(4 * SECOND_WAYS, sign.compare(VectorOperators.LT, 0)))
                         .add(zero.blend(2 * SECOND_WAYS, along))
                         .add(one.blend(1 + SECOND_WAYS, low))
                         .blend(0, cuts.not());
-        way.blend(-1, two.or(cuts.not()).andNot(opposite).not()).intoArray(t, STRAIGHT + i);
+        VectorMask<Double> missed =
+                two.or(cuts.not())
+                        .not()
+                        .or(
+                                DoubleVector.fromArray(S, t, STRAIGHT + i)
+                                        .compare(VectorOperators.LT, 0));
+        way.blend(-1, missed).intoArray(t, STRAIGHT + i);
     }
 
-    /** The side that cuts after the first, of the pairs that have one. */
-    private static void second(double[] t, int i) {
-        DoubleVector sign = DoubleVector.fromArray(S, t, SECOND + i);
-        VectorMask<Double> cuts = sign.compare(VectorOperators.NE, 0);
-        DoubleVector limit = DoubleVector.fromArray(S, t, SECOND + CAPACITY + i);
-        VectorMask<Double> onU =
-                DoubleVector.fromArray(S, t, SECOND_ON_U + i).compare(VectorOperators.NE, 0);
-        VectorMask<Double> firstLow =
-                DoubleVector.fromArray(S, t, FIRST_LOW + i).compare(VectorOperators.NE, 0);
-        int u = CAPACITY + i;
-        int v = u + CAPACITY;
-        DoubleVector sp =
-                DoubleVector.fromArray(S, t, P + v)
-                        .blend(DoubleVector.fromArray(S, t, P + u), onU)
-                        .mul(sign)
-                        .sub(limit);
-        DoubleVector sq =
-                DoubleVector.fromArray(S, t, Q + v)
-                        .blend(DoubleVector.fromArray(S, t, Q + u), onU)
-                        .mul(sign)
-                        .sub(limit);
-        DoubleVector sr =
-                DoubleVector.fromArray(S, t, R + v)
-                        .blend(DoubleVector.fromArray(S, t, R + u), onU)
-                        .mul(sign)
-                        .sub(limit);
-        DoubleVector sw =
-                DoubleVector.fromArray(S, t, W + v)
-                        .blend(DoubleVector.fromArray(S, t, W + u), onU)
-                        .mul(sign)
-                        .sub(limit);
-        DoubleVector inner = DoubleVector.fromArray(S, t, INNER + i);
-        DoubleVector near = inner.mul(BoxBatch.ON_PLANE);
-        DoubleVector still = inner.mul(BoxBatch.STILL_ON_PLANE);
-        DoubleVector within = still.neg();
-        VectorMask<Double> low = sp.compare(VectorOperators.GT, near);
-        VectorMask<Double> outQ = sq.compare(VectorOperators.GT, near);
-        VectorMask<Double> outR = sr.compare(VectorOperators.GT, near);
-        VectorMask<Double> outW = sw.compare(VectorOperators.GT, near);
-        VectorMask<Double> fits =
-                low.or(sp.compare(VectorOperators.LT, within))
-                        .and(outQ.or(sq.compare(VectorOperators.LT, within)))
-                        .and(outR.or(sr.compare(VectorOperators.LT, within)))
-                        .and(outW.or(sw.compare(VectorOperators.LT, within)))
-                        .and(low.xor(outR))
-                        .and(low.xor(outW))
-                        .and(low.xor(outQ).not());
-        VectorMask<Double> soft =
-                low.and(sp.compare(VectorOperators.LE, still))
-                        .or(outQ.and(sq.compare(VectorOperators.LE, still)))
-                        .or(outR.and(sr.compare(VectorOperators.LE, still)))
-                        .or(outW.and(sw.compare(VectorOperators.LE, still)));
-        DoubleVector.fromArray(S, t, SOFT + i).blend(1, soft.and(cuts)).intoArray(t, SOFT + i);
-        VectorMask<Double> high = cuts.andNot(low);
-        DoubleVector begin = sp.blend(sr, low);
-        DoubleVector cutPr = begin.div(begin.sub(sr.blend(sp, low)));
-        begin = sq.blend(sw, low);
-        DoubleVector cutQw = begin.div(begin.sub(sw.blend(sq, low)));
-        DoubleVector way = DoubleVector.fromArray(S, t, STRAIGHT + i);
-        VectorMask<Double> missed = fits.not().and(cuts).or(way.compare(VectorOperators.LT, 0));
-        DoubleVector zero = DoubleVector.zero(S);
-        way.add(zero.blend(1, cuts))
-                .add(zero.blend(2, sign.compare(VectorOperators.LT, 0)))
-                .add(zero.blend(1, low.and(cuts)))
-                .blend(-1, missed)
-                .intoArray(t, STRAIGHT + i);
-        low = low.and(cuts);
-        DoubleVector p = DoubleVector.fromArray(S, t, P + i);
-        DoubleVector q = DoubleVector.fromArray(S, t, Q + i);
-        DoubleVector r = DoubleVector.fromArray(S, t, R + i);
-        DoubleVector w = DoubleVector.fromArray(S, t, W + i);
-        begin = p.blend(r, low);
-        DoubleVector pr = begin.add(cutPr.mul(r.blend(p, low).sub(begin)));
-        begin = q.blend(w, low);
-        DoubleVector qw = begin.add(cutQw.mul(w.blend(q, low).sub(begin)));
-        DoubleVector corner = DoubleVector.fromArray(S, t, BETWEEN + 2 * CAPACITY + i);
-        pr = pr.blend(corner, firstLow);
-        qw = corner.blend(qw, firstLow);
-        p.blend(pr, low).intoArray(t, P + i);
-        q.blend(qw, low).intoArray(t, Q + i);
-        r.blend(pr, high).intoArray(t, R + i);
-        w.blend(qw, high).intoArray(t, W + i);
-
-        p = DoubleVector.fromArray(S, t, P + u);
-        q = DoubleVector.fromArray(S, t, Q + u);
-        r = DoubleVector.fromArray(S, t, R + u);
-        w = DoubleVector.fromArray(S, t, W + u);
-        begin = p.blend(r, low);
-        pr = begin.add(cutPr.mul(r.blend(p, low).sub(begin)));
-        begin = q.blend(w, low);
-        qw = begin.add(cutQw.mul(w.blend(q, low).sub(begin)));
-        corner = DoubleVector.fromArray(S, t, BETWEEN + i);
-        pr = pr.blend(corner, firstLow);
-        qw = corner.blend(qw, firstLow);
-        p.blend(pr, low).intoArray(t, P + u);
-        q.blend(qw, low).intoArray(t, Q + u);
-        r.blend(pr, high).intoArray(t, R + u);
-        w.blend(qw, high).intoArray(t, W + u);
-
-        p = DoubleVector.fromArray(S, t, P + v);
-        q = DoubleVector.fromArray(S, t, Q + v);
-        r = DoubleVector.fromArray(S, t, R + v);
-        w = DoubleVector.fromArray(S, t, W + v);
-        begin = p.blend(r, low);
-        pr = begin.add(cutPr.mul(r.blend(p, low).sub(begin)));
-        begin = q.blend(w, low);
-        qw = begin.add(cutQw.mul(w.blend(q, low).sub(begin)));
-        corner = DoubleVector.fromArray(S, t, BETWEEN + CAPACITY + i);
-        pr = pr.blend(corner, firstLow);
-        qw = corner.blend(qw, firstLow);
-        p.blend(pr, low).intoArray(t, P + v);
-        q.blend(qw, low).intoArray(t, Q + v);
-        r.blend(pr, high).intoArray(t, R + v);
-        w.blend(qw, high).intoArray(t, W + v);
-    }
-
-    /**
-     * The point of the incident plane above the corner between the two sides that cut, as {@code
-     * narrowphase.IncidentPlane} finds it: along the face's normal; along the others it is known.
-     */
-    private static void corner(double[] t, int i) {
-        DoubleVector axis = DoubleVector.fromArray(S, t, AXIS + i);
-        VectorMask<Double> isX = axis.compare(VectorOperators.EQ, 0);
-        VectorMask<Double> isZ = axis.compare(VectorOperators.EQ, 2);
-        DoubleVector incident = DoubleVector.fromArray(S, t, INCIDENT + i);
-        VectorMask<Double> kx = incident.compare(VectorOperators.LT, 2);
-        VectorMask<Double> kz = incident.compare(VectorOperators.GE, 4);
-        DoubleVector positive =
-                incident.sub(DoubleVector.broadcast(S, 2).blend(0, kx).blend(4, kz));
-        DoubleVector m =
-                DoubleVector.broadcast(S, -1).blend(1, positive.compare(VectorOperators.GT, 0));
-        DoubleVector n =
-                DoubleVector.fromArray(S, t, ROWS + CAPACITY + i)
-                        .blend(DoubleVector.fromArray(S, t, ROWS + i), kx)
-                        .blend(DoubleVector.fromArray(S, t, ROWS + 2 * CAPACITY + i), kz)
-                        .mul(m);
-        DoubleVector u =
-                DoubleVector.fromArray(S, t, ROWS + 4 * CAPACITY + i)
-                        .blend(DoubleVector.fromArray(S, t, ROWS + 3 * CAPACITY + i), kx)
-                        .blend(DoubleVector.fromArray(S, t, ROWS + 5 * CAPACITY + i), kz)
-                        .mul(m);
-        DoubleVector v =
-                DoubleVector.fromArray(S, t, ROWS + 7 * CAPACITY + i)
-                        .blend(DoubleVector.fromArray(S, t, ROWS + 6 * CAPACITY + i), kx)
-                        .blend(DoubleVector.fromArray(S, t, ROWS + 8 * CAPACITY + i), kz)
-                        .mul(m);
-        DoubleVector x = u.blend(n, isX);
-        DoubleVector y = n.blend(u, isX).blend(v, isZ);
-        DoubleVector z = v.blend(n, isZ);
-        DoubleVector dx = DoubleVector.fromArray(S, t, CENTRE + i);
-        DoubleVector dy = DoubleVector.fromArray(S, t, CENTRE + CAPACITY + i);
-        DoubleVector dz = DoubleVector.fromArray(S, t, CENTRE + 2 * CAPACITY + i);
-        VectorMask<Double> flip =
-                DoubleVector.fromArray(S, t, FLIP + i).compare(VectorOperators.GT, 0);
-        DoubleVector hx =
-                DoubleVector.fromArray(S, t, HALF_B + i)
-                        .blend(DoubleVector.fromArray(S, t, HALF_A + i), flip);
-        DoubleVector hy =
-                DoubleVector.fromArray(S, t, HALF_B + CAPACITY + i)
-                        .blend(DoubleVector.fromArray(S, t, HALF_A + CAPACITY + i), flip);
-        DoubleVector hz =
-                DoubleVector.fromArray(S, t, HALF_B + 2 * CAPACITY + i)
-                        .blend(DoubleVector.fromArray(S, t, HALF_A + 2 * CAPACITY + i), flip);
-        DoubleVector along = x.mul(dx).add(y.mul(dy)).add(z.mul(dz));
-        along = along.blend(m.mul(dy.blend(dx, kx).blend(dz, kz)).neg(), flip);
-        DoubleVector offset = hy.blend(hx, kx).blend(hz, kz).add(along);
-        DoubleVector sign = DoubleVector.fromArray(S, t, SIGN + i);
-        DoubleVector height = DoubleVector.fromArray(S, t, HALF + i).mul(sign);
-        DoubleVector sideU = DoubleVector.fromArray(S, t, BETWEEN + i);
-        DoubleVector sideV = DoubleVector.fromArray(S, t, BETWEEN + CAPACITY + i);
-        DoubleVector px = sideU.blend(height, isX);
-        DoubleVector py = height.blend(sideU, isX).blend(sideV, isZ);
-        DoubleVector pz = sideV.blend(height, isZ);
-        DoubleVector above = offset.sub(x.mul(px).add(y.mul(py)).add(z.mul(pz))).div(n.mul(sign));
-        height.add(above.mul(sign)).intoArray(t, BETWEEN + 2 * CAPACITY + i);
+    /** Along one axis, moves the corners that the first side cuts off along their edges. */
+    private static void moveFirst(double[] t, int i, int axis) {
+        int from = CORNER + axis + i;
+        int to = P + axis + i;
+        VectorMask<Double> along =
+                DoubleVector.fromArray(S, t, ALONG + i).compare(VectorOperators.NE, 0);
+        DoubleVector lowHigh = DoubleVector.fromArray(S, t, FIRST_LOW + i);
+        VectorMask<Double> low = lowHigh.compare(VectorOperators.GT, 0);
+        VectorMask<Double> high = lowHigh.compare(VectorOperators.LT, 0);
+        DoubleVector p = DoubleVector.fromArray(S, t, from);
+        DoubleVector x1 = DoubleVector.fromArray(S, t, from + POINT);
+        DoubleVector x2 = DoubleVector.fromArray(S, t, from + 2 * POINT);
+        DoubleVector w = DoubleVector.fromArray(S, t, from + 3 * POINT);
+        DoubleVector q = x1.blend(x2, along);
+        DoubleVector r = x2.blend(x1, along);
+        DoubleVector cut = DoubleVector.fromArray(S, t, CUT + i);
+        DoubleVector begin = p.blend(q, low);
+        DoubleVector pq = begin.add(cut.mul(q.blend(p, low).sub(begin)));
+        cut = DoubleVector.fromArray(S, t, CUT + CAPACITY + i);
+        begin = w.blend(r, high);
+        DoubleVector rw = begin.add(cut.mul(r.blend(w, high).sub(begin)));
+        p.blend(pq, low).intoArray(t, to);
+        q.blend(pq, high).intoArray(t, to + POINT);
+        r.blend(rw, low).intoArray(t, to + 2 * POINT);
+        w.blend(rw, high).intoArray(t, to + 3 * POINT);
     }
 
     /** Puts the points of the pairs of some lanes in the place of their corners. */
@@ -423,23 +271,8 @@ final class BoxStraightWide {
         }
     }
 
-    /**
-     * Separations, and points midway between the surfaces. And whether the axes of edges can be
-     * left out: each point of the patch lies on the incident face and, h above it, in the reference
-     * face up to e. Along a unit vector at an angle of a to the normal the boxes are separated by
-     * at most
-     *
-     * <pre>  h cos a - (w - e) sin a,</pre>
-     *
-     * with h the largest separation of a point and w the least width of the patch: take the
-     * outermost points on either side. Between 0 and 90 degrees that is at most h when w - e is at
-     * least -h. Beyond 90 degrees take points of the reference box's other face, H farther down:
-     * then it is at most h when h plus the least separation is at least -H. A convex patch of area
-     * F and perimeter L is at least 2 F / L wide, and L is at most that of the reference face. So
-     * the signed distance is between the largest separation along a face normal and h; where all
-     * decisions are the same for each of these values, edges cannot change them.
-     */
-    private static long finish(double[] t, int i) {
+    /** Separations, and points midway between the surfaces. */
+    private static void separations(double[] t, int i) {
         DoubleVector way = DoubleVector.fromArray(S, t, STRAIGHT + i);
         DoubleVector sign = DoubleVector.fromArray(S, t, SIGN + i);
         DoubleVector height = DoubleVector.fromArray(S, t, HALF + i);
@@ -469,6 +302,7 @@ final class BoxStraightWide {
         highest = highest.blend(highest2, highest2.compare(VectorOperators.GT, highest));
         deepest = deepest.blend(deepest2, deepest2.compare(VectorOperators.LT, deepest));
         deepest.intoArray(t, DEEPEST + i);
+        highest.intoArray(t, HIGHEST + i);
         VectorMask<Double> fits =
                 way.compare(VectorOperators.GE, 0).and(highest.compare(VectorOperators.LE, margin));
         DoubleVector.fromArray(S, t, FLIP + i)
@@ -481,7 +315,29 @@ final class BoxStraightWide {
                 .add(way)
                 .blend(-1, fits.not())
                 .intoArray(t, STRAIGHT + i);
+    }
 
+    /**
+     * Whether the axes of edges can be left out: each point of the patch lies on the incident face
+     * and, h above it, in the reference face up to e. Along a unit vector at an angle of a to the
+     * normal the boxes are separated by at most
+     *
+     * <pre>  h cos a - (w - e) sin a,</pre>
+     *
+     * with h the largest separation of a point and w the least width of the patch: take the
+     * outermost points on either side. Between 0 and 90 degrees that is at most h when w - e is at
+     * least -h. Beyond 90 degrees take points of the reference box's other face, H farther down:
+     * then it is at most h when h plus the least separation is at least -H. A convex patch of area
+     * F and perimeter L is at least 2 F / L wide, and L is at most that of the reference face. So
+     * the signed distance is between the largest separation along a face normal and h; where all
+     * decisions are the same for each of these values, edges cannot change them.
+     */
+    private static long proof(double[] t, int i) {
+        VectorMask<Double> fits =
+                DoubleVector.fromArray(S, t, STRAIGHT + i).compare(VectorOperators.GE, 0);
+        DoubleVector margin = DoubleVector.fromArray(S, t, MARGIN + i);
+        DoubleVector highest = DoubleVector.fromArray(S, t, HIGHEST + i);
+        DoubleVector deepest = DoubleVector.fromArray(S, t, DEEPEST + i);
         DoubleVector inner = DoubleVector.fromArray(S, t, INNER + i);
         int u = CAPACITY + i;
         int v = u + CAPACITY;
