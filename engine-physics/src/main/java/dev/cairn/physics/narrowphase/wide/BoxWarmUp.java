@@ -85,7 +85,7 @@ public final class BoxWarmUp {
             BoxAxes.scalar(batch, BoxBatch.CAPACITY);
             long second = System.nanoTime();
             BoxAxes.faces(batch, BoxBatch.CAPACITY);
-            BoxAxes.edges(batch, round % 4 == 0 ? random.nextInt() & random.nextInt() : -1);
+            BoxAxes.edges(batch, round % 4 == 0 ? random.nextInt() & round : -1);
             long third = System.nanoTime();
             choose(batch.data, round);
             long fourth = System.nanoTime();
