@@ -204,7 +204,7 @@ public final class Compare implements Callable<Integer> {
                 rounds > 0 ? rounds : quick ? 3 : 10,
                 0.03,
                 quick ? 0.3 : 1,
-                quick ? 0.8 : 4,
+                quick ? 0.8 : 15,
                 patience > 0 ? patience : quick ? 4 : 6,
                 quick ? 2 : 5,
                 !quick);

@@ -34,6 +34,9 @@ final class Worker {
     private static final double AGREEMENT = 0.02;
     private static final double WINDOW_SECONDS = 0.15;
 
+    /** Windows in which the JIT compilers took more than this share of the time do not count. */
+    private static final double COMPILING = 0.02;
+
     /** Building may take this many times as long as stepping before a timed run ends. */
     private static final int BUILD_SHARE = 3;
 
@@ -170,7 +173,11 @@ final class Worker {
         Protocol.Answer last = window(scene, request);
         while (agreeing < WINDOWS && System.nanoTime() < end && last.cpuMicros() != null) {
             double now = last.cpuMicros();
-            if (agreeing > 0 && now >= high * (1 - AGREEMENT) && now <= low * (1 + AGREEMENT)) {
+            if (last.compilerShare() > COMPILING) {
+                agreeing = 0; // steady, perhaps, but not for long
+            } else if (agreeing > 0
+                    && now >= high * (1 - AGREEMENT)
+                    && now <= low * (1 + AGREEMENT)) {
                 low = Math.min(low, now);
                 high = Math.max(high, now);
                 agreeing++;
