@@ -200,8 +200,22 @@ public final class ContactSolver {
                                 t.impulseScale / t.subStep,
                                 t.weight(),
                                 collector.isSame());
+        t.start.found = false;
+        if (stacked && settings.startSweeps() > 0 && t.weight() > 0 && !collector.isSame()) {
+            t.start.find(
+                    t.bodies,
+                    t.contacts,
+                    list,
+                    batches,
+                    STILL * t.weight() * t.step,
+                    t.weight() * t.subStep,
+                    settings.startSweeps());
+            unloaded |= t.start.found;
+        }
         t.loaded =
-                (settings.loadInertia() > 0 || settings.unloadSweeps() > 0)
+                (settings.loadInertia() > 0
+                                || settings.unloadSweeps() > 0
+                                || settings.startSweeps() > 0)
                         && loads.run(
                                 t.bodies,
                                 t.contacts,

@@ -111,8 +111,11 @@ final class Passes {
         }
     }
 
-    /** Corrects the warm start of rows that have lost a load. */
+    /** Corrects the warm start of rows that have lost a load, or know of none yet. */
     void settle(SubStep sub, int from, int to, Scratch scratch) {
+        if (tick.start.found) {
+            one.start(rows, body, sub, tick.start, from, to, scratch);
+        }
         one.settle(rows, body, sub, tick.settings.unloadSweeps(), from, to, scratch);
     }
 

@@ -15,6 +15,19 @@ interface ScalarPasses extends Sweep {
             int to,
             Scratch scratch);
 
+    /**
+     * The same for rows of islands that start at rest, until they agree; what they then hold is in
+     * the offsets of their points.
+     */
+    void start(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            SubStep sub,
+            StaticStart islands,
+            int from,
+            int to,
+            Scratch scratch);
+
     /** Brings the separations of all rows up to date with the bodies. */
     void separate(ConstraintRows rows, SolverBodies bodies);
 }

@@ -33,6 +33,9 @@ package dev.cairn.physics.solver;
  *     it a light stack under a very heavy top is lost when it is touched.
  * @param unloadSweeps extra sweeps over the island of a body at rest in the tick in which its load
  *     goes, 0 (off) to 64. Without them the old impulses throw the stack up.
+ * @param startSweeps most sweeps over an island of new bodies at rest before it moves for the first
+ *     time, 0 (off) to 65536: until its impulses agree, or half a million visits of a contact are
+ *     done. What is put up in balance stays in balance; other ticks pay nothing.
  * @param loneSweeps most sweeps in a sub-step over the contact of a body that moves and touches
  *     nothing but one that does not, 0 (off) to 4096: until its impulses agree. A slide, a stop, a
  *     tip follow their closed forms. What rests and what is stacked pays nothing.
@@ -61,6 +64,7 @@ public record SolverSettings(
         double restAcceleration,
         double inertiaFloor,
         int unloadSweeps,
+        int startSweeps,
         int loneSweeps,
         int effort,
         int lanes,
@@ -88,6 +92,7 @@ public record SolverSettings(
                     0.05,
                     0.05,
                     10,
+                    4096,
                     32,
                     0,
                     0,
@@ -113,6 +118,7 @@ public record SolverSettings(
         check("restAcceleration", restAcceleration, 1e-3, 10);
         check("inertiaFloor", inertiaFloor, 0, 1);
         check("unloadSweeps", unloadSweeps, 0, 64);
+        check("startSweeps", startSweeps, 0, 65536);
         check("loneSweeps", loneSweeps, 0, 4096);
         check("effort", effort, 0, MOST_EFFORT);
         check("floatsFrom", floatsFrom, 0, Integer.MAX_VALUE);
@@ -234,6 +240,19 @@ public record SolverSettings(
     }
 
     /**
+     * These settings with another number of sweeps over what is put up at rest.
+     *
+     * @param value 0 (off) to 65536
+     * @return new settings
+     * @throws IllegalArgumentException if the value is out of its range
+     */
+    public SolverSettings withStartSweeps(int value) {
+        Draft d = new Draft(this);
+        d.startSweeps = value;
+        return d.settings();
+    }
+
+    /**
      * These settings with other sweeps of lone contacts.
      *
      * @param value 0 (off) to 4096
@@ -302,6 +321,7 @@ public record SolverSettings(
         double restAcceleration;
         double inertiaFloor;
         int unloadSweeps;
+        int startSweeps;
         int loneSweeps;
         int effort;
         int lanes;
@@ -322,6 +342,7 @@ public record SolverSettings(
             restAcceleration = s.restAcceleration;
             inertiaFloor = s.inertiaFloor;
             unloadSweeps = s.unloadSweeps;
+            startSweeps = s.startSweeps;
             loneSweeps = s.loneSweeps;
             effort = s.effort;
             lanes = s.lanes;
@@ -344,6 +365,7 @@ public record SolverSettings(
                     restAcceleration,
                     inertiaFloor,
                     unloadSweeps,
+                    startSweeps,
                     loneSweeps,
                     effort,
                     lanes,

@@ -6,6 +6,7 @@ import dev.cairn.physics.internal.ContactStore;
 /** What all passes of the tick in work share. Written by the simulation thread between passes. */
 final class Tick {
     final SolverBodies body = new SolverBodies();
+    final StaticStart start = new StaticStart();
 
     /** World, m/s². */
     final double[] gravity = new double[3];
