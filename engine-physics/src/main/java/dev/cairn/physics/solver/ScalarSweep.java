@@ -9,6 +9,8 @@ import static dev.cairn.physics.solver.LaneKernels.Points.SOFT;
 import static dev.cairn.physics.solver.SolverBodies.LOADED;
 import static dev.cairn.physics.solver.SolverBodies.MASS;
 
+import dev.cairn.physics.internal.ContactStore;
+
 /**
  * The sweeps in scalar arithmetic: what runs without the Vector API, and what the wide ones are
  * held to, bit by bit.
@@ -163,21 +165,24 @@ final class ScalarSweep implements ScalarPasses {
             int from,
             int to,
             Scratch scratch) {
+        double[] body = bodies.state;
         boolean again = true;
-        while (again) {
+        for (int sweep = 0; again; sweep++) {
             for (int j = from; j < to; j++) {
                 if (rows.unloaded[j] == StaticStart.MARK) {
-                    again(rows, bodies.state, sub, islands, j, scratch.doubles);
+                    again(rows, body, sub, islands, j, scratch.doubles);
                 }
             }
             again = false;
             for (int j = from; j < to; j++) {
                 if (rows.unloaded[j] == StaticStart.MARK) {
-                    again |= islands.goesOn(root(rows, bodies.state, islands, j));
+                    again |= islands.goesOn(root(rows, body, islands, j));
                 }
             }
+            if (again && StaticStart.isLookedAt(sweep)) {
+                leap(rows, body, islands, sweep, from, to);
+            }
         }
-        double[] body = bodies.state;
         for (int j = from; j < to; j++) {
             if (rows.unloaded[j] == StaticStart.MARK) {
                 int l = j * LINK;
@@ -195,6 +200,69 @@ final class ScalarSweep implements ScalarPasses {
             } else {
                 forget(rows, bodies, j);
             }
+        }
+    }
+
+    /**
+     * Remembers impulses and velocities, or goes on from there as the last sweep did: velocities
+     * are linear in impulses, so that both stay in step.
+     */
+    private static void leap(
+            ConstraintRows rows, double[] body, StaticStart islands, int sweep, int from, int to) {
+        boolean leaps = StaticStart.leaps(sweep);
+        for (int pass = leaps ? 0 : 1; pass < 2; pass++) {
+            for (int j = from; j < to; j++) {
+                int root = rows.unloaded[j] == StaticStart.MARK ? root(rows, body, islands, j) : -1;
+                if (root < 0 || !islands.isOpen(root)) {
+                    continue;
+                }
+                if (pass == 0) {
+                    bound(rows, islands, root, j);
+                } else {
+                    leap(rows, islands, root, j, leaps);
+                    leap(body, islands, root, rows.link[j * LINK], sweep);
+                    leap(body, islands, root, rows.link[j * LINK + 1], sweep);
+                }
+            }
+        }
+    }
+
+    /** No normal impulse may become negative. */
+    private static void bound(ConstraintRows rows, StaticStart islands, int root, int j) {
+        int o = rows.base(j);
+        for (int p = 0; p < rows.link[j * LINK + ConstraintRows.COUNT]; p++) {
+            int q = o + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * rows.lanes;
+            double impulse = rows.doubles[q + ConstraintRows.IMPULSE * rows.lanes];
+            islands.bound(root, rows.link[j * LINK + ConstraintRows.SOURCE], p, impulse);
+        }
+    }
+
+    private static void leap(
+            ConstraintRows rows, StaticStart islands, int root, int j, boolean leaps) {
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        int o = rows.base(j);
+        int source = rows.link[j * LINK + ConstraintRows.SOURCE];
+        for (int p = 0; p < rows.link[j * LINK + ConstraintRows.COUNT]; p++) {
+            int q = o + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * lanes;
+            int at = q + ConstraintRows.IMPULSE * lanes;
+            d[at] = /*(float)*/ islands.impulse(root, source, p, d[at], leaps);
+        }
+        for (int f = 0; f < 3; f++) {
+            int at = o + (ConstraintRows.LAMBDA + f) * lanes;
+            int k = ContactStore.POINTS + f;
+            d[at] = /*(float)*/ islands.impulse(root, source, k, d[at], leaps);
+        }
+    }
+
+    private static void leap(double[] body, StaticStart islands, int root, int at, int sweep) {
+        int slot = SolverBodies.slot(at);
+        if (body[at + MASS] == 0 || !islands.takes(slot, sweep)) {
+            return;
+        }
+        boolean leaps = StaticStart.leaps(sweep);
+        for (int k = 0; k < 6; k++) {
+            body[at + k] = /*(float)*/ islands.speed(root, slot, k, body[at + k], leaps);
         }
     }
 

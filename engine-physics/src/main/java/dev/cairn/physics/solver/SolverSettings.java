@@ -34,7 +34,7 @@ package dev.cairn.physics.solver;
  * @param unloadSweeps extra sweeps over the island of a body at rest in the tick in which its load
  *     goes, 0 (off) to 64. Without them the old impulses throw the stack up.
  * @param startSweeps most sweeps over an island of new bodies at rest before it moves for the first
- *     time, 0 (off) to 65536: until its impulses agree, or half a million visits of a contact are
+ *     time, 0 (off) to 65536: until its impulses agree, or {@code 2^17} visits of contacts are
  *     done. What is put up in balance stays in balance; other ticks pay nothing.
  * @param loneSweeps most sweeps in a sub-step over the contact of a body that moves and touches
  *     nothing but one that does not, 0 (off) to 4096: until its impulses agree. A slide, a stop, a
