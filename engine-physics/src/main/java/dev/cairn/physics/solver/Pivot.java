@@ -144,14 +144,37 @@ final class Pivot {
             write(b, i, swept, 0);
             return false;
         }
+        put(s, rows, r, i, side, gap, sub);
+        s.weigh(i, spin[0], spin[1], spin[2]);
+        s.state[o + LOADED] = 1;
+        tell(s, b, i, rows, place, corner, side);
+        return true;
+    }
+
+    /**
+     * Moves the body; a corner that overlaps is pushed out, and one that is open closes.
+     *
+     * @param gap at the start of the tick
+     */
+    private void put(
+            SolverBodies s,
+            ConstraintRows rows,
+            int r,
+            int i,
+            double side,
+            double gap,
+            SubStep sub) {
         // how far the corner has moved since the tick's start
         double[] d = s.glide;
+        int g = Glide.STRIDE * i;
+        int o = SolverBodies.offset(i);
         double open = gap;
         for (int k = 0; k < 3; k++) {
             double moved = d[g + Glide.START + k] - from[k] - arm[k];
             open += side * rows.doubles[r + k * rows.lanes] * moved;
         }
-        double rise = open > 0 ? -open : Math.min(-sub.fixedRate * open, sub.pushSpeed) * sub.seconds;
+        double speed = Math.min(-sub.fixedRate * open, sub.pushSpeed);
+        double rise = open > 0 ? -open : speed * sub.seconds;
         for (int k = 0; k < 3; k++) {
             double up = side * rows.doubles[r + k * rows.lanes];
             s.state[o + P + k] = d[g + Glide.START + k] + (to[k] - from[k]) + rise * up;
@@ -159,10 +182,6 @@ final class Pivot {
         s.state[o + V] = spin[1] * to[2] - spin[2] * to[1];
         s.state[o + V + 1] = spin[2] * to[0] - spin[0] * to[2];
         s.state[o + V + 2] = spin[0] * to[1] - spin[1] * to[0];
-        s.weigh(i, spin[0], spin[1], spin[2]);
-        s.state[o + LOADED] = 1;
-        tell(s, b, i, rows, place, corner, side);
-        return true;
     }
 
     private static boolean pressesElsewhere(ConstraintRows rows, int place, int corner) {

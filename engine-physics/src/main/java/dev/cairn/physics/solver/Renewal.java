@@ -252,14 +252,23 @@ final class Renewal {
      * Where the corner of a body is at which it stands on what does not move, from its centre of
      * mass.
      *
+     * @param source row of the contact in the store
      * @param place of its row, which is renewed
      * @param point of the contact
+     * @param i slot of the body
      * @param side 1 if the body is the second of the contact, else -1
      * @param arm receives the corner at the tick's start, world axes, then in the body
      * @return its gap at the tick's start, m, or NaN if it is not always the same point of the body
      */
     double corner(
-            BodyStore b, ContactStore c, int source, int place, int point, int i, double side, double[] arm) {
+            BodyStore b,
+            ContactStore c,
+            int source,
+            int place,
+            int point,
+            int i,
+            double side,
+            double[] arm) {
         int other = side > 0 ? c.bodyA[source] : c.bodyB[source];
         boolean isFlat = isCornered(b, other) || b.shape[other] instanceof HalfSpace;
         boolean isTip = b.shape[i] instanceof Cone;
@@ -273,11 +282,14 @@ final class Renewal {
         arm[0] = kept[a] + half * c.normalX(source);
         arm[1] = kept[a + 1] + half * c.normalY(source);
         arm[2] = kept[a + 2] + half * c.normalZ(source);
-        int q = 4 * i;
+        double x = start[4 * i];
+        double y = start[4 * i + 1];
+        double z = start[4 * i + 2];
+        double w = start[4 * i + 3];
         for (int axis = 0; axis < 3; axis++) {
             double sum = 0;
             for (int n = 0; n < 3; n++) {
-                sum += arm[n] * Rotation.axis(start[q], start[q + 1], start[q + 2], start[q + 3], axis, n);
+                sum += arm[n] * Rotation.axis(x, y, z, w, axis, n);
             }
             arm[3 + axis] = sum;
         }

@@ -186,8 +186,7 @@ final class Rotation {
      * @param o index of its first component
      * @param h step, s
      */
-    static void strang(
-            BodyStore bodies, int i, double[] axes, int p, double[] w, int o, double h) {
+    static void strang(BodyStore bodies, int i, double[] axes, int p, double[] w, int o, double h) {
         double px = axes[p + PrincipalAxes.QX];
         double py = axes[p + PrincipalAxes.QX + 1];
         double pz = axes[p + PrincipalAxes.QX + 2];

@@ -75,14 +75,7 @@ final class Tumbling {
 
     /** The same with the principal axes at {@code p}. */
     static void turn(
-            BodyStore bodies,
-            int i,
-            double[] axes,
-            int p,
-            double[] w,
-            int o,
-            double h,
-            int count) {
+            BodyStore bodies, int i, double[] axes, int p, double[] w, int o, double h, int count) {
         double i1 = axes[p + PrincipalAxes.MOMENT];
         double i2 = axes[p + PrincipalAxes.MOMENT + 1];
         double i3 = axes[p + PrincipalAxes.MOMENT + 2];
