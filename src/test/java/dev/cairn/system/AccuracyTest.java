@@ -52,6 +52,7 @@ final class AccuracyTest {
                 "C8",
                 "C9",
                 "D1",
+                "D5",
                 "E2-50",
                 "E3-1000",
                 "E4-28",

@@ -24,9 +24,18 @@ final class Glide {
     /**
      * Doubles to a body of {@link SolverBodies#glide}, world: velocity at the start; velocity that
      * moved it; angular velocity at the start, then what was added to it before the body turned;
-     * angular velocity after the turn.
+     * angular velocity after the turn; then what {@link Pivot} needs.
      */
-    static final int STRIDE = 12;
+    static final int STRIDE = 24;
+
+    /** Movement, angular velocity and orientation at the start. */
+    static final int START = 12;
+
+    /** The point that it stands on, or -1. */
+    static final int CORNER = 22;
+
+    /** 1 if an impact has put the start of its path elsewhere. */
+    static final int STRUCK = 23;
 
     /** Square of the share of its speed that is left of a body that friction has stopped. */
     private static final double STOPPED = 1e-12;

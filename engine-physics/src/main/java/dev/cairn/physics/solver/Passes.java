@@ -34,6 +34,7 @@ final class Passes {
     void load(int i, double weight) {
         BodyStore b = tick.bodies;
         renewal.look(b, i, weight);
+        body.glide[Glide.STRIDE * i + Glide.STRUCK] = 0;
         body.loadBound(b, i, tick.loaded ? b.inertiaScale[i] : 1);
         if (rows.isSingle) {
             body.round(i);
@@ -77,6 +78,9 @@ final class Passes {
             }
             if (body.guide[i] >= 0 && LoneContact.turns(body.state, i, gain)) {
                 land(sub, i, scratch);
+            }
+            if (body.guide[i] >= 0 && renewal.stirs(i)) {
+                Pivot.begin(tick.bodies, body, i, rows, rows.list.place[body.guide[i]], sub.touch);
             }
             Motion.kick(tick.bodies, body, i, g[0], g[1], g[2], sub.seconds);
             if (rows.isSingle) {
@@ -197,11 +201,18 @@ final class Passes {
                 Motion.keep(tick.bodies, body, i);
                 continue;
             }
-            ConstraintRows guides = scratch.row.open(rows, rows.list.place[body.guide[i]]);
+            int row = rows.list.place[body.guide[i]];
+            ConstraintRows guides = scratch.row.open(rows, row);
             int place = scratch.row.place();
+            if (sub.lone > 0
+                    && renewal.stirs(i)
+                    && scratch.pivot.run(tick, guides, place, i, sub, renewal, row)) {
+                scratch.row.close(rows, row);
+                continue;
+            }
             if (sub.lone > 0) {
                 LoneContact.agree(guides, body.state, sub, gain, place, i, scratch.doubles);
-                scratch.row.close(rows, rows.list.place[body.guide[i]]);
+                scratch.row.close(rows, row);
             }
             Motion.keep(tick.bodies, body, i);
             Glide.end(tick.bodies, body, i, guides, place, sub.seconds);

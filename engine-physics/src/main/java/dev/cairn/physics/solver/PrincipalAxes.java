@@ -68,9 +68,7 @@ final class PrincipalAxes {
         double[] q = {0, 0, 0, 1};
         if (off > 1e-14 * size) {
             for (int sweep = 0; sweep < 12; sweep++) {
-                rotate(a, q, 0, 1);
-                rotate(a, q, 1, 2);
-                rotate(a, q, 0, 2);
+                sweep(a, q);
             }
         }
         int o = i * STRIDE;
@@ -78,6 +76,22 @@ final class PrincipalAxes {
         d[o + MOMENT + 1] = a[4];
         d[o + MOMENT + 2] = a[8];
         System.arraycopy(q, 0, d, o + QX, 4);
+    }
+
+    /** One sweep over the symmetric matrix {@code a}; {@code q} collects the turns. */
+    static void sweep(double[] a, double[] q) {
+        rotate(a, q, 0, 1);
+        rotate(a, q, 1, 2);
+        rotate(a, q, 0, 2);
+    }
+
+    /** Component {@code k}, in the body, of the principal axis {@code axis} of the first slot. */
+    static double column(double[] d, int axis, int k) {
+        double x = d[QX];
+        double y = d[QX + 1];
+        double z = d[QX + 2];
+        double w = d[QX + 3];
+        return Rotation.axis(x, y, z, w, axis, k);
     }
 
     /** One Jacobi rotation that clears {@code a[r][c]}; {@code q} collects the turns. */

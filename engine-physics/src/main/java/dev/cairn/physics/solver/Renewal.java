@@ -3,7 +3,9 @@ package dev.cairn.physics.solver;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.HalfSpace;
 
 import java.util.Arrays;
 
@@ -29,6 +31,9 @@ import java.util.Arrays;
 final class Renewal {
     /** Speed over {@code sqrt(g r)} up to which levers may age by a tick. */
     private static final double SLOW = 0.045;
+
+    /** How far from its axis the tip of a cone may be read, over its height above the centre. */
+    private static final double TIP = 1e-9;
 
     /** Per point: anchors of A and B, separation. */
     private static final int KEPT = 7 * ContactStore.POINTS;
@@ -241,6 +246,62 @@ final class Renewal {
 
     private static boolean isCornered(BodyStore b, int i) {
         return b.shape[i] instanceof Box || b.shape[i] instanceof ConvexHull;
+    }
+
+    /**
+     * Where the corner of a body is at which it stands on what does not move, from its centre of
+     * mass.
+     *
+     * @param source row of the contact in the store
+     * @param place of its row, which is renewed
+     * @param point of the contact
+     * @param i slot of the body
+     * @param side 1 if the body is the second of the contact, else -1
+     * @param arm receives the corner at the tick's start, world axes, then in the body
+     * @return its gap at the tick's start, m, or NaN if it is not always the same point of the body
+     */
+    double corner(
+            BodyStore b,
+            ContactStore c,
+            int source,
+            int place,
+            int point,
+            int i,
+            double side,
+            double[] arm) {
+        int other = side > 0 ? c.bodyA[source] : c.bodyB[source];
+        boolean isFlat = isCornered(b, other) || b.shape[other] instanceof HalfSpace;
+        boolean isTip = b.shape[i] instanceof Cone;
+        if (!isFlat || !(isTip || isCornered(b, i)) || (b.restraint[i] & ~BodyStore.DAMPED) != 0) {
+            return Double.NaN;
+        }
+        int k = KEPT * place + 7 * point;
+        double gap = kept[k + 6];
+        int a = side > 0 ? k + 3 : k;
+        double half = 0.5 * side * gap;
+        arm[0] = kept[a] + half * c.normalX(source);
+        arm[1] = kept[a + 1] + half * c.normalY(source);
+        arm[2] = kept[a + 2] + half * c.normalZ(source);
+        double x = start[4 * i];
+        double y = start[4 * i + 1];
+        double z = start[4 * i + 2];
+        double w = start[4 * i + 3];
+        for (int axis = 0; axis < 3; axis++) {
+            double sum = 0;
+            for (int n = 0; n < 3; n++) {
+                sum += arm[n] * Rotation.axis(x, y, z, w, axis, n);
+            }
+            arm[3 + axis] = sum;
+        }
+        return isTip && !isTip(arm) ? Double.NaN : gap;
+    }
+
+    /** Whether a point of a cone is on its axis. */
+    private static boolean isTip(double[] arm) {
+        double x = arm[3];
+        double y = arm[4];
+        double z = arm[5];
+        return y > 0 && x * x + z * z < TIP * TIP * (y * y);
     }
 
     /** Gives the contacts their first levers back. */

@@ -140,10 +140,17 @@ final class Rotation {
 
     /** World component {@code k} of the body's axis {@code axis}: column of its rotation matrix. */
     static double axis(BodyStore b, int i, int axis, int k) {
-        double x = b.orientationX[i];
-        double y = b.orientationY[i];
-        double z = b.orientationZ[i];
-        double w = b.orientationW[i];
+        return axis(
+                b.orientationX[i],
+                b.orientationY[i],
+                b.orientationZ[i],
+                b.orientationW[i],
+                axis,
+                k);
+    }
+
+    /** The same of a unit quaternion. */
+    static double axis(double x, double y, double z, double w, int axis, int k) {
         return switch (3 * k + axis) {
             case 0 -> 1 - 2 * (y * y + z * z);
             case 1 -> 2 * (x * y - w * z);
@@ -173,13 +180,13 @@ final class Rotation {
      *
      * @param bodies orientation is read and written
      * @param i slot
-     * @param axes principal axes, {@link PrincipalAxes#STRIDE} to a slot
+     * @param axes principal axes, its own at {@code p}
+     * @param p index there
      * @param w array that holds the world angular velocity, read and written
      * @param o index of its first component
      * @param h step, s
      */
-    static void strang(BodyStore bodies, int i, double[] axes, double[] w, int o, double h) {
-        int p = i * PrincipalAxes.STRIDE;
+    static void strang(BodyStore bodies, int i, double[] axes, int p, double[] w, int o, double h) {
         double px = axes[p + PrincipalAxes.QX];
         double py = axes[p + PrincipalAxes.QX + 1];
         double pz = axes[p + PrincipalAxes.QX + 2];

@@ -79,6 +79,8 @@ final class Scratch {
 
     final Landing landing = new Landing();
 
+    final Pivot pivot = new Pivot();
+
     Scratch() {
         Arrays.fill(doubles, ONES, ONES + CHUNK, 1.0);
         Arrays.fill(floats, ONES, ONES + CHUNK, 1.0f);

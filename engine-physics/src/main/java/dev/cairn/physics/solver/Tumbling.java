@@ -70,7 +70,12 @@ final class Tumbling {
      */
     static void turn(
             BodyStore bodies, int i, double[] axes, double[] w, int o, double h, int count) {
-        int p = i * PrincipalAxes.STRIDE;
+        turn(bodies, i, axes, i * PrincipalAxes.STRIDE, w, o, h, count);
+    }
+
+    /** The same with the principal axes at {@code p}. */
+    static void turn(
+            BodyStore bodies, int i, double[] axes, int p, double[] w, int o, double h, int count) {
         double i1 = axes[p + PrincipalAxes.MOMENT];
         double i2 = axes[p + PrincipalAxes.MOMENT + 1];
         double i3 = axes[p + PrincipalAxes.MOMENT + 2];
@@ -87,7 +92,7 @@ final class Tumbling {
         double parts = Math.max(1, Math.min(Math.ceil(h * speed / TURN), STEPS));
         if (own < 0 && !(h * speed <= FAR * parts)) {
             for (int k = 0; k < count; k++) {
-                Rotation.strang(bodies, i, axes, w, o, h);
+                Rotation.strang(bodies, i, axes, p, w, o, h);
             }
             return;
         }
