@@ -63,7 +63,7 @@ final class AccuracyTest {
                 "H1",
                 "H2",
                 "H3",
-                "H4:turned by 90°, distance+turned by 37°, distance",
+                "H4",
                 "I1",
                 "I2"
             })

@@ -191,6 +191,7 @@ public final class ContactRows {
         c.bodyA[to] = c.bodyA[from];
         c.bodyB[to] = c.bodyB[from];
         c.pointCount[to] = c.pointCount[from];
+        c.order[to] = c.order[from];
         c.patch[to] = c.patch[from];
         System.arraycopy(
                 c.head, ContactStore.head(from), c.head, ContactStore.head(to), ContactStore.HEAD);

@@ -209,7 +209,7 @@ public final class ManifoldStage {
         BoxContacts batch = own.boxes;
         int first = ContactStore.POINTS * row;
         if (c.pointCount[row] != 4
-                || !batch.sameStraight(i, c.feature, first)
+                || !batch.sameStraight(i, c.feature, first, c.order[row])
                 || recycler.stays(row, false, batch.leftOut(i), own.margin[i])) {
             return false;
         }
@@ -218,6 +218,7 @@ public final class ManifoldStage {
         c.cache[row] =
                 batch.write(
                         i,
+                        c.order[row],
                         c.head,
                         ContactStore.head(row),
                         c.anchors,

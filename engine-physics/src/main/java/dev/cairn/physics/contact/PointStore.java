@@ -6,7 +6,8 @@ import dev.cairn.physics.narrowphase.Manifold;
 
 /**
  * Writes a manifold into its row. A point keeps the impulse of the point of the last tick that has
- * its feature id; a new id takes over from an old point that was hardly elsewhere.
+ * its feature id; a new id takes over from an old point that was hardly elsewhere. The points come
+ * by name and are stored in their {@link PointOrder}.
  */
 final class PointStore {
     /**
@@ -23,13 +24,18 @@ final class PointStore {
         contacts = rows;
     }
 
-    /** Writes one row; no other worker may touch it. */
+    /** Writes one row, and orders the manifold as it; no other worker may touch it. */
     void store(int row, Manifold m, Scratch own) {
         ContactStore c = contacts;
         int points = m.pointCount;
         int before = c.pointCount[row];
         c.setNormal(row, m.normalX, m.normalY, m.normalZ);
-        if (points != before || !sameNames(row, m)) {
+        if (points == before && sameNames(row, m)) {
+            own.order.arrange(m, c.order[row]);
+        } else {
+            int order = PointOrder.of(m);
+            c.order[row] = (byte) order;
+            own.order.arrange(m, order);
             match(row, m, own);
         }
         place(row, m);
@@ -37,8 +43,9 @@ final class PointStore {
 
     private boolean sameNames(int row, Manifold m) {
         int first = ContactStore.POINTS * row;
-        for (int p = 0; p < m.pointCount; p++) {
-            if (contacts.feature[first + p] != m.feature[p]) {
+        int order = contacts.order[row];
+        for (int p = 0; p < m.pointCount; p++, order >>= 2) {
+            if (contacts.feature[first + p] != m.feature[order & 3]) {
                 return false;
             }
         }
@@ -150,6 +157,7 @@ final class PointStore {
         final double[] y = new double[ContactStore.POINTS];
         final double[] z = new double[ContactStore.POINTS];
         final boolean[] unmatched = new boolean[ContactStore.POINTS];
+        final PointOrder order = new PointOrder();
 
         void take(ContactStore c, int first, int count) {
             for (int p = 0; p < count; p++) {

@@ -62,6 +62,12 @@ public final class ContactStore {
     public int[] pointCount = {};
 
     /**
+     * Which of a row's points, ascending by feature id as an unsigned number, is at each place: two
+     * bits a place, the first one lowest. It stays while the ids do.
+     */
+    public byte[] order = {};
+
+    /**
      * Mean distance of the patch's area from its middle over that of its points; 0 when the points
      * are all of the patch.
      */
@@ -389,6 +395,7 @@ public final class ContactStore {
         bodyA = Arrays.copyOf(bodyA, n);
         bodyB = Arrays.copyOf(bodyB, n);
         pointCount = Arrays.copyOf(pointCount, n);
+        order = Arrays.copyOf(order, n);
         patch = Arrays.copyOf(patch, n);
         head = Arrays.copyOf(head, head(n));
         restitution = Arrays.copyOf(restitution, n);

@@ -323,9 +323,10 @@ public final class BoxContacts {
      * @param i its place
      * @param names of the last tick, four from {@code first} on
      * @param first where they begin
+     * @param order which of the four, in order of names, is at each place, two bits each
      * @return false when {@link #take} must tell
      */
-    public boolean sameStraight(int i, int[] names, int first) {
+    public boolean sameStraight(int i, int[] names, int first, int order) {
         if (!isSettled(i)
                 && (!wide
                         || !choice.onFace[i]
@@ -334,13 +335,14 @@ public final class BoxContacts {
                         || choice.strays(i, deepest[i]))) {
             return false;
         }
-        return StraightPoints.named(t, i, names, first);
+        return StraightPoints.named(t, i, names, first, order);
     }
 
     /**
      * Writes the contact of a pair of {@link #sameStraight}.
      *
      * @param i its place
+     * @param order of the places, see {@link #sameStraight}
      * @param normal receives the unit normal from A to B, world
      * @param n where
      * @param anchors receives of each point its place from A's centre, then from B's, world, m
@@ -351,13 +353,14 @@ public final class BoxContacts {
      */
     public long write(
             int i,
+            int order,
             double[] normal,
             int n,
             double[] anchors,
             int at,
             double[] separation,
             int first) {
-        return StraightPoints.write(t, i, normal, n, anchors, at, separation, first);
+        return StraightPoints.write(t, i, order, normal, n, anchors, at, separation, first);
     }
 
     /** Two edges that cross; where they do not, {@link NarrowPhase} finds what touches. */

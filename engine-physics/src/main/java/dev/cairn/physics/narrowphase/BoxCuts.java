@@ -36,6 +36,12 @@ final class BoxCuts {
     /** The side of a slot is on the first axis beside the face's (or the second), and its sign. */
     private static final boolean[] SIDE_FIRST = new boolean[24], SIDE_POSITIVE = new boolean[24];
 
+    /**
+     * The slots of a face in the order in which its sides cut: those across the first axis beside
+     * the face's come first. Soft corners make it matter, and a mirror shares this order.
+     */
+    static final int[] CUT_ORDER = new int[24];
+
     /** The column of a side, and the slot of a column. */
     static final int[] SIDE_OUTSIDE = new int[24], SIDE_SLOT = new int[24];
 
@@ -58,6 +64,10 @@ final class BoxCuts {
             int side = (SIDE_FIRST[s] ? 0 : 2) + (SIDE_POSITIVE[s] ? 0 : 1);
             SIDE_OUTSIDE[s] = OUTSIDE + side * CAPACITY;
             SIDE_SLOT[(s & ~3) + side] = s;
+        }
+        for (int s = 0; s < 24; s++) {
+            int odd = SIDE_FIRST[s & ~3] ? 0 : 1;
+            CUT_ORDER[s] = (s & ~3) + (((s & 1) << 1 | (s >> 1 & 1)) ^ odd);
         }
     }
 
@@ -147,7 +157,8 @@ final class BoxCuts {
         load(t, i, incident);
         double limitU = t[HALF + CAPACITY + i];
         double limitV = t[HALF + 2 * CAPACITY + i];
-        for (int slot = begin; slot < begin + 4 && count > 0; slot++) {
+        for (int k = begin; k < begin + 4 && count > 0; k++) {
+            int slot = CUT_ORDER[k];
             if (t[SIDE_OUTSIDE[slot] + i] <= first) {
                 continue;
             }

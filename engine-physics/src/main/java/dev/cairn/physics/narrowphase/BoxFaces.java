@@ -185,8 +185,8 @@ final class BoxFaces {
         for (int k = 0; k < 4; k++) {
             slack[k] = slack(feature[k]);
         }
-        for (int slot = 4 * face; slot < 4 * face + 4 && count > 0; slot++) {
-            cut(slot, 4 * face);
+        for (int k = 4 * face; k < 4 * face + 4 && count > 0; k++) {
+            cut(BoxCuts.CUT_ORDER[k], 4 * face);
         }
     }
 

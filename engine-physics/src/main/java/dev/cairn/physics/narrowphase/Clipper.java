@@ -58,6 +58,10 @@ final class Clipper {
 
     private boolean flip;
     private int last;
+
+    /** How the sides of a parallelogram are ordered, see {@link #slot}; -1 of other faces. */
+    private int turn;
+
     private double onPlane, stillOnPlane;
     private double vx, vy, vz;
     private Polyhedron reference = dev.cairn.physics.shape.Box.cube(1).polyhedron();
@@ -93,18 +97,46 @@ final class Clipper {
         if (need > x.length) {
             grow(need);
         }
-        int slot = begin;
+        int k = 0;
         incidentBegin = first;
         incidentCorners = corners;
+        orderSides(begin, end - begin);
         if (corners == 3) {
-            slot = triangle(p, first, face, begin, end);
+            k = triangle(p, first, face, begin, end - begin);
         } else {
             load(p, first, corners);
         }
-        for (; slot < end && count > 0; slot++) {
-            cut(slot, face);
+        for (; k < end - begin && count > 0; k++) {
+            cut(slot(begin, k), face);
         }
         within(face, margin);
+    }
+
+    /**
+     * Sides cut in the order of the loop; of a parallelogram by pairs, and first the pair that
+     * looks more along x, or else along y. Soft corners make the order matter, and of a box a
+     * mirror shares this one.
+     */
+    private void orderSides(int begin, int sides) {
+        Polyhedron h = reference;
+        turn = -1;
+        if (sides == 4 && areOpposite(begin) && areOpposite(begin + 1)) {
+            double x = Math.abs(h.sideX(begin)) - Math.abs(h.sideX(begin + 1));
+            double y = Math.abs(h.sideY(begin)) - Math.abs(h.sideY(begin + 1));
+            turn = x > 0 || x == 0 && y > 0 ? 0 : 1;
+        }
+    }
+
+    private boolean areOpposite(int slot) {
+        Polyhedron h = reference;
+        return h.sideX(slot) == -h.sideX(slot + 2)
+                && h.sideY(slot) == -h.sideY(slot + 2)
+                && h.sideZ(slot) == -h.sideZ(slot + 2);
+    }
+
+    /** The slot of the side that cuts after so many others. */
+    private int slot(int begin, int k) {
+        return begin + (turn < 0 ? k : ((k & 1) << 1 | k >> 1) ^ turn);
     }
 
     /** Keeps what is up to the margin from the face. */
@@ -165,10 +197,10 @@ final class Clipper {
     }
 
     /**
-     * Cuts a triangle by the first side that has a corner of it beyond; returns the next slot. Most
-     * faces of hulls are triangles; until then its corners need no memory.
+     * Cuts a triangle by the first side that has a corner of it beyond; returns how many sides are
+     * done. Most faces of hulls are triangles; until then its corners need no memory.
      */
-    private int triangle(Pair p, int at, int face, int begin, int end) {
+    private int triangle(Pair p, int at, int face, int begin, int sides) {
         Polyhedron h = reference;
         int kind = flip ? VERTEX_A : VERTEX_B;
         int v0 = other.slotVertex(at);
@@ -194,7 +226,8 @@ final class Clipper {
         double s2 = slack(n2);
         double[] w = whole;
         long[] n = names;
-        for (int slot = begin; slot < end; slot++) {
+        for (int k = 0; k < sides; k++) {
+            int slot = slot(begin, k);
             double sx = h.sideX(slot);
             double sy = h.sideY(slot);
             double sz = h.sideZ(slot);
@@ -209,14 +242,14 @@ final class Clipper {
                 int m = side(w, n, 0, x0, y0, z0, x1, y1, z1, b0, b1, s0, s1, n0, 0, slot, face);
                 m = side(w, n, m, x1, y1, z1, x2, y2, z2, b1, b2, s1, s2, n1, 1, slot, face);
                 count = side(w, n, m, x2, y2, z2, x0, y0, z0, b2, b0, s2, s0, n2, 2, slot, face);
-                return slot + 1;
+                return k + 1;
             }
         }
         put(w, n, 0, x0, y0, z0, n0, s0, 0);
         put(w, n, 1, x1, y1, z1, n1, s1, 1);
         put(w, n, 2, x2, y2, z2, n2, s2, 2);
         count = 3;
-        return end;
+        return sides;
     }
 
     /**

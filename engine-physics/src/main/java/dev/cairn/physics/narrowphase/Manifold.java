@@ -30,7 +30,7 @@ public final class Manifold {
      */
     public final double[] separation = new double[POINTS];
 
-    /** Feature id of each point, ascending as unsigned numbers. */
+    /** Feature id of each point, ascending as unsigned numbers when the narrow phase returns. */
     public final int[] feature = new int[POINTS];
 
     /**

@@ -2,7 +2,9 @@ package dev.cairn.physics.narrowphase;
 
 /**
  * The names of up to four points in 32 bits: a byte each, in the order of the points, 0 for none.
- * Two names share a byte in one case of 255; that costs calmness, never correctness.
+ * The names of boxes have a byte each, so that soft corners are told alike in a mirror, which has
+ * other names; two names of hulls share one in some case of 255, which costs calmness, never
+ * correctness.
  */
 final class Names {
     private Names() {}
@@ -25,7 +27,7 @@ final class Names {
 
     /** 1 to 255. */
     static int hash(int feature) {
-        int h = feature * 0x9E3779B9;
+        int h = feature * 0x0E16F0F1;
         return (((h >>> 16) * 255) >>> 16) + 1;
     }
 }

@@ -14,13 +14,13 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
 final class StraightPoints {
     private StraightPoints() {}
 
-    /** Whether the four names are those of the last tick, from {@code first} on. */
-    static boolean named(double[] t, int i, int[] names, int first) {
+    /** Whether the four names are those of the last tick, from {@code first} on in an order. */
+    static boolean named(double[] t, int i, int[] names, int first, int order) {
         int entry = (int) t[STRAIGHT + i];
-        return names[first] == StraightNames.name(entry, 0)
-                && names[first + 1] == StraightNames.name(entry, 1)
-                && names[first + 2] == StraightNames.name(entry, 2)
-                && names[first + 3] == StraightNames.name(entry, 3);
+        return names[first] == StraightNames.name(entry, order & 3)
+                && names[first + 1] == StraightNames.name(entry, order >> 2 & 3)
+                && names[first + 2] == StraightNames.name(entry, order >> 4 & 3)
+                && names[first + 3] == StraightNames.name(entry, order >> 6 & 3);
     }
 
     /** Writes names, points and separations; returns the word. */
@@ -75,6 +75,7 @@ final class StraightPoints {
     static long write(
             double[] t,
             int i,
+            int places,
             double[] normal,
             int n,
             double[] anchors,
@@ -86,10 +87,10 @@ final class StraightPoints {
         normal[n + 2] = t[NORMAL + 2 * CAPACITY + i];
         int entry = (int) t[STRAIGHT + i];
         int order = StraightNames.order(entry);
-        separation[first] = write(t, i, at(order, i), anchors, at);
-        separation[first + 1] = write(t, i, at(order >> 2, i), anchors, at + 6);
-        separation[first + 2] = write(t, i, at(order >> 4, i), anchors, at + 12);
-        separation[first + 3] = write(t, i, at(order >> 6, i), anchors, at + 18);
+        separation[first] = write(t, i, at(order >> (places << 1 & 6), i), anchors, at);
+        separation[first + 1] = write(t, i, at(order >> (places >> 1 & 6), i), anchors, at + 6);
+        separation[first + 2] = write(t, i, at(order >> (places >> 3 & 6), i), anchors, at + 12);
+        separation[first + 3] = write(t, i, at(order >> (places >> 5 & 6), i), anchors, at + 18);
         return StraightNames.word(entry);
     }
 

@@ -141,7 +141,8 @@ public final class BoxBatch {
     static final int SECOND = 93 * CAPACITY;
 
     /**
-     * 1 when the second side is on the first axis; once it has cut, 1 or -1 as {@link #FIRST_LOW}.
+     * 0 when the first side is on the first axis, else 1; once the second has cut, 1 or -1 as
+     * {@link #FIRST_LOW}.
      */
     static final int SECOND_ON_U = 95 * CAPACITY;
 

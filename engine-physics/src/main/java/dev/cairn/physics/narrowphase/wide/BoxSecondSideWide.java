@@ -48,35 +48,16 @@ final class BoxSecondSideWide {
         moveSecond(t, i, 2 * CAPACITY, CAPACITY);
     }
 
-    /** The side that cuts after the first, of the pairs that have one. */
+    /** The side that cuts after the first, on the second axis, of the pairs that have one. */
     private static void second(double[] t, int i) {
         DoubleVector sign = DoubleVector.fromArray(S, t, SECOND + i);
         VectorMask<Double> cuts = sign.compare(VectorOperators.NE, 0);
         DoubleVector limit = DoubleVector.fromArray(S, t, SECOND + CAPACITY + i);
-        VectorMask<Double> onU =
-                DoubleVector.fromArray(S, t, SECOND_ON_U + i).compare(VectorOperators.NE, 0);
-        int u = CAPACITY + i;
-        int v = u + CAPACITY;
-        DoubleVector sp =
-                DoubleVector.fromArray(S, t, P + v)
-                        .blend(DoubleVector.fromArray(S, t, P + u), onU)
-                        .mul(sign)
-                        .sub(limit);
-        DoubleVector sq =
-                DoubleVector.fromArray(S, t, Q + v)
-                        .blend(DoubleVector.fromArray(S, t, Q + u), onU)
-                        .mul(sign)
-                        .sub(limit);
-        DoubleVector sr =
-                DoubleVector.fromArray(S, t, R + v)
-                        .blend(DoubleVector.fromArray(S, t, R + u), onU)
-                        .mul(sign)
-                        .sub(limit);
-        DoubleVector sw =
-                DoubleVector.fromArray(S, t, W + v)
-                        .blend(DoubleVector.fromArray(S, t, W + u), onU)
-                        .mul(sign)
-                        .sub(limit);
+        int v = 2 * CAPACITY + i;
+        DoubleVector sp = DoubleVector.fromArray(S, t, P + v).mul(sign).sub(limit);
+        DoubleVector sq = DoubleVector.fromArray(S, t, Q + v).mul(sign).sub(limit);
+        DoubleVector sr = DoubleVector.fromArray(S, t, R + v).mul(sign).sub(limit);
+        DoubleVector sw = DoubleVector.fromArray(S, t, W + v).mul(sign).sub(limit);
         DoubleVector inner = DoubleVector.fromArray(S, t, INNER + i);
         DoubleVector near = inner.mul(BoxBatch.ON_PLANE);
         DoubleVector still = inner.mul(BoxBatch.STILL_ON_PLANE);

@@ -97,7 +97,7 @@ final class BoxStraightWide {
         return bits;
     }
 
-    /** The side that cuts first, in the order of the face's loop; which cuts after it. */
+    /** The side that cuts first, one on u where there is one; which cuts after it. */
     private static void sides(double[] t, int i) {
         DoubleVector near = DoubleVector.fromArray(S, t, INNER + i).mul(BoxBatch.ON_PLANE);
         VectorMask<Double> highU =
@@ -113,26 +113,18 @@ final class BoxStraightWide {
                         .compare(VectorOperators.GT, near);
         VectorMask<Double> onU = highU.or(lowU);
         VectorMask<Double> onV = highV.or(lowV);
-        // The loop of sides is low v, high u, high v, low u on faces 1, 2 and 5, and low u, high v,
-        // high u, low v on the others.
-        VectorMask<Double> odd =
-                DoubleVector.fromArray(S, t, AXIS + i)
-                        .compare(VectorOperators.EQ, 1)
-                        .xor(DoubleVector.fromArray(S, t, SIGN + i).compare(VectorOperators.GT, 0));
-        VectorMask<Double> before = highU.and(highV).xor(odd.not());
-        VectorMask<Double> firstU = onU.and(before.or(onV.not()));
         DoubleVector one = DoubleVector.broadcast(S, 1);
         DoubleVector zero = DoubleVector.zero(S);
         DoubleVector signU = one.blend(-1, lowU);
         DoubleVector signV = one.blend(-1, lowV);
         DoubleVector halfU = DoubleVector.fromArray(S, t, HALF + CAPACITY + i);
         DoubleVector halfV = DoubleVector.fromArray(S, t, HALF + 2 * CAPACITY + i);
-        signV.blend(signU, firstU).intoArray(t, FIRST + i);
-        halfV.blend(halfU, firstU).intoArray(t, FIRST + CAPACITY + i);
+        signV.blend(signU, onU).intoArray(t, FIRST + i);
+        halfV.blend(halfU, onU).intoArray(t, FIRST + CAPACITY + i);
         zero.blend(1, onU.or(onV)).intoArray(t, CUTS + i);
-        zero.blend(signU.blend(signV, firstU), onU.and(onV)).intoArray(t, SECOND + i);
-        halfU.blend(halfV, firstU).intoArray(t, SECOND + CAPACITY + i);
-        one.blend(0, firstU).intoArray(t, SECOND_ON_U + i);
+        zero.blend(signV, onU.and(onV)).intoArray(t, SECOND + i);
+        halfV.intoArray(t, SECOND + CAPACITY + i);
+        one.blend(0, onU).intoArray(t, SECOND_ON_U + i);
         signU.mul(halfU).intoArray(t, BETWEEN + i);
         signV.mul(halfV).intoArray(t, BETWEEN + CAPACITY + i);
         // Opposite sides do not cut straight.

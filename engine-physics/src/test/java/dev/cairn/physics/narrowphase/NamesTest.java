@@ -1,0 +1,32 @@
+package dev.cairn.physics.narrowphase;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.HashSet;
+import java.util.Set;
+
+/** The bytes that stand for names in a word. */
+class NamesTest {
+    @Test
+    void namesOfBoxesHaveAByteEach() {
+        Set<Integer> bytes = new HashSet<>();
+        int names = 0;
+        for (int v = 0; v < 8; v++) {
+            bytes.add(Names.hash(Clipper.VERTEX_A | v));
+            bytes.add(Names.hash(Clipper.VERTEX_B | v));
+            names += 2;
+        }
+        for (int a = 0; a < 12; a++) {
+            for (int b = 0; b < 12; b++) {
+                bytes.add(Names.hash(Clipper.CROSSING | a << 15 | b));
+                names++;
+            }
+        }
+        bytes.add(Names.hash(ContactPoints.CLOSEST));
+        assertEquals(names + 1, bytes.size());
+        assertTrue(bytes.stream().allMatch(b -> b > 0 && b < 256));
+    }
+}
