@@ -83,12 +83,17 @@ class EffortTest {
             List<BodyRef> tower = Scenes.stack(both, 10);
             int first = both.physics.table.bodies.slotCount;
             cards(both, 3);
+            int largest = 0;
             for (int tick = 0; tick < 60; tick++) {
                 alone.step(Scenes.STEP);
                 both.step(Scenes.STEP);
                 assertEquals(0, most(both, 0, first), "effort of the tower");
-                assertEquals(3, most(both, first, both.physics.table.bodies.slotCount));
+                int house = most(both, first, both.physics.table.bodies.slotCount);
+                // it is put up in balance, so that it needs less from half a second on
+                assertTrue(house > 0, "effort of the house in tick " + tick);
+                largest = Math.max(largest, house);
             }
+            assertEquals(3, largest);
             assertArrayEquals(places(towerAlone), places(tower), 0.0);
         }
     }

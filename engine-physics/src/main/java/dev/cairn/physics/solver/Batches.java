@@ -302,11 +302,6 @@ final class Batches {
         return paces == 1 ? 0 : needy >= 0 ? needy : bodies.effort[slot];
     }
 
-    /** The slot that stands for the island of a body with contacts. */
-    int root(int slot) {
-        return islands.root(slot);
-    }
-
     /** Kind of rows of a body with contacts. */
     int kindOf(int slot) {
         return isSingle[slot] ? FLOATS : DOUBLES;

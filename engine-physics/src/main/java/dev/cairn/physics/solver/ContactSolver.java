@@ -206,7 +206,6 @@ public final class ContactSolver {
                     t.bodies,
                     t.contacts,
                     list,
-                    batches,
                     STILL * t.weight() * t.step,
                     t.weight() * t.subStep,
                     settings.startSweeps());

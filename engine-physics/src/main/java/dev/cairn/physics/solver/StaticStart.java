@@ -2,6 +2,7 @@ package dev.cairn.physics.solver;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.island.Islands;
 
 import java.util.Arrays;
 
@@ -53,7 +54,14 @@ final class StaticStart {
     /** Speed over what gravity adds to it in a sub-step, up to which an island is in balance. */
     private static final double BALANCED = 1e-4;
 
-    /** By slot of the island's root. */
+    private final Islands islands = new Islands();
+
+    /** Dynamic bodies, and by slot: the smallest slot of the island. */
+    private int[] slots = {};
+
+    private int[] island = {};
+
+    /** By smallest slot of an island, as what follows. */
     private int[] sweepsLeft = {};
 
     private double[] change = {};
@@ -71,7 +79,6 @@ final class StaticStart {
     private double[] oldImpulse = {};
 
     private boolean[] swept = {};
-    private Batches batches = new Batches();
 
     /** Square of the speed at which an island is out of balance. */
     private double loose;
@@ -82,32 +89,24 @@ final class StaticStart {
     /**
      * Marks the rows of islands that start.
      *
-     * @param islands batches of this tick
      * @param still speed below which a body is at rest, m/s
      * @param gain what gravity adds to a speed in a sub-step, m/s
      * @param sweeps over an island, at most
      */
-    void find(
-            BodyStore b,
-            ContactStore c,
-            RowList list,
-            Batches islands,
-            double still,
-            double gain,
-            int sweeps) {
+    void find(BodyStore b, ContactStore c, RowList list, double still, double gain, int sweeps) {
         found = false;
         loose = BALANCED * BALANCED * gain * gain;
         if (!anyNew(b)) {
             return;
         }
-        batches = islands;
         ensureCapacity(b, c);
+        gather(b, c);
         Arrays.fill(sweepsLeft, 0, b.slotCount, 0);
         Arrays.fill(swept, 0, b.slotCount, false);
         for (int m = 0; m < list.count; m++) {
             int i = c.bodyA[list.source[m]];
             int j = c.bodyB[list.source[m]];
-            int root = islands.root(b.kind[i] == BodyStore.DYNAMIC ? i : j);
+            int root = island[b.kind[i] == BodyStore.DYNAMIC ? i : j];
             sweepsLeft[root]++;
             // for now: whether the island is no start
             swept[root] |= !starts(b, i, still) || !starts(b, j, still);
@@ -147,6 +146,20 @@ final class StaticStart {
         return false;
     }
 
+    private void gather(BodyStore b, ContactStore c) {
+        int count = 0;
+        for (int i = 0; i < b.slotCount; i++) {
+            if (b.kind[i] == BodyStore.DYNAMIC) {
+                slots[count++] = i;
+            }
+        }
+        islands.ensureSlots(island.length);
+        islands.build(b, c, slots, count);
+        for (int k = 0; k < count; k++) {
+            island[slots[k]] = islands.root(slots[k]);
+        }
+    }
+
     private static boolean starts(BodyStore b, int i, double still) {
         if (b.kind[i] == BodyStore.DYNAMIC && b.inertiaScale[i] > 0) {
             return false;
@@ -164,6 +177,8 @@ final class StaticStart {
     private void ensureCapacity(BodyStore b, ContactStore c) {
         if (sweepsLeft.length < b.slotCount) {
             int n = b.kind.length;
+            slots = new int[n];
+            island = new int[n];
             sweepsLeft = new int[n];
             change = new double[n];
             largest = new double[n];
@@ -186,7 +201,7 @@ final class StaticStart {
      * @param offset of the body, see {@link SolverBodies}
      */
     int islandOf(int offset) {
-        return batches.root(SolverBodies.slot(offset));
+        return island[SolverBodies.slot(offset)];
     }
 
     boolean isOpen(int root) {
