@@ -58,6 +58,8 @@ final class AccuracyTest {
                 "E4-28",
                 "E4-1e3",
                 "E4-1e6",
+                "E7",
+                "E10",
                 "E16",
                 "E18",
                 "H1",
@@ -71,7 +73,7 @@ final class AccuracyTest {
         check(name);
     }
 
-    /** The house of cards, where sub-steps may be doubled and go back: twice is just enough. */
+    /** The house of cards, where sub-steps may be doubled and go back. */
     @ParameterizedTest
     @ValueSource(ints = {2, 3})
     void holdsWithEffort(int effort) {

@@ -28,7 +28,7 @@ class EffortTest {
     }
 
     /** Two cards of 2 mm that lean against each other, and one on two such peaks. */
-    private static void cards(PhysicsWorld world, int tents) {
+    static void cards(PhysicsWorld world, int tents) {
         double half = .2;
         double thin = .001;
         double wide = half * StrictMath.sin(LEAN) + thin * StrictMath.cos(LEAN);
@@ -54,7 +54,7 @@ class EffortTest {
         }
     }
 
-    private static double[] places(List<BodyRef> bodies) {
+    static double[] places(List<BodyRef> bodies) {
         double[] all = new double[3 * bodies.size()];
         for (int i = 0; i < bodies.size(); i++) {
             Vector3d at = bodies.get(i).position();
