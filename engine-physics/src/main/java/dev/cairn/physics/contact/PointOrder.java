@@ -36,15 +36,15 @@ final class PointOrder {
                     first = p;
                 }
             }
-            order |= first << 2 * places;
+            order |= first << (2 * places);
             left &= ~(1 << first);
         }
-        return order | ASCENDING & -1 << 2 * places;
+        return order | (ASCENDING & (-1 << (2 * places)));
     }
 
     private static boolean isBefore(Manifold m, int p, int q) {
         double higher = m.separation[p] - m.separation[q];
-        return higher > 0 || higher == 0 && square(m, p) < square(m, q);
+        return higher > 0 || (higher == 0 && square(m, p) < square(m, q));
     }
 
     private static double square(Manifold m, int p) {
@@ -54,7 +54,7 @@ final class PointOrder {
     /** Puts the points, which are in order of names, into an order. */
     void arrange(Manifold m, int order) {
         int points = m.pointCount;
-        int mask = (1 << 2 * points) - 1;
+        int mask = (1 << (2 * points)) - 1;
         if (((order ^ ASCENDING) & mask) == 0) {
             return;
         }
@@ -64,14 +64,14 @@ final class PointOrder {
         arrange(m.separation, points, order);
         System.arraycopy(m.feature, 0, name, 0, points);
         for (int p = 0; p < points; p++) {
-            m.feature[p] = name[order >> 2 * p & 3];
+            m.feature[p] = name[(order >> (2 * p)) & 3];
         }
     }
 
     private void arrange(double[] to, int points, int order) {
         System.arraycopy(to, 0, number, 0, points);
         for (int p = 0; p < points; p++) {
-            to[p] = number[order >> 2 * p & 3];
+            to[p] = number[(order >> (2 * p)) & 3];
         }
     }
 }

@@ -123,7 +123,7 @@ final class Clipper {
         if (sides == 4 && areOpposite(begin) && areOpposite(begin + 1)) {
             double x = Math.abs(h.sideX(begin)) - Math.abs(h.sideX(begin + 1));
             double y = Math.abs(h.sideY(begin)) - Math.abs(h.sideY(begin + 1));
-            turn = x > 0 || x == 0 && y > 0 ? 0 : 1;
+            turn = x > 0 || (x == 0 && y > 0) ? 0 : 1;
         }
     }
 
