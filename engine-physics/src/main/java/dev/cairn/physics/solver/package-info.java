@@ -11,6 +11,7 @@
  *   collect ─ contacts with points get a batch, a colour and a place; bodies without any fly at once
  *   load    ─ what rests under a load is solved with that load's inertia, while it rests
  *   prepare ─ weighted arms, effective masses, friction block; the bodies' first warm start
+ *   start   ─ once, for what is put up at rest: impulses that hold it, before anything moves
  *   sub-step, four times:
  *     impacts  bounces, each at its own time, before anything is solved
  *     land     points that land, of bodies on one static contact: their blow, at its own time
@@ -19,7 +20,8 @@
  *     drift    x += h v under load, the parabola without; free rotation, exact or of order 6
  *     renew    levers of now, for rows of bodies that turn or pass each other
  *     relax    normals, hard, without push; then twist and friction at the patch's centre
- *     finish   what the contacts did is the next warm start; bodies on one static contact: trapezoid
+ *     finish   what the contacts did is the next warm start; bodies on one static contact: trapezoid,
+ *              on one corner of theirs: pinned there, see {@code Pivot}
  *   store   ─ impulses, totals, and what resting points have learnt of their load
  * </pre>
  *
@@ -48,8 +50,8 @@
  * <p>Sources: E. Catto, Solver2D and the Soft Step solver (2023-24); M. Macklin et al., "Small
  * Steps in Physics Simulation" (2019); E. Guendelman, R. Bridson, R. Fedkiw, "Nonconvex rigid
  * bodies with stacking" (2003) for impacts before contacts; R. McLachlan, A. Zanna (2005) and E.
- * Hairer, G. Vilmart (2006) for the rotation; M. Powell and M. Hestenes (1969) for the offset.
- * Figures: {@code docs/solver.md}.
+ * Hairer, G. Vilmart (2006) for the rotation; M. Powell and M. Hestenes (1969) for the offset; A.
+ * Aitken (1926) for the leaps of {@code StaticStart}. Figures: {@code docs/solver.md}.
  */
 @NullMarked
 package dev.cairn.physics.solver;
