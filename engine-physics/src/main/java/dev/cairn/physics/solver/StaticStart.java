@@ -33,7 +33,7 @@ final class StaticStart {
     /** Change of an impulse over the largest one of the island at which it agrees. */
     private static final double AGREES = 1e-12;
 
-    /** Contacts of an island times sweeps, at most: some tens of milliseconds, once. */
+    /** Contacts of an island times sweeps, at most: up to a tenth of a second, once. */
     private static final int VISITS = 1 << 17;
 
     /** Contacts of all islands that start in a tick times sweeps, at most. */
