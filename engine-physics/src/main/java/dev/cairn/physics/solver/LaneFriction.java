@@ -51,7 +51,8 @@ final class LaneFriction implements LaneKernels.Friction {
 
     private static final int ACTIVE = SLIDE + 7 * L;
     private static final int TWISTED = SLIDE + 8 * L;
-    private static final int WANTED = SLIDE + 9 * L;
+    private static final int HELD = SLIDE + 9 * L;
+    private static final int WANTED = SLIDE + 10 * L;
 
     @Override
     public boolean rub(ConstraintRows rows, int from, int to, double[] st, int g, int marks) {
@@ -157,14 +158,17 @@ final class LaneFriction implements LaneKernels.Friction {
                         .add(tbz.mul(bz))
                         .sub(tax.mul(ax).add(tay.mul(ay)).add(taz.mul(az)));
         var active = DoubleVector.fromArray(S, st, ACTIVE).compare(VectorOperators.GT, 0.0);
-        var none = DoubleVector.fromArray(S, st, BOUND).compare(VectorOperators.LE, 0.0);
+        var bound = DoubleVector.fromArray(S, st, BOUND);
+        var none = bound.compare(VectorOperators.LE, 0.0);
         var twist =
                 old.blend(
                         old.sub(DoubleVector.fromArray(S, d, o + TWIST_MASS * L).mul(speed))
                                 .blend(0.0, none),
                         active);
         twist.intoArray(st, TWISTED);
-        var turn = twist.sub(old);
+        var held = old.blend(twist.min(bound).max(bound.neg()), active);
+        held.intoArray(st, HELD);
+        var turn = held.sub(old);
         ax.sub(turn.mul(tax)).intoArray(st, VA + 3 * LINE + g);
         ay.sub(turn.mul(tay)).intoArray(st, VA + 4 * LINE + g);
         az.sub(turn.mul(taz)).intoArray(st, VA + 5 * LINE + g);
@@ -259,7 +263,7 @@ final class LaneFriction implements LaneKernels.Friction {
                                 twist.mul(DoubleVector.fromArray(S, st, SPIN_SHARE)).add(0.0),
                                 active);
         next.intoArray(d, l + 2 * L);
-        var turn = next.sub(twist);
+        var turn = next.sub(DoubleVector.fromArray(S, st, HELD));
         var old1 = DoubleVector.fromArray(S, d, l);
         var old2 = DoubleVector.fromArray(S, d, l + L);
         var f1 = old1.blend(DoubleVector.fromArray(S, st, WANTED).mul(scale).add(0.0), active);

@@ -41,9 +41,12 @@ final class ScalarFriction {
                 ScalarNormals.dot(d, t + three, lanes, body, b + 3)
                         - ScalarNormals.dot(d, t, lanes, body, a + 3);
         double next = bound > 0 ? old - d[o + TWIST_MASS * lanes] * speed : 0;
-        turn(d, t, lanes, body, a, old - next);
-        turn(d, t + three, lanes, body, b, next - old);
-        slide(d, o, lanes, body, a, b, mu * normal, bound, next);
+        // The slide is that of the spin which the patch leaves. Were it that of a spin stopped
+        // whole, a top that leans on its tip would be driven by its friction.
+        double held = Math.max(-bound, Math.min(next, bound));
+        turn(d, t, lanes, body, a, old - held);
+        turn(d, t + three, lanes, body, b, held - old);
+        slide(d, o, lanes, body, a, b, mu * normal, bound, next, held);
         return normal;
     }
 
@@ -64,7 +67,8 @@ final class ScalarFriction {
             int b,
             double limit,
             double bound,
-            double twist) {
+            double twist,
+            double held) {
         int three = 3 * lanes;
         int t1 = o + TANGENT1 * lanes;
         int t2 = t1 + three;
@@ -117,7 +121,7 @@ final class ScalarFriction {
         d[l] = f1;
         d[l + lanes] = f2;
         d[l + 2 * lanes] = d3;
-        d3 -= twist;
+        d3 -= held;
         double px = d1 * d[t1] + d2 * d[t2];
         double py = d1 * d[t1 + lanes] + d2 * d[t2 + lanes];
         double pz = d1 * d[t1 + 2 * lanes] + d2 * d[t2 + 2 * lanes];
