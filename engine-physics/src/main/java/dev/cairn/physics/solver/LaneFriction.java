@@ -340,7 +340,11 @@ final class LaneFriction implements LaneKernels.Friction {
                                 .blend(inner, e.compare(VectorOperators.LT, Rub.TURNING)));
         var whole = share.mul(Rub.NEAR).add(Rub.FAR).mul(radius.mul(radius)).mul(limit);
         var across = share.mul(Rub.CLOSE).add(Rub.FAR).sqrt().mul(spin).mul(radius);
-        var give = DoubleVector.zero(S);
+        var give =
+                slides.sub(limit)
+                        .div(mass)
+                        .max(across.sub(whole).div(inertia.add(Rub.SHORT)))
+                        .max(0.0);
         for (int i = 0; i < Rub.STEPS; i++) {
             var u = one.div(mass.mul(give).add(limit));
             var w = one.div(inertia.mul(give.add(Rub.SHORT)).add(whole).add(Rub.LEAST));

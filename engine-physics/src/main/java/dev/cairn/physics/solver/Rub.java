@@ -18,9 +18,11 @@ package dev.cairn.physics.solver;
  * <p>The impulses F, T that would stop everything are scaled back such that the law holds for the
  * velocities after them: with effective masses m, J and {@code D = S}, {@code F' = F mu N/(m D + mu
  * N), T' = T k R² mu N/(J D + k R² mu N)}, and one equation, {@code (F/(m D + mu N))² + s (R T/(J D
- * + k R² mu N))² = 1}, is left for {@code D >= 0}. One over the root of its left side is linear in
- * D where there is only slide or only spin, so Newton's method on that is exact at once there, and
- * has the rest in three steps. Where the left side is at most 1 at D = 0, the patch sticks.
+ * + k R² mu N))² = 1}, is left for {@code D >= 0}. Slide and spin alone each give a D that is not
+ * too large; from the larger of them, Newton's method on one over the root of the left side has the
+ * rest in three steps. (From 0 it is as good while R is some centimetres, but where all weight is
+ * on one point R is next to 0, and the friction was up to six times what Coulomb allows.) Where the
+ * left side is at most 1 at D = 0, the patch sticks.
  *
  * <p>Source: quadrature over the disc; P. D. Weidman and C. P. Malhotra, "On the terminal motion of
  * sliding spinning disks with uniform Coulomb friction", Physica D 233 (2007); own fit.
@@ -119,7 +121,9 @@ final class Rub {
      */
     static double give(
             double slide, double across, double whole, double mass, double inertia, double limit) {
-        double give = 0;
+        // no less than what the slide alone, or the spin alone, would leave
+        double give =
+                Math.max(Math.max((slide - limit) / mass, (across - whole) / (inertia + SHORT)), 0);
         for (int i = 0; i < STEPS; i++) {
             double u = 1 / (mass * give + limit);
             double w = 1 / (inertia * (give + SHORT) + whole + LEAST);

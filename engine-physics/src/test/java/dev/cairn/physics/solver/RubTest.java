@@ -120,6 +120,39 @@ class RubTest {
         assertTrue(worst < 0.01, "more than the error of the fit: " + worst);
     }
 
+    /**
+     * Coulomb's law, {@code F <= mu N}, for patches of any radius: where all weight is on one point
+     * the radius is next to 0, and a patch with a radius of 0 is a point.
+     */
+    @Test
+    void noRadiusGivesMoreThanCoulombAllows() {
+        long seed = 22;
+        Random random = new Random(seed);
+        double worst = 0;
+        for (int i = 0; i < 100_000; i++) {
+            double radius = power(random, -12, 0);
+            double limit = power(random, -3, 1);
+            double mass = power(random, -2, 2);
+            double inertia = mass * power(random, -4, 1) * square(radius * power(random, -1, 6));
+            double slide = limit * power(random, 0, 3);
+            double spin = limit * radius * power(random, -3, 3);
+            double g = Rub.share(slide, spin, radius / Rub.RADIUS, mass, inertia);
+            double give =
+                    give(square(slide), square(spin), square(radius), mass, inertia, limit, g);
+            worst = Math.max(worst, slide / (mass * give + limit));
+        }
+        // the rest of three steps, where slide and spin both are just beyond what sticks
+        assertTrue(worst < 1.03, "share of mu N: " + worst + ", seed " + seed);
+    }
+
+    private static double power(Random random, double least, double most) {
+        return StrictMath.pow(10, least + (most - least) * random.nextDouble());
+    }
+
+    private static double square(double x) {
+        return x * x;
+    }
+
     private static double give(
             double slide,
             double spin,
