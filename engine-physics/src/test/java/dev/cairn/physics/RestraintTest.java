@@ -153,7 +153,7 @@ class RestraintTest {
         System.out.println("seed " + SEED);
         Random random = new Random(SEED);
         try (PhysicsWorld world = world(G)) {
-            world.add(Body.fixed().shape(Box.of(20, 1, 20)).at(0, -1, 0));
+            world.add(Body.fixed().shape(Box.of(100, 1, 20)).at(0, -1, 0));
             BodyRef[] all = new BodyRef[30];
             for (int n = 0; n < all.length; n++) {
                 all[n] =

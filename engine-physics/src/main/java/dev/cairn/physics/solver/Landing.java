@@ -145,6 +145,8 @@ final class Landing {
         for (int c = 0; c < 6; c++) {
             held[6 + c] = free[6 + c] + perSecond * bodies.warm[w + c];
         }
+        Restraint.lock(store, free, 6, slot);
+        Restraint.lock(store, held, 6, slot);
     }
 
     /** Component of an acceleration along the normal at a point. */

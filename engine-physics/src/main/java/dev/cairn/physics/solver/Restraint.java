@@ -97,13 +97,17 @@ final class Restraint {
 
     /** Takes the velocity along locked axes from the body at {@code o}. */
     static void lock(BodyStore b, double[] v, int o) {
-        if (o == 0) {
-            return;
+        if (o != 0) {
+            lock(b, v, o + V, SolverBodies.slot(o));
         }
-        int locks = b.restraint[SolverBodies.slot(o)];
+    }
+
+    /** Takes the part along locked axes of a body from the vector at {@code o}. */
+    static void lock(BodyStore b, double[] v, int o, int slot) {
+        int locks = b.restraint[slot];
         for (int k = 0; k < 3; k++) {
             if ((locks >> k & 1) != 0) {
-                v[o + V + k] = 0;
+                v[o + k] = 0;
             }
         }
     }
