@@ -34,6 +34,13 @@ final class AccuracyTest {
         check(name);
     }
 
+    /** A heap that is mirrored or turned falls as it did, however fine the sub-steps. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 8, 16})
+    void turnsWithTheWorld(int substeps) {
+        check("H4", substeps);
+    }
+
     /** The house of cards, where sub-steps may be doubled and go back. */
     @ParameterizedTest
     @ValueSource(ints = {2, 3})
@@ -51,9 +58,13 @@ final class AccuracyTest {
     }
 
     private static void check(String name) {
+        check(name, DEFAULT_SUBSTEPS);
+    }
+
+    private static void check(String name, int substeps) {
         String[] parts = name.split(":");
         AccuracyCase one = AccuracyCases.get(parts[0]);
-        double[] values = one.experiment().run(new Trial(DEFAULT_SUBSTEPS, 0));
+        double[] values = one.experiment().run(new Trial(substeps, 0));
         List<Metric> metrics = one.metrics();
         assertEquals(metrics.size(), values.length, "metrics of " + one.id());
         int checked = 0;

@@ -22,6 +22,7 @@ final class Collector {
 
     private final Colouring colouring;
     private final Batches batches;
+    private final PairOrder order = new PairOrder();
 
     /** By row: the slots of its bodies, -1 for one that does not move; whether it was cold. */
     private int[] slotA = {};
@@ -183,31 +184,31 @@ final class Collector {
         bouncing = 0;
         active = contacts.activeCount;
         for (int i = 0; i < active; i++) {
+            listed[i] = contacts.active[i];
+            at[i] = -1;
+        }
+        order.sort(contacts, bodies.slotCount);
+        for (; n < order.count; n++) {
+            int i = order.index[n];
             int c = contacts.active[i];
-            int count = contacts.pointCount[c];
-            listed[i] = c;
-            at[i] = count > 0 ? n : -1;
-            if (count == 0) {
-                continue;
-            }
+            at[i] = n;
             int a = contacts.bodyA[c];
             int b = contacts.bodyB[c];
             a = kind[a] == BodyStore.DYNAMIC ? a : -1;
             b = kind[b] == BodyStore.DYNAMIC ? b : -1;
-            boolean isCold = (a | b) >= 0 && isCold(contacts, c, count);
+            boolean isCold = (a | b) >= 0 && isCold(contacts, c, contacts.pointCount[c]);
             same &= list.source[n] == c && slotA[n] == a && slotB[n] == b;
             sameColours &= cold[n] == isCold;
-            samePoints &= points[n] == count;
+            samePoints &= points[n] == contacts.pointCount[c];
             list.source[n] = c;
             slotA[n] = a;
             slotB[n] = b;
             cold[n] = isCold;
-            points[n] = count;
+            points[n] = contacts.pointCount[c];
             bounces[n] = contacts.restitution[c] > 0;
             if (bounces[n]) {
                 bouncing++;
             }
-            n++;
         }
         same &= list.count == n;
         list.count = n;

@@ -35,6 +35,9 @@ public final class ContactSolver {
      */
     private static final double TOUCH = 1e-9;
 
+    /** See {@link SubStep#closing}: share of what gravity adds to a speed in a tick. */
+    private static final double CLOSING = 1e-12;
+
     /** By kind of rows, see {@link Batches}: the sweeps, the scalar ones, those of this tick. */
     private final Sweeps[] sweeps;
 
@@ -361,6 +364,7 @@ public final class ContactSolver {
         for (SubStep sub : paces) {
             sub.fillScale = tick.impulseScale / sub.keepScale;
             sub.still = STILL * tick.weight() * stepSeconds;
+            sub.closing = CLOSING * tick.weight() * stepSeconds;
             sub.touch = TOUCH * tick.weight() * sub.seconds * sub.seconds;
         }
     }

@@ -100,6 +100,7 @@ final class LaneNormals implements LaneKernels.Normals {
             ConstraintRows rows, int from, int to, double[] st, int g, SubStep sub, int marks) {
         double inverse = sub.inverse;
         double touch = /*(float)*/ sub.touch;
+        double closing = /*(float)*/ sub.closing;
         double[] d = rows.doubles;
         for (int j = from; j < to; j += L, g += L) {
             int points = rows.points[j / L];
@@ -113,7 +114,7 @@ final class LaneNormals implements LaneKernels.Normals {
                 var impulse = DoubleVector.fromArray(S, d, q + IMPULSE * L);
                 var open = s.compare(VectorOperators.GT, touch);
                 var stays = rests.or(open.and(impulse.compare(VectorOperators.EQ, 0.0)));
-                var b = DoubleVector.zero(S).blend(s.mul(inverse), open);
+                var b = DoubleVector.broadcast(S, closing).blend(s.mul(inverse), open);
                 mass.blend(0.0, stays).intoArray(st, k + GAIN + p * L);
                 mass.mul(b).neg().blend(impulse, stays).intoArray(st, k + GOAL + p * L);
             }

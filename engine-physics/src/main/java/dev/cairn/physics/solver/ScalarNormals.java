@@ -53,6 +53,7 @@ final class ScalarNormals {
     static void harden(double[] d, int o, int lanes, int points, SubStep sub, double[] st) {
         double inverse = sub.inverse;
         double touch = /*(float)*/ sub.touch;
+        double closing = /*(float)*/ sub.closing;
         for (int p = 0; p < points; p++) {
             int q = o + (POINT + p * POINT_FIELDS) * lanes;
             double s = d[q + SEPARATION * lanes];
@@ -60,7 +61,7 @@ final class ScalarNormals {
             double impulse = d[q + IMPULSE * lanes];
             boolean stays = s > touch && impulse == 0;
             st[GAIN + p] = stays ? 0 : mass;
-            st[GOAL + p] = stays ? impulse : -(mass * (s > touch ? s * inverse : 0));
+            st[GOAL + p] = stays ? impulse : -(mass * (s > touch ? s * inverse : closing));
         }
     }
 

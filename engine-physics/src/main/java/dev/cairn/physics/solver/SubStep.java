@@ -32,6 +32,13 @@ final class SubStep {
     /** Gap up to which a point touches, and is not open, m; set for each tick. */
     double touch;
 
+    /**
+     * Speed at which a hard point may still close, m/s; set for each tick. So small that nothing
+     * moves by it, but more than rounding: an impulse that should be 0 is 0 then, and not what was
+     * rounded, which would decide whether the contact begins the next sub-step warm.
+     */
+    double closing;
+
     /** Soft step of two bodies that move: bias rate times mass scale, 1/s, and the two scales. */
     double rate;
 
