@@ -45,6 +45,7 @@ final class Twins {
                     "ScalarNormals",
                     "ScalarFour",
                     "ScalarFriction",
+                    "Roll",
                     "Rub");
 
     /** What is read from a contact or from the sub-step. */

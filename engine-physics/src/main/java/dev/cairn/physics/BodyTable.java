@@ -279,6 +279,10 @@ final class BodyTable {
         b.inverseInertiaYZ[s] = inverse[5];
         b.friction[s] = body.material.friction();
         b.restitution[s] = body.material.restitution();
+        b.rollingArm[s] = body.material.rollingArm();
+        if (b.rollingArm[s] > 0) {
+            contacts.beginRolling();
+        }
         b.gravityScale[s] = body.gravityScale;
         b.linearDamping[s] = body.linearDamping;
         b.angularDamping[s] = body.angularDamping;

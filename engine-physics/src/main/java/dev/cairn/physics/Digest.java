@@ -59,6 +59,9 @@ final class Digest {
         h = mix(h, c.frictionImpulseY(row));
         h = mix(h, c.frictionImpulseZ(row));
         h = mix(h, c.twistImpulse(row));
+        for (int i = 3 * row; c.rolls && c.rollingArm[row] > 0 && i < 3 * row + 3; i++) {
+            h = mix(h, c.rollingImpulse[i]);
+        }
         int first = ContactStore.POINTS * row;
         for (int p = first; p < first + c.pointCount[row]; p++) {
             h = mix(h, c.feature[p]);

@@ -3,15 +3,25 @@ package dev.cairn.physics;
 /**
  * What a body's surface and substance are like. Immutable; any thread.
  *
- * <p>Two materials meet with the friction {@code sqrt(a * b)} and the larger restitution of the
- * two.
+ * <p>Two materials meet with the friction {@code sqrt(a * b)}, the larger restitution and the
+ * larger rolling arm of the two.
+ *
+ * <p>Rolling friction is Coulomb's (1785): a contact that is pressed with the force N resists
+ * rolling with a torque of up to {@code b N} about axes in the contact plane, b being a length, the
+ * arm. A ball or wheel of radius R that rolls freely on a level floor then loses speed at {@code
+ * (b/R) g/(1 + I/(m R²))}, comes to rest, and stays at rest on slopes up to {@code tan a = b/R}:
+ * b/R is what tables call the coefficient of rolling resistance. Typical arms: steel on steel half
+ * a millimetre, elm on lignum vitae 0.8 mm (Coulomb); a car tyre, R 0.3 m, of coefficient 0.01, 3
+ * mm. By default it is 0, as if bodies and floors were perfectly hard: balls roll until something
+ * stops them, and a heap of them spreads.
  *
  * @param friction Coulomb coefficient, dimensionless, finite, at least 0
  * @param restitution Newton's coefficient of restitution, 0 (no bounce) to 1 (bounces to its
  *     height)
  * @param density kg/m³, finite, above 0; unused where a body states its mass
+ * @param rollingArm arm of rolling friction, m, finite, at least 0
  */
-public record Material(double friction, double restitution, double density) {
+public record Material(double friction, double restitution, double density, double rollingArm) {
     /** Friction 0.6, no bounce, the density of water: what a body is made of if nothing is said. */
     public static final Material DEFAULT = new Material(0.6, 0, 1000);
 
@@ -37,6 +47,18 @@ public record Material(double friction, double restitution, double density) {
         Checks.atLeastZero("friction", friction);
         Checks.between("restitution", restitution, 0, 1);
         Checks.positive("density", density);
+        Checks.atLeastZero("rollingArm", rollingArm);
+    }
+
+    /**
+     * A material without rolling friction.
+     *
+     * @param friction Coulomb coefficient, at least 0
+     * @param restitution 0 to 1
+     * @param density kg/m³, above 0
+     */
+    public Material(double friction, double restitution, double density) {
+        this(friction, restitution, density, 0);
     }
 
     /**
@@ -46,7 +68,7 @@ public record Material(double friction, double restitution, double density) {
      * @return a new material
      */
     public Material withFriction(double value) {
-        return new Material(value, restitution, density);
+        return new Material(value, restitution, density, rollingArm);
     }
 
     /**
@@ -56,7 +78,7 @@ public record Material(double friction, double restitution, double density) {
      * @return a new material
      */
     public Material withRestitution(double value) {
-        return new Material(friction, value, density);
+        return new Material(friction, value, density, rollingArm);
     }
 
     /**
@@ -66,7 +88,17 @@ public record Material(double friction, double restitution, double density) {
      * @return a new material
      */
     public Material withDensity(double value) {
-        return new Material(friction, restitution, value);
+        return new Material(friction, restitution, value, rollingArm);
+    }
+
+    /**
+     * This material with another rolling friction.
+     *
+     * @param value arm, m, at least 0
+     * @return a new material
+     */
+    public Material withRollingArm(double value) {
+        return new Material(friction, restitution, density, value);
     }
 
     /**
@@ -89,5 +121,16 @@ public record Material(double friction, double restitution, double density) {
      */
     public static double mixRestitution(Material a, Material b) {
         return Math.max(a.restitution, b.restitution);
+    }
+
+    /**
+     * The rolling friction of two materials that meet: the larger arm, which is that of the softer.
+     *
+     * @param a one material
+     * @param b the other
+     * @return the mixed arm, m
+     */
+    public static double mixRollingArm(Material a, Material b) {
+        return Math.max(a.rollingArm, b.rollingArm);
     }
 }

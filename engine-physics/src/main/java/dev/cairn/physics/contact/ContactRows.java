@@ -196,6 +196,10 @@ public final class ContactRows {
         System.arraycopy(
                 c.head, ContactStore.head(from), c.head, ContactStore.head(to), ContactStore.HEAD);
         c.restitution[to] = c.restitution[from];
+        if (c.rolls) {
+            c.rollingArm[to] = c.rollingArm[from];
+            System.arraycopy(c.rollingImpulse, 3 * from, c.rollingImpulse, 3 * to, 3);
+        }
         c.touching[to] = c.touching[from];
         c.cache[to] = c.cache[from];
         c.keeps[to] = c.keeps[from];
@@ -251,13 +255,16 @@ public final class ContactRows {
             c.pointCount[row] = 0;
             c.setFriction(row, Math.sqrt(bodies.friction[a] * bodies.friction[b]));
             c.restitution[row] = Math.max(bodies.restitution[a], bodies.restitution[b]);
+            if (c.rolls) {
+                c.rollingArm[row] = Math.max(bodies.rollingArm[a], bodies.rollingArm[b]);
+            }
             c.touching[row] = 0;
             c.cache[row] = 0;
             c.keeps[row] = false;
             if (PairMemory.SIZE * row < c.memory.length) {
                 PairMemory.forget(c.memory, PairMemory.SIZE * row);
             }
-            c.setFrictionImpulse(row, 0, 0, 0, 0);
+            c.forgetFriction(row);
         }
     }
 
@@ -272,7 +279,7 @@ public final class ContactRows {
             if (c.bodyA[row] != slot && c.bodyB[row] != slot) {
                 continue;
             }
-            c.setFrictionImpulse(row, 0, 0, 0, 0);
+            c.forgetFriction(row);
             Arrays.fill(
                     c.normalImpulse,
                     ContactStore.POINTS * row,

@@ -112,7 +112,7 @@ final class PointStore {
             }
         }
         if (!persists) {
-            c.setFrictionImpulse(row, 0, 0, 0, 0);
+            c.forgetFriction(row);
         }
     }
 

@@ -106,6 +106,9 @@ public final class BodyStore {
     /** Newton's coefficient of restitution, 0..1. */
     public double[] restitution = {};
 
+    /** Arm of rolling friction, m. */
+    public double[] rollingArm = {};
+
     /** Radii of the shape's inner and outer ball about the centre of mass, m. */
     public double[] innerRadius = {}, outerRadius = {};
 
@@ -205,6 +208,7 @@ public final class BodyStore {
         inverseInertiaYZ = Arrays.copyOf(inverseInertiaYZ, n);
         friction = Arrays.copyOf(friction, n);
         restitution = Arrays.copyOf(restitution, n);
+        rollingArm = Arrays.copyOf(rollingArm, n);
         innerRadius = Arrays.copyOf(innerRadius, n);
         outerRadius = Arrays.copyOf(outerRadius, n);
         inertiaScale = Arrays.copyOf(inertiaScale, n);

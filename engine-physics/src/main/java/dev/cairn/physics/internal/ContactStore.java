@@ -81,6 +81,21 @@ public final class ContactStore {
      */
     public double[] head = {};
 
+    /**
+     * Whether a material with rolling friction has been here; until then there is nothing in {@link
+     * #rollingArm} and {@link #rollingImpulse}.
+     */
+    public boolean rolls;
+
+    /** Mixed arm of rolling friction, m, at least 0. */
+    public double[] rollingArm = {};
+
+    /**
+     * Rolling impulse on B, world, N m s over the last sub-step, in the contact plane; three
+     * numbers a row; warm start.
+     */
+    public double[] rollingImpulse = {};
+
     /** Mixed coefficient of restitution, 0..1. */
     public double[] restitution = {};
 
@@ -350,6 +365,41 @@ public final class ContactStore {
     }
 
     /**
+     * Sets the rolling impulse of a row, N m s; only while {@link #rolls}.
+     *
+     * @param row of the contact
+     * @param x world
+     * @param y world
+     * @param z world
+     */
+    public void setRollingImpulse(int row, double x, double y, double z) {
+        rollingImpulse[3 * row] = x;
+        rollingImpulse[3 * row + 1] = y;
+        rollingImpulse[3 * row + 2] = z;
+    }
+
+    /**
+     * Forgets what a row rubbed and rolled with.
+     *
+     * @param row of the contact
+     */
+    public void forgetFriction(int row) {
+        setFrictionImpulse(row, 0, 0, 0, 0);
+        if (rolls) {
+            setRollingImpulse(row, 0, 0, 0);
+        }
+    }
+
+    /** Makes room for rolling friction; between phases only. */
+    public void beginRolling() {
+        if (!rolls) {
+            rolls = true;
+            rollingArm = new double[bodyA.length];
+            rollingImpulse = new double[3 * bodyA.length];
+        }
+    }
+
+    /**
      * Sets where a point is from A and from B, m.
      *
      * @param point of the contact, {@link #POINTS} to a row
@@ -399,6 +449,10 @@ public final class ContactStore {
         patch = Arrays.copyOf(patch, n);
         head = Arrays.copyOf(head, head(n));
         restitution = Arrays.copyOf(restitution, n);
+        if (rolls) {
+            rollingArm = Arrays.copyOf(rollingArm, n);
+            rollingImpulse = Arrays.copyOf(rollingImpulse, 3 * n);
+        }
         touching = Arrays.copyOf(touching, n);
         cache = Arrays.copyOf(cache, n);
         keeps = Arrays.copyOf(keeps, n);

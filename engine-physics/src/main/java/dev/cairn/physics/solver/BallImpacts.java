@@ -411,6 +411,7 @@ final class BallImpacts {
             turned.turnFriction(d, o, lanes);
         }
         window.close(rows, rows.list.place[row]);
+        rows.rolling.aim(rows, bodies, contacts, rows.list.place[row]);
     }
 
     /** {@code v_i >= goal_i, l_i >= 0}, complementary: one pair at once, more by common steps. */

@@ -107,6 +107,9 @@ final class ConstraintRows {
     /** The contacts whose rows these are, and others. */
     final RowList list;
 
+    /** Rolling friction of the rows; of windows there is none. */
+    final Rolling rolling = new Rolling();
+
     /** Places in use, padding included. */
     int places;
 

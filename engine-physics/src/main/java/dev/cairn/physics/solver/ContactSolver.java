@@ -313,7 +313,7 @@ public final class ContactSolver {
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = c.active[i];
             if (c.pointCount[row] == 0) {
-                c.setFrictionImpulse(row, 0, 0, 0, 0);
+                c.forgetFriction(row);
             }
         }
     }

@@ -84,10 +84,20 @@ final class Glide {
      * End of a sub-step of a guided body, its row at {@code place}: along the contact plane it
      * moves by the mean of the velocities before and after, {@code x += h ((v0 + v1)/2 - v)}
      * without its part along the normal. So a slide follows the parabola, and a body that friction
-     * holds does not move at all. A slide that friction ends within the sub-step ends at its own
-     * time t, {@code x += t v0/2}.
+     * holds does not move at all. A slide or a roll that friction ends within the sub-step ends at
+     * its own time t, {@code x += t v0/2}.
+     *
+     * @param at place of the row in {@code rolling}
      */
-    static void end(BodyStore b, SolverBodies s, int i, ConstraintRows rows, int place, double h) {
+    static void end(
+            BodyStore b,
+            SolverBodies s,
+            int i,
+            ConstraintRows rows,
+            Rolling rolling,
+            int place,
+            int at,
+            double h) {
         double[] v = s.state;
         int o = SolverBodies.offset(i);
         if (v[o + LOADED] == 0) {
@@ -99,7 +109,7 @@ final class Glide {
         double nx = rows.doubles[r];
         double ny = rows.doubles[r + rows.lanes];
         double nz = rows.doubles[r + 2 * rows.lanes];
-        double mean = 0.5 * h * stopping(s, i, rows, place);
+        double mean = 0.5 * h * stopping(s, i, rows, rolling, place, at);
         double x = mean * (d[g] + v[o + V]) - h * d[g + 3];
         double y = mean * (d[g + 1] + v[o + V + 1]) - h * d[g + 4];
         double z = mean * (d[g + 2] + v[o + V + 2]) - h * d[g + 5];
@@ -157,9 +167,11 @@ final class Glide {
      * Share of the sub-step after which friction has stopped a guided body, or 1 if it still moves.
      * With {@code u} the direction of {@code v0}, the impulse {@code l} that stopped it and the
      * {@code L} that friction could give, {@code v0 + h a = l/m} and {@code v0 + t a = t/h L/m}, so
-     * {@code t/h = v0/(v0 + (L - l)/m)}.
+     * {@code t/h = v0/(v0 + (L - l)/m)}. Where rolling friction is nearer to its bound, it is what
+     * stopped the body, see {@link Rolling#left}.
      */
-    private static double stopping(SolverBodies s, int i, ConstraintRows rows, int place) {
+    private static double stopping(
+            SolverBodies s, int i, ConstraintRows rows, Rolling rolling, int place, int at) {
         int r = rows.base(place);
         double[] v = s.state;
         double[] d = rows.doubles;
@@ -183,6 +195,9 @@ final class Glide {
         double limit =
                 d[r + ConstraintRows.FRICTION * lanes] * ScalarNormals.sum(d, r, lanes, points);
         double left = (limit - taken) * v[o + MASS];
+        if (rolling.has(at)) {
+            left = rolling.left(rows, place, at, v[o + MASS], taken / limit, left);
+        }
         return left > 0 ? speed / (speed + left) : 1;
     }
 }

@@ -30,20 +30,26 @@ final class LoneContact {
      *
      * @param gain what gravity adds to a speed in the sub-step, m/s
      * @param place of the only row of body {@code i}
+     * @param at its place in {@code rolling}
      */
     static void agree(
             ConstraintRows rows,
+            Rolling rolling,
             double[] body,
             SubStep sub,
             double gain,
             int place,
+            int at,
             int i,
-            double[] scratch) {
+            Scratch scratch) {
         if (!moves(body, SolverBodies.offset(i), STILL * gain)) {
             return;
         }
         for (int k = 0; k < sub.lone; k++) {
-            double change = again(rows, body, sub, place, scratch);
+            double change = again(rows, body, sub, place, scratch.doubles);
+            if (rolling.has(at)) {
+                change = Math.max(change, Roll.row(rows, place, body, rolling, at));
+            }
             double largest =
                     ScalarNormals.largest(
                             rows.doubles, rows.base(place), rows.lanes, rows.points(place));
@@ -71,17 +77,7 @@ final class LoneContact {
             worst = Math.max(worst, Math.abs(change));
         }
         if (d[o + ConstraintRows.FRICTION * lanes] > 0) {
-            double x = d[o + ConstraintRows.LAMBDA * lanes];
-            double y = d[o + (ConstraintRows.LAMBDA + 1) * lanes];
-            double twist = d[o + (ConstraintRows.LAMBDA + 2) * lanes];
-            ScalarFriction.rub(d, o, lanes, body, a, b, n);
-            x = d[o + ConstraintRows.LAMBDA * lanes] - x;
-            y = d[o + (ConstraintRows.LAMBDA + 1) * lanes] - y;
-            twist = d[o + (ConstraintRows.LAMBDA + 2) * lanes] - twist;
-            d[o + ConstraintRows.TOTAL * lanes] += x;
-            d[o + (ConstraintRows.TOTAL + 1) * lanes] += y;
-            d[o + (ConstraintRows.TOTAL + 2) * lanes] += twist;
-            worst = Math.max(worst, Math.max(Math.abs(x), Math.abs(y)));
+            worst = Math.max(worst, Roll.rub(d, o, lanes, body, a, b, n));
         }
         return worst;
     }

@@ -28,6 +28,7 @@ final class Passes {
     void ensureCapacity(int slots) {
         renewal.ensureCapacity(slots);
         renewal.ensurePlaces(rows);
+        rows.rolling.begin(tick.contacts.rolls, rows.unloaded.length);
     }
 
     /** Loads a body that has contacts. */
@@ -44,6 +45,9 @@ final class Passes {
 
     void prepare(Sweeps sweeps, SubStep sub, int from, int to, Scratch scratch) {
         sweeps.fill(rows, body, tick.contacts, sub, from, to, scratch);
+        if (rows.rolling.isUsed) {
+            rows.rolling.fill(rows, body, tick.contacts, sub.fillScale, from, to);
+        }
         if (tick.impulseScale != 1 && tick.settings.offsetGain() > 0) {
             Rescaling.carryOver(rows, tick.contacts, tick.impulseScale, from, to);
         }
@@ -181,6 +185,9 @@ final class Passes {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
             scratch.doubles[Scratch.PACKED] = Touch.rows(rows, j, last);
             sweeps.relax(rows, body, sub, j, last, scratch);
+            if (rows.rolling.isUsed) {
+                one.roll(rows, body, j, last);
+            }
         }
     }
 
@@ -206,16 +213,18 @@ final class Passes {
             int place = scratch.row.place();
             if (sub.lone > 0
                     && renewal.stirs(i)
+                    && !rows.rolling.has(row)
                     && scratch.pivot.run(tick, guides, place, i, sub, renewal, row)) {
                 scratch.row.close(rows, row);
                 continue;
             }
             if (sub.lone > 0) {
-                LoneContact.agree(guides, body.state, sub, gain, place, i, scratch.doubles);
+                LoneContact.agree(
+                        guides, rows.rolling, body.state, sub, gain, place, row, i, scratch);
                 scratch.row.close(rows, row);
             }
             Motion.keep(tick.bodies, body, i);
-            Glide.end(tick.bodies, body, i, guides, place, sub.seconds);
+            Glide.end(tick.bodies, body, i, guides, rows.rolling, place, row, sub.seconds);
         }
     }
 
@@ -233,6 +242,9 @@ final class Passes {
             scratch.doubles[Scratch.PACKED] = Touch.results(rows, tick.contacts, j, last);
             soften(j, last, scratch);
             sweeps.store(rows, body, tick.contacts, sub, j, last, scratch);
+            if (rows.rolling.isUsed) {
+                rows.rolling.store(rows, tick.contacts, sub.keepScale, j, last);
+            }
         }
         if (renewed) {
             renewal.restore(rows, tick.contacts, from, to);

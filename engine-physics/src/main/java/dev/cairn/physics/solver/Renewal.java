@@ -195,6 +195,9 @@ final class Renewal {
                 if (rows.doubles[o + ConstraintRows.FRICTION * rows.lanes] > 0) {
                     WarmStart.addFriction(rows, warm, place, o, -1);
                 }
+                if (all.rolling.has(j)) {
+                    all.rolling.addWarm(all, warm, j, -1);
+                }
             }
         }
     }
@@ -345,6 +348,9 @@ final class Renewal {
                 ConstraintRows row = window.open(rows, j);
                 PrepareRow.renew(row, s, c, window.place(), source, sub, preloadScale);
                 window.close(rows, j);
+                if (rows.rolling.has(j)) {
+                    rows.rolling.renew(rows, s, c, j);
+                }
             }
         }
     }

@@ -28,6 +28,9 @@ interface ScalarPasses extends Sweep {
             int to,
             Scratch scratch);
 
+    /** Rolling friction of a range of rows of one colour, after their relax pass. */
+    void roll(ConstraintRows rows, SolverBodies bodies, int from, int to);
+
     /** Brings the separations of all rows up to date with the bodies. */
     void separate(ConstraintRows rows, SolverBodies bodies);
 }
