@@ -117,7 +117,8 @@ final class Impacts {
                             impact(contacts.restitution[rows.list.source[row]], g, h, threshold);
                     if (met) {
                         window.close(rows, rows.list.place[row]);
-                        rows.rolling.drop(rows, bodies.warm, rows.list.place[row]);
+                        int at = rows.list.place[row];
+                        rows.rolling.drop(rows, bodies.warm, at, at);
                     }
                     again |= met;
                 }

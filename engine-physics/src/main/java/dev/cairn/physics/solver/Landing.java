@@ -66,6 +66,8 @@ final class Landing {
     private SolverBodies bodies = new SolverBodies();
     private ContactStore contacts = new ContactStore();
     private ConstraintRows rows = new RowList().doubles;
+    private Rolling rolling = rows.rolling;
+    private int rollingAt;
     private double[] d = {};
     private double[] body = {};
     private int place;
@@ -96,10 +98,21 @@ final class Landing {
      *
      * @param i slot of the body
      * @param row place of its only row, among rows of doubles
+     * @param rowRolling place of that row in {@code rowsRolling}
      * @param rounds most rounds of normals and friction
      * @return whether there was one
      */
-    boolean run(Tick tick, ConstraintRows constraintRows, int row, int i, double h, int rounds) {
+    boolean run(
+            Tick tick,
+            ConstraintRows constraintRows,
+            Rolling rowsRolling,
+            int row,
+            int rowRolling,
+            int i,
+            double h,
+            int rounds) {
+        rolling = rowsRolling;
+        rollingAt = rowRolling;
         store = tick.bodies;
         bodies = tick.body;
         contacts = tick.contacts;
@@ -207,6 +220,7 @@ final class Landing {
     private void press(double share) {
         WarmStart.addNormals(rows, bodies.warm, place, o, -1);
         WarmStart.addFriction(rows, bodies.warm, place, o, -1);
+        rolling.drop(rows, bodies.warm, place, rollingAt);
         for (int p = 0; p < points; p++) {
             d[o + (SUM + p) * lanes] += share * d[blow.point(p) + IMPULSE * lanes];
         }

@@ -10,6 +10,9 @@ import dev.cairn.physics.internal.BodyStore;
  * <p>Any worker; what ranges may run at the same time is the caller's matter. Does not allocate.
  */
 final class Passes {
+    /** Weights from which on what presses is a blow. */
+    private static final double BLOW = 4;
+
     final Tick tick;
     final ConstraintRows rows;
     private final SolverBodies body;
@@ -96,13 +99,25 @@ final class Passes {
     /** The blow of points that land in this sub-step, of a body on one contact. */
     private void land(SubStep sub, int i, Scratch scratch) {
         int row = rows.list.place[body.guide[i]];
-        if (sub.lone == 0 || !Landing.isAwaited(rows, row)) {
+        if (sub.lone == 0 || !Landing.isAwaited(rows, row) || isStruck(sub, i, row)) {
             return;
         }
         ConstraintRows window = scratch.row.open(rows, row);
-        if (scratch.landing.run(tick, window, scratch.row.place(), i, sub.seconds, sub.lone)) {
+        int place = scratch.row.place();
+        Landing landing = scratch.landing;
+        if (landing.run(tick, window, rows.rolling, place, row, i, sub.seconds, sub.lone)) {
             scratch.row.close(rows, row);
         }
+    }
+
+    /**
+     * Whether a body with rolling friction has just had a blow. A landing would take that for what
+     * presses until its own blow; with rolling friction bodies gained energy by it.
+     */
+    private boolean isStruck(SubStep sub, int i, int row) {
+        double mass = body.state[SolverBodies.offset(i) + SolverBodies.MASS];
+        return rows.rolling.has(row)
+                && Rolling.normal(rows, row) * mass > BLOW * tick.weight() * sub.seconds;
     }
 
     /** Shows the sweeps a body as it is now. */
@@ -130,6 +145,9 @@ final class Passes {
     void bias(Sweeps sweeps, SubStep sub, int from, int to, Scratch scratch) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
+            if (rows.rolling.isUsed) {
+                one.calm(rows, body, j, last);
+            }
             sweeps.bias(rows, body, sub, j, last, scratch);
         }
     }
@@ -213,8 +231,7 @@ final class Passes {
             int place = scratch.row.place();
             if (sub.lone > 0
                     && renewal.stirs(i)
-                    && !rows.rolling.has(row)
-                    && scratch.pivot.run(tick, guides, place, i, sub, renewal, row)) {
+                    && scratch.pivot.run(tick, guides, rows.rolling, place, i, sub, renewal, row)) {
                 scratch.row.close(rows, row);
                 continue;
             }

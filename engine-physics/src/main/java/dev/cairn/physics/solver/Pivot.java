@@ -68,6 +68,11 @@ final class Pivot {
     private final double[] force = new double[3];
     private final double[] impulse = new double[3];
 
+    /** The user's and that of rolling friction; of that the impulse. */
+    private final double[] torque = new double[3];
+
+    private final double[] roll = new double[3];
+
     /** Orientation as the sweeps left it. */
     private final double[] swept = new double[4];
 
@@ -110,12 +115,13 @@ final class Pivot {
      * End of a sub-step: puts a body that stood on one point where it goes if that is held.
      *
      * @param rows of doubles, with the body's only row at {@code place}
-     * @param kept place of that row's first levers in {@code levers}
+     * @param kept place of that row's first levers in {@code levers}, and in {@code rolling}
      * @return whether it was held; if not, nothing has changed
      */
     boolean run(
             Tick tick,
             ConstraintRows rows,
+            Rolling rolling,
             int place,
             int i,
             SubStep sub,
@@ -132,12 +138,12 @@ final class Pivot {
         double side = rows.link[place * LINK] == o ? -1 : 1;
         int source = rows.link[place * LINK + ConstraintRows.SOURCE];
         double gap = levers.corner(b, tick.contacts, source, kept, corner, i, side, arm);
-        if (Double.isNaN(gap)) {
+        if (Double.isNaN(gap) || !rolling.slips(rows, place, kept, side, roll)) {
             return false;
         }
         read(b, i, swept, 0);
         write(b, i, s.glide, g + Glide.START + 6);
-        step(tick, i, sub.seconds);
+        step(tick, i, sub.seconds, rolling.has(kept));
         int r = rows.base(place);
         double friction = rows.doubles[r + FRICTION * rows.lanes];
         if (!isHeld(rows.doubles, r, rows.lanes, side, friction)) {
@@ -148,6 +154,9 @@ final class Pivot {
         s.weigh(i, spin[0], spin[1], spin[2]);
         s.state[o + LOADED] = 1;
         tell(s, b, i, rows, place, corner, side);
+        if (rolling.has(kept)) {
+            rolling.addWarm(rows, s.warm, place, kept, 1);
+        }
         return true;
     }
 
@@ -196,7 +205,7 @@ final class Pivot {
     }
 
     /** From the start of the sub-step: half a kick, free rotation, half a kick. */
-    private void step(Tick tick, int i, double h) {
+    private void step(Tick tick, int i, double h, boolean rolls) {
         SolverBodies s = tick.body;
         BodyStore b = tick.bodies;
         int g = Glide.STRIDE * i;
@@ -224,15 +233,21 @@ final class Pivot {
         for (int k = 0; k < 3; k++) {
             spin[k] = angular * d[g + Glide.START + 3 + k];
         }
+        torque[0] = b.torqueX[i];
+        torque[1] = b.torqueY[i];
+        torque[2] = b.torqueZ[i];
+        for (int k = 0; k < 3 && rolls; k++) {
+            torque[k] += roll[k] / h;
+        }
         own(b, i);
         momentum[0] += from[1] * z - from[2] * y;
         momentum[1] += from[2] * x - from[0] * z;
         momentum[2] += from[0] * y - from[1] * x;
-        kick(b, i, from, 0.5 * h);
+        kick(from, 0.5 * h);
         spin(b, i);
         Tumbling.turn(b, i, axes, 0, spin, 0, h, 1);
         lever(b, i, to);
-        kick(b, i, to, 0.5 * h);
+        kick(to, 0.5 * h);
         spin(b, i);
         impulse[0] += mass * (spin[1] * to[2] - spin[2] * to[1]);
         impulse[1] += mass * (spin[2] * to[0] - spin[0] * to[2]);
@@ -304,10 +319,10 @@ final class Pivot {
     }
 
     /** {@code L += t (r x f + torque)}. */
-    private void kick(BodyStore b, int i, double[] r, double t) {
-        momentum[0] += t * (r[1] * force[2] - r[2] * force[1] + b.torqueX[i]);
-        momentum[1] += t * (r[2] * force[0] - r[0] * force[2] + b.torqueY[i]);
-        momentum[2] += t * (r[0] * force[1] - r[1] * force[0] + b.torqueZ[i]);
+    private void kick(double[] r, double t) {
+        momentum[0] += t * (r[1] * force[2] - r[2] * force[1] + torque[0]);
+        momentum[1] += t * (r[2] * force[0] - r[0] * force[2] + torque[1]);
+        momentum[2] += t * (r[0] * force[1] - r[1] * force[0] + torque[2]);
     }
 
     /** {@code w = I^-1 L} about the corner. */

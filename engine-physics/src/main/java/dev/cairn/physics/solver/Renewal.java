@@ -196,7 +196,7 @@ final class Renewal {
                     WarmStart.addFriction(rows, warm, place, o, -1);
                 }
                 if (all.rolling.has(j)) {
-                    all.rolling.addWarm(all, warm, j, -1);
+                    all.rolling.addWarm(all, warm, j, j, -1);
                 }
             }
         }

@@ -43,6 +43,34 @@ final class Roll {
     }
 
     /**
+     * Takes what a blow has left out of the start of a sub-step, of a range of rows of one colour
+     * before their bias pass: bodies turn with it before the relax pass could take it out.
+     */
+    static void calm(ConstraintRows rows, SolverBodies bodies, int from, int to) {
+        double[] body = bodies.state;
+        Rolling r = rows.rolling;
+        for (int j = from; j < to; j++) {
+            if (!r.has(j)) {
+                continue;
+            }
+            double normal =
+                    ScalarNormals.sum(rows.doubles, rows.base(j), rows.lanes, rows.points(j));
+            double share = /*(float)*/ r.carried(j, normal);
+            r.put(j, Rolling.BEFORE, normal);
+            if (share < 1) {
+                double l1 = /*(float)*/ r.get(j, Rolling.LAMBDA);
+                double l2 = /*(float)*/ r.get(j, Rolling.LAMBDA + 1);
+                r.put(j, Rolling.LAMBDA, share * l1);
+                r.put(j, Rolling.LAMBDA + 1, share * l2);
+                double d1 = share * l1 - l1;
+                double d2 = share * l2 - l2;
+                turn(r, j, Rolling.LEVER, body, rows.link[j * LINK], -d1, -d2);
+                turn(r, j, Rolling.LEVER + 6, body, rows.link[j * LINK + 1], d1, d2);
+            }
+        }
+    }
+
+    /**
      * Rolling friction of one row, then its friction, and their totals.
      *
      * @param at place of the row in {@code r}

@@ -10,6 +10,8 @@ import static dev.cairn.physics.solver.ConstraintRows.TANGENT2;
 
 import dev.cairn.physics.internal.ContactStore;
 
+import java.util.Arrays;
+
 /**
  * Rolling friction of the rows whose materials have an arm b: levers, impulses and warm start,
  * beside the rows. {@link Roll} solves it.
@@ -57,6 +59,9 @@ final class Rolling {
     /** By point: where it is along the tangents, m. */
     private static final int PLACE = 30;
 
+    /** Sum of the normal impulses when the sub-step began, N s. */
+    static final int BEFORE = 38;
+
     private static final int STRIDE = 40;
 
     /** Determinant over the square of the trace of a block that is as good as singular. */
@@ -64,6 +69,9 @@ final class Rolling {
 
     /** What is added to the diagonal of such a one, over its trace. */
     private static final double EASE = 1e-9;
+
+    /** The bound of rolling friction but for rounding. */
+    private static final double FULL = 1 - 1e-9;
 
     /** Whether there is any. */
     boolean isUsed;
@@ -108,12 +116,33 @@ final class Rolling {
             data[STRIDE * j] = arm;
             if (arm > 0) {
                 levers(rows, bodies, c, j);
+                put(j, BEFORE, normal(rows, j));
                 for (int k = 0; k < 2; k++) {
                     data[STRIDE * j + LAMBDA + k] = scale * along(rows, j, k, c, source);
                 }
-                addWarm(rows, bodies.warm, j, 1);
+                addWarm(rows, bodies.warm, j, j, 1);
             }
         }
+    }
+
+    static double normal(ConstraintRows rows, int j) {
+        int o = rows.base(j) + (POINT + ConstraintRows.IMPULSE) * rows.lanes;
+        double sum = 0;
+        for (int p = 0; p < rows.points(j); p++) {
+            sum += rows.get(o + p * POINT_FIELDS * rows.lanes);
+        }
+        return sum;
+    }
+
+    /**
+     * Share of its rolling impulse that a contact starts the next sub-step with: the impulse of a
+     * blow is no guess for what comes after it.
+     *
+     * @param normal sum of the normal impulses now
+     */
+    double carried(int at, double normal) {
+        double before = get(at, BEFORE);
+        return normal > before ? before / normal : 1;
     }
 
     private static double along(ConstraintRows rows, int j, int k, ContactStore c, int source) {
@@ -132,35 +161,40 @@ final class Rolling {
     /** After the row at place {@code j} has been renewed; its impulses were taken out before. */
     void renew(ConstraintRows rows, SolverBodies bodies, ContactStore c, int j) {
         levers(rows, bodies, c, j);
-        addWarm(rows, bodies.warm, j, 1);
+        addWarm(rows, bodies.warm, j, j, 1);
     }
 
     /** Takes the impulses of a row out of the warm start, and forgets them. */
-    void drop(ConstraintRows rows, double[] warm, int j) {
-        if (has(j)) {
-            addWarm(rows, warm, j, -1);
-            put(j, LAMBDA, 0);
-            put(j, LAMBDA + 1, 0);
+    void drop(ConstraintRows rows, double[] warm, int place, int at) {
+        if (has(at)) {
+            addWarm(rows, warm, place, at, -1);
+            put(at, LAMBDA, 0);
+            put(at, LAMBDA + 1, 0);
         }
     }
 
     /** The same, of a row that has been turned to another normal. */
     void aim(ConstraintRows rows, SolverBodies bodies, ContactStore c, int j) {
-        drop(rows, bodies.warm, j);
+        drop(rows, bodies.warm, j, j);
         if (has(j)) {
             levers(rows, bodies, c, j);
         }
     }
 
-    /** Adds what the impulses of a row do to its bodies, times {@code sign}. */
-    void addWarm(ConstraintRows rows, double[] warm, int j, double sign) {
-        double f1 = sign * get(j, LAMBDA);
-        double f2 = sign * get(j, LAMBDA + 1);
-        int q = STRIDE * j + LEVER;
+    /**
+     * Adds what the impulses of a row do to its bodies, times {@code sign}.
+     *
+     * @param rows has the row at {@code place}
+     * @param at its place here
+     */
+    void addWarm(ConstraintRows rows, double[] warm, int place, int at, double sign) {
+        double f1 = sign * get(at, LAMBDA);
+        double f2 = sign * get(at, LAMBDA + 1);
+        int q = STRIDE * at + LEVER;
         for (int side = 0; side < 2; side++, q += 6) {
-            int at = rows.link[j * LINK + side];
-            int w = (at >> 1) + 3;
-            for (int k = 0; k < 3 && at != 0; k++) {
+            int body = rows.link[place * LINK + side];
+            int w = (body >> 1) + 3;
+            for (int k = 0; k < 3 && body != 0; k++) {
                 double change = f1 * data[q + k] + f2 * data[q + 3 + k];
                 warm[w + k] += side == 0 ? -change : change;
             }
@@ -172,9 +206,10 @@ final class Rolling {
         for (int j = from; j < to; j++) {
             if (has(j)) {
                 int source = rows.link[j * LINK + ConstraintRows.SOURCE];
+                double share = scale * carried(j, normal(rows, j));
                 for (int axis = 0; axis < 3; axis++) {
                     c.rollingImpulse[3 * source + axis] =
-                            scale
+                            share
                                     * (get(j, LAMBDA) * tangent(rows, j, 0, axis)
                                             + get(j, LAMBDA + 1) * tangent(rows, j, 1, axis));
                 }
@@ -301,6 +336,30 @@ final class Rolling {
         data[q + SOFT + 1] = -k * (xy - x * y * m);
         data[q + SOFT + 2] = k * Math.max(0, xx - x * x * m);
         return data[q + ARM] * sum;
+    }
+
+    /**
+     * The torque on a body of a row if rolling friction does all it can, so that the body rolls.
+     *
+     * @param rows has the row at {@code place}
+     * @param at its place here
+     * @param side 1 for the second body, -1 for the first
+     * @param torque receives it, world, N m s
+     * @return whether it does; without rolling friction it does nothing, and that is all
+     */
+    boolean slips(ConstraintRows rows, int place, int at, double side, double[] torque) {
+        Arrays.fill(torque, 0.0);
+        if (!has(at)) {
+            return true;
+        }
+        double bound = bound(rows, place, at);
+        double l1 = get(at, LAMBDA);
+        double l2 = get(at, LAMBDA + 1);
+        for (int axis = 0; axis < 3; axis++) {
+            double t1 = tangent(rows, place, 0, axis);
+            torque[axis] = side * (l1 * t1 + l2 * tangent(rows, place, 1, axis));
+        }
+        return Math.sqrt(l1 * l1 + l2 * l2) >= FULL * bound;
     }
 
     /**

@@ -28,6 +28,9 @@ interface ScalarPasses extends Sweep {
             int to,
             Scratch scratch);
 
+    /** Rolling impulses that a sub-step does not start with, before the bias pass of a range. */
+    void calm(ConstraintRows rows, SolverBodies bodies, int from, int to);
+
     /** Rolling friction of a range of rows of one colour, after their relax pass. */
     void roll(ConstraintRows rows, SolverBodies bodies, int from, int to);
 

@@ -353,6 +353,11 @@ final class ScalarSweep implements ScalarPasses {
     }
 
     @Override
+    public void calm(ConstraintRows rows, SolverBodies bodies, int from, int to) {
+        Roll.calm(rows, bodies, from, to);
+    }
+
+    @Override
     public void roll(ConstraintRows rows, SolverBodies bodies, int from, int to) {
         Roll.sweep(rows, bodies, from, to);
     }
