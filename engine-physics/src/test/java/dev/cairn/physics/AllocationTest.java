@@ -6,6 +6,7 @@ import com.sun.management.ThreadMXBean;
 
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.shape.Sphere;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -67,6 +68,28 @@ class AllocationTest {
                 PhysicsWorld.builder().settings(settings).sleeping(false).workers(2).build()) {
             Scenes.drop(world, 60, 3);
             measure(world, 1500);
+        }
+    }
+
+    /** Balls that roll, and stop one after the other; boxes beside them. */
+    @Test
+    void aHeapWithRollingFriction() {
+        for (Precision precision : new Precision[] {Precision.DOUBLE, Precision.SINGLE}) {
+            PhysicsSettings settings =
+                    PhysicsSettings.DEFAULT.withLanes(1).withPrecision(precision);
+            try (PhysicsWorld world =
+                    PhysicsWorld.builder().settings(settings).sleeping(false).workers(2).build()) {
+                Scenes.drop(world, 60, 3);
+                for (int i = 0; i < 20; i++) {
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Sphere.of(0.2))
+                                    .at(12, 0.2, i)
+                                    .velocity(0.5 + 0.1 * i, 0, 0)
+                                    .material(Material.DEFAULT.withRollingArm(1e-3)));
+                }
+                measure(world, 1500);
+            }
         }
     }
 

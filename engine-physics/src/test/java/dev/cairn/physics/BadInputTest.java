@@ -101,6 +101,7 @@ class BadInputTest {
         refusesNotFinite(v -> new Material(v, 0, 1), "friction");
         refusesNotFinite(v -> new Material(0, v, 1), "restitution");
         refusesNotFinite(v -> new Material(0, 0, v), "density");
+        refusesNotFinite(v -> new Material(0, 0, 1, v), "rollingArm");
         refusesNotFinite(v -> crate.applyForce(v, 0, 0), "fx");
         refusesNotFinite(v -> crate.applyForceAt(0, 0, 0, 0, v, 0), "py");
         refusesNotFinite(v -> crate.applyTorque(0, 0, v), "tz");
@@ -124,6 +125,7 @@ class BadInputTest {
         refuses(type, () -> new Material(-0.1, 0, 1), "-0.1");
         refuses(type, () -> new Material(0, 1.5, 1), "1.5", "1.0");
         refuses(type, () -> new Material(0, 0, 0), "density");
+        refuses(type, () -> new Material(0, 0, 1, -1e-9), "rollingArm is -1.0E-9");
         refuses(type, () -> world.step(0), "0.0", "greater than 0");
         refuses(type, () -> world.step(-1), "-1.0");
         refuses(type, () -> Body.dynamic().rotation(new Quaterniond(0, 0, 0, 0)), "length 0.0");

@@ -13,6 +13,9 @@ final class Passes {
     /** Weights from which on what presses is a blow. */
     private static final double BLOW = 4;
 
+    /** Arm over inner radius up to which a landing need not mind it. */
+    private static final double SHORT = 0.01;
+
     final Tick tick;
     final ConstraintRows rows;
     private final SolverBodies body;
@@ -111,12 +114,13 @@ final class Passes {
     }
 
     /**
-     * Whether a body with rolling friction has just had a blow. A landing would take that for what
-     * presses until its own blow; with rolling friction bodies gained energy by it.
+     * Whether a body with rolling friction worth the name has just had a blow. A landing would take
+     * that for what presses until its own blow; bodies with long arms gained energy by it.
      */
     private boolean isStruck(SubStep sub, int i, int row) {
         double mass = body.state[SolverBodies.offset(i) + SolverBodies.MASS];
         return rows.rolling.has(row)
+                && rows.rolling.get(row, Rolling.ARM) > SHORT * tick.bodies.innerRadius[i]
                 && Rolling.normal(rows, row) * mass > BLOW * tick.weight() * sub.seconds;
     }
 

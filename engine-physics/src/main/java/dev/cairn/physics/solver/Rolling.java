@@ -33,7 +33,7 @@ import java.util.Arrays;
  */
 final class Rolling {
     /** Arm, m; 0 where there is no rolling friction, and then nothing else is current. */
-    private static final int ARM = 0;
+    static final int ARM = 0;
 
     /** Rolling impulses of the sub-step along the tangents, N m s. */
     static final int LAMBDA = 1;
@@ -69,6 +69,9 @@ final class Rolling {
 
     /** What is added to the diagonal of such a one, over its trace. */
     private static final double EASE = 1e-9;
+
+    /** A contact that presses so much more than before has had a blow. */
+    private static final double BLOW = 4;
 
     /** The bound of rolling friction but for rounding. */
     private static final double FULL = 1 - 1e-9;
@@ -142,7 +145,7 @@ final class Rolling {
      */
     double carried(int at, double normal) {
         double before = get(at, BEFORE);
-        return normal > before ? before / normal : 1;
+        return normal > BLOW * before ? before / normal : 1;
     }
 
     private static double along(ConstraintRows rows, int j, int k, ContactStore c, int source) {
@@ -310,32 +313,31 @@ final class Rolling {
      */
     double bound(ConstraintRows rows, int place, int at) {
         int q = STRIDE * at;
-        int n = rows.points(place);
+        int points = rows.points(place);
         int o = rows.base(place) + (POINT + ConstraintRows.IMPULSE) * rows.lanes;
-        double sum = 0;
-        double x = 0;
-        double y = 0;
+        int next = POINT_FIELDS * rows.lanes;
+        double normal = normal(rows, place);
         double xx = 0;
         double xy = 0;
         double yy = 0;
-        for (int p = 0; p < n; p++) {
-            double l = rows.get(o + p * POINT_FIELDS * rows.lanes);
-            double u = data[q + PLACE + 2 * p];
-            double v = data[q + PLACE + 2 * p + 1];
-            sum += l;
-            x += l * u;
-            y += l * v;
-            xx += l * u * u;
-            xy += l * u * v;
-            yy += l * v * v;
+        // sum over pairs, so that one point that presses has no variance at all
+        for (int m = 1; m < points; m++) {
+            for (int n = 0; n < m; n++) {
+                double l = rows.get(o + m * next) * rows.get(o + n * next);
+                double x = data[q + PLACE + 2 * m] - data[q + PLACE + 2 * n];
+                double y = data[q + PLACE + 2 * m + 1] - data[q + PLACE + 2 * n + 1];
+                xx += l * x * x;
+                xy += l * x * y;
+                yy += l * y * y;
+            }
         }
-        double k = n > 1 && sum > 0 ? 1 / (sum * data[q + ARM] * data[q + ARM]) : 0;
-        double m = sum > 0 ? 1 / sum : 0;
+        double bound = data[q + ARM] * normal;
+        double k = bound > 0 ? 1 / (bound * bound) : 0;
         // about the first tangent a shift along the second counts
-        data[q + SOFT] = k * Math.max(0, yy - y * y * m);
-        data[q + SOFT + 1] = -k * (xy - x * y * m);
-        data[q + SOFT + 2] = k * Math.max(0, xx - x * x * m);
-        return data[q + ARM] * sum;
+        data[q + SOFT] = k * yy;
+        data[q + SOFT + 1] = -k * xy;
+        data[q + SOFT + 2] = k * xx;
+        return bound;
     }
 
     /**

@@ -197,12 +197,19 @@ final class EntityPanel {
         Material old = entity.material();
         double friction = ui.slider("friction", old.friction(), 0, 1.5, 0.05, "Coulomb's");
         double bounce = ui.slider("restitution", old.restitution(), 0, 1, 0.05, "0 to 1");
-        if (friction != old.friction() || bounce != old.restitution()) {
+        double millimetres = 1e3 * old.rollingArm();
+        double arm =
+                ui.slider("rolling arm, mm", millimetres, 0, 50, 0.5, "torque over force, N m/N");
+        if (friction != old.friction() || bounce != old.restitution() || arm != millimetres) {
+            double metres = arm == millimetres ? old.rollingArm() : 1e-3 * arm;
             editor.change(
                     "material of",
                     e ->
                             e.withMaterial(
-                                    e.material().withFriction(friction).withRestitution(bounce),
+                                    e.material()
+                                            .withFriction(friction)
+                                            .withRestitution(bounce)
+                                            .withRollingArm(metres),
                                     e.mass()));
         }
         if (entity.body() != BodyKind.DYNAMIC) {

@@ -66,7 +66,8 @@ public final class SceneReader {
                     "controls",
                     "camera");
     static final List<String> ROTATION = List.of("axis", "degrees");
-    static final List<String> MATERIAL = List.of("friction", "restitution", "density");
+    static final List<String> MATERIAL =
+            List.of("friction", "restitution", "density", "rollingArm");
     static final List<String> LOOK =
             List.of("visible", "color", "texture", "tileMetres", "mesh", "meshScale");
     static final List<String> SHAPES =
@@ -416,7 +417,10 @@ public final class SceneReader {
                 restitution,
                 in.containsKey("density")
                         ? in.get("density").positive("a density in kg/m3")
-                        : base.density());
+                        : base.density(),
+                in.containsKey("rollingArm")
+                        ? in.get("rollingArm").atLeastZero("a length in metres")
+                        : base.rollingArm());
     }
 
     private static LookSpec look(JsonNode node) {

@@ -127,6 +127,9 @@ public final class SceneWriter {
             material.add("friction", number(entity.material().friction()));
             material.add("restitution", number(entity.material().restitution()));
             material.add("density", number(entity.material().density()));
+            if (entity.material().rollingArm() > 0) {
+                material.add("rollingArm", number(entity.material().rollingArm()));
+            }
             out.add("material", material);
         }
         if (entity.mass() != null) {

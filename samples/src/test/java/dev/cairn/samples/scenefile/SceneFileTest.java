@@ -96,7 +96,8 @@ class SceneFileTest {
                         new Material(
                                 Math.abs(any(random)) + 0.0,
                                 random.nextDouble(),
-                                Math.max(Double.MIN_NORMAL, Math.abs(any(random)))),
+                                Math.max(Double.MIN_NORMAL, Math.abs(any(random))),
+                                random.nextBoolean() ? 0 : Math.abs(any(random)) + 0.0),
                         random.nextBoolean() ? null : (Double) random.nextDouble(1e-9, 1e9))
                 .moving(xyz(random), xyz(random))
                 .withLook(
