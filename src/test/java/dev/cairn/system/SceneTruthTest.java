@@ -63,6 +63,14 @@ final class SceneTruthTest {
     }
 
     @Test
+    void rollersStopWhereRollingFrictionSays() {
+        SceneReport rolled = Scenes.run("rolling-resistance", 8, Map.of());
+
+        assertBelow(1e-11, "speedRelative", rolled);
+        assertBelow(1e-11, "distanceRelative", rolled);
+    }
+
+    @Test
     void freeFallIsTheParabola() {
         SceneReport fall = Scenes.run("free-fall", 5, Map.of());
 

@@ -19,6 +19,7 @@ import dev.cairn.samples.scenes.Pairs;
 import dev.cairn.samples.scenes.Pile;
 import dev.cairn.samples.scenes.Pyramid;
 import dev.cairn.samples.scenes.RollingLoad;
+import dev.cairn.samples.scenes.RollingResistance;
 import dev.cairn.samples.scenes.Room;
 import dev.cairn.samples.scenes.Shapes;
 import dev.cairn.samples.scenes.SlipToRoll;
@@ -73,6 +74,7 @@ public final class SceneRegistry {
                     Cradle.scene(),
                     SlipToRoll.scene(),
                     FrictionStop.scene(),
+                    RollingResistance.scene(),
                     Shapes.scene());
 
     private SceneRegistry() {}

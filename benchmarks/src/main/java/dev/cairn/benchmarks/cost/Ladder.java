@@ -36,6 +36,9 @@ final class Ladder {
     private static final Mix REST = new Mix(0, 0, 0, 50, 100, 0, 50, 0, 0, 0.6);
     private static final Mix SMOOTH_REST = new Mix(0, 0, 0, 50, 100, 0, 50, 0, 0, 0);
 
+    private static final Mix ROLLING_FLIGHT = FLIGHT.withRollingArm(1e-3);
+    private static final Mix ROLLING_REST = REST.withRollingArm(1e-3);
+
     /**
      * A rung.
      *
@@ -80,7 +83,9 @@ final class Ladder {
                     rung("restitution", false, FLIGHT, ON.withRestitutionThreshold(1000)),
                     rung("restitution", false, REST, ON.withRestitutionThreshold(1000)),
                     new Rung("friction", false, FLIGHT, ON, SMOOTH_FLIGHT, ON),
+                    new Rung("rolling friction", false, ROLLING_FLIGHT, ON, FLIGHT, ON),
                     new Rung("friction", true, REST, ON, SMOOTH_REST, ON),
+                    new Rung("rolling friction", true, ROLLING_REST, ON, REST, ON),
                     rung("offset against sag", true, REST, ON.withOffsetGain(0)),
                     rung("load-proportional inertia", true, REST, ON.withLoadInertia(0)));
 

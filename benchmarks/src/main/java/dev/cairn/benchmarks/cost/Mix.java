@@ -27,6 +27,7 @@ import java.util.SplittableRandom;
  * @param fixed boxes far from everything
  * @param friction Coulomb coefficient of all, 0 for none
  * @param bounceHeight 1 for bounces of 0.06 to 0.6 s; higher ones are rarer
+ * @param rollingArm of all, m, 0 for none
  */
 record Mix(
         int flyingSpheres,
@@ -39,7 +40,8 @@ record Mix(
         int bouncing,
         int fixed,
         double friction,
-        double bounceHeight) {
+        double bounceHeight,
+        double rollingArm) {
     /** From so many contacts on the solver may take its wide kernels. */
     private static final int WIDE_FROM = 256;
 
@@ -66,7 +68,7 @@ record Mix(
     @SuppressWarnings("ArrayRecordComponent") // read, never compared
     record Sample(double micros, double[] counts) {}
 
-    /** The same with bounces of 0.06 to 0.6 s. */
+    /** The same with bounces of 0.06 to 0.6 s, without rolling friction. */
     Mix(
             int flyingSpheres,
             int flyingBoxes,
@@ -89,7 +91,25 @@ record Mix(
                 bouncing,
                 fixed,
                 friction,
-                1);
+                1,
+                0);
+    }
+
+    /** The same with rolling friction. */
+    Mix withRollingArm(double metres) {
+        return new Mix(
+                flyingSpheres,
+                flyingBoxes,
+                nearPairs,
+                restingSpheres,
+                restingCubes,
+                edgeCubes,
+                columns,
+                bouncing,
+                fixed,
+                friction,
+                bounceHeight,
+                metres);
     }
 
     /**
@@ -121,7 +141,8 @@ record Mix(
                 (int) (size * random.nextInt(400)),
                 random.nextBoolean() ? 0.6 : 0,
                 // As many balls, but more or fewer events: else the two could not be told apart.
-                StrictMath.exp(random.nextDouble(-2, 3)));
+                StrictMath.exp(random.nextDouble(-2, 3)),
+                0);
     }
 
     /** Contacts that last. */
@@ -132,7 +153,7 @@ record Mix(
     PhysicsWorld build(PhysicsSettings settings) {
         PhysicsWorld world =
                 PhysicsWorld.builder().gravity(0, -9.81, 0).workers(1).settings(settings).build();
-        Material material = new Material(friction, 0, 1000);
+        Material material = new Material(friction, 0, 1000, rollingArm);
         Grid grid = new Grid(world, material);
         Sphere ball = Sphere.of(0.5);
         Box cube = Box.cube(0.5);
@@ -174,7 +195,7 @@ record Mix(
                     Body.dynamic()
                             .shape(ball)
                             .at(grid.x, 0.5 + high, grid.z)
-                            .material(new Material(friction, 1, 1000)));
+                            .material(material.withRestitution(1)));
         }
         for (int i = 0; i < fixed; i++) {
             grid.next().fix(cube);

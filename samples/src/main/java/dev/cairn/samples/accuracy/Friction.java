@@ -8,6 +8,7 @@ import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.samples.accuracy.AccuracyCase.Effort;
@@ -123,7 +124,22 @@ final class Friction {
                                         Double.POSITIVE_INFINITY)),
                         "",
                         Effort.MEDIUM,
-                        Friction::eternal));
+                        Friction::eternal),
+                new AccuracyCase(
+                        "C13",
+                        "rolling resistance",
+                        "r 0.1 m, arm b 2 mm, 1 m/s: I/(m r²) 0.4, 0.5 (cylinder), 2/3, 1; and at"
+                                + " rest with b/r 0.1 on slopes of tan 0.099 and 0.101",
+                        "a = (b/r) g/(1 + I/(m r²)), stops after v²/(2 a); held up to tan = b/r,"
+                                + " rolls beyond with g (sin - b/r cos)/(1 + I/(m r²))",
+                        List.of(
+                                metric("speed", "m/s", 1e-9),
+                                metric("distance", "", 1e-9),
+                                metric("moved in 60 s below", "m", 1e-12),
+                                metric("acceleration above", "", 1e-9)),
+                        "",
+                        Effort.SHORT,
+                        Friction::resistance));
     }
 
     /** A block on the floor, gravity inclined towards +x. */
@@ -288,6 +304,59 @@ final class Friction {
             double t = 120 * Trial.TICK;
             return Math.abs(ball.position().x / (0.5 * a * t * t) - 1);
         }
+    }
+
+    private static double[] resistance(Trial trial) {
+        double speed = 0;
+        double distance = 0;
+        double moved = 0;
+        double rolls = 0;
+        for (double k : new double[] {0.4, 0.5, 2.0 / 3, 1}) {
+            try (PhysicsWorld world = trial.world(0, -G, 0)) {
+                BodyRef body = roller(world, k, 0.002, 1);
+                double loss = 0.002 / RADIUS * G / (1 + k);
+                for (int tick = 1; tick * Trial.TICK < 1 / loss; tick++) {
+                    trial.step(world);
+                    double off = body.velocity().x - (1 - loss * tick * Trial.TICK);
+                    speed = Math.max(speed, Math.abs(off));
+                }
+                trial.run(world, 0.2);
+                distance = Math.max(distance, Math.abs(body.position().x * 2 * loss - 1));
+            }
+            try (PhysicsWorld world = slope(trial, StrictMath.atan(0.099))) {
+                BodyRef body = roller(world, k, 0.1 * RADIUS, 0);
+                trial.run(world, 60);
+                moved = Math.max(moved, Math.abs(body.position().x));
+            }
+            double angle = StrictMath.atan(0.101);
+            try (PhysicsWorld world = slope(trial, angle)) {
+                BodyRef body = roller(world, k, 0.1 * RADIUS, 0);
+                trial.run(world, 2);
+                double a = G * (StrictMath.sin(angle) - 0.1 * StrictMath.cos(angle)) / (1 + k);
+                double t = 120 * Trial.TICK;
+                rolls = Math.max(rolls, Math.abs(body.position().x / (0.5 * a * t * t) - 1));
+            }
+        }
+        return new double[] {speed, distance, moved, rolls};
+    }
+
+    /** A ball of that inertia, or the cylinder that has it, rolling on a floor. */
+    private static BodyRef roller(PhysicsWorld world, double k, double arm, double speed) {
+        Material surface = Trial.surface(0.6, 0);
+        Trial.floor(world, surface);
+        double inertia = k * RADIUS * RADIUS;
+        Body body =
+                Body.dynamic()
+                        .mass(1)
+                        .at(0, RADIUS, 0)
+                        .velocity(speed, 0, 0)
+                        .angularVelocity(0, 0, -speed / RADIUS)
+                        .material(surface.withRollingArm(arm));
+        return world.add(
+                k == 0.5
+                        ? body.shape(Cylinder.of(RADIUS, 0.2))
+                                .rotationAbout(1, 0, 0, StrictMath.PI / 2)
+                        : body.shape(Sphere.of(RADIUS)).inertia(inertia, inertia, inertia));
     }
 
     private static BodyRef disc(PhysicsWorld world, Material surface) {
