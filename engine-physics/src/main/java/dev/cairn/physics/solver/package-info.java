@@ -19,7 +19,8 @@
  *     bias     normals, soft: overlap is pushed out, gaps close at most to zero
  *     drift    x += h v under load, the parabola without; free rotation, exact or of order 6
  *     renew    levers of now, for rows of bodies that turn or pass each other
- *     relax    normals, hard, without push; then twist and friction at the patch's centre
+ *     relax    normals, hard, without push; then twist and friction at the patch's centre; then
+ *              rolling friction, only of rows whose materials have it, see {@code Roll}
  *     finish   what the contacts did is the next warm start; bodies on one static contact: trapezoid,
  *              on one corner of theirs: pinned there, see {@code Pivot}
  *   store   ─ impulses, totals, and what resting points have learnt of their load
@@ -44,7 +45,8 @@
  * never pull; impacts add no energy. The order of solving is that of the colours, which is a
  * function of the contacts' order; the wide sweeps and the scalar ones do the same operations, so
  * the bits depend neither on the workers nor on the lanes. A scene without restitution runs no
- * impact, one without friction no tangent rows. Steps use + - * / and square roots only, and
+ * impact, one without friction no tangent rows, one without rolling friction asks once a range of
+ * rows. Steps use + - * / and square roots only, and
  * allocate nothing once the wide kernels are compiled, which is done beside the first ticks.
  *
  * <p>Sources: E. Catto, Solver2D and the Soft Step solver (2023-24); M. Macklin et al., "Small
