@@ -46,8 +46,8 @@
  * function of the contacts' order; the wide sweeps and the scalar ones do the same operations, so
  * the bits depend neither on the workers nor on the lanes. A scene without restitution runs no
  * impact, one without friction no tangent rows, one without rolling friction asks once a range of
- * rows. Steps use + - * / and square roots only, and
- * allocate nothing once the wide kernels are compiled, which is done beside the first ticks.
+ * rows. Steps use + - * / and square roots only, and allocate nothing once the wide kernels are
+ * compiled, which is done beside the first ticks.
  *
  * <p>Sources: E. Catto, Solver2D and the Soft Step solver (2023-24); M. Macklin et al., "Small
  * Steps in Physics Simulation" (2019); E. Guendelman, R. Bridson, R. Fedkiw, "Nonconvex rigid
