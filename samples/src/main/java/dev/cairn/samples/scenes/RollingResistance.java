@@ -14,14 +14,16 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A ball, a roller and a hollow ball roll until rolling friction has stopped them.
+ * A ball, a roller and a larger ball roll until rolling friction has stopped them.
  *
  * <p>Truth: they lose speed at {@code a = (b/r) g/(1 + k)} with the arm b and {@code k = I/(m r²)},
- * 2/5, 1/2 and 2/3, and come to rest after {@code v²/(2 a)}.
+ * 2/5 of a ball and 1/2 of a roller, and come to rest after {@code v²/(2 a)}.
  */
 public final class RollingResistance {
-    private static final double RADIUS = 0.2;
-    private static final double MASS = 5;
+    /** Of ball, roller and larger ball, m; inertia over m r². */
+    private static final double[] RADIUS = {0.2, 0.2, 0.3};
+
+    private static final double[] INERTIA = {0.4, 0.5, 0.4};
 
     private RollingResistance() {}
 
@@ -34,7 +36,7 @@ public final class RollingResistance {
         return new SampleScene(
                 "rolling-resistance",
                 "Rolling resistance",
-                "A ball, a roller and a hollow ball roll out, each as far as its inertia takes it.",
+                "A ball, a roller and a larger ball roll out: inertia and radius tell how far.",
                 "friction",
                 List.of(
                         Parameter.real("speed", 1.2, 0.1, 20, "speed at the start, m/s"),
@@ -50,31 +52,28 @@ public final class RollingResistance {
         double arm = scene.get("arm");
         double friction = scene.get("friction");
         scene.floor(200, 5, friction, 0);
-        double[] inertia = {0.4, 0.5, 2.0 / 3};
         List<BodyRef> bodies = new ArrayList<>();
         for (int i = 0; i < 3; i++) {
-            Shape shape = i == 1 ? Cylinder.of(RADIUS, 0.2) : Sphere.of(RADIUS);
-            Body body =
-                    Body.dynamic()
-                            .mass(MASS)
-                            .at(0, RADIUS, 0.7 * (i - 1))
-                            .rotationAbout(1, 0, 0, i == 1 ? StrictMath.PI / 2 : 0)
-                            .velocity(speed, 0, 0)
-                            .angularVelocity(0, 0, -speed / RADIUS)
-                            .material(Palette.material(friction, 0).withRollingArm(arm))
-                            .name(i == 0 ? "ball" : i == 1 ? "roller" : "hollow ball");
-            if (i != 1) {
-                double own = inertia[i] * MASS * RADIUS * RADIUS;
-                body.inertia(own, own, own);
-            }
-            bodies.add(scene.add(shape, Palette.body(i), body));
+            double radius = RADIUS[i];
+            Shape shape = i == 1 ? Cylinder.of(radius, 0.2) : Sphere.of(radius);
+            bodies.add(
+                    scene.add(
+                            shape,
+                            Palette.body(i),
+                            Body.dynamic()
+                                    .at(0, radius, 0.7 * (i - 1))
+                                    .rotationAbout(1, 0, 0, i == 1 ? StrictMath.PI / 2 : 0)
+                                    .velocity(speed, 0, 0)
+                                    .angularVelocity(0, 0, -speed / radius)
+                                    .material(Palette.material(friction, 0).withRollingArm(arm))
+                                    .name(i == 0 ? "ball" : i == 1 ? "roller" : "larger ball")));
         }
         scene.view(new SceneBuilder.View(1.2, 1.6, 4.2, 1, 0.1, 0));
         Ramp.Metric worst = new Ramp.Metric();
         Ramp.Metric distance = new Ramp.Metric();
         scene.afterTick((tick, seconds) -> {
             for (int i = 0; i < 3; i++) {
-                double loss = arm / RADIUS * SampleScene.GRAVITY / (1 + inertia[i]);
+                double loss = arm / RADIUS[i] * SampleScene.GRAVITY / (1 + INERTIA[i]);
                 double expected = Math.max(0, speed - loss * seconds);
                 BodyRef body = bodies.get(i);
                 worst.raise(Math.abs(body.velocity().x - expected) / speed);
