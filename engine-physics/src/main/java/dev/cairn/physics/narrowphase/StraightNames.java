@@ -25,9 +25,6 @@ final class StraightNames {
     /** The face and the four names, see {@link Word}. */
     private static final long[] WORD = new long[FACES * WAYS];
 
-    /** Whether the word of the four holds the name of a corner that was cut off, by chance. */
-    private static final boolean[] MISTAKEN = new boolean[FACES * WAYS];
-
     static {
         Loop loop = new Loop();
         for (int faces = 0; faces < FACES; faces++) {
@@ -61,9 +58,6 @@ final class StraightNames {
         }
         long kind = flip ? NarrowPhase.FACE_B : NarrowPhase.FACE_A;
         WORD[entry] = Word.of(kind, face, Names.of(names));
-        for (int k = 0; k < loop.gone; k++) {
-            MISTAKEN[entry] |= Names.holds(Names.of(names), loop.cutOff[k]);
-        }
     }
 
     /** The name of a point, 0 to 3 in order. */
@@ -77,13 +71,13 @@ final class StraightNames {
     }
 
     /**
-     * Whether the names of the last tick were these four, and none of the corners that were cut
-     * off.
+     * Whether the names of the last tick were these four. No other name of a pair of boxes has one
+     * of their bytes, so it was none of the corners that were cut off.
      *
      * @param last see {@link Names}
      */
     static boolean rests(int entry, int last) {
-        return (int) WORD[entry] == last && !MISTAKEN[entry];
+        return (int) WORD[entry] == last;
     }
 
     /** The face and the four names, see {@link Word}. */
@@ -98,17 +92,12 @@ final class StraightNames {
 
         int[] name = new int[4], side = new int[4], place = new int[4];
 
-        /** The names of corners that were cut off. */
-        final int[] cutOff = new int[4];
-
-        int gone;
         boolean flip;
         int begin;
 
         void begin(boolean flipped, int face, int incident) {
             flip = flipped;
             begin = face;
-            gone = 0;
             int kind = flip ? Clipper.VERTEX_A : Clipper.VERTEX_B;
             for (int k = 0; k < 4; k++) {
                 name[k] = kind | BoxCuts.SLOT_VERTEX[incident + k];
@@ -142,8 +131,6 @@ final class StraightNames {
             int leaves = (stays + 1) & 3;
             int enters = (stays + 2) & 3;
             int back = (stays + 3) & 3;
-            cutOff[gone++] = name[leaves];
-            cutOff[gone++] = name[enters];
             int[] names = {
                 name[stays],
                 BoxCuts.name(flip, side[stays], slot, begin),
