@@ -68,7 +68,7 @@ public final class RollingResistance {
                                     .material(Palette.material(friction, 0).withRollingArm(arm))
                                     .name(i == 0 ? "ball" : i == 1 ? "roller" : "larger ball")));
         }
-        scene.view(new SceneBuilder.View(1.2, 1.6, 4.2, 1, 0.1, 0));
+        scene.view(new SceneBuilder.View(3.0, 2.4, 3.0, 1.5, 0, 0));
         Ramp.Metric worst = new Ramp.Metric();
         Ramp.Metric distance = new Ramp.Metric();
         scene.afterTick((tick, seconds) -> {
