@@ -180,7 +180,7 @@ final class Passes {
     }
 
     void takeOut(int from, int to, Scratch scratch) {
-        renewal.unload(rows, body.warm, from, to, scratch.row);
+        renewal.unload(rows, body.warm, from, to, scratch.renew);
     }
 
     void renewBodies(int from, int to) {
@@ -198,8 +198,9 @@ final class Passes {
      * @param index of the sub-step; the first one scales what the contacts know
      */
     void renewRows(SubStep sub, int index, int from, int to, Scratch scratch) {
-        double scale = index == 0 ? sub.fillScale : 1;
-        renewal.rows(rows, body, tick.bodies, tick.contacts, sub, scale, from, to, scratch.row);
+        boolean first = index == 0;
+        double scale = first ? sub.fillScale : 1;
+        renewal.rows(rows, body, tick.contacts, sub, first, scale, from, to, scratch.renew);
     }
 
     void relax(Sweeps sweeps, SubStep sub, int from, int to, Scratch scratch) {

@@ -127,47 +127,6 @@ final class PrepareRow implements RowFiller {
         WarmStart.positive(bodies.warm, b);
     }
 
-    /**
-     * Fills a row anew within a tick: its levers have moved; impulses and totals stay.
-     *
-     * @param preloadScale of the tick's start
-     */
-    static void renew(
-            ConstraintRows rows,
-            SolverBodies bodies,
-            ContactStore c,
-            int j,
-            int source,
-            SubStep sub,
-            double preloadScale) {
-        double[] d = rows.doubles;
-        int lanes = rows.lanes;
-        int o = rows.base(j);
-        int l = o + LAMBDA * lanes;
-        double f1 = d[l];
-        double f2 = d[l + lanes];
-        double f3 = d[l + 2 * lanes];
-        double t1 = d[o + TOTAL * lanes];
-        double t2 = d[o + (TOTAL + 1) * lanes];
-        double t3 = d[o + (TOTAL + 2) * lanes];
-        int first = ContactStore.POINTS * source;
-        for (int i = 0; i < c.pointCount[source]; i++) {
-            c.normalImpulse[first + i] = d[o + (POINT + i * POINT_FIELDS + IMPULSE) * lanes];
-            c.totalNormalImpulse[first + i] = d[o + (SUM + i) * lanes];
-            c.preload[first + i] *= preloadScale;
-        }
-        c.setFrictionImpulse(source, 0, 0, 0, 0);
-        row(rows, bodies, c, j, o, source, sub, 1);
-        for (int i = 0; i < c.pointCount[source]; i++) {
-            d[o + (SUM + i) * lanes] = c.totalNormalImpulse[first + i];
-        }
-        if (c.friction(source) > 0) {
-            put(d, l, lanes, f1, f2, d[o + TWIST_MASS * lanes] > 0 ? f3 : 0);
-            put(d, o + TOTAL * lanes, lanes, t1, t2, t3);
-            WarmStart.addFriction(rows, bodies.warm, j, o, 1);
-        }
-    }
-
     /** Turns the row of two balls, which holds no impulses, to the contact's normal and anchors. */
     static void aim(ConstraintRows rows, SolverBodies bodies, ContactStore c, int j, int source) {
         double[] d = rows.doubles;
@@ -198,7 +157,7 @@ final class PrepareRow implements RowFiller {
     }
 
     /** {@code t1 = n x e / |n x e|}, e the axis along which n is shortest; {@code t2 = n x t1}. */
-    private static void tangents(double[] d, int o, int lanes, double nx, double ny, double nz) {
+    static void tangents(double[] d, int o, int lanes, double nx, double ny, double nz) {
         double ax = Math.abs(nx);
         double ay = Math.abs(ny);
         double az = Math.abs(nz);

@@ -35,8 +35,30 @@ final class Renewal {
     /** How far from its axis the tip of a cone may be read, over its height above the centre. */
     private static final double TIP = 1e-9;
 
-    /** Per point: anchors of A and B, separation. */
-    private static final int KEPT = 7 * ContactStore.POINTS;
+    /** The row is renewed. */
+    private static final int YES = 1;
+
+    /** Of a row: its points turn with the corners of A, of B. */
+    private static final int TURNS_A = 2;
+
+    private static final int TURNS_B = 4;
+
+    /** Of a row: two bodies share a point, that of A, of B, or what lies between. */
+    private static final int OF_A = 8;
+
+    private static final int OF_B = 16;
+    private static final int BETWEEN = OF_A | OF_B;
+
+    /** Of a row: one of its bodies does not turn, so that it keeps its warm start. */
+    private static final int STAYS = 32;
+
+    /** Of a row: its normal may turn within the tick, see {@link BallImpacts}. */
+    private static final int AIMED = 64;
+
+    /** Per row, for each point: anchors of A and B, separation; then the tangents. */
+    private static final int KEPT = 7 * ContactStore.POINTS + 6;
+
+    private static final int TANGENTS = 7 * ContactStore.POINTS;
 
     /** By slot: whether the body's root is renewed; its orientation at the start, 4 to a slot. */
     boolean[] turns = {};
@@ -46,8 +68,8 @@ final class Renewal {
     /** Turn since the start as a matrix, 9 to a slot. */
     private double[] turn = {};
 
-    /** By place: whether the row is renewed; its first levers are kept. */
-    private boolean[] renewed = {};
+    /** By place: 0, or that the row is renewed, and how; its first levers are kept. */
+    private byte[] renewed = {};
 
     private double[] kept = {};
 
@@ -84,7 +106,7 @@ final class Renewal {
     void ensurePlaces(ConstraintRows rows) {
         if (renewed.length < rows.unloaded.length) {
             // With the rows, so that a scene that gets wilder later allocates nothing.
-            renewed = new boolean[rows.unloaded.length];
+            renewed = new byte[rows.unloaded.length];
             kept = new double[rows.unloaded.length * KEPT];
         }
     }
@@ -98,7 +120,7 @@ final class Renewal {
             ConstraintRows rows, ContactStore c, BodyStore b, double gravity, int from, int to) {
         boolean any = false;
         for (int place = from; place < to; place++) {
-            renewed[place] = false;
+            renewed[place] = 0;
             int l = place * ConstraintRows.LINK;
             if (rows.link[l + ConstraintRows.COUNT] == 0) {
                 continue;
@@ -114,7 +136,7 @@ final class Renewal {
                             && movesB
                             && c.restitution[source] == 0
                             && passes(b, i, j, gravity))) {
-                renewed[place] = true;
+                renewed[place] = how(c, b, source, movesA, movesB);
                 any = true;
                 keep(c, source, place);
                 if (movesA) {
@@ -153,7 +175,7 @@ final class Renewal {
         if (!(5 * fastest <= SLOW * SLOW * gravity * least)) {
             return false;
         }
-        Arrays.fill(renewed, from, to, false);
+        Arrays.fill(renewed, from, to, (byte) 0);
         return true;
     }
 
@@ -170,6 +192,24 @@ final class Renewal {
         return x * x + y * y + z * z > slow;
     }
 
+    private byte how(ContactStore c, BodyStore b, int source, boolean movesA, boolean movesB) {
+        int i = c.bodyA[source];
+        int k = c.bodyB[source];
+        boolean isCorneredA = isCornered(b, i);
+        boolean isCorneredB = isCornered(b, k);
+        int how = YES;
+        how |= movesA && turns[i] && isCorneredA ? TURNS_A : 0;
+        how |= movesB && turns[k] && isCorneredB ? TURNS_B : 0;
+        how |= (movesA && !turns[i]) || (movesB && !turns[k]) ? STAYS : 0;
+        if (movesA && movesB && c.restitution[source] == 0) {
+            // two bodies share one point: a ball's own, since on a ball a lever off its normal
+            // would lift
+            how |= isCorneredA == isCorneredB ? BETWEEN : isCorneredA ? OF_B : OF_A;
+        }
+        how |= c.restitution[source] > 0 ? AIMED : 0;
+        return (byte) how;
+    }
+
     private void keep(ContactStore c, int source, int place) {
         int k = place * KEPT;
         int first = ContactStore.POINTS * source;
@@ -182,21 +222,24 @@ final class Renewal {
             kept[k + 5] = c.anchorBZ(p);
             kept[k + 6] = c.separation[p];
         }
+        tangents(c, source, place);
     }
 
-    /** Takes the impulses of the rows out of the bodies' warm start; blocks of a colour. */
-    void unload(ConstraintRows all, double[] warm, int from, int to, RowWindow window) {
+    private void tangents(ContactStore c, int source, int place) {
+        int k = place * KEPT + TANGENTS - ConstraintRows.TANGENT1;
+        PrepareRow.tangents(kept, k, 1, c.normalX(source), c.normalY(source), c.normalZ(source));
+    }
+
+    /**
+     * Takes the impulses of the rows out of the bodies' warm start; blocks of a colour. A body that
+     * turns begins with none, so its rows need not be looked at.
+     */
+    void unload(ConstraintRows rows, double[] warm, int from, int to, RenewRow row) {
         for (int j = from; j < to; j++) {
-            if (renewed[j]) {
-                ConstraintRows rows = window.open(all, j);
-                int place = window.place();
-                int o = rows.base(place);
-                WarmStart.addNormals(rows, warm, place, o, -1);
-                if (rows.doubles[o + ConstraintRows.FRICTION * rows.lanes] > 0) {
-                    WarmStart.addFriction(rows, warm, place, o, -1);
-                }
-                if (all.rolling.has(j)) {
-                    all.rolling.addWarm(all, warm, j, j, -1);
+            if ((renewed[j] & STAYS) != 0) {
+                row.takeOut(rows, warm, j);
+                if (rows.rolling.has(j)) {
+                    rows.rolling.addWarm(rows, warm, j, j, -1);
                 }
             }
         }
@@ -310,7 +353,7 @@ final class Renewal {
     /** Gives the contacts their first levers back. */
     void restore(ConstraintRows rows, ContactStore c, int from, int to) {
         for (int j = from; j < to; j++) {
-            if (!renewed[j]) {
+            if (renewed[j] == 0) {
                 continue;
             }
             int q = j * KEPT;
@@ -330,24 +373,31 @@ final class Renewal {
         }
     }
 
-    /** Fills the rows anew, and adds their impulses to the warm start; blocks of a colour. */
+    /**
+     * Fills the rows anew, and adds their impulses to the warm start; blocks of a colour.
+     *
+     * @param first sub-step of the tick
+     */
     void rows(
             ConstraintRows rows,
             SolverBodies s,
-            BodyStore b,
             ContactStore c,
             SubStep sub,
+            boolean first,
             double preloadScale,
             int from,
             int to,
-            RowWindow window) {
+            RenewRow row) {
         for (int j = from; j < to; j++) {
-            if (renewed[j]) {
+            if (renewed[j] != 0) {
                 int source = rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE];
-                place(rows, s, b, c, j, source);
-                ConstraintRows row = window.open(rows, j);
-                PrepareRow.renew(row, s, c, window.place(), source, sub, preloadScale);
-                window.close(rows, j);
+                place(rows, s, c, j, source);
+                boolean aimed = (renewed[j] & AIMED) != 0;
+                if (aimed) {
+                    tangents(c, source, j);
+                }
+                int at = j * KEPT + TANGENTS;
+                row.run(rows, s, c, j, source, kept, at, first || aimed, sub, preloadScale);
                 if (rows.rolling.has(j)) {
                     rows.rolling.renew(rows, s, c, j);
                 }
@@ -355,60 +405,45 @@ final class Renewal {
         }
     }
 
-    private void place(
-            ConstraintRows rows, SolverBodies s, BodyStore b, ContactStore c, int j, int source) {
-        int a = rows.link[j * ConstraintRows.LINK];
-        int e = rows.link[j * ConstraintRows.LINK + 1];
-        int i = c.bodyA[source];
-        int k = c.bodyB[source];
-        boolean turnsA = a != 0 && turns[i] && isCornered(b, i);
-        boolean turnsB = e != 0 && turns[k] && isCornered(b, k);
-        // two bodies share one point: a ball's own, since on a ball a lever off its normal would
-        // lift
-        double share = isCornered(b, i) == isCornered(b, k) ? 0.5 : isCornered(b, i) ? 1 : 0;
-        boolean shares = a != 0 && e != 0 && c.restitution[source] == 0;
-        double shareA = shares ? share : 0;
-        double shareB = shares ? 1 - share : 0;
-        int pa = a + SolverBodies.P;
-        int pb = e + SolverBodies.P;
+    private void place(ConstraintRows rows, SolverBodies s, ContactStore c, int j, int source) {
+        int how = renewed[j];
+        int ra = (how & TURNS_A) != 0 ? 9 * c.bodyA[source] : -1;
+        int rb = (how & TURNS_B) != 0 ? 9 * c.bodyB[source] : -1;
+        int shared = how & BETWEEN;
+        double shareA = shared == BETWEEN ? 0.5 : shared == OF_B ? 1 : 0;
+        double shareB = shared == BETWEEN ? 0.5 : shared == OF_A ? 1 : 0;
+        int pa = rows.link[j * ConstraintRows.LINK] + SolverBodies.P;
+        int pb = rows.link[j * ConstraintRows.LINK + 1] + SolverBodies.P;
         double mx = s.state[pb] - s.state[pa];
         double my = s.state[pb + 1] - s.state[pa + 1];
         double mz = s.state[pb + 2] - s.state[pa + 2];
+        double nx = c.normalX(source);
+        double ny = c.normalY(source);
+        double nz = c.normalZ(source);
         int q = j * KEPT;
         int first = ContactStore.POINTS * source;
-        for (int p = first; p < first + c.pointCount[source]; p++, q += 7) {
+        int end = first + c.pointCount[source];
+        for (int p = first; p < end; p++, q += 7) {
             double ax = kept[q];
             double ay = kept[q + 1];
             double az = kept[q + 2];
             double bx = kept[q + 3];
             double by = kept[q + 4];
             double bz = kept[q + 5];
-            if (turnsA) {
-                int r = 9 * i;
-                double x = ax;
-                double y = ay;
-                ax = turn[r] * x + turn[r + 1] * y + turn[r + 2] * az;
-                double v = turn[r + 3] * x + turn[r + 4] * y + turn[r + 5] * az;
-                az = turn[r + 6] * x + turn[r + 7] * y + turn[r + 8] * az;
-                ay = v;
+            if (ra >= 0) {
+                ax = turned(ra, kept, q);
+                ay = turned(ra + 3, kept, q);
+                az = turned(ra + 6, kept, q);
             }
-            if (turnsB) {
-                int r = 9 * k;
-                double x = bx;
-                double y = by;
-                bx = turn[r] * x + turn[r + 1] * y + turn[r + 2] * bz;
-                double v = turn[r + 3] * x + turn[r + 4] * y + turn[r + 5] * bz;
-                bz = turn[r + 6] * x + turn[r + 7] * y + turn[r + 8] * bz;
-                by = v;
+            if (rb >= 0) {
+                bx = turned(rb, kept, q + 3);
+                by = turned(rb + 3, kept, q + 3);
+                bz = turned(rb + 6, kept, q + 3);
             }
             double dx = (bx - kept[q + 3]) - (ax - kept[q]);
             double dy = (by - kept[q + 4]) - (ay - kept[q + 1]);
             double dz = (bz - kept[q + 5]) - (az - kept[q + 2]);
-            c.separation[p] =
-                    kept[q + 6]
-                            + (dx * c.normalX(source)
-                                    + dy * c.normalY(source)
-                                    + dz * c.normalZ(source));
+            c.separation[p] = kept[q + 6] + (dx * nx + dy * ny + dz * nz);
             dx += mx;
             dy += my;
             dz += mz;
@@ -421,5 +456,10 @@ final class Renewal {
                     by - shareB * dy,
                     bz - shareB * dz);
         }
+    }
+
+    /** A row of a turn times the vector at {@code at[p]}. */
+    private double turned(int row, double[] at, int p) {
+        return turn[row] * at[p] + turn[row + 1] * at[p + 1] + turn[row + 2] * at[p + 2];
     }
 }

@@ -77,6 +77,8 @@ final class Scratch {
 
     final RowWindow row = new RowWindow();
 
+    final RenewRow renew = new RenewRow();
+
     final Landing landing = new Landing();
 
     final Pivot pivot = new Pivot();
