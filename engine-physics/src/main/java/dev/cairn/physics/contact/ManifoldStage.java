@@ -16,6 +16,7 @@ import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
 import dev.cairn.physics.narrowphase.wide.KeptBatch;
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Moved;
 
 import java.util.Arrays;
 
@@ -311,6 +312,14 @@ public final class ManifoldStage {
         if (flat && recycler.renew(row, margin)) {
             return;
         }
+        if (!flat && isFar(a, b, margin)) {
+            // as the narrow phase leaves a pair with a round side that is apart
+            c.cache[row] = 0;
+            own.manifold.pointCount = 0;
+            own.manifold.patch = 0;
+            points.store(row, own.manifold, own.points);
+            return;
+        }
         if (flat) {
             own.narrowPhase.remember(c.memory, PairMemory.SIZE * row);
         }
@@ -336,6 +345,23 @@ public final class ManifoldStage {
         if (flat) {
             recycler.keep(row, own.manifold, own.narrowPhase.leftOut(), margin);
         }
+    }
+
+    /**
+     * Whether the balls around two bodies are further apart than the margin. In a heap every other
+     * pair with a round side is: its boxes overlap at their corners. A moved shape may be without a
+     * round side, and then remembers what separates it.
+     */
+    private boolean isFar(int a, int b, double margin) {
+        BodyStore s = bodies;
+        if (s.shape[a] instanceof Moved || s.shape[b] instanceof Moved) {
+            return false;
+        }
+        double x = s.apartX(a, b);
+        double y = s.apartY(a, b);
+        double z = s.apartZ(a, b);
+        double reaches = (s.outerRadius[a] + s.outerRadius[b] + margin) * (1 + 0x1p-40);
+        return x * x + y * y + z * z > reaches * reaches;
     }
 
     /** The speculative margin of a pair; see the package's essay. */

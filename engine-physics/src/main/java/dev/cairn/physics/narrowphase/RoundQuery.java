@@ -56,7 +56,7 @@ final class RoundQuery {
                 axisZ = gjk.vz / gjk.distance;
                 return;
             }
-            face(h);
+            face(h, Double.MAX_VALUE);
         }
         turn(p);
     }
@@ -111,7 +111,7 @@ final class RoundQuery {
         if (h.faceCount() > FEW_FACES) {
             return false;
         }
-        int f = face(h);
+        int f = face(h, limit);
         if (distance > limit || distance <= 0x1p-42 * p.scale) {
             return true;
         }
@@ -123,11 +123,11 @@ final class RoundQuery {
         return true;
     }
 
-    /** The face that the point is highest above. */
-    private int face(Polyhedron h) {
+    /** The face that the point is highest above, or the first one above the limit. */
+    private int face(Polyhedron h, double limit) {
         int best = 0;
         distance = -Double.MAX_VALUE;
-        for (int f = 0; f < h.faceCount(); f++) {
+        for (int f = 0; f < h.faceCount() && distance <= limit; f++) {
             double s =
                     h.normalX(f) * pointX
                             + h.normalY(f) * pointY

@@ -110,7 +110,7 @@ final class SegmentHull {
     }
 
     private boolean solve(double scale, double limit) {
-        int face = face();
+        int face = face(limit);
         if (best > limit) {
             return true;
         }
@@ -140,11 +140,11 @@ final class SegmentHull {
         return false;
     }
 
-    /** The face that separates best. */
-    private int face() {
+    /** The face that separates best, or the first one that separates by more than the limit. */
+    private int face(double limit) {
         best = Axes.NEVER;
         int face = 0;
-        for (int f = 0; f < hull.faceCount(); f++) {
+        for (int f = 0; f < hull.faceCount() && best <= limit; f++) {
             double nx = hull.normalX(f);
             double ny = hull.normalY(f);
             double nz = hull.normalZ(f);
