@@ -114,9 +114,9 @@ final class Collector {
         }
         if (!sameBodies || !sameColours) {
             colour(list);
-            colouring.finish(list, batches);
         }
         if (!sameBodies || !sameColours || !samePoints) {
+            colouring.finish(list, batches, points);
             link(list);
         }
         return stacked;

@@ -19,6 +19,9 @@ import java.util.Arrays;
 final class Colouring {
     private static final int MASKED = 64;
 
+    /** Sorts of rows in a colour, see {@link #sort}. */
+    private static final int SORTS = 3;
+
     /** Colours in use, and the place where each starts; one more for the end of the last. */
     int colours;
 
@@ -41,7 +44,7 @@ final class Colouring {
     /** By row: its colour, those against what does not move below 0. */
     private int[] colour = {};
 
-    /** By colour of the batch in work: its rows, then its next place. */
+    /** By colour of the batch in work and sort: the rows, then the next place. */
     private int[] tally = {};
 
     /** The colour between those of floats and those of doubles. */
@@ -105,11 +108,15 @@ final class Colouring {
         colour[m] = -1 - k;
     }
 
-    /** Gives each row its place, and pads each colour of a batch to whole groups. */
-    void finish(RowList list, Batches batches) {
+    /**
+     * Gives each row its place, and pads each colour of a batch to whole groups.
+     *
+     * @param points of each row
+     */
+    void finish(RowList list, Batches batches, int[] points) {
         int names = 2 * MASKED + moreColours + fixedColours;
-        if (tally.length < names) {
-            tally = new int[2 * names];
+        if (tally.length < SORTS * names) {
+            tally = new int[2 * SORTS * names];
         }
         if (firstColour.length < batches.count + 1) {
             firstColour = new int[batches.firstRow.length];
@@ -124,7 +131,8 @@ final class Colouring {
                 at = divide(list.floats, at);
             } else {
                 boolean isSingle = b < batches.divider;
-                at = place(list, isSingle ? list.floats : list.doubles, batches, b, names, at);
+                ConstraintRows rows = isSingle ? list.floats : list.doubles;
+                at = place(list, rows, batches, b, names, points, at);
             }
             firstFixed[b] = firstFixed[b] < 0 ? colours : firstFixed[b];
         }
@@ -151,43 +159,63 @@ final class Colouring {
         rows.ensurePlaces(places);
     }
 
-    /** Gives the rows of a batch their places, from {@code at} on; returns the end. */
+    /**
+     * Gives the rows of a batch their places, from {@code at} on; returns the end. Of a colour
+     * those of one point come first, then those of two: a group has one kernel, that of its row
+     * with most points.
+     */
     private int place(
-            RowList list, ConstraintRows rows, Batches batches, int batch, int names, int at) {
+            RowList list,
+            ConstraintRows rows,
+            Batches batches,
+            int batch,
+            int names,
+            int[] points,
+            int at) {
         int from = batches.firstRow[batch];
         int to = batches.firstRow[batch + 1];
         if (from == to) {
             return at;
         }
         int[] byBatch = batches.byBatch;
-        Arrays.fill(tally, 0, names, 0);
+        Arrays.fill(tally, 0, SORTS * names, 0);
         int least = names;
         int most = 0;
         for (int k = from; k < to; k++) {
-            int c = name(colour[byBatch[k]]);
-            tally[c]++;
+            int m = byBatch[k];
+            int c = name(colour[m]);
+            tally[SORTS * c + sort(points[m])]++;
             least = Math.min(least, c);
             most = Math.max(most, c);
         }
         ensureColours(colours + most - least + 2);
         int end = at;
         for (int c = least; c <= most; c++) {
-            int n = tally[c];
+            int n = 0;
+            for (int t = SORTS * c; t < SORTS * (c + 1); t++) {
+                int of = tally[t];
+                tally[t] = end + n;
+                n += of;
+            }
             if (n > 0) {
                 if (c >= names - fixedColours && firstFixed[batch] < 0) {
                     firstFixed[batch] = colours;
                 }
                 start[colours] = end;
                 size[colours++] = n;
-                tally[c] = end;
                 end += (n + rows.group - 1) / rows.group * rows.group;
             }
         }
         for (int k = from; k < to; k++) {
             int m = byBatch[k];
-            list.place[m] = tally[name(colour[m])]++;
+            list.place[m] = tally[SORTS * name(colour[m]) + sort(points[m])]++;
         }
         return end;
+    }
+
+    /** Rows of one kernel: of one point, of two, of more. */
+    private static int sort(int points) {
+        return points <= 1 ? 0 : points == 2 ? 1 : 2;
     }
 
     /** The colour's number among all, in the order of solving. */
