@@ -198,9 +198,7 @@ final class Passes {
      * @param index of the sub-step; the first one scales what the contacts know
      */
     void renewRows(SubStep sub, int index, int from, int to, Scratch scratch) {
-        boolean first = index == 0;
-        double scale = first ? sub.fillScale : 1;
-        renewal.rows(rows, body, tick.contacts, sub, first, scale, from, to, scratch.renew);
+        renewal.rows(rows, body, tick.contacts, sub, index, from, to, scratch.renew);
     }
 
     void relax(Sweeps sweeps, SubStep sub, int from, int to, Scratch scratch) {

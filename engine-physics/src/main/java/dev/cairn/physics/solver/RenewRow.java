@@ -30,71 +30,188 @@ import java.util.Arrays;
  * Fills one row anew within a tick, when its levers have moved: impulses and totals stay, and the
  * impulses are added to the bodies' warm start.
  *
- * <p>Problem: in a heap that moves most rows are renewed in each sub-step, and the fields of a row
- * lie in as many cache lines. So what is read is what the row alone knows, its impulses; all is
- * made in a row that lies together, in double, and only what can have changed is written back. The
- * arithmetic is that of {@link PrepareRow}, operation by operation.
+ * <p>Problem: in a heap that moves most rows are renewed in each sub-step; the fields of a row lie
+ * in as many cache lines, and contacts lie in another order than rows. So what the contact knows is
+ * kept in a record of the row, all is made in a row that lies together, in double, and only what
+ * can have changed is written back. The arithmetic is that of {@link PrepareRow}, operation by
+ * operation.
  *
  * <p>One thread at a time. Allocates when it is made.
  */
 final class RenewRow {
+    /** A record: unit normal, tangents, see {@link #SHARE}, points. */
+    static final int RECORD = 10 + 8 * ContactStore.POINTS;
+
+    static final int TANGENTS = 3;
+
+    /** How far from the patch's middle a point rubs, over its own distance; -1: no friction. */
+    static final int SHARE = 9;
+
+    /** Start of the points, {@link #NUMBERS} each: anchors of A and B, then these. */
+    static final int POINTS = 10;
+
+    static final int NUMBERS = 8;
+
+    /** Of a point: its separation, m; the load that its contact knows. */
+    static final int GAPS = 6;
+
+    static final int LOADS = 7;
+
     /** The row: a field after the other. */
     private final double[] r = new double[FIELDS];
 
-    /** Where the centre of the patch is from A and from B. */
-    private final double[] centre = new double[6];
+    /** The points of now: anchors of A and B, separation; then the centre of the patch. */
+    private final double[] at = new double[NUMBERS * ContactStore.POINTS + 6];
+
+    private static final int CENTRE = NUMBERS * ContactStore.POINTS;
+
+    /** Writes the record of a contact. */
+    static void keep(ContactStore c, int source, double[] record, int k) {
+        aim(c, source, record, k);
+        record[k + SHARE] = c.friction(source) > 0 ? PrepareRow.share(c, source) : -1;
+        int first = ContactStore.POINTS * source;
+        int q = k + POINTS;
+        for (int p = first; p < first + c.pointCount[source]; p++, q += NUMBERS) {
+            System.arraycopy(c.anchors, ContactStore.anchor(p), record, q, ContactStore.ANCHORS);
+            record[q + GAPS] = c.separation[p];
+            record[q + LOADS] = c.preload[p];
+        }
+    }
+
+    /** Writes the normal of a contact to its record, and tangents. */
+    static void aim(ContactStore c, int source, double[] record, int k) {
+        double x = c.normalX(source);
+        double y = c.normalY(source);
+        double z = c.normalZ(source);
+        record[k] = x;
+        record[k + 1] = y;
+        record[k + 2] = z;
+        PrepareRow.tangents(record, k + TANGENTS - TANGENT1, 1, x, y, z);
+    }
 
     /**
-     * Fills the row at place {@code j} of contact {@code source}, whose anchors and separations are
-     * those of now.
+     * Moves the points with their bodies.
      *
-     * @param tangent holds the tangents, six numbers from {@code at} on
-     * @param turned whether they are others than the row's
-     * @param preloadScale of the tick's start
+     * @param turn turns of bodies since the tick's start, nine numbers each
+     * @param ra where the turn of A is, if its points turn, else -1
+     * @param rb the same of B
+     * @param shareA share of the way between the points of two bodies that A's goes to B's
      */
-    void run(
+    void place(
+            ConstraintRows rows,
+            double[] state,
+            int j,
+            double[] record,
+            int k,
+            double[] turn,
+            int ra,
+            int rb,
+            double shareA,
+            double shareB) {
+        int pa = rows.link[j * LINK] + SolverBodies.P;
+        int pb = rows.link[j * LINK + 1] + SolverBodies.P;
+        double mx = state[pb] - state[pa];
+        double my = state[pb + 1] - state[pa + 1];
+        double mz = state[pb + 2] - state[pa + 2];
+        double nx = record[k];
+        double ny = record[k + 1];
+        double nz = record[k + 2];
+        int n = rows.points(j);
+        int q = k + POINTS;
+        for (int i = 0; i < NUMBERS * n; i += NUMBERS, q += NUMBERS) {
+            turn(turn, ra, record, q, i);
+            turn(turn, rb, record, q + 3, i + 3);
+            double dx = (at[i + 3] - record[q + 3]) - (at[i] - record[q]);
+            double dy = (at[i + 4] - record[q + 4]) - (at[i + 1] - record[q + 1]);
+            double dz = (at[i + 5] - record[q + 5]) - (at[i + 2] - record[q + 2]);
+            at[i + GAPS] = record[q + GAPS] + (dx * nx + dy * ny + dz * nz);
+            dx += mx;
+            dy += my;
+            dz += mz;
+            at[i] += shareA * dx;
+            at[i + 1] += shareA * dy;
+            at[i + 2] += shareA * dz;
+            at[i + 3] -= shareB * dx;
+            at[i + 4] -= shareB * dy;
+            at[i + 5] -= shareB * dz;
+        }
+    }
+
+    /** Turns a vector of the record, if there is a turn. */
+    private void turn(double[] turn, int m, double[] record, int q, int out) {
+        double x = record[q];
+        double y = record[q + 1];
+        double z = record[q + 2];
+        if (m < 0) {
+            at[out] = x;
+            at[out + 1] = y;
+            at[out + 2] = z;
+            return;
+        }
+        at[out] = turn[m] * x + turn[m + 1] * y + turn[m + 2] * z;
+        at[out + 1] = turn[m + 3] * x + turn[m + 4] * y + turn[m + 5] * z;
+        at[out + 2] = turn[m + 6] * x + turn[m + 7] * y + turn[m + 8] * z;
+    }
+
+    /** Writes where the points are now to a contact. */
+    void tell(ContactStore c, int source, boolean anchors) {
+        int first = ContactStore.POINTS * source;
+        for (int i = 0; i < c.pointCount[source]; i++) {
+            int q = NUMBERS * i;
+            c.separation[first + i] = at[q + GAPS];
+            if (anchors) {
+                int p = ContactStore.anchor(first + i);
+                System.arraycopy(at, q, c.anchors, p, ContactStore.ANCHORS);
+            }
+        }
+    }
+
+    /**
+     * Fills the row at place {@code j} for the points of now.
+     *
+     * @param record of the row, from {@code k} on
+     * @param turned whether the tangents are others than the row's
+     */
+    void fill(
             ConstraintRows rows,
             SolverBodies bodies,
-            ContactStore c,
             int j,
-            int source,
-            double[] tangent,
-            int at,
+            double[] record,
+            int k,
             boolean turned,
-            SubStep sub,
-            double preloadScale) {
+            SubStep sub) {
         int a = rows.link[j * LINK];
         int b = rows.link[j * LINK + 1];
-        int n = c.pointCount[source];
+        int n = rows.points(j);
         double ma = bodies.state[a + SolverBodies.MASS];
         double mb = bodies.state[b + SolverBodies.MASS];
         boolean fixed = ma == 0 || mb == 0;
-        boolean rough = c.friction(source) > 0;
-        r[0] = c.normalX(source);
-        r[1] = c.normalY(source);
-        r[2] = c.normalZ(source);
+        double share = record[k + SHARE];
+        boolean rough = share >= 0;
+        for (int i = 0; i < 3; i++) {
+            r[i] = record[k + i];
+            r[TANGENT1 + i] = record[k + TANGENTS + i];
+            r[TANGENT2 + i] = record[k + TANGENTS + 3 + i];
+        }
         r[MASS_A] = ma;
         r[MASS_B] = mb;
-        for (int k = 0; k < 6; k++) {
-            r[TANGENT1 + k] = tangent[at + k];
-        }
         if (rough && n == 1) {
-            centre(c, source, fixed ? 0.5 * c.separation[ContactStore.POINTS * source] : 0);
+            centre(fixed ? 0.5 * at[GAPS] : 0);
         } else if (rough) {
-            centre(c, source, n, fixed, fixed ? 0 : moved(bodies.state, a, b));
+            centre(n, fixed, fixed ? 0 : moved(bodies.state, a, b));
         }
-        side(bodies.root, a, c, source, 0, n, rough);
-        side(bodies.root, b, c, source, 3, n, rough);
-        for (int i = 0; i < n; i++) {
-            c.preload[ContactStore.POINTS * source + i] *= preloadScale;
-        }
-        points(c, source, n, ma + mb, sub.stiffness(fixed), rows.unloaded[j] != 0);
+        side(bodies.root, a, 0, n, rough);
+        side(bodies.root, b, 3, n, rough);
+        points(record, k, n, ma + mb, sub.stiffness(fixed), rows.unloaded[j] != 0);
         if (rough) {
+            reach(n, share);
             block(ma + mb, n > 1);
         }
         read(rows, rows.base(j), n, rough);
+        r[LAMBDA + 2] = r[TWIST_MASS] > 0 ? r[LAMBDA + 2] : 0;
         write(rows, rows.base(j), a, b, n, rough, turned);
-        warm(bodies.warm, a, b, n, rough);
+        warm(bodies.warm, a, -1, 0, n, rough);
+        warm(bodies.warm, b, 1, 3, n, rough);
     }
 
     /** Writes what can have changed. */
@@ -132,27 +249,21 @@ final class RenewRow {
         return r[0] * (s[k] - s[i]) + r[1] * (s[k + 1] - s[i + 1]) + r[2] * (s[k + 2] - s[i + 2]);
     }
 
-    /** The same of one point. */
-    private void centre(ContactStore c, int source, double shift) {
-        int p = ContactStore.anchor(ContactStore.POINTS * source);
+    /** The centre of a patch of one point. */
+    private void centre(double shift) {
         for (int k = 0; k < 3; k++) {
-            centre[k] = c.anchors[p + k] - shift * r[k];
-            centre[3 + k] = c.anchors[p + 3 + k] + shift * r[k];
+            at[CENTRE + k] = at[k] - shift * r[k];
+            at[CENTRE + 3 + k] = at[3 + k] + shift * r[k];
         }
-        reach(c, source, p, 1);
     }
 
-    /** The patch's centre and how far its points are from it. */
-    private void centre(ContactStore c, int source, int n, boolean fixed, double moved) {
-        int first = ContactStore.POINTS * source;
-        double[] at = c.anchors;
-        int k = ContactStore.anchor(first);
+    /** The patch's centre. */
+    private void centre(int n, boolean fixed, double moved) {
         double spread = 0;
-        for (int i = 1; i < n; i++) {
-            int p = k + i * ContactStore.ANCHORS;
-            double x = at[p] - at[k];
-            double y = at[p + 1] - at[k + 1];
-            double z = at[p + 2] - at[k + 2];
+        for (int q = NUMBERS; q < NUMBERS * n; q += NUMBERS) {
+            double x = at[q] - at[0];
+            double y = at[q + 1] - at[1];
+            double z = at[q + 2] - at[2];
             spread = Math.max(spread, x * x + y * y + z * z);
         }
         double fade = PrepareRow.FADE * Math.sqrt(spread);
@@ -164,37 +275,35 @@ final class RenewRow {
         double bx = 0;
         double by = 0;
         double bz = 0;
-        for (int i = 0; i < n; i++) {
-            int p = k + i * ContactStore.ANCHORS;
-            double gap = c.separation[first + i] + moved;
+        for (int q = 0; q < NUMBERS * n; q += NUMBERS) {
+            double gap = at[q + GAPS] + moved;
             double w = gap <= fade || fade == 0 ? 1 : Math.max(2 - gap / fade, 1e-10);
             sum += w;
             shift += w * (0.5 * (fixed ? gap : 0));
-            ax += w * at[p];
-            ay += w * at[p + 1];
-            az += w * at[p + 2];
-            bx += w * at[p + 3];
-            by += w * at[p + 4];
-            bz += w * at[p + 5];
+            ax += w * at[q];
+            ay += w * at[q + 1];
+            az += w * at[q + 2];
+            bx += w * at[q + 3];
+            by += w * at[q + 4];
+            bz += w * at[q + 5];
         }
         double one = 1 / sum;
         shift *= one;
-        centre[0] = ax * one - shift * r[0];
-        centre[1] = ay * one - shift * r[1];
-        centre[2] = az * one - shift * r[2];
-        centre[3] = bx * one + shift * r[0];
-        centre[4] = by * one + shift * r[1];
-        centre[5] = bz * one + shift * r[2];
-        reach(c, source, k, n);
+        at[CENTRE] = ax * one - shift * r[0];
+        at[CENTRE + 1] = ay * one - shift * r[1];
+        at[CENTRE + 2] = az * one - shift * r[2];
+        at[CENTRE + 3] = bx * one + shift * r[0];
+        at[CENTRE + 4] = by * one + shift * r[1];
+        at[CENTRE + 5] = bz * one + shift * r[2];
     }
 
-    private void reach(ContactStore c, int source, int k, int n) {
-        double share = PrepareRow.share(c, source);
+    /** How far the points are from the centre. */
+    private void reach(int n, double share) {
         for (int i = 0; i < n; i++) {
-            int p = k + i * ContactStore.ANCHORS;
-            double x = c.anchors[p] - centre[0];
-            double y = c.anchors[p + 1] - centre[1];
-            double z = c.anchors[p + 2] - centre[2];
+            int q = NUMBERS * i;
+            double x = at[q] - at[CENTRE];
+            double y = at[q + 1] - at[CENTRE + 1];
+            double z = at[q + 2] - at[CENTRE + 2];
             r[REACH + i] = Math.sqrt(x * x + y * y + z * z) * share;
         }
     }
@@ -205,10 +314,9 @@ final class RenewRow {
      *
      * @param part 0 for A, 3 for B
      */
-    private void side(
-            double[] root, int body, ContactStore c, int source, int part, int n, boolean rough) {
+    private void side(double[] root, int body, int part, int n, boolean rough) {
         int k = (body >> 4) * SolverBodies.ROOT;
-        int p = ContactStore.anchor(ContactStore.POINTS * source) + part;
+        int p = part;
         int q = POINT + (part == 0 ? ARM_A : ARM_B);
         int lever = LEVER + 2 * part;
         if (body == 0) {
@@ -220,13 +328,13 @@ final class RenewRow {
             return;
         }
         for (int i = 0; i < n; i++) {
-            arm(root, k, c.anchors, p, 0, q);
-            p += ContactStore.ANCHORS;
+            arm(root, k, p, 0, q);
+            p += NUMBERS;
             q += POINT_FIELDS;
         }
         if (rough) {
-            arm(root, k, centre, part, TANGENT1, lever);
-            arm(root, k, centre, part, TANGENT2, lever + 3);
+            arm(root, k, CENTRE + part, TANGENT1, lever);
+            arm(root, k, CENTRE + part, TANGENT2, lever + 3);
         }
         if (rough && n > 1) {
             weigh(root, k, r[0], r[1], r[2], TWIST + part);
@@ -234,7 +342,7 @@ final class RenewRow {
     }
 
     /** Writes {@code L^T (r x u)}, r at {@code at[p]}, u a field of the row. */
-    private void arm(double[] root, int k, double[] at, int p, int u, int out) {
+    private void arm(double[] root, int k, int p, int u, int out) {
         double rx = at[p];
         double ry = at[p + 1];
         double rz = at[p + 2];
@@ -252,15 +360,14 @@ final class RenewRow {
     }
 
     private void points(
-            ContactStore c, int source, int n, double masses, double stiffness, boolean unloaded) {
-        int p = ContactStore.POINTS * source;
-        for (int i = 0; i < n; i++, p++) {
+            double[] record, int k, int n, double masses, double stiffness, boolean unloaded) {
+        for (int i = 0; i < n; i++) {
             int q = POINT + i * POINT_FIELDS;
             double w = masses + (dot(q + ARM_A, q + ARM_A) + dot(q + ARM_B, q + ARM_B));
             double mass = w > 0 ? 1 / w : 0;
-            double k = mass * stiffness;
-            double known = unloaded ? 0 : c.preload[p];
-            double gap = c.separation[p] - (k > 0 ? known / k : 0);
+            double stiff = mass * stiffness;
+            double known = unloaded ? 0 : record[k + POINTS + NUMBERS * i + LOADS];
+            double gap = at[NUMBERS * i + GAPS] - (stiff > 0 ? known / stiff : 0);
             r[q + MASS] = mass;
             r[q + SEPARATION] = gap;
             r[GAP + i] = gap;
@@ -291,7 +398,6 @@ final class RenewRow {
         }
         if (rough) {
             copy(rows, o, LAMBDA, 3);
-            r[LAMBDA + 2] = r[TWIST_MASS] > 0 ? r[LAMBDA + 2] : 0;
         }
     }
 
@@ -310,78 +416,83 @@ final class RenewRow {
         }
     }
 
-    /** Adds the impulses to the bodies' warm start, see {@link WarmStart}. */
-    private void warm(double[] warm, int a, int b, int n, boolean rough) {
-        double sum = 0;
-        for (int i = 0; i < n; i++) {
-            int q = POINT + i * POINT_FIELDS;
-            double impulse = r[q + IMPULSE];
-            if (impulse != 0) {
-                WarmStart.turn(warm, a, b, r, q + ARM_A, q + ARM_B, 1, impulse);
-                sum += impulse;
-            }
-        }
-        double ma = r[MASS_A];
-        double mb = r[MASS_B];
-        if (sum != 0) {
-            WarmStart.push(warm, a, b, ma * sum, mb * sum, r[0], r[1], r[2]);
-        }
-        WarmStart.positive(warm, a);
-        WarmStart.positive(warm, b);
-        if (rough) {
-            rub(warm, a, b, 1);
-        }
-    }
-
-    /** What the friction of the row does, times {@code sign}. */
-    private void rub(double[] warm, int a, int b, double sign) {
-        double f1 = sign * r[LAMBDA];
-        double f2 = sign * r[LAMBDA + 1];
-        double f3 = sign * r[LAMBDA + 2];
-        if (f1 == 0 && f2 == 0 && f3 == 0) {
+    /**
+     * Adds the impulses to the warm start of a body, see {@link WarmStart}.
+     *
+     * @param sign -1 for A, 1 for B; the other way round takes them out
+     * @param part 0 for A, 3 for B
+     */
+    private void warm(double[] warm, int body, double sign, int part, int n, boolean rough) {
+        if (body == 0) {
             return;
         }
-        double ma = r[MASS_A];
-        double mb = r[MASS_B];
-        int t = TANGENT1;
-        WarmStart.push(warm, a, b, ma * f1, mb * f1, r[t], r[t + 1], r[t + 2]);
-        t = TANGENT2;
-        WarmStart.push(warm, a, b, ma * f2, mb * f2, r[t], r[t + 1], r[t + 2]);
-        WarmStart.turn(warm, a, b, r, LEVER, LEVER + 6, 1, f1);
-        WarmStart.turn(warm, a, b, r, LEVER + 3, LEVER + 9, 1, f2);
-        WarmStart.turn(warm, a, b, r, TWIST, TWIST + 3, 1, f3);
+        int w = body >> 1;
+        double m = r[part == 0 ? MASS_A : MASS_B];
+        double x = warm[w + 3];
+        double y = warm[w + 4];
+        double z = warm[w + 5];
+        double sum = 0;
+        for (int q = POINT + part; q < POINT + n * POINT_FIELDS; q += POINT_FIELDS) {
+            double impulse = sign * r[q - part + IMPULSE];
+            x += impulse * r[q];
+            y += impulse * r[q + 1];
+            z += impulse * r[q + 2];
+            sum += impulse;
+        }
+        double f = m * sum;
+        double f1 = rough ? sign * r[LAMBDA] : 0;
+        double f2 = rough ? sign * r[LAMBDA + 1] : 0;
+        double f3 = rough ? sign * r[LAMBDA + 2] : 0;
+        double g1 = m * f1;
+        double g2 = m * f2;
+        // zeros leave positive
+        for (int k = 0; k < 3; k++) {
+            double v = warm[w + k] + f * r[k] + 0.0;
+            warm[w + k] = rough ? v + g1 * r[TANGENT1 + k] + g2 * r[TANGENT2 + k] : v;
+        }
+        x += 0.0;
+        y += 0.0;
+        z += 0.0;
+        if (rough) {
+            int lever = LEVER + 2 * part;
+            int t = TWIST + part;
+            x = x + f1 * r[lever] + f2 * r[lever + 3] + f3 * r[t];
+            y = y + f1 * r[lever + 1] + f2 * r[lever + 4] + f3 * r[t + 1];
+            z = z + f1 * r[lever + 2] + f2 * r[lever + 5] + f3 * r[t + 2];
+        }
+        warm[w + 3] = x;
+        warm[w + 4] = y;
+        warm[w + 5] = z;
     }
 
-    /** Takes the impulses of the row at place {@code j} out of its bodies' warm start. */
-    void takeOut(ConstraintRows rows, double[] warm, int j) {
-        int a = rows.link[j * LINK];
-        int b = rows.link[j * LINK + 1];
+    /**
+     * Takes the impulses of the row at place {@code j} out of the warm start of a body or both.
+     *
+     * @param ofA of A
+     * @param ofB of B
+     */
+    void takeOut(ConstraintRows rows, double[] warm, int j, boolean ofA, boolean ofB) {
         int o = rows.base(j);
-        int lanes = rows.lanes;
+        int n = rows.points(j);
+        boolean rough = rows.get(o + FRICTION * rows.lanes) > 0;
         copy(rows, o, 0, 3);
         copy(rows, o, MASS_A, 2);
-        double sum = 0;
-        for (int i = 0; i < rows.points(j); i++) {
-            int q = POINT + i * POINT_FIELDS;
-            double impulse = -rows.get(o + (q + IMPULSE) * lanes);
-            if (impulse != 0) {
-                copy(rows, o, q, ARM_B + 3);
-                WarmStart.turn(warm, a, b, r, q + ARM_A, q + ARM_B, 1, impulse);
-                sum += impulse;
-            }
+        read(rows, o, n, rough);
+        int field = ofA ? ARM_A : ARM_B;
+        int count = ofA && ofB ? 6 : 3;
+        for (int i = 0; i < n; i++) {
+            copy(rows, o, POINT + i * POINT_FIELDS + field, count);
         }
-        if (sum != 0) {
-            double ma = r[MASS_A] * sum;
-            double mb = r[MASS_B] * sum;
-            WarmStart.push(warm, a, b, ma, mb, r[0], r[1], r[2]);
+        if (rough) {
+            copy(rows, o, TANGENT1, 6);
+            copy(rows, o, ofA ? LEVER : LEVER + 6, 2 * count);
+            copy(rows, o, TWIST + field, count);
         }
-        if (rows.get(o + FRICTION * lanes) > 0) {
-            copy(rows, o, LAMBDA, 3);
-            if (r[LAMBDA] != 0 || r[LAMBDA + 1] != 0 || r[LAMBDA + 2] != 0) {
-                copy(rows, o, TANGENT1, 6);
-                copy(rows, o, LEVER, TWIST + 6 - LEVER);
-                rub(warm, a, b, -1);
-            }
+        if (ofA) {
+            warm(warm, rows.link[j * LINK], 1, 0, n, rough);
+        }
+        if (ofB) {
+            warm(warm, rows.link[j * LINK + 1], -1, 3, n, rough);
         }
     }
 

@@ -1,5 +1,7 @@
 package dev.cairn.physics.solver;
 
+import static dev.cairn.physics.solver.ConstraintRows.LINK;
+
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.shape.Box;
@@ -49,16 +51,19 @@ final class Renewal {
     private static final int OF_B = 16;
     private static final int BETWEEN = OF_A | OF_B;
 
-    /** Of a row: one of its bodies does not turn, so that it keeps its warm start. */
-    private static final int STAYS = 32;
+    /** Of a row: A, or B, moves but does not turn, so that it keeps its warm start. */
+    private static final int STAYS_A = 32;
+
+    private static final int STAYS_B = 64;
 
     /** Of a row: its normal may turn within the tick, see {@link BallImpacts}. */
-    private static final int AIMED = 64;
+    private static final int AIMED = 128;
 
-    /** Per row, for each point: anchors of A and B, separation; then the tangents. */
-    private static final int KEPT = 7 * ContactStore.POINTS + 6;
+    /** Of a row: others read in the contact where its points are. */
+    private static final int TOLD = 256;
 
-    private static final int TANGENTS = 7 * ContactStore.POINTS;
+    /** Numbers to a row in {@link #kept}. */
+    private static final int KEPT = RenewRow.RECORD;
 
     /** By slot: whether the body's root is renewed; its orientation at the start, 4 to a slot. */
     boolean[] turns = {};
@@ -69,7 +74,7 @@ final class Renewal {
     private double[] turn = {};
 
     /** By place: 0, or that the row is renewed, and how; its first levers are kept. */
-    private byte[] renewed = {};
+    private int[] renewed = {};
 
     private double[] kept = {};
 
@@ -106,7 +111,7 @@ final class Renewal {
     void ensurePlaces(ConstraintRows rows) {
         if (renewed.length < rows.unloaded.length) {
             // With the rows, so that a scene that gets wilder later allocates nothing.
-            renewed = new byte[rows.unloaded.length];
+            renewed = new int[rows.unloaded.length];
             kept = new double[rows.unloaded.length * KEPT];
         }
     }
@@ -136,9 +141,9 @@ final class Renewal {
                             && movesB
                             && c.restitution[source] == 0
                             && passes(b, i, j, gravity))) {
-                renewed[place] = how(c, b, source, movesA, movesB);
+                renewed[place] = how(rows, c, b, place, source, movesA, movesB);
                 any = true;
-                keep(c, source, place);
+                RenewRow.keep(c, source, kept, KEPT * place);
                 if (movesA) {
                     stirred[i] = true;
                 }
@@ -175,7 +180,7 @@ final class Renewal {
         if (!(5 * fastest <= SLOW * SLOW * gravity * least)) {
             return false;
         }
-        Arrays.fill(renewed, from, to, (byte) 0);
+        Arrays.fill(renewed, from, to, 0);
         return true;
     }
 
@@ -192,42 +197,33 @@ final class Renewal {
         return x * x + y * y + z * z > slow;
     }
 
-    private byte how(ContactStore c, BodyStore b, int source, boolean movesA, boolean movesB) {
+    private int how(
+            ConstraintRows rows,
+            ContactStore c,
+            BodyStore b,
+            int place,
+            int source,
+            boolean movesA,
+            boolean movesB) {
         int i = c.bodyA[source];
         int k = c.bodyB[source];
         boolean isCorneredA = isCornered(b, i);
         boolean isCorneredB = isCornered(b, k);
+        boolean bounces = c.restitution[source] > 0;
         int how = YES;
         how |= movesA && turns[i] && isCorneredA ? TURNS_A : 0;
         how |= movesB && turns[k] && isCorneredB ? TURNS_B : 0;
-        how |= (movesA && !turns[i]) || (movesB && !turns[k]) ? STAYS : 0;
-        if (movesA && movesB && c.restitution[source] == 0) {
+        how |= movesA && !turns[i] ? STAYS_A : 0;
+        how |= movesB && !turns[k] ? STAYS_B : 0;
+        how |= bounces ? AIMED : 0;
+        // what lands, rolls or bounces
+        how |= !movesA || !movesB || bounces || rows.rolling.has(place) ? TOLD : 0;
+        if (movesA && movesB && !bounces) {
             // two bodies share one point: a ball's own, since on a ball a lever off its normal
             // would lift
             how |= isCorneredA == isCorneredB ? BETWEEN : isCorneredA ? OF_B : OF_A;
         }
-        how |= c.restitution[source] > 0 ? AIMED : 0;
-        return (byte) how;
-    }
-
-    private void keep(ContactStore c, int source, int place) {
-        int k = place * KEPT;
-        int first = ContactStore.POINTS * source;
-        for (int p = first; p < first + c.pointCount[source]; p++, k += 7) {
-            kept[k] = c.anchorAX(p);
-            kept[k + 1] = c.anchorAY(p);
-            kept[k + 2] = c.anchorAZ(p);
-            kept[k + 3] = c.anchorBX(p);
-            kept[k + 4] = c.anchorBY(p);
-            kept[k + 5] = c.anchorBZ(p);
-            kept[k + 6] = c.separation[p];
-        }
-        tangents(c, source, place);
-    }
-
-    private void tangents(ContactStore c, int source, int place) {
-        int k = place * KEPT + TANGENTS - ConstraintRows.TANGENT1;
-        PrepareRow.tangents(kept, k, 1, c.normalX(source), c.normalY(source), c.normalZ(source));
+        return how;
     }
 
     /**
@@ -236,8 +232,9 @@ final class Renewal {
      */
     void unload(ConstraintRows rows, double[] warm, int from, int to, RenewRow row) {
         for (int j = from; j < to; j++) {
-            if ((renewed[j] & STAYS) != 0) {
-                row.takeOut(rows, warm, j);
+            int how = renewed[j];
+            if ((how & (STAYS_A | STAYS_B)) != 0) {
+                row.takeOut(rows, warm, j, (how & STAYS_A) != 0, (how & STAYS_B) != 0);
                 if (rows.rolling.has(j)) {
                     rows.rolling.addWarm(rows, warm, j, j, -1);
                 }
@@ -321,8 +318,8 @@ final class Renewal {
         if (!isFlat || !(isTip || isCornered(b, i)) || (b.restraint[i] & ~BodyStore.DAMPED) != 0) {
             return Double.NaN;
         }
-        int k = KEPT * place + 7 * point;
-        double gap = kept[k + 6];
+        int k = KEPT * place + RenewRow.POINTS + RenewRow.NUMBERS * point;
+        double gap = kept[k + RenewRow.GAPS];
         int a = side > 0 ? k + 3 : k;
         double half = 0.5 * side * gap;
         arm[0] = kept[a] + half * c.normalX(source);
@@ -353,22 +350,18 @@ final class Renewal {
     /** Gives the contacts their first levers back. */
     void restore(ConstraintRows rows, ContactStore c, int from, int to) {
         for (int j = from; j < to; j++) {
-            if (renewed[j] == 0) {
+            int how = renewed[j];
+            if (how == 0) {
                 continue;
             }
-            int q = j * KEPT;
-            int source = rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE];
-            int first = ContactStore.POINTS * source;
-            for (int p = first; p < first + c.pointCount[source]; p++, q += 7) {
-                c.setAnchors(
-                        p,
-                        kept[q],
-                        kept[q + 1],
-                        kept[q + 2],
-                        kept[q + 3],
-                        kept[q + 4],
-                        kept[q + 5]);
-                c.separation[p] = kept[q + 6];
+            int first = ContactStore.POINTS * rows.link[j * LINK + ConstraintRows.SOURCE];
+            int q = j * KEPT + RenewRow.POINTS;
+            for (int p = first; p < first + rows.points(j); p++, q += RenewRow.NUMBERS) {
+                c.separation[p] = kept[q + RenewRow.GAPS];
+                if ((how & TOLD) != 0) {
+                    System.arraycopy(
+                            kept, q, c.anchors, ContactStore.anchor(p), ContactStore.ANCHORS);
+                }
             }
         }
     }
@@ -376,90 +369,53 @@ final class Renewal {
     /**
      * Fills the rows anew, and adds their impulses to the warm start; blocks of a colour.
      *
-     * @param first sub-step of the tick
+     * @param index of the sub-step
      */
     void rows(
             ConstraintRows rows,
             SolverBodies s,
             ContactStore c,
             SubStep sub,
-            boolean first,
-            double preloadScale,
+            int index,
             int from,
             int to,
             RenewRow row) {
+        boolean isLast = index == sub.count - 1;
         for (int j = from; j < to; j++) {
-            if (renewed[j] != 0) {
-                int source = rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE];
-                place(rows, s, c, j, source);
-                boolean aimed = (renewed[j] & AIMED) != 0;
-                if (aimed) {
-                    tangents(c, source, j);
-                }
-                int at = j * KEPT + TANGENTS;
-                row.run(rows, s, c, j, source, kept, at, first || aimed, sub, preloadScale);
-                if (rows.rolling.has(j)) {
-                    rows.rolling.renew(rows, s, c, j);
-                }
+            int how = renewed[j];
+            if (how == 0) {
+                continue;
+            }
+            int k = j * KEPT;
+            int source = rows.link[j * LINK + ConstraintRows.SOURCE];
+            if (index == 0 && sub.fillScale != 1) {
+                scale(c, source, k, sub.fillScale);
+            }
+            if ((how & AIMED) != 0) {
+                RenewRow.aim(c, source, kept, k);
+            }
+            int ra = (how & TURNS_A) != 0 ? 9 * SolverBodies.slot(rows.link[j * LINK]) : -1;
+            int rb = (how & TURNS_B) != 0 ? 9 * SolverBodies.slot(rows.link[j * LINK + 1]) : -1;
+            int shared = how & BETWEEN;
+            double shareA = shared == BETWEEN ? 0.5 : shared == OF_B ? 1 : 0;
+            double shareB = shared == BETWEEN ? 0.5 : shared == OF_A ? 1 : 0;
+            row.place(rows, s.state, j, kept, k, turn, ra, rb, shareA, shareB);
+            if ((how & TOLD) != 0 || isLast) {
+                row.tell(c, source, (how & TOLD) != 0);
+            }
+            row.fill(rows, s, j, kept, k, index == 0 || (how & AIMED) != 0, sub);
+            if (rows.rolling.has(j)) {
+                rows.rolling.renew(rows, s, c, j);
             }
         }
     }
 
-    private void place(ConstraintRows rows, SolverBodies s, ContactStore c, int j, int source) {
-        int how = renewed[j];
-        int ra = (how & TURNS_A) != 0 ? 9 * c.bodyA[source] : -1;
-        int rb = (how & TURNS_B) != 0 ? 9 * c.bodyB[source] : -1;
-        int shared = how & BETWEEN;
-        double shareA = shared == BETWEEN ? 0.5 : shared == OF_B ? 1 : 0;
-        double shareB = shared == BETWEEN ? 0.5 : shared == OF_A ? 1 : 0;
-        int pa = rows.link[j * ConstraintRows.LINK] + SolverBodies.P;
-        int pb = rows.link[j * ConstraintRows.LINK + 1] + SolverBodies.P;
-        double mx = s.state[pb] - s.state[pa];
-        double my = s.state[pb + 1] - s.state[pa + 1];
-        double mz = s.state[pb + 2] - s.state[pa + 2];
-        double nx = c.normalX(source);
-        double ny = c.normalY(source);
-        double nz = c.normalZ(source);
-        int q = j * KEPT;
+    /** What the contacts know is of sub-steps of another length. */
+    private void scale(ContactStore c, int source, int k, double scale) {
         int first = ContactStore.POINTS * source;
-        int end = first + c.pointCount[source];
-        for (int p = first; p < end; p++, q += 7) {
-            double ax = kept[q];
-            double ay = kept[q + 1];
-            double az = kept[q + 2];
-            double bx = kept[q + 3];
-            double by = kept[q + 4];
-            double bz = kept[q + 5];
-            if (ra >= 0) {
-                ax = turned(ra, kept, q);
-                ay = turned(ra + 3, kept, q);
-                az = turned(ra + 6, kept, q);
-            }
-            if (rb >= 0) {
-                bx = turned(rb, kept, q + 3);
-                by = turned(rb + 3, kept, q + 3);
-                bz = turned(rb + 6, kept, q + 3);
-            }
-            double dx = (bx - kept[q + 3]) - (ax - kept[q]);
-            double dy = (by - kept[q + 4]) - (ay - kept[q + 1]);
-            double dz = (bz - kept[q + 5]) - (az - kept[q + 2]);
-            c.separation[p] = kept[q + 6] + (dx * nx + dy * ny + dz * nz);
-            dx += mx;
-            dy += my;
-            dz += mz;
-            c.setAnchors(
-                    p,
-                    ax + shareA * dx,
-                    ay + shareA * dy,
-                    az + shareA * dz,
-                    bx - shareB * dx,
-                    by - shareB * dy,
-                    bz - shareB * dz);
+        for (int i = 0; i < c.pointCount[source]; i++) {
+            c.preload[first + i] *= scale;
+            kept[k + RenewRow.POINTS + RenewRow.NUMBERS * i + RenewRow.LOADS] *= scale;
         }
-    }
-
-    /** A row of a turn times the vector at {@code at[p]}. */
-    private double turned(int row, double[] at, int p) {
-        return turn[row] * at[p] + turn[row + 1] * at[p + 1] + turn[row + 2] * at[p + 2];
     }
 }
