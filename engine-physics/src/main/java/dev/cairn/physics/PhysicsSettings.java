@@ -31,6 +31,10 @@ import java.util.Objects;
  * @param effort how often the sub-steps of an island may be doubled while its bodies overlap by
  *     more than 1 % of their inner radius, 0 (never) to 4. Thin bodies, heavy landings and bad
  *     starts get what they need, and the rest of the scene does not pay for it. Default 0
+ * @param directFrom bodies from end to end of a slender island at rest (a column, a chain, a
+ *     bridge) from which on its contacts are solved together, by a block LDL^T, besides being swept
+ *     one by one, 2 to 1024, or 0 for never. Columns of hundreds stand; what is shorter, wide or in
+ *     motion pays nothing. Default 24
  * @param lanes contacts that the solver takes at once: 1 (scalar), 4, 8 or 16 (two vectors of 8),
  *     or 0 for what fits this machine. Speed only: the results are the same. What is asked for by
  *     number is warmed up when the world is made, which takes a second; 0 does so beside a scene
@@ -62,6 +66,7 @@ public record PhysicsSettings(
         int unloadSweeps,
         int loneSweeps,
         int effort,
+        int directFrom,
         int lanes,
         Precision precision,
         double speculativeTime,
@@ -83,6 +88,7 @@ public record PhysicsSettings(
                     SolverSettings.DEFAULT.unloadSweeps(),
                     SolverSettings.DEFAULT.loneSweeps(),
                     SolverSettings.DEFAULT.effort(),
+                    SolverSettings.DEFAULT.directFrom(),
                     SolverSettings.DEFAULT.lanes(),
                     Precision.AUTO,
                     1,
@@ -109,6 +115,7 @@ public record PhysicsSettings(
         Checks.between("unloadSweeps", unloadSweeps, 0, 64);
         Checks.between("loneSweeps", loneSweeps, 0, 4096);
         Checks.between("effort", effort, 0, 4);
+        Checks.between("directFrom", directFrom, 0, 1024);
         if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16) {
             throw new IllegalArgumentException(
                     "lanes must be 1, 4, 8 or 16, or 0 for what fits this machine, but is "
@@ -219,6 +226,18 @@ public record PhysicsSettings(
     }
 
     /**
+     * These settings with direct solves from another length on.
+     *
+     * @param value see the component
+     * @return new settings
+     */
+    public PhysicsSettings withDirectFrom(int value) {
+        Draft d = new Draft(this);
+        d.directFrom = value;
+        return d.settings();
+    }
+
+    /**
      * These settings with another number of lanes.
      *
      * @param value see the component
@@ -279,6 +298,7 @@ public record PhysicsSettings(
                 .withUnloadSweeps(unloadSweeps)
                 .withLoneSweeps(loneSweeps)
                 .withEffort(effort)
+                .withDirectFrom(directFrom)
                 .withLanes(lanes)
                 .withFloatsFrom(precision.floatsFrom);
     }
@@ -295,6 +315,7 @@ public record PhysicsSettings(
         int unloadSweeps;
         int loneSweeps;
         int effort;
+        int directFrom;
         int lanes;
         Precision precision;
         double speculativeTime;
@@ -315,6 +336,7 @@ public record PhysicsSettings(
             unloadSweeps = s.unloadSweeps;
             loneSweeps = s.loneSweeps;
             effort = s.effort;
+            directFrom = s.directFrom;
             lanes = s.lanes;
             precision = s.precision;
             speculativeTime = s.speculativeTime;
@@ -337,6 +359,7 @@ public record PhysicsSettings(
                     unloadSweeps,
                     loneSweeps,
                     effort,
+                    directFrom,
                     lanes,
                     precision,
                     speculativeTime,

@@ -125,6 +125,14 @@ public final class Main {
     @Nullable String effort;
 
     @Option(
+            names = "--direct-from",
+            paramLabel = "N",
+            description =
+                    "Bodies from end to end of a slender island at rest from which on it is solved"
+                            + " directly, 0 for never; 24 by default.")
+    @Nullable String directFrom;
+
+    @Option(
             names = "--sleeping",
             paramLabel = "on|off",
             description = "Whether bodies at rest fall asleep: on in a window, else off.")

@@ -33,6 +33,7 @@ import java.util.Map;
  * @param workers threads of the physics
  * @param substeps sub-steps of the solver
  * @param effort how often an island's may be doubled
+ * @param directFrom bodies from end to end from which on a slender island is solved directly
  * @param sleeping whether bodies at rest fall asleep, or null for what suits the mode
  * @param lanes contacts that are solved at once, 0 for what fits the machine
  * @param precision of the numbers that contacts are solved in
@@ -55,6 +56,7 @@ record Request(
         int workers,
         int substeps,
         int effort,
+        int directFrom,
         @Nullable Boolean sleeping,
         int lanes,
         Precision precision,
@@ -106,6 +108,7 @@ record Request(
         Integer workers = whole("--workers", typed.workers, 1, Jobs.MAX_WORKERS);
         Integer substeps = whole("--substeps", typed.substeps, 1, 64);
         Integer effort = whole("--effort", typed.effort, 0, 4);
+        Integer directFrom = whole("--direct-from", typed.directFrom, 0, 1024);
         Integer at = whole("--at", typed.at, 0, MOST_TICKS);
         Path obj = path("--obj", typed.obj);
         if (obj != null && !Files.isRegularFile(obj)) {
@@ -156,6 +159,7 @@ record Request(
                 workers == null ? Jobs.defaultWorkers() : workers,
                 substeps == null ? substeps(described) : substeps,
                 effort == null ? 0 : effort,
+                directFrom == null ? PhysicsSettings.DEFAULT.directFrom() : directFrom,
                 onOff("--sleeping", typed.sleeping),
                 lanes(typed.lanes),
                 precision(typed.precision),

@@ -114,6 +114,7 @@ final class Runner {
         window.settings(
                 PhysicsSettings.DEFAULT
                         .withEffort(request.effort())
+                        .withDirectFrom(request.directFrom())
                         .withLanes(request.lanes())
                         .withPrecision(request.precision()));
         Path file = request.sceneFile();
@@ -203,6 +204,7 @@ final class Runner {
         SceneRun run =
                 new SceneRun(scene, options, ticks, request.workers(), request.substeps())
                         .effort(request.effort())
+                        .directFrom(request.directFrom())
                         .sleeping(request.sleepingOr(false))
                         .lanes(request.lanes())
                         .precision(request.precision());

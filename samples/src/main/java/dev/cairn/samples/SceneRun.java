@@ -39,6 +39,7 @@ public final class SceneRun {
     private final int workers;
     private final int substeps;
     private int effort;
+    private int directFrom = PhysicsSettings.DEFAULT.directFrom();
     private boolean sleeping;
     private int lanes;
     private Precision precision = Precision.AUTO;
@@ -88,6 +89,17 @@ public final class SceneRun {
      */
     public SceneRun effort(int doublings) {
         this.effort = doublings;
+        return this;
+    }
+
+    /**
+     * From which length on slender islands are solved directly.
+     *
+     * @param bodies from end to end, or 0 for never; by default the engine's
+     * @return this
+     */
+    public SceneRun directFrom(int bodies) {
+        this.directFrom = bodies;
         return this;
     }
 
@@ -167,6 +179,7 @@ public final class SceneRun {
                                 PhysicsSettings.DEFAULT
                                         .withSubsteps(substeps)
                                         .withEffort(effort)
+                                        .withDirectFrom(directFrom)
                                         .withLanes(lanes)
                                         .withPrecision(precision))
                         .sleeping(sleeping)
@@ -238,6 +251,7 @@ public final class SceneRun {
         parameters.put("seed", options.seed());
         parameters.put("substeps", substeps);
         parameters.put("effort", effort);
+        parameters.put("directFrom", directFrom);
         parameters.put("precision", precision.name().toLowerCase(Locale.ROOT));
         parameters.put("sleeping", sleeping ? "on" : "off");
         if (options.obj() != null) {

@@ -41,7 +41,8 @@ final class Batches {
     /** In {@link #tally}: the island is cut into domains. */
     private static final int CUT = -1;
 
-    private final Islands islands = new Islands();
+    /** Of the contacts of the list, where they were asked for or the cut needs them. */
+    final Islands islands = new Islands();
 
     private final Effort efforts = new Effort();
     private final Domains domains = new Domains();
@@ -81,8 +82,11 @@ final class Batches {
     int[] order = {};
 
     int[] firstBody = new int[2];
-    private int[] bound = {};
-    private int boundCount;
+
+    /** Bodies with contacts, by slot. */
+    int[] bound = {};
+
+    int boundCount;
 
     /** By slot: rows of the island whose smallest slot it is, then its batch. */
     private int[] tally = {};
@@ -127,6 +131,7 @@ final class Batches {
      * @param doublings of sub-steps that an island may get
      * @param sag of a body on a soft contact, m
      * @param floatsFrom rows of an island that are floats if there are as many
+     * @param wantsIslands whether islands are to be found even if the cut needs none
      */
     void cut(
             BodyStore bodies,
@@ -137,7 +142,8 @@ final class Batches {
             int workers,
             int doublings,
             double sag,
-            int floatsFrom) {
+            int floatsFrom,
+            boolean wantsIslands) {
         this.floatsFrom = floatsFrom;
         paces = doublings + 1;
         ensureCapacity(bodies.slotCount, list.source.length);
@@ -150,6 +156,9 @@ final class Batches {
         boolean isOne = floatsFrom == 0 || list.count < floatsFrom;
         if (doublings == 0 && isOne && list.count <= (together ? LARGEST : WANTED)) {
             whole(list, isSingle(list.count) ? FLOATS : DOUBLES, together);
+            if (wantsIslands) {
+                islands.build(bodies, contacts, bound, boundCount);
+            }
             return;
         }
         islands.build(bodies, contacts, bound, boundCount);
@@ -389,6 +398,11 @@ final class Batches {
     private int batchOfBody(int slot) {
         int batch = tally[islands.root(slot)];
         return batch == CUT ? batchOfDomain[domains.of[slot]] : batch;
+    }
+
+    /** The batch of a row. */
+    int batchOfRow(int m) {
+        return batchOf[m];
     }
 
     /** Whether a row is in a batch in lockstep. */

@@ -72,6 +72,7 @@ final class Collector {
      * @param extra doublings of sub-steps that an island may get
      * @param sag of a body on a soft contact, m
      * @param floatsFrom rows of an island that are floats if there are as many
+     * @param wantsIslands whether {@link Batches#islands} are to be found
      * @param jobs runs the comparison
      * @return whether any two dynamic bodies touch
      */
@@ -84,6 +85,7 @@ final class Collector {
             int extra,
             double sag,
             int floatsFrom,
+            boolean wantsIslands,
             Jobs jobs) {
         bodies = bodyStore;
         contacts = contactStore;
@@ -105,7 +107,16 @@ final class Collector {
             doublings = extra;
             bind(list, guide);
             batches.cut(
-                    bodies, contacts, list, guide, together, workerCount, extra, sag, floatsFrom);
+                    bodies,
+                    contacts,
+                    list,
+                    guide,
+                    together,
+                    workerCount,
+                    extra,
+                    sag,
+                    floatsFrom,
+                    wantsIslands);
         } else if (extra > 0 && batches.recut(bodies, contacts, list, together, workerCount, sag)) {
             sameColours = false;
         }

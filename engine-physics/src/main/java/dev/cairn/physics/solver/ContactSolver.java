@@ -182,6 +182,7 @@ public final class ContactSolver {
     private void load(Jobs jobs) {
         Tick t = tick;
         SolverSettings settings = t.settings;
+        boolean direct = settings.directFrom() > 0;
         boolean stacked =
                 collector.run(
                         t.bodies,
@@ -192,6 +193,7 @@ public final class ContactSolver {
                         paces.length - 1,
                         paces[0].sag(t.weight()),
                         settings.floatsFrom(),
+                        direct,
                         jobs);
         t.order = batches.order;
         unloaded =
@@ -229,6 +231,12 @@ public final class ContactSolver {
                                 stacked,
                                 collector.isSame(),
                                 jobs);
+        if (direct) {
+            if (!collector.isSame()) {
+                t.direct.find(t.bodies, t.contacts, list, batches, settings.directFrom());
+            }
+            t.direct.gate(t.bodies, batches, settings.restAcceleration());
+        }
     }
 
     /** One block needs no other worker, and no protocol. */
@@ -268,6 +276,9 @@ public final class ContactSolver {
             for (int c = first; c < last; c++) {
                 p.bias(sweeps(c), sub, start[c], start[c + 1], own);
             }
+            for (int d = 0; d < tick.direct.openIn(b); d++) {
+                p.direct(sub, b, d, true, own);
+            }
             p.drift(sub, head, tail);
             if (renewed) {
                 p.keep(head, tail);
@@ -277,6 +288,9 @@ public final class ContactSolver {
             }
             for (int c = first; c < last; c++) {
                 p.relax(sweeps(c), sub, start[c], start[c + 1], own);
+            }
+            for (int d = 0; d < tick.direct.openIn(b); d++) {
+                p.direct(sub, b, d, false, own);
             }
             p.finish(sub, head, tail, own);
         }

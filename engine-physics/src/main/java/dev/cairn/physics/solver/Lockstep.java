@@ -48,6 +48,8 @@ final class Lockstep {
     private final BlockJob renewWithin = this::renewWithin;
     private final BlockJob relax = this::relax;
     private final BlockJob storeRows = this::storeRows;
+    private final BlockJob directSoft = this::directSoft;
+    private final BlockJob directHard = this::directHard;
 
     private Sweeps chosen;
     private Scratch[] scratch = {};
@@ -125,6 +127,7 @@ final class Lockstep {
                 begin(bodyBlocks, jobs);
             }
             colours(bias, jobs);
+            direct(true, jobs);
             ContactSolver.run(drift, parts, jobs);
             if (renews) {
                 colours(takeOut, jobs);
@@ -134,6 +137,7 @@ final class Lockstep {
                 ContactSolver.run(renewWithin, domains, jobs);
             }
             colours(relax, jobs);
+            direct(false, jobs);
             substep++;
             ContactSolver.run(within, parts, jobs);
         }
@@ -181,6 +185,22 @@ final class Lockstep {
             perBlock = rowCount <= 2 * COLOUR_ROWS_PER_BLOCK ? rowCount : COLOUR_ROWS_PER_BLOCK;
             ContactSolver.run(job, Blocks.count(rowCount, perBlock), jobs);
         }
+    }
+
+    /** The islands of the batch that are solved directly; none of them has domains. */
+    private void direct(boolean soft, Jobs jobs) {
+        int islands = kind == Batches.DOUBLES ? passes.tick.direct.openIn(base) : 0;
+        if (islands > 0) {
+            ContactSolver.run(soft ? directSoft : directHard, islands, jobs);
+        }
+    }
+
+    private void directSoft(int block, int worker) {
+        passes.direct(pace, base, block, true, scratch[worker]);
+    }
+
+    private void directHard(int block, int worker) {
+        passes.direct(pace, base, block, false, scratch[worker]);
     }
 
     /** A colour of one row is swept by the scalar twin. */

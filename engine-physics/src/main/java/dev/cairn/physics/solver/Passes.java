@@ -212,6 +212,30 @@ final class Passes {
         }
     }
 
+    /**
+     * Solves the islands directly that ask for it, after the last sweep of a pass.
+     *
+     * @param index among those of the batch
+     */
+    void direct(SubStep sub, int batch, int index, boolean soft, Scratch scratch) {
+        DirectIslands islands = tick.direct;
+        int island = islands.open(batch, index);
+        boolean renewed = false;
+        for (int k = islands.firstBody[island]; k < islands.firstBody[island + 1]; k++) {
+            renewed |= renewal.stirs(islands.body[k]);
+        }
+        scratch.direct.run(
+                rows,
+                body.state,
+                sub,
+                islands,
+                island,
+                renewed,
+                soft,
+                tick.weight() * sub.seconds,
+                scratch.doubles);
+    }
+
     /** Separations of all rows after the bodies from {@code from} to {@code to} were moved. */
     void separate(int from, int to) {
         for (int k = from; k < to; k++) {

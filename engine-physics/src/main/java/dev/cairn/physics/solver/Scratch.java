@@ -83,6 +83,8 @@ final class Scratch {
 
     final Pivot pivot = new Pivot();
 
+    final DirectSolve direct = new DirectSolve();
+
     Scratch() {
         Arrays.fill(doubles, ONES, ONES + CHUNK, 1.0);
         Arrays.fill(floats, ONES, ONES + CHUNK, 1.0f);

@@ -42,6 +42,9 @@ package dev.cairn.physics.solver;
  * @param effort how often the sub-steps of an island may be doubled while its bodies overlap by
  *     more than 1 % of their inner radius, 0 (never) to 4. Thin bodies, heavy landings and bad
  *     starts get what they need; the rest of the scene does not pay for it.
+ * @param directFrom bodies from end to end of an island, at rest and slender, from which on its
+ *     contacts are also solved together, by a block LDL^T, 2 to 1024; 0 for never. Tall columns
+ *     stand; what is shorter, wide or in motion pays nothing.
  * @param lanes contacts that are solved at once: 1 (scalar), 4, 8 or 16, or 0 for what fits this
  *     machine. Speed only: the results are the same. Without the module {@code
  *     jdk.incubator.vector} it is always 1.
@@ -67,6 +70,7 @@ public record SolverSettings(
         int startSweeps,
         int loneSweeps,
         int effort,
+        int directFrom,
         int lanes,
         int floatsFrom) {
     /** Contacts from which on an island is large: it is cut into domains. */
@@ -95,6 +99,7 @@ public record SolverSettings(
                     4096,
                     32,
                     0,
+                    24,
                     0,
                     Integer.MAX_VALUE);
 
@@ -121,6 +126,7 @@ public record SolverSettings(
         check("startSweeps", startSweeps, 0, 65536);
         check("loneSweeps", loneSweeps, 0, 4096);
         check("effort", effort, 0, MOST_EFFORT);
+        check("directFrom", directFrom, 0, 1024);
         check("floatsFrom", floatsFrom, 0, Integer.MAX_VALUE);
         if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16) {
             throw new IllegalArgumentException(
@@ -279,6 +285,19 @@ public record SolverSettings(
     }
 
     /**
+     * These settings with direct solves from another length on.
+     *
+     * @param value bodies from end to end, 2 to 1024, or 0 for never
+     * @return new settings
+     * @throws IllegalArgumentException if the value is out of its range
+     */
+    public SolverSettings withDirectFrom(int value) {
+        Draft d = new Draft(this);
+        d.directFrom = value;
+        return d.settings();
+    }
+
+    /**
      * These settings with another number of lanes.
      *
      * @param value 1, 4, 8 or 16, or 0 for what fits this machine
@@ -324,6 +343,7 @@ public record SolverSettings(
         int startSweeps;
         int loneSweeps;
         int effort;
+        int directFrom;
         int lanes;
         int floatsFrom;
 
@@ -345,6 +365,7 @@ public record SolverSettings(
             startSweeps = s.startSweeps;
             loneSweeps = s.loneSweeps;
             effort = s.effort;
+            directFrom = s.directFrom;
             lanes = s.lanes;
             floatsFrom = s.floatsFrom;
         }
@@ -368,6 +389,7 @@ public record SolverSettings(
                     startSweeps,
                     loneSweeps,
                     effort,
+                    directFrom,
                     lanes,
                     floatsFrom);
         }

@@ -7,6 +7,7 @@ import dev.cairn.physics.internal.ContactStore;
 final class Tick {
     final SolverBodies body = new SolverBodies();
     final StaticStart start = new StaticStart();
+    final DirectIslands direct = new DirectIslands();
 
     /** World, m/s². */
     final double[] gravity = new double[3];

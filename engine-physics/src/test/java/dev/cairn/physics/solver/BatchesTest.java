@@ -123,7 +123,8 @@ class BatchesTest {
             list.source[m] = m;
         }
         Batches batches = new Batches();
-        batches.cut(s.bodies, s.contacts, list, guide, false, workers, doublings, 0, floatsFrom);
+        batches.cut(
+                s.bodies, s.contacts, list, guide, false, workers, doublings, 0, floatsFrom, false);
         return batches;
     }
 

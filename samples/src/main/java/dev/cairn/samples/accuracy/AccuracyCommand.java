@@ -1,5 +1,6 @@
 package dev.cairn.samples.accuracy;
 
+import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.Precision;
 import dev.cairn.samples.accuracy.AccuracyCase.Effort;
 
@@ -65,6 +66,14 @@ public final class AccuracyCommand {
                     "How often the engine may double the sub-steps where bodies overlap by more"
                             + " than 1 %% of their inner radius; 0 by default, as in the tables.")
     int effort;
+
+    @Option(
+            names = "--direct-from",
+            paramLabel = "N",
+            description =
+                    "Bodies from end to end of a slender island at rest from which on it is solved"
+                            + " directly, 0 for never; 24 by default, as in the tables.")
+    int directFrom = PhysicsSettings.DEFAULT.directFrom();
 
     @Option(
             names = "--precision",
@@ -182,7 +191,7 @@ public final class AccuracyCommand {
         double micros = Double.NaN;
         for (int n : SUBSTEPS) {
             if (runs(one, n)) {
-                Trial trial = new Trial(n, effort, precision);
+                Trial trial = new Trial(n, effort, precision, directFrom);
                 values.put(n, one.experiment().run(trial));
                 if (n == DEFAULT_SUBSTEPS) {
                     micros = trial.microsPerBodyStep();

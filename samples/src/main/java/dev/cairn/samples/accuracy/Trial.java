@@ -32,6 +32,7 @@ public final class Trial {
     private final int substeps;
     private final int effort;
     private final Precision precision;
+    private final int directFrom;
     private long cpuNanos;
     private long bodySteps;
     private int moving;
@@ -43,20 +44,22 @@ public final class Trial {
      * @param effort how often the engine may double them where it needs to, 0 to 4
      */
     public Trial(int substeps, int effort) {
-        this(substeps, effort, Precision.AUTO);
+        this(substeps, effort, Precision.AUTO, PhysicsSettings.DEFAULT.directFrom());
     }
 
     /**
-     * A run in a precision.
+     * A run in a precision, with or without direct solves.
      *
      * @param substeps sub-steps of a tick, 1 to 32
      * @param effort how often the engine may double them where it needs to, 0 to 4
      * @param precision of the contacts' numbers
+     * @param directFrom see {@link PhysicsSettings}
      */
-    public Trial(int substeps, int effort, Precision precision) {
+    public Trial(int substeps, int effort, Precision precision, int directFrom) {
         this.substeps = substeps;
         this.effort = effort;
         this.precision = precision;
+        this.directFrom = directFrom;
     }
 
     int substeps() {
@@ -65,7 +68,7 @@ public final class Trial {
 
     /** A run of the same case at twice as many sub-steps, for orders of convergence. */
     Trial finer() {
-        return new Trial(2 * substeps, effort, precision);
+        return new Trial(2 * substeps, effort, precision, directFrom);
     }
 
     /**
@@ -82,6 +85,7 @@ public final class Trial {
         return PhysicsSettings.DEFAULT
                 .withSubsteps(substeps)
                 .withEffort(effort)
+                .withDirectFrom(directFrom)
                 .withPrecision(precision)
                 .withSleeping(false);
     }
