@@ -80,6 +80,8 @@ final class Ladder {
                     rung("sweeps of lone contacts", false, REST, ON.withLoneSweeps(0)),
                     new Rung("effort", false, FLIGHT, ON.withEffort(3), FLIGHT, ON),
                     new Rung("effort", false, REST, ON.withEffort(3), REST, ON),
+                    rung("direct solves", false, FLIGHT, ON.withDirectFrom(0)),
+                    rung("direct solves", false, REST, ON.withDirectFrom(0)),
                     rung("restitution", false, FLIGHT, ON.withRestitutionThreshold(1000)),
                     rung("restitution", false, REST, ON.withRestitutionThreshold(1000)),
                     new Rung("friction", false, FLIGHT, ON, SMOOTH_FLIGHT, ON),

@@ -41,8 +41,10 @@ final class Batches {
     /** In {@link #tally}: the island is cut into domains. */
     private static final int CUT = -1;
 
-    /** Of the contacts of the list, where they were asked for or the cut needs them. */
-    final Islands islands = new Islands();
+    private final Islands islands = new Islands();
+
+    /** Whether islands are those of the contacts that were cut last. */
+    private boolean knowsIslands;
 
     private final Effort efforts = new Effort();
     private final Domains domains = new Domains();
@@ -131,7 +133,6 @@ final class Batches {
      * @param doublings of sub-steps that an island may get
      * @param sag of a body on a soft contact, m
      * @param floatsFrom rows of an island that are floats if there are as many
-     * @param wantsIslands whether islands are to be found even if the cut needs none
      */
     void cut(
             BodyStore bodies,
@@ -142,8 +143,7 @@ final class Batches {
             int workers,
             int doublings,
             double sag,
-            int floatsFrom,
-            boolean wantsIslands) {
+            int floatsFrom) {
         this.floatsFrom = floatsFrom;
         paces = doublings + 1;
         ensureCapacity(bodies.slotCount, list.source.length);
@@ -156,12 +156,11 @@ final class Batches {
         boolean isOne = floatsFrom == 0 || list.count < floatsFrom;
         if (doublings == 0 && isOne && list.count <= (together ? LARGEST : WANTED)) {
             whole(list, isSingle(list.count) ? FLOATS : DOUBLES, together);
-            if (wantsIslands) {
-                islands.build(bodies, contacts, bound, boundCount);
-            }
+            knowsIslands = false;
             return;
         }
-        islands.build(bodies, contacts, bound, boundCount);
+        knowsIslands = false;
+        islands(bodies, contacts);
         if (doublings > 0) {
             efforts.update(bodies, contacts, list, islands, bound, boundCount, doublings, sag);
         }
@@ -398,6 +397,15 @@ final class Batches {
     private int batchOfBody(int slot) {
         int batch = tally[islands.root(slot)];
         return batch == CUT ? batchOfDomain[domains.of[slot]] : batch;
+    }
+
+    /** The islands of the contacts that were cut last, which are still those of the store. */
+    Islands islands(BodyStore bodies, ContactStore contacts) {
+        if (!knowsIslands) {
+            islands.build(bodies, contacts, bound, boundCount);
+            knowsIslands = true;
+        }
+        return islands;
     }
 
     /** The batch of a row. */

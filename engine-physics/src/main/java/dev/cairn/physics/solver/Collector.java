@@ -72,7 +72,6 @@ final class Collector {
      * @param extra doublings of sub-steps that an island may get
      * @param sag of a body on a soft contact, m
      * @param floatsFrom rows of an island that are floats if there are as many
-     * @param wantsIslands whether {@link Batches#islands} are to be found
      * @param jobs runs the comparison
      * @return whether any two dynamic bodies touch
      */
@@ -85,7 +84,6 @@ final class Collector {
             int extra,
             double sag,
             int floatsFrom,
-            boolean wantsIslands,
             Jobs jobs) {
         bodies = bodyStore;
         contacts = contactStore;
@@ -107,16 +105,7 @@ final class Collector {
             doublings = extra;
             bind(list, guide);
             batches.cut(
-                    bodies,
-                    contacts,
-                    list,
-                    guide,
-                    together,
-                    workerCount,
-                    extra,
-                    sag,
-                    floatsFrom,
-                    wantsIslands);
+                    bodies, contacts, list, guide, together, workerCount, extra, sag, floatsFrom);
         } else if (extra > 0 && batches.recut(bodies, contacts, list, together, workerCount, sag)) {
             sameColours = false;
         }

@@ -182,7 +182,6 @@ public final class ContactSolver {
     private void load(Jobs jobs) {
         Tick t = tick;
         SolverSettings settings = t.settings;
-        boolean direct = settings.directFrom() > 0;
         boolean stacked =
                 collector.run(
                         t.bodies,
@@ -193,7 +192,6 @@ public final class ContactSolver {
                         paces.length - 1,
                         paces[0].sag(t.weight()),
                         settings.floatsFrom(),
-                        direct,
                         jobs);
         t.order = batches.order;
         unloaded =
@@ -219,7 +217,8 @@ public final class ContactSolver {
         t.loaded =
                 (settings.loadInertia() > 0
                                 || settings.unloadSweeps() > 0
-                                || settings.startSweeps() > 0)
+                                || settings.startSweeps() > 0
+                                || settings.directFrom() > 0)
                         && loads.run(
                                 t.bodies,
                                 t.contacts,
@@ -231,11 +230,14 @@ public final class ContactSolver {
                                 stacked,
                                 collector.isSame(),
                                 jobs);
-        if (direct) {
-            if (!collector.isSame()) {
-                t.direct.find(t.bodies, t.contacts, list, batches, settings.directFrom());
-            }
-            t.direct.gate(t.bodies, batches, settings.restAcceleration());
+        if (settings.directFrom() > 0) {
+            t.direct.update(
+                    t.bodies,
+                    t.contacts,
+                    list,
+                    batches,
+                    t.loaded ? settings.directFrom() : Integer.MAX_VALUE,
+                    collector.isSame());
         }
     }
 

@@ -19,7 +19,8 @@ import java.util.Arrays;
  *       tells;
  *   <li>slender: the envelope of its matrix is at most {@value #WIDE} bodies wide (root of the mean
  *       square);
- *   <li>at rest: no body has been accelerated by more than the gate of load-proportional inertia.
+ *   <li>at rest, each of its bodies, as load-proportional inertia asks for it, see {@link
+ *       LoadSweep}.
  * </ul>
  *
  * <p>Bodies are ordered breadth first from an end, neighbours with few contacts first, and then
@@ -34,7 +35,10 @@ final class DirectIslands {
     /** Contacts of an island, at most: what is larger is cut into {@link Domains}. */
     private static final int MOST_ROWS = SolverSettings.LARGE - 1;
 
-    int count;
+    private int count;
+
+    /** Whether contacts have changed, or an island was not at rest, since all was found. */
+    private boolean isStale = true;
 
     /** By island: where its contacts and bodies start in what follows. */
     int[] firstRow = new int[1];
@@ -101,31 +105,62 @@ final class DirectIslands {
     }
 
     /**
-     * Finds the islands that are long and slender.
+     * Finds the islands that are long, slender and at rest, and in which batch they are.
      *
-     * @param batches has found islands and bodies with contacts
+     * @param batches knows islands and bodies with contacts
      * @param from bodies from end to end
+     * @param same whether contacts and bodies are those of the last tick
      */
-    void find(BodyStore b, ContactStore c, RowList list, Batches batches, int from) {
+    void update(
+            BodyStore b, ContactStore c, RowList list, Batches batches, int from, boolean same) {
+        isStale |= !same;
+        openCount = 0;
+        if (!rests(b, batches, from)) {
+            return;
+        }
+        if (isStale) {
+            find(b, c, list, batches, from);
+        }
+        gate(b, batches);
+    }
+
+    /** Whether as many bodies are at rest as an island needs at least. */
+    private static boolean rests(BodyStore b, Batches batches, int from) {
+        int resting = 0;
+        for (int k = 0; k < batches.boundCount && resting < from; k++) {
+            resting += b.restTicks[batches.bound[k]] >= LoadSweep.HOLD ? 1 : 0;
+        }
+        return resting >= from;
+    }
+
+    private void find(BodyStore b, ContactStore c, RowList list, Batches batches, int from) {
         ensureCapacity(b, list);
         count = 0;
-        Islands islands = batches.islands;
+        Islands islands = batches.islands(b, c);
         int[] bound = batches.bound;
         for (int k = 0; k < batches.boundCount; k++) {
             tally[bound[k]] = 0;
             of[bound[k]] = -1;
         }
         for (int k = 0; k < batches.boundCount; k++) {
-            tally[islands.root(bound[k])]++;
+            int root = islands.root(bound[k]);
+            tally[root]++;
+            // for now: a body of the island that is not at rest
+            of[root] = b.restTicks[bound[k]] >= LoadSweep.HOLD ? of[root] : root;
         }
         boolean any = false;
-        for (int k = 0; k < batches.boundCount; k++) {
+        isStale = false;
+        for (int k = batches.boundCount - 1; k >= 0; k--) {
             int i = bound[k];
             int root = islands.root(i);
             boolean candidate =
                     tally[root] >= from && tally[root] <= MOST_ROWS && !batches.isSingle[i];
-            of[i] = candidate ? root : -1;
+            // one that comes to rest is looked at again
+            isStale |= candidate && of[root] >= 0;
+            candidate &= of[root] < 0;
             any |= candidate;
+            // the smallest slot, which all others ask, comes last
+            of[i] = candidate ? root : -1;
         }
         if (!any) {
             return;
@@ -134,7 +169,7 @@ final class DirectIslands {
         for (int k = 0; k < batches.boundCount; k++) {
             int i = bound[k];
             int root = islands.root(i);
-            // of the island: -1, or its number and 0, once its smallest slot has been seen
+            // of the island: -1, or its number, once its smallest slot has been seen
             of[i] = root != i ? of[root] : of[i] >= 0 && order(i, from) ? count++ : -1;
         }
         sortRows(b, c, list);
@@ -271,19 +306,14 @@ final class DirectIslands {
         return of[b.kind[i] == BodyStore.DYNAMIC ? i : c.bodyB[list.source[m]]];
     }
 
-    /**
-     * Finds those that are at rest in this tick, by batch.
-     *
-     * @param unrest acceleration over gravity up to which a body is at rest
-     */
-    void gate(BodyStore b, Batches batches, double unrest) {
+    /** Finds those that are still at rest in this tick, by batch. */
+    private void gate(BodyStore b, Batches batches) {
         if (firstOpen.length < batches.count + 1) {
             firstOpen = new int[2 * batches.count + 1];
         }
         Arrays.fill(firstOpen, 0, batches.count + 1, 0);
-        openCount = 0;
         for (int k = 0; k < count; k++) {
-            if (isOpen(b, k, unrest)) {
+            if (isOpen(b, k)) {
                 firstOpen[batches.batchOfRow(row[firstRow[k]]) + 1]++;
                 openCount++;
                 factors(k, true).forget();
@@ -294,7 +324,7 @@ final class DirectIslands {
             firstOpen[k + 1] += firstOpen[k];
         }
         for (int k = 0; k < count; k++) {
-            if (isOpen(b, k, unrest)) {
+            if (isOpen(b, k)) {
                 open[firstOpen[batches.batchOfRow(row[firstRow[k]])]++] = k;
             }
         }
@@ -302,12 +332,12 @@ final class DirectIslands {
         firstOpen[0] = 0;
     }
 
-    private boolean isOpen(BodyStore b, int island, double unrest) {
+    private boolean isOpen(BodyStore b, int island) {
         if (firstRow[island + 1] - firstRow[island] > MOST_ROWS) {
             return false;
         }
         for (int k = firstBody[island]; k < firstBody[island + 1]; k++) {
-            if (!(b.unrest[body[k]] <= unrest)) {
+            if (b.restTicks[body[k]] < LoadSweep.HOLD) {
                 return false;
             }
         }

@@ -123,8 +123,7 @@ class BatchesTest {
             list.source[m] = m;
         }
         Batches batches = new Batches();
-        batches.cut(
-                s.bodies, s.contacts, list, guide, false, workers, doublings, 0, floatsFrom, false);
+        batches.cut(s.bodies, s.contacts, list, guide, false, workers, doublings, 0, floatsFrom);
         return batches;
     }
 
