@@ -52,7 +52,8 @@ final class AccuracyTest {
 
     @Tag("soak")
     @ParameterizedTest
-    @ValueSource(strings = {"B1", "C1", "C4", "C12", "D2", "E1", "E3-100", "E8"})
+    @ValueSource(
+            strings = {"B1", "C1", "C4", "C12", "D2", "E1", "E2-100", "E2-200", "E3-100", "E8"})
     void holdsForLong(String name) {
         check(name);
     }

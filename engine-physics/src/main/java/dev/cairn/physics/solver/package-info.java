@@ -21,6 +21,8 @@
  *     renew    levers of now, for rows of bodies that turn or pass each other
  *     relax    normals, hard, without push; then twist and friction at the patch's centre; then
  *              rolling friction, only of rows whose materials have it, see {@code Roll}
+ *     direct   after bias and relax: all contacts of a long, slender island at rest together, see
+ *              {@code DirectSolve}
  *     finish   what the contacts did is the next warm start; bodies on one static contact: trapezoid,
  *              on one corner of theirs: pinned there, see {@code Pivot}
  *   store   ─ impulses, totals, and what resting points have learnt of their load
@@ -53,7 +55,8 @@
  * Steps in Physics Simulation" (2019); E. Guendelman, R. Bridson, R. Fedkiw, "Nonconvex rigid
  * bodies with stacking" (2003) for impacts before contacts; R. McLachlan, A. Zanna (2005) and E.
  * Hairer, G. Vilmart (2006) for the rotation; M. Powell and M. Hestenes (1969) for the offset; A.
- * Aitken (1926) for the leaps of {@code StaticStart}. Figures: {@code docs/solver.md}.
+ * Aitken (1926) for the leaps of {@code StaticStart}; M. Silcowitz, S. Niebe, K. Erleben (2010) for
+ * solves between sweeps. Figures: {@code docs/solver.md}.
  */
 @NullMarked
 package dev.cairn.physics.solver;
