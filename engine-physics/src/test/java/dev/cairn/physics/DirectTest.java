@@ -181,6 +181,46 @@ class DirectTest {
         }
     }
 
+    /** Motion under gravity does not know the unit of mass: not by one bit. */
+    @Test
+    void theUnitOfMassDoesNotMatter() {
+        double[][] places = new double[2][];
+        for (int k = 0; k < 2; k++) {
+            try (PhysicsWorld world = world(DEFAULT, 4, 1, 1)) {
+                Scenes.ground(world);
+                Material material = new Material(.6, 0, k == 0 ? 1000 : 1000 * 0x1p-20);
+                List<BodyRef> boxes = new ArrayList<>();
+                for (int i = 0; i < 30; i++) {
+                    double aside = .001 * (i % 3);
+                    Body box = Body.dynamic().shape(Box.cube(.5)).at(aside, .5 + i, -aside);
+                    boxes.add(world.add(box.material(material)));
+                }
+                run(world, 60);
+                places[k] = EffortTest.places(boxes);
+            }
+        }
+        assertArrayEquals(places[0], places[1], 0.0);
+    }
+
+    /** Bodies that may only move and turn in a plane stay there, and stand. */
+    @Test
+    void aFlatColumnStands() {
+        try (PhysicsWorld world = world(DEFAULT, 2, 1, 1)) {
+            Scenes.ground(world);
+            List<BodyRef> boxes = new ArrayList<>();
+            for (int i = 0; i < 50; i++) {
+                Body box = Body.dynamic().shape(Box.cube(.5)).at(.001 * (i % 3), .5 + i, .25);
+                boxes.add(world.add(box.lock(Lock.MOVE_Z, Lock.TURN_X, Lock.TURN_Y)));
+            }
+            double[] before = EffortTest.places(boxes);
+            run(world, 600);
+            assertTrue(drift(boxes, before) < 1e-4, "drift " + drift(boxes, before) + " m");
+            for (BodyRef box : boxes) {
+                assertEquals(.25, box.position().z);
+            }
+        }
+    }
+
     /** A column that is pushed falls as one that is only swept. */
     @Test
     void whatIsPushedOverFalls() {
