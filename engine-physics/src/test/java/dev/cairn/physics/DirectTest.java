@@ -181,6 +181,42 @@ class DirectTest {
         }
     }
 
+    /**
+     * Springs under a column lengthen by what it weighs, as those of one that is only swept, and no
+     * further: it stands as high as it was put up.
+     */
+    @Test
+    void aTallColumnDoesNotSag() {
+        try (PhysicsWorld world = world(DEFAULT, 4, 1, 1)) {
+            Scenes.ground(world);
+            List<BodyRef> boxes = column(world, 50, 0);
+            run(world, 3600);
+            for (int i = 0; i < boxes.size(); i++) {
+                assertEquals(.5 + i, boxes.get(i).position().y, 1e-4, "height of box " + i);
+            }
+        }
+    }
+
+    /** What falls onto each other sways, and comes to rest. */
+    @Test
+    void aColumnThatWasDroppedComesToRest() {
+        try (PhysicsWorld world = world(DEFAULT, 4, 1, 1)) {
+            Scenes.ground(world);
+            List<BodyRef> boxes = new ArrayList<>();
+            for (int i = 0; i < 40; i++) {
+                boxes.add(
+                        world.add(
+                                Body.dynamic()
+                                        .shape(Box.cube(.5))
+                                        .at(.001 * (i % 3), .52 + 1.02 * i, -.001 * (i % 2))));
+            }
+            run(world, 3600);
+            for (BodyRef box : boxes) {
+                assertEquals(0, box.velocity().length(), 1e-4, "m/s");
+            }
+        }
+    }
+
     /** Motion under gravity does not know the unit of mass: not by one bit. */
     @Test
     void theUnitOfMassDoesNotMatter() {

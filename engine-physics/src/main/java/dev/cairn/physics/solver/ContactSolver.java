@@ -298,6 +298,9 @@ public final class ContactSolver {
         }
         p.storeBodies(head, tail);
         p.storeRows(chosen[kind], sub, renewed, start[first], start[last], own);
+        for (int d = 0; d < tick.direct.openIn(b); d++) {
+            p.learn(sub, b, d, own);
+        }
     }
 
     /** Flies the bodies without contacts, loads the others. */

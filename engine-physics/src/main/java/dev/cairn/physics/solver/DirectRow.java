@@ -17,6 +17,8 @@ import static dev.cairn.physics.solver.ConstraintRows.TOTAL;
 import static dev.cairn.physics.solver.ConstraintRows.TWIST;
 import static dev.cairn.physics.solver.ConstraintRows.TWIST_MASS;
 
+import dev.cairn.physics.internal.ContactStore;
+
 /**
  * What a direct solve reads of a contact: seven constraints (four points, two tangents, the twist),
  * each with the speed that it misses and its stiffness, and its weighted Jacobian.
@@ -220,6 +222,35 @@ final class DirectRow {
         for (int k = 0; k < 3; k++) {
             body[offset + k] += root * jacobian[k] * change;
             body[offset + 3 + k] += jacobian[3 + k] * change;
+        }
+    }
+
+    /**
+     * What the points that press have learnt of their load, at the end of a tick, instead of what
+     * {@link Offsets} says: a share of the mean gap, open or closed, is taken out of all. Where a
+     * column is solved exactly it gives way as slowly as its whole mass moves, so that a share of
+     * what overlaps would overshoot; and a share of its tilt would drive it as it sways.
+     */
+    void learn(ContactStore c, int source, SubStep sub) {
+        double stiffness = sub.stiffness(!moves(a) || !moves(b));
+        double sum = 0;
+        int pressing = 0;
+        for (int p = 0; p < points; p++) {
+            if (d[o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes] > 0) {
+                sum += c.separation[ContactStore.POINTS * source + p];
+                pressing++;
+            }
+        }
+        double share = pressing > 0 ? sub.offsetGain * sum / pressing : 0;
+        for (int p = 0; p < points; p++) {
+            int q = o + (POINT + p * POINT_FIELDS) * lanes;
+            if (d[q + IMPULSE * lanes] > 0) {
+                double k = d[q + MASS * lanes] * stiffness;
+                int at = ContactStore.POINTS * source + p;
+                double known = k * (c.separation[at] - d[o + (ConstraintRows.GAP + p) * lanes]);
+                double learnt = known - k * share;
+                c.preload[at] = (learnt > 0 ? learnt : 0) * sub.keepScale;
+            }
         }
     }
 

@@ -105,6 +105,21 @@ final class DirectSolve {
         }
     }
 
+    /** What the contacts of an island have learnt of their loads, at the end of a tick. */
+    void learn(Tick tick, ConstraintRows rows, SubStep sub, int island) {
+        islands = tick.direct;
+        body = tick.body.state;
+        from = islands.firstRow[island];
+        to = islands.firstRow[island + 1];
+        for (int e = from; e < to; e++) {
+            int source = rows.list.source[islands.row[e]];
+            if (!(Effort.softened(tick.bodies, tick.contacts, source) > 0)) {
+                open(rows, e);
+                row.learn(tick.contacts, source, sub);
+            }
+        }
+    }
+
     private void ensureCapacity() {
         int contacts = to - from;
         if (miss.length < DirectRow.COUNT * contacts) {

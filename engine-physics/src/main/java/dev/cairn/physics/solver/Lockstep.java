@@ -142,6 +142,9 @@ final class Lockstep {
             ContactSolver.run(within, parts, jobs);
         }
         colours(storeRows, jobs);
+        for (int d = 0; d < direct(); d++) {
+            passes.learn(pace, base, d, scratch[0]);
+        }
         impacts.report();
     }
 
@@ -189,10 +192,15 @@ final class Lockstep {
 
     /** The islands of the batch that are solved directly; none of them has domains. */
     private void direct(boolean soft, Jobs jobs) {
-        int islands = kind == Batches.DOUBLES ? passes.tick.direct.openIn(base) : 0;
+        int islands = direct();
         if (islands > 0) {
             ContactSolver.run(soft ? directSoft : directHard, islands, jobs);
         }
+    }
+
+    /** How many there are of them. */
+    private int direct() {
+        return kind == Batches.DOUBLES ? passes.tick.direct.openIn(base) : 0;
     }
 
     private void directSoft(int block, int worker) {

@@ -236,6 +236,13 @@ final class Passes {
                 scratch.doubles);
     }
 
+    /** What the contacts of such an island have learnt of their loads. */
+    void learn(SubStep sub, int batch, int index, Scratch scratch) {
+        if (tick.settings.offsetGain() > 0) {
+            scratch.direct.learn(tick, rows, sub, tick.direct.open(batch, index));
+        }
+    }
+
     /** Separations of all rows after the bodies from {@code from} to {@code to} were moved. */
     void separate(int from, int to) {
         for (int k = from; k < to; k++) {
