@@ -52,6 +52,17 @@ class AllocationTest {
         }
     }
 
+    /** Long and slender: its contacts are solved directly. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2})
+    void aTallColumn(int workers) {
+        try (PhysicsWorld world = scalar().sleeping(false).workers(workers).build()) {
+            Scenes.ground(world);
+            DirectTest.column(world, 40, 0);
+            measure(world, 600);
+        }
+    }
+
     @Test
     void aHeapAtRest() {
         try (PhysicsWorld world = scalar().sleeping(false).workers(2).build()) {

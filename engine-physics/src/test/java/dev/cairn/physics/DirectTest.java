@@ -36,7 +36,7 @@ class DirectTest {
     }
 
     /** Unit cubes, 1 mm and 10 mrad untidy. */
-    private static List<BodyRef> column(PhysicsWorld world, int height, double x) {
+    static List<BodyRef> column(PhysicsWorld world, int height, double x) {
         Random random = new Random(SEED);
         List<BodyRef> boxes = new ArrayList<>();
         for (int i = 0; i < height; i++) {

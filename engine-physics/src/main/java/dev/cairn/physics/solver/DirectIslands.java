@@ -121,7 +121,9 @@ final class DirectIslands {
         if (isStale) {
             find(b, c, list, batches, from);
         }
-        gate(b, batches);
+        if (count > 0) {
+            gate(b, batches);
+        }
     }
 
     /** Whether as many bodies are at rest as an island needs at least. */
@@ -309,7 +311,7 @@ final class DirectIslands {
     /** Finds those that are still at rest in this tick, by batch. */
     private void gate(BodyStore b, Batches batches) {
         if (firstOpen.length < batches.count + 1) {
-            firstOpen = new int[2 * batches.count + 1];
+            firstOpen = new int[batches.firstRow.length]; // grows with the store
         }
         Arrays.fill(firstOpen, 0, batches.count + 1, 0);
         for (int k = 0; k < count; k++) {

@@ -22,8 +22,8 @@ package dev.cairn.physics.solver;
  *
  * <p>Scalar code, in the order of the list of contacts: the same bits for all lanes and workers.
  * Any worker, one to an island. Allocates only to grow. Source: M. Silcowitz, S. Niebe, K. Erleben,
- * "A nonsmooth nonlinear conjugate gradient method / projected Gauss-Seidel subspace minimization
- * for interactive rigid body dynamics" (2010), for sweeps that choose and a solve that follows.
+ * "Projected Gauss-Seidel subspace minimization method for interactive rigid body dynamics" (GRAPP
+ * 2010), for sweeps that choose what is active and a solve that follows.
  */
 final class DirectSolve {
     /**
