@@ -56,7 +56,7 @@ final class Twins {
                         + "|(?:c|contacts)\\.(?:anchors|separation|normalImpulse|totalNormalImpulse"
                         + "|preload|patch)\\[[^\\]]*\\](?!\\s*[-+*]?=[^=])"
                         + "|sub\\.(?:rate|fixedRate|massScale|fixedMassScale|inverse|pushSpeed"
-                        + "|fillScale|keepScale|offsetGain|still|stiffness\\([^()]*\\)))");
+                        + "|fillScale|offsetGain|still|stiffness\\([^()]*\\)))");
 
     private static final Pattern NUMBER =
             Pattern.compile(

@@ -11,4 +11,5 @@ module dev.cairn.physics {
     exports dev.cairn.physics;
     exports dev.cairn.physics.query;
     exports dev.cairn.physics.shape;
+    exports dev.cairn.physics.tuning;
 }

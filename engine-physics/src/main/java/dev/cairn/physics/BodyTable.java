@@ -67,9 +67,9 @@ final class BodyTable {
     private boolean closed;
 
     BodyTable(PhysicsSettings settings, ContactStore contacts) {
-        bounds = new BoundsStage(settings);
+        bounds = new BoundsStage(settings.tuning());
         this.contacts = contacts;
-        sleepers = new Sleepers(settings, bodies, contacts);
+        sleepers = new Sleepers(settings.tuning(), settings.sleeping(), bodies, contacts);
     }
 
     void bind(World ecs) {
@@ -289,8 +289,6 @@ final class BodyTable {
         b.speedLimit[s] = body.speedLimit;
         access.restrain(s, body.locks);
         b.inertiaScale[s] = 0;
-        b.effort[s] = -1;
-        b.idleTicks[s] = 0;
         b.pressed[s] = 0;
         b.pressing[s] = 0;
     }

@@ -37,8 +37,6 @@ final class Digest {
             h = mix(h, b.unrest[s]);
             h = mix(h, b.pressed[s]);
             h = mix(h, b.pressing[s]);
-            int effort = (b.effort[s] + 1) << 8 | b.idleTicks[s]; // 0 while efforts are off
-            h = effort != 0 ? mix(h, effort) : h;
             if (sleepers.enabled()) {
                 for (int i = 0; i < Sleepers.WORDS; i++) {
                     h = mix(h, sleepers.bits(s, i));

@@ -1,264 +1,133 @@
 package dev.cairn.physics;
 
-import dev.cairn.physics.solver.SolverSettings;
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.physics.tuning.Tuning;
 
 import java.util.Objects;
 
 /**
- * The tunables of the step, in one place. Every length rule is relative to the bodies' own size or
- * to how far they move in a tick: there is no absolute slop, so a scene of millimetres behaves as
- * one of kilometres. Immutable; any thread.
- *
- * @param substeps solver sub-steps of a tick, 1 to 64. More are more accurate and cost in
- *     proportion. Default 4
- * @param contactStiffness frequency of the soft contacts as a fraction of the sub-step's: {@code
- *     hertz = contactStiffness / h}, 0.001 to 0.5. Default 0.125
- * @param contactDampingRatio damping ratio of the soft contacts, 0 to 1000. Default 10: overlaps
- *     fade, they do not pop
- * @param pushSpeed the fastest that an overlap is pushed apart, m/s, 0.001 to 1000. Default 3
- * @param restitutionThreshold approach speed below which nothing bounces, m/s, 0 to 1000. Default
- *     0.1
- * @param offsetGain share of a resting contact's sag that is taken out each tick, 0 (off) to 0.05.
- *     Default 0.01
- * @param loadInertia inertia in the solver of a body at rest over the load that rests on it, 0
- *     (off) to 10. Tall stacks and heavy tops stand; bodies that move have their own inertia.
- *     Default 2
- * @param unloadSweeps extra sweeps where the load of a body at rest goes at once, 0 (off) to 64.
- *     Default 10
- * @param loneSweeps most sweeps in a sub-step over the contact of a body that moves and touches
- *     nothing but one that does not, 0 (off) to 4096: until its impulses agree. A slide, a stop, a
- *     tip follow their closed forms. What rests and what is stacked pays nothing. Default 32
- * @param effort how often the sub-steps of an island may be doubled while its bodies overlap by
- *     more than 1 % of their inner radius, 0 (never) to 4. Thin bodies, heavy landings and bad
- *     starts get what they need, and the rest of the scene does not pay for it. Default 0
- * @param directFrom bodies from end to end of a slender island at rest (a column, a chain, a
- *     bridge) from which on its contacts are solved together, by a block LDL^T, besides being swept
- *     one by one, 2 to 1024, or 0 for never. Columns of hundreds stand; what is shorter, wide or in
- *     motion pays nothing. Default 24
- * @param lanes contacts that the solver takes at once: 1 (scalar), 4, 8 or 16 (two vectors of 8),
- *     or 0 for what fits this machine. Speed only: the results are the same. What is asked for by
- *     number is warmed up when the world is made, which takes a second; 0 does so beside a scene
- *     that is large enough. Needs {@code --add-modules=jdk.incubator.vector}; without it the solver
- *     is scalar. Default 0
- * @param precision of the numbers that contacts are solved in: floats for large islands, which is
- *     faster, doubles for small ones, which is exact, see {@link Precision}. Default auto
- * @param speculativeTime contacts are made for pairs that could meet within so many ticks at their
- *     present relative speed (turning included), 0 to 16. Default 1
- * @param speculativeFraction and, besides, for pairs that are closer than this fraction of the
- *     smaller body's inner radius, so that resting points persist, 0 to 1. Default 0.02
- * @param boundsMargin fat bounds extend the needed ones by this fraction of the body's outer
- *     radius, 0 to 1. Default 0.1
- * @param boundsTime and by the distance of so many ticks along the body's velocity, 0 to 64.
- *     Default 4
- * @param sleeping whether bodies that have come to rest fall asleep, and then cost nothing until
- *     something wakes them. Default true; measurements of accuracy want false
- * @param sleepSeconds how long all bodies that touch must have been quiet before they fall asleep,
- *     s, 0.01 to 1000. Default 0.5
+ * What a scene decides about its step: sub-steps, precision, sleep. Immutable; any thread. The
+ * numbers that make the step work as it does are nested, for experts, see {@link #tuning} and
+ * {@link Tunable}.
  */
-public record PhysicsSettings(
-        int substeps,
-        double contactStiffness,
-        double contactDampingRatio,
-        double pushSpeed,
-        double restitutionThreshold,
-        double offsetGain,
-        double loadInertia,
-        int unloadSweeps,
-        int loneSweeps,
-        int effort,
-        int directFrom,
-        int lanes,
-        Precision precision,
-        double speculativeTime,
-        double speculativeFraction,
-        double boundsMargin,
-        double boundsTime,
-        boolean sleeping,
-        double sleepSeconds) {
+public final class PhysicsSettings {
     /** The default values. */
-    public static final PhysicsSettings DEFAULT =
-            new PhysicsSettings(
-                    SolverSettings.DEFAULT.substeps(),
-                    SolverSettings.DEFAULT.hertzPerRate(),
-                    SolverSettings.DEFAULT.dampingRatio(),
-                    SolverSettings.DEFAULT.pushSpeed(),
-                    SolverSettings.DEFAULT.restitutionThreshold(),
-                    SolverSettings.DEFAULT.offsetGain(),
-                    SolverSettings.DEFAULT.loadInertia(),
-                    SolverSettings.DEFAULT.unloadSweeps(),
-                    SolverSettings.DEFAULT.loneSweeps(),
-                    SolverSettings.DEFAULT.effort(),
-                    SolverSettings.DEFAULT.directFrom(),
-                    SolverSettings.DEFAULT.lanes(),
-                    Precision.AUTO,
-                    1,
-                    0.02,
-                    0.1,
-                    4,
-                    true,
-                    0.5);
+    public static final PhysicsSettings DEFAULT = new PhysicsSettings(Tuning.DEFAULT, true);
 
-    /**
-     * Checks the values.
-     *
-     * @throws IllegalArgumentException if a value is out of its range; the message names value and
-     *     range
-     */
-    public PhysicsSettings {
-        Checks.between("substeps", substeps, 1, 64);
-        Checks.between("contactStiffness", contactStiffness, 0.001, 0.5);
-        Checks.between("contactDampingRatio", contactDampingRatio, 0, 1000);
-        Checks.between("pushSpeed", pushSpeed, 0.001, 1000);
-        Checks.between("restitutionThreshold", restitutionThreshold, 0, 1000);
-        Checks.between("offsetGain", offsetGain, 0, 0.05);
-        Checks.between("loadInertia", loadInertia, 0, 10);
-        Checks.between("unloadSweeps", unloadSweeps, 0, 64);
-        Checks.between("loneSweeps", loneSweeps, 0, 4096);
-        Checks.between("effort", effort, 0, 4);
-        Checks.between("directFrom", directFrom, 0, 1024);
-        if (lanes != 0 && lanes != 1 && lanes != 4 && lanes != 8 && lanes != 16) {
-            throw new IllegalArgumentException(
-                    "lanes must be 1, 4, 8 or 16, or 0 for what fits this machine, but is "
-                            + lanes);
-        }
-        Objects.requireNonNull(precision, "precision");
-        Checks.between("speculativeTime", speculativeTime, 0, 16);
-        Checks.between("speculativeFraction", speculativeFraction, 0, 1);
-        Checks.between("boundsMargin", boundsMargin, 0, 1);
-        Checks.between("boundsTime", boundsTime, 0, 64);
-        Checks.between("sleepSeconds", sleepSeconds, 0.01, 1000);
+    private final Tuning tuning;
+    private final boolean sleeping;
+
+    private PhysicsSettings(Tuning tuning, boolean sleeping) {
+        this.tuning = tuning;
+        this.sleeping = sleeping;
     }
 
     /**
-     * These settings with another number of sub-steps.
+     * Solver sub-steps of a tick.
+     *
+     * @return 1 to 64; 4 by default
+     */
+    public int substeps() {
+        return tuning.count(Tunable.SUBSTEPS);
+    }
+
+    /**
+     * These settings with another number of sub-steps: more are more accurate and cost in
+     * proportion.
      *
      * @param value 1 to 64
      * @return new settings
      */
     public PhysicsSettings withSubsteps(int value) {
-        Draft d = new Draft(this);
-        d.substeps = value;
-        return d.settings();
+        return with(Tunable.SUBSTEPS, value);
+    }
+
+    /**
+     * Approach speed below which nothing bounces.
+     *
+     * @return m/s; 0.1 by default
+     */
+    public double restitutionThreshold() {
+        return tuning.get(Tunable.RESTITUTION_THRESHOLD);
     }
 
     /**
      * These settings with another restitution threshold.
      *
-     * @param value m/s, at least 0
+     * @param value m/s, 0 to 1000
      * @return new settings
      */
     public PhysicsSettings withRestitutionThreshold(double value) {
-        Draft d = new Draft(this);
-        d.restitutionThreshold = value;
-        return d.settings();
+        return with(Tunable.RESTITUTION_THRESHOLD, value);
     }
 
     /**
-     * These settings with another push speed.
+     * Contacts that the solver takes at once, see {@link Tunable#LANES}.
      *
-     * @param value m/s, 0.001 to 1000
-     * @return new settings
+     * @return 1 (scalar), 4, 8 or 16, or 0 for what fits this machine, the default
      */
-    public PhysicsSettings withPushSpeed(double value) {
-        Draft d = new Draft(this);
-        d.pushSpeed = value;
-        return d.settings();
+    public int lanes() {
+        return tuning.count(Tunable.LANES);
     }
 
     /**
-     * These settings with another gain of the offset that removes sag.
+     * These settings with another number of lanes: speed only, the results are the same.
      *
-     * @param value see the component
-     * @return new settings
-     */
-    public PhysicsSettings withOffsetGain(double value) {
-        Draft d = new Draft(this);
-        d.offsetGain = value;
-        return d.settings();
-    }
-
-    /**
-     * These settings with another load-proportional inertia.
-     *
-     * @param value see the component
-     * @return new settings
-     */
-    public PhysicsSettings withLoadInertia(double value) {
-        Draft d = new Draft(this);
-        d.loadInertia = value;
-        return d.settings();
-    }
-
-    /**
-     * These settings with other sweeps where a load goes.
-     *
-     * @param value see the component
-     * @return new settings
-     */
-    public PhysicsSettings withUnloadSweeps(int value) {
-        Draft d = new Draft(this);
-        d.unloadSweeps = value;
-        return d.settings();
-    }
-
-    /**
-     * These settings with other sweeps of lone contacts.
-     *
-     * @param value see the component
-     * @return new settings
-     */
-    public PhysicsSettings withLoneSweeps(int value) {
-        Draft d = new Draft(this);
-        d.loneSweeps = value;
-        return d.settings();
-    }
-
-    /**
-     * These settings with another effort.
-     *
-     * @param value see the component
-     * @return new settings
-     */
-    public PhysicsSettings withEffort(int value) {
-        Draft d = new Draft(this);
-        d.effort = value;
-        return d.settings();
-    }
-
-    /**
-     * These settings with direct solves from another length on.
-     *
-     * @param value see the component
-     * @return new settings
-     */
-    public PhysicsSettings withDirectFrom(int value) {
-        Draft d = new Draft(this);
-        d.directFrom = value;
-        return d.settings();
-    }
-
-    /**
-     * These settings with another number of lanes.
-     *
-     * @param value see the component
+     * @param value 1, 4, 8 or 16, or 0 for what fits this machine
      * @return new settings
      */
     public PhysicsSettings withLanes(int value) {
-        Draft d = new Draft(this);
-        d.lanes = value;
-        return d.settings();
+        return with(Tunable.LANES, value);
+    }
+
+    /**
+     * The numbers that contacts are solved in.
+     *
+     * @return {@link Precision#AUTO} by default, also where {@link Tunable#FLOATS_FROM} was set to
+     *     something between
+     */
+    public Precision precision() {
+        return Precision.of(tuning.count(Tunable.FLOATS_FROM));
+    }
+
+    /**
+     * These settings with contacts solved in another precision.
+     *
+     * @param value floats for large islands, for all or for none
+     * @return new settings
+     */
+    public PhysicsSettings withPrecision(Precision value) {
+        Objects.requireNonNull(value, "precision");
+        return with(Tunable.FLOATS_FROM, value.floatsFrom);
+    }
+
+    /**
+     * Whether bodies that have come to rest fall asleep, and then cost nothing until something
+     * wakes them.
+     *
+     * @return true by default
+     */
+    public boolean sleeping() {
+        return sleeping;
     }
 
     /**
      * These settings with sleep or without.
      *
-     * @param value see the component
+     * @param value whether bodies at rest fall asleep; measurements of accuracy want false
      * @return new settings
      */
     public PhysicsSettings withSleeping(boolean value) {
-        Draft d = new Draft(this);
-        d.sleeping = value;
-        return d.settings();
+        return new PhysicsSettings(tuning, value);
+    }
+
+    /**
+     * How long all bodies that touch must have been quiet before they fall asleep.
+     *
+     * @return s; 0.5 by default
+     */
+    public double sleepSeconds() {
+        return tuning.get(Tunable.SLEEP_SECONDS);
     }
 
     /**
@@ -268,106 +137,46 @@ public record PhysicsSettings(
      * @return new settings
      */
     public PhysicsSettings withSleepSeconds(double value) {
-        Draft d = new Draft(this);
-        d.sleepSeconds = value;
-        return d.settings();
+        return with(Tunable.SLEEP_SECONDS, value);
     }
 
     /**
-     * These settings with contacts solved in another precision.
+     * The values of all tunables.
      *
-     * @param value see the component
-     * @return new settings
+     * @return those of these settings
      */
-    public PhysicsSettings withPrecision(Precision value) {
-        Draft d = new Draft(this);
-        d.precision = value;
-        return d.settings();
+    public Tuning tuning() {
+        return tuning;
     }
 
-    SolverSettings solver() {
-        return SolverSettings.DEFAULT
-                .withSubsteps(substeps)
-                .withSoftness(contactStiffness, contactDampingRatio, pushSpeed)
-                .withRestitutionThreshold(restitutionThreshold)
-                .withOffsetGain(offsetGain)
-                .withLoadInertia(
-                        loadInertia,
-                        SolverSettings.DEFAULT.restAcceleration(),
-                        SolverSettings.DEFAULT.inertiaFloor())
-                .withUnloadSweeps(unloadSweeps)
-                .withLoneSweeps(loneSweeps)
-                .withEffort(effort)
-                .withDirectFrom(directFrom)
-                .withLanes(lanes)
-                .withFloatsFrom(precision.floatsFrom);
+    /**
+     * These settings with another value of a tunable.
+     *
+     * @param tunable which; its documentation tells unit and reason
+     * @param value in its range
+     * @return new settings
+     * @throws IllegalArgumentException if the value is out of range; the message names the tunable,
+     *     the value and the bounds
+     */
+    public PhysicsSettings with(Tunable tunable, double value) {
+        return new PhysicsSettings(tuning.with(tunable, value), sleeping);
     }
 
-    /** The values on their way to other settings, so that each change names only its own. */
-    private static final class Draft {
-        int substeps;
-        double contactStiffness;
-        double contactDampingRatio;
-        double pushSpeed;
-        double restitutionThreshold;
-        double offsetGain;
-        double loadInertia;
-        int unloadSweeps;
-        int loneSweeps;
-        int effort;
-        int directFrom;
-        int lanes;
-        Precision precision;
-        double speculativeTime;
-        double speculativeFraction;
-        double boundsMargin;
-        double boundsTime;
-        boolean sleeping;
-        double sleepSeconds;
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof PhysicsSettings settings
+                && sleeping == settings.sleeping
+                && tuning.equals(settings.tuning);
+    }
 
-        Draft(PhysicsSettings s) {
-            substeps = s.substeps;
-            contactStiffness = s.contactStiffness;
-            contactDampingRatio = s.contactDampingRatio;
-            pushSpeed = s.pushSpeed;
-            restitutionThreshold = s.restitutionThreshold;
-            offsetGain = s.offsetGain;
-            loadInertia = s.loadInertia;
-            unloadSweeps = s.unloadSweeps;
-            loneSweeps = s.loneSweeps;
-            effort = s.effort;
-            directFrom = s.directFrom;
-            lanes = s.lanes;
-            precision = s.precision;
-            speculativeTime = s.speculativeTime;
-            speculativeFraction = s.speculativeFraction;
-            boundsMargin = s.boundsMargin;
-            boundsTime = s.boundsTime;
-            sleeping = s.sleeping;
-            sleepSeconds = s.sleepSeconds;
-        }
+    @Override
+    public int hashCode() {
+        return 31 * tuning.hashCode() + Boolean.hashCode(sleeping);
+    }
 
-        PhysicsSettings settings() {
-            return new PhysicsSettings(
-                    substeps,
-                    contactStiffness,
-                    contactDampingRatio,
-                    pushSpeed,
-                    restitutionThreshold,
-                    offsetGain,
-                    loadInertia,
-                    unloadSweeps,
-                    loneSweeps,
-                    effort,
-                    directFrom,
-                    lanes,
-                    precision,
-                    speculativeTime,
-                    speculativeFraction,
-                    boundsMargin,
-                    boundsTime,
-                    sleeping,
-                    sleepSeconds);
-        }
+    /** Tells what differs from the defaults. */
+    @Override
+    public String toString() {
+        return "PhysicsSettings[" + (sleeping ? "" : "sleeping=false ") + tuning + "]";
     }
 }

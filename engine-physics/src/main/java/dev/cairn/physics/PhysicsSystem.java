@@ -55,8 +55,8 @@ public final class PhysicsSystem implements WorldSystem {
         table = new BodyTable(settings, contacts);
         rows = new ContactRows(table.bodies, table.sleepers);
         wakes = new WakeStage(table.sleepers, table.bodies, contacts);
-        manifolds = new ManifoldStage(settings);
-        solver = new ContactSolver(settings.solver());
+        manifolds = new ManifoldStage(settings.tuning());
+        solver = new ContactSolver(settings.tuning());
         publisher = new Publisher(table);
         view = new ContactView(table, contacts);
         sleepView = new SleepView(table);

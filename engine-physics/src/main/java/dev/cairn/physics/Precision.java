@@ -1,6 +1,6 @@
 package dev.cairn.physics;
 
-import dev.cairn.physics.solver.SolverSettings;
+import dev.cairn.physics.tuning.Tunable;
 
 /**
  * In what numbers the contacts of a tick are solved. Positions and velocities of bodies are doubles
@@ -13,7 +13,7 @@ public enum Precision {
      * rounding to floats is not seen beside that; what a few bodies do is right to the last digits
      * of a double.
      */
-    AUTO(SolverSettings.LARGE),
+    AUTO(Tunable.LARGE_ISLAND),
 
     /** Errors of the order of 1e-16 of what moves. */
     DOUBLE(Integer.MAX_VALUE),
@@ -25,10 +25,14 @@ public enum Precision {
      */
     SINGLE(0);
 
-    /** See {@link SolverSettings#floatsFrom}. */
+    /** See {@link Tunable#FLOATS_FROM}. */
     final int floatsFrom;
 
     Precision(int floatsFrom) {
         this.floatsFrom = floatsFrom;
+    }
+
+    static Precision of(int floatsFrom) {
+        return floatsFrom == 0 ? SINGLE : floatsFrom == Integer.MAX_VALUE ? DOUBLE : AUTO;
     }
 }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.tuning.Tunable;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,14 +21,14 @@ import java.util.Random;
 /** Long and slender islands, whose contacts are solved together. */
 class DirectTest {
     private static final long SEED = 20261123;
-    private static final int DEFAULT = PhysicsSettings.DEFAULT.directFrom();
+    private static final int DEFAULT = PhysicsSettings.DEFAULT.tuning().count(Tunable.DIRECT_FROM);
 
     private static PhysicsWorld world(int directFrom, int substeps, int workers, int lanes) {
         return PhysicsWorld.builder()
                 .gravity(0, -9.81, 0)
                 .settings(
                         PhysicsSettings.DEFAULT
-                                .withDirectFrom(directFrom)
+                                .with(Tunable.DIRECT_FROM, directFrom)
                                 .withSubsteps(substeps)
                                 .withLanes(lanes))
                 .sleeping(false)
@@ -61,7 +62,7 @@ class DirectTest {
 
     /** Largest way aside from where it was put. */
     private static double drift(List<BodyRef> boxes, double[] before) {
-        double[] now = EffortTest.places(boxes);
+        double[] now = Scenes.places(boxes);
         double most = 0;
         for (int i = 0; i < now.length; i += 3) {
             most = Math.max(most, Math.hypot(now[i] - before[i], now[i + 2] - before[i + 2]));
@@ -80,7 +81,7 @@ class DirectTest {
             for (PhysicsWorld world : List.of(with, without)) {
                 Scenes.ground(world);
                 List<BodyRef> boxes = column(world, height, 0);
-                double[] before = EffortTest.places(boxes);
+                double[] before = Scenes.places(boxes);
                 run(world, 1200);
                 drifts[world == with ? 0 : 1] = drift(boxes, before);
             }
@@ -177,7 +178,7 @@ class DirectTest {
             List<BodyRef> second = scene(both, true);
             run(alone, 90);
             run(both, 90);
-            assertArrayEquals(EffortTest.places(first), EffortTest.places(second), 0.0);
+            assertArrayEquals(Scenes.places(first), Scenes.places(second), 0.0);
         }
     }
 
@@ -232,7 +233,7 @@ class DirectTest {
                     boxes.add(world.add(box.material(material)));
                 }
                 run(world, 60);
-                places[k] = EffortTest.places(boxes);
+                places[k] = Scenes.places(boxes);
             }
         }
         assertArrayEquals(places[0], places[1], 0.0);
@@ -248,7 +249,7 @@ class DirectTest {
                 Body box = Body.dynamic().shape(Box.cube(.5)).at(.001 * (i % 3), .5 + i, .25);
                 boxes.add(world.add(box.lock(Lock.MOVE_Z, Lock.TURN_X, Lock.TURN_Y)));
             }
-            double[] before = EffortTest.places(boxes);
+            double[] before = Scenes.places(boxes);
             run(world, 600);
             assertTrue(drift(boxes, before) < 1e-4, "drift " + drift(boxes, before) + " m");
             for (BodyRef box : boxes) {

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.tuning.Tunable;
 
 import org.junit.jupiter.api.Test;
 
@@ -88,8 +89,8 @@ class LiveChangeTest {
      */
     private static double partingRate(PhysicsSettings settings, int substeps) {
         double h = STEP / substeps;
-        double w = 2 * Math.PI * settings.contactStiffness() / h;
-        double rate = w / (2 * settings.contactDampingRatio() + h * w);
+        double w = 2 * Math.PI * settings.tuning().get(Tunable.CONTACT_STIFFNESS) / h;
+        double rate = w / (2 * settings.tuning().get(Tunable.CONTACT_DAMPING_RATIO) + h * w);
         return rate * Math.exp(-rate * STEP);
     }
 

@@ -10,6 +10,7 @@ import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 
 import org.joml.Quaterniond;
+import org.joml.Vector3d;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -18,6 +19,9 @@ import java.util.Random;
 /** Scenes for tests of the pipeline. */
 final class Scenes {
     static final double STEP = 1.0 / 60.0;
+
+    /** Of a card of a house, to the vertical. */
+    private static final double LEAN = StrictMath.toRadians(25);
 
     private Scenes() {}
 
@@ -100,5 +104,43 @@ final class Scenes {
                 .velocity(0, -4 * random.nextDouble(), 0)
                 .angularVelocity(random.nextDouble(), random.nextDouble(), 0)
                 .material(Material.WOOD);
+    }
+
+    /** Two cards of 2 mm that lean against each other, and one on two such peaks. */
+    static void cards(PhysicsWorld world, int tents) {
+        double half = .2;
+        double thin = .001;
+        double wide = half * StrictMath.sin(LEAN) + thin * StrictMath.cos(LEAN);
+        double high = half * StrictMath.cos(LEAN) + thin * StrictMath.sin(LEAN);
+        double pitch = 4 * wide + .002;
+        Material rough = new Material(.7, 0, 1000);
+        for (int i = 0; i < tents; i++) {
+            for (int side = -1; side <= 1; side += 2) {
+                world.add(
+                        Body.dynamic()
+                                .shape(Box.of(thin, half, .1))
+                                .at(10 + pitch * i + side * wide, high, 0)
+                                .rotationAbout(0, 0, 1, side * LEAN)
+                                .material(rough));
+            }
+            if (i > 0) {
+                world.add(
+                        Body.dynamic()
+                                .shape(Box.of(.5 * pitch - .0005, thin, .1))
+                                .at(10 + pitch * (i - .5), 2 * high + thin, 0)
+                                .material(rough));
+            }
+        }
+    }
+
+    static double[] places(List<BodyRef> bodies) {
+        double[] all = new double[3 * bodies.size()];
+        for (int i = 0; i < bodies.size(); i++) {
+            Vector3d at = bodies.get(i).position();
+            all[3 * i] = at.x;
+            all[3 * i + 1] = at.y;
+            all[3 * i + 2] = at.z;
+        }
+        return all;
     }
 }

@@ -1,6 +1,7 @@
 package dev.cairn.physics;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.tuning.Tunable;
 
 import org.joml.Vector3d;
 
@@ -476,7 +477,7 @@ final class StackStudy implements AutoCloseable {
             case "pile":
                 return pile(k, 12);
             case "cost":
-                return cost(k, k.withLoadInertia(0).withUnloadSweeps(0), 30);
+                return cost(k, k.with(Tunable.LOAD_INERTIA, 0).with(Tunable.UNLOAD_SWEEPS, 0), 30);
             default:
                 break;
         }
@@ -528,11 +529,15 @@ final class StackStudy implements AutoCloseable {
                             ? Double.parseDouble(part.substring(2))
                             : 0;
             switch (part.charAt(0)) {
-                case 'S' -> k = k.withOffsetGain(0).withLoadInertia(0).withUnloadSweeps(0);
-                case 'O' -> k = k.withLoadInertia(0).withUnloadSweeps(0);
-                case 'L' -> k = k.withUnloadSweeps(0);
-                case 'k' -> k = k.withLoadInertia(x);
-                case 'g' -> k = k.withOffsetGain(x);
+                case 'S' ->
+                        k =
+                                k.with(Tunable.OFFSET_GAIN, 0)
+                                        .with(Tunable.LOAD_INERTIA, 0)
+                                        .with(Tunable.UNLOAD_SWEEPS, 0);
+                case 'O' -> k = k.with(Tunable.LOAD_INERTIA, 0).with(Tunable.UNLOAD_SWEEPS, 0);
+                case 'L' -> k = k.with(Tunable.UNLOAD_SWEEPS, 0);
+                case 'k' -> k = k.with(Tunable.LOAD_INERTIA, x);
+                case 'g' -> k = k.with(Tunable.OFFSET_GAIN, x);
                 case 'n' -> k = k.withSubsteps((int) x);
                 case 's' -> seed = (long) x;
                 default -> {}

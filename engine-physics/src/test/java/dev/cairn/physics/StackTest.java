@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.tuning.Tunable;
 
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Tag;
@@ -18,7 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  */
 class StackTest {
     private static final PhysicsSettings PLAIN =
-            PhysicsSettings.DEFAULT.withLoadInertia(0).withUnloadSweeps(0);
+            PhysicsSettings.DEFAULT.with(Tunable.LOAD_INERTIA, 0).with(Tunable.UNLOAD_SWEEPS, 0);
 
     /** Bounds in metres and m/s. */
     private static void stands(

@@ -42,7 +42,7 @@ class StaticStartTest {
     void aHouseOfCardsStands(int substeps) {
         try (PhysicsWorld world = world(substeps, 1, 1)) {
             Scenes.ground(world);
-            EffortTest.cards(world, 4);
+            Scenes.cards(world, 4);
             for (int tick = 0; tick < 60; tick++) {
                 world.step(Scenes.STEP);
                 for (BodyRef card : world.bodies()) {
@@ -59,13 +59,13 @@ class StaticStartTest {
                 PhysicsWorld both = world(4, 1, 1)) {
             List<BodyRef> one = Scenes.stack(alone, 5);
             List<BodyRef> other = Scenes.stack(both, 5);
-            EffortTest.cards(both, 3);
+            Scenes.cards(both, 3);
             both.add(Body.dynamic().shape(Box.cube(0.5)).at(-5, 0.5, 0));
             for (int tick = 0; tick < 30; tick++) {
                 alone.step(Scenes.STEP);
                 both.step(Scenes.STEP);
             }
-            assertArrayEquals(EffortTest.places(one), EffortTest.places(other), 0.0);
+            assertArrayEquals(Scenes.places(one), Scenes.places(other), 0.0);
         }
     }
 
@@ -78,7 +78,7 @@ class StaticStartTest {
     private static long digest(int workers, int lanes) {
         try (PhysicsWorld world = world(4, workers, lanes)) {
             Scenes.stack(world, 20);
-            EffortTest.cards(world, 6);
+            Scenes.cards(world, 6);
             for (int i = 0; i < 40; i++) {
                 for (int k = 0; k < 1 + i % 5; k++) {
                     double aside = 0.001 * (i * 7 % 5);

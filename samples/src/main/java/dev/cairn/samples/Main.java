@@ -117,14 +117,6 @@ public final class Main {
     @Nullable String substeps;
 
     @Option(
-            names = "--effort",
-            paramLabel = "0..4",
-            description =
-                    "How often the sub-steps may be doubled where bodies overlap by more than 1 %%"
-                            + " of their inner radius; 0 by default.")
-    @Nullable String effort;
-
-    @Option(
             names = "--direct-from",
             paramLabel = "N",
             description =

@@ -3,6 +3,7 @@ package dev.cairn.samples;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.Precision;
+import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneFileException;
 import dev.cairn.samples.scenefile.SceneLoader;
@@ -32,7 +33,6 @@ import java.util.Map;
  * @param ticks length of each run, or null for each scene's own
  * @param workers threads of the physics
  * @param substeps sub-steps of the solver
- * @param effort how often an island's may be doubled
  * @param directFrom bodies from end to end from which on a slender island is solved directly
  * @param sleeping whether bodies at rest fall asleep, or null for what suits the mode
  * @param lanes contacts that are solved at once, 0 for what fits the machine
@@ -55,7 +55,6 @@ record Request(
         @Nullable Integer ticks,
         int workers,
         int substeps,
-        int effort,
         int directFrom,
         @Nullable Boolean sleeping,
         int lanes,
@@ -107,7 +106,6 @@ record Request(
         Integer ticks = whole("--ticks", typed.ticks, 0, MOST_TICKS);
         Integer workers = whole("--workers", typed.workers, 1, Jobs.MAX_WORKERS);
         Integer substeps = whole("--substeps", typed.substeps, 1, 64);
-        Integer effort = whole("--effort", typed.effort, 0, 4);
         Integer directFrom = whole("--direct-from", typed.directFrom, 0, 1024);
         Integer at = whole("--at", typed.at, 0, MOST_TICKS);
         Path obj = path("--obj", typed.obj);
@@ -158,8 +156,9 @@ record Request(
                 ticks,
                 workers == null ? Jobs.defaultWorkers() : workers,
                 substeps == null ? substeps(described) : substeps,
-                effort == null ? 0 : effort,
-                directFrom == null ? PhysicsSettings.DEFAULT.directFrom() : directFrom,
+                directFrom == null
+                        ? PhysicsSettings.DEFAULT.tuning().count(Tunable.DIRECT_FROM)
+                        : directFrom,
                 onOff("--sleeping", typed.sleeping),
                 lanes(typed.lanes),
                 precision(typed.precision),

@@ -1,6 +1,7 @@
 package dev.cairn.samples;
 
 import dev.cairn.physics.PhysicsSettings;
+import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.render.app.Offscreen;
 import dev.cairn.samples.scenefile.SceneExport;
 import dev.cairn.samples.scenefile.SceneFile;
@@ -113,8 +114,7 @@ final class Runner {
         window.step(request.stepSeconds());
         window.settings(
                 PhysicsSettings.DEFAULT
-                        .withEffort(request.effort())
-                        .withDirectFrom(request.directFrom())
+                        .with(Tunable.DIRECT_FROM, request.directFrom())
                         .withLanes(request.lanes())
                         .withPrecision(request.precision()));
         Path file = request.sceneFile();
@@ -203,7 +203,6 @@ final class Runner {
                 request.options().getOrDefault(scene.id(), SceneOptions.defaults(scene));
         SceneRun run =
                 new SceneRun(scene, options, ticks, request.workers(), request.substeps())
-                        .effort(request.effort())
                         .directFrom(request.directFrom())
                         .sleeping(request.sleepingOr(false))
                         .lanes(request.lanes())

@@ -7,6 +7,7 @@ import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.Precision;
 import dev.cairn.physics.StepProfile;
 import dev.cairn.physics.StepStage;
+import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.render.app.Offscreen;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.CameraMount;
@@ -38,8 +39,7 @@ public final class SceneRun {
     private final int ticks;
     private final int workers;
     private final int substeps;
-    private int effort;
-    private int directFrom = PhysicsSettings.DEFAULT.directFrom();
+    private int directFrom = PhysicsSettings.DEFAULT.tuning().count(Tunable.DIRECT_FROM);
     private boolean sleeping;
     private int lanes;
     private Precision precision = Precision.AUTO;
@@ -79,17 +79,6 @@ public final class SceneRun {
      */
     public SceneRun(SampleScene scene, SceneOptions options) {
         this(scene, options, scene.ticks(), 1, PhysicsSettings.DEFAULT.substeps());
-    }
-
-    /**
-     * Says how often the sub-steps of an island may be doubled.
-     *
-     * @param doublings 0 (never, as by default) to 4
-     * @return this
-     */
-    public SceneRun effort(int doublings) {
-        this.effort = doublings;
-        return this;
     }
 
     /**
@@ -178,8 +167,7 @@ public final class SceneRun {
                         .settings(
                                 PhysicsSettings.DEFAULT
                                         .withSubsteps(substeps)
-                                        .withEffort(effort)
-                                        .withDirectFrom(directFrom)
+                                        .with(Tunable.DIRECT_FROM, directFrom)
                                         .withLanes(lanes)
                                         .withPrecision(precision))
                         .sleeping(sleeping)
@@ -250,7 +238,6 @@ public final class SceneRun {
         Map<String, Object> parameters = new LinkedHashMap<>(options.values());
         parameters.put("seed", options.seed());
         parameters.put("substeps", substeps);
-        parameters.put("effort", effort);
         parameters.put("directFrom", directFrom);
         parameters.put("precision", precision.name().toLowerCase(Locale.ROOT));
         parameters.put("sleeping", sleeping ? "on" : "off");

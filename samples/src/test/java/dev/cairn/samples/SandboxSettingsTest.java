@@ -18,11 +18,9 @@ final class SandboxSettingsTest {
     void theWorldHasThem() {
         SampleScene scene = StackOfBoxes.scene();
         Sandbox window = new Sandbox(List.of(scene), Map.of(), 1, 7, false, System.err);
-        window.settings(
-                PhysicsSettings.DEFAULT.withLanes(1).withEffort(2).withPrecision(Precision.SINGLE));
+        window.settings(PhysicsSettings.DEFAULT.withLanes(1).withPrecision(Precision.SINGLE));
         try (PhysicsWorld world = window.createPhysics()) {
             assertEquals(1, world.settings().lanes());
-            assertEquals(2, world.settings().effort());
             assertEquals(Precision.SINGLE, world.settings().precision());
             assertEquals(7, world.settings().substeps());
         }

@@ -2,6 +2,7 @@ package dev.cairn.benchmarks.cost;
 
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.tuning.Tunable;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -72,24 +73,30 @@ final class Ladder {
                     rung("nothing (both sides alike)", false, REST, ON),
                     new Rung("sleep", false, FLIGHT, ON.withSleeping(true), FLIGHT, ON),
                     new Rung("sleep", false, REST, ALMOST_ASLEEP, REST, ON),
-                    rung("offset against sag", false, FLIGHT, ON.withOffsetGain(0)),
-                    rung("load-proportional inertia", false, FLIGHT, ON.withLoadInertia(0)),
-                    rung("unloading sweeps", false, FLIGHT, ON.withUnloadSweeps(0)),
-                    rung("unloading sweeps", false, REST, ON.withUnloadSweeps(0)),
-                    rung("sweeps of lone contacts", false, FLIGHT, ON.withLoneSweeps(0)),
-                    rung("sweeps of lone contacts", false, REST, ON.withLoneSweeps(0)),
-                    new Rung("effort", false, FLIGHT, ON.withEffort(3), FLIGHT, ON),
-                    new Rung("effort", false, REST, ON.withEffort(3), REST, ON),
-                    rung("direct solves", false, FLIGHT, ON.withDirectFrom(0)),
-                    rung("direct solves", false, REST, ON.withDirectFrom(0)),
+                    rung("offset against sag", false, FLIGHT, ON.with(Tunable.OFFSET_GAIN, 0)),
+                    rung(
+                            "load-proportional inertia",
+                            false,
+                            FLIGHT,
+                            ON.with(Tunable.LOAD_INERTIA, 0)),
+                    rung("unloading sweeps", false, FLIGHT, ON.with(Tunable.UNLOAD_SWEEPS, 0)),
+                    rung("unloading sweeps", false, REST, ON.with(Tunable.UNLOAD_SWEEPS, 0)),
+                    rung("sweeps of lone contacts", false, FLIGHT, ON.with(Tunable.LONE_SWEEPS, 0)),
+                    rung("sweeps of lone contacts", false, REST, ON.with(Tunable.LONE_SWEEPS, 0)),
+                    rung("direct solves", false, FLIGHT, ON.with(Tunable.DIRECT_FROM, 0)),
+                    rung("direct solves", false, REST, ON.with(Tunable.DIRECT_FROM, 0)),
                     rung("restitution", false, FLIGHT, ON.withRestitutionThreshold(1000)),
                     rung("restitution", false, REST, ON.withRestitutionThreshold(1000)),
                     new Rung("friction", false, FLIGHT, ON, SMOOTH_FLIGHT, ON),
                     new Rung("rolling friction", false, ROLLING_FLIGHT, ON, FLIGHT, ON),
                     new Rung("friction", true, REST, ON, SMOOTH_REST, ON),
                     new Rung("rolling friction", true, ROLLING_REST, ON, REST, ON),
-                    rung("offset against sag", true, REST, ON.withOffsetGain(0)),
-                    rung("load-proportional inertia", true, REST, ON.withLoadInertia(0)));
+                    rung("offset against sag", true, REST, ON.with(Tunable.OFFSET_GAIN, 0)),
+                    rung(
+                            "load-proportional inertia",
+                            true,
+                            REST,
+                            ON.with(Tunable.LOAD_INERTIA, 0)));
 
     private Ladder() {}
 

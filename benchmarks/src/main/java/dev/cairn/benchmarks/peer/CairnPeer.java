@@ -129,7 +129,7 @@ final class CairnPeer implements Peer {
     public List<String> notes() {
         return List.of(
                 "defaults; one sweep per sub-step, contacts found once a tick; damping 0",
-                "best effort is the same; effort, more sub-steps where bodies overlap, stays 0",
+                "best effort is the same",
                 "inertia: taken from shape and mass, the source of the description");
     }
 

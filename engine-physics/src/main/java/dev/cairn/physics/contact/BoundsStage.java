@@ -3,9 +3,10 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.physics.tuning.Tuning;
 
 import java.util.Arrays;
 
@@ -28,7 +29,7 @@ public final class BoundsStage {
     private static final byte LEFT = 1;
     private static final byte INVALID = 2;
 
-    private final PhysicsSettings settings;
+    private final Tuning settings;
     private final BlockJob job = this::block;
 
     /** Numbers of a body in {@link #ahead}. */
@@ -61,7 +62,7 @@ public final class BoundsStage {
      *
      * @param settings the margin rules
      */
-    public BoundsStage(PhysicsSettings settings) {
+    public BoundsStage(Tuning settings) {
         this.settings = settings;
     }
 
@@ -249,7 +250,7 @@ public final class BoundsStage {
         if (!valid) {
             return INVALID;
         }
-        double reach = step * settings.speculativeTime();
+        double reach = step * settings.get(Tunable.SPECULATIVE_TICKS);
         double inner = b.innerRadius[s];
         double arc = Math.min(spin * outer * reach, outer - inner);
         setAhead(s, vx, vy, vz, arc);
@@ -260,8 +261,8 @@ public final class BoundsStage {
                 b.orientationW[s],
                 box,
                 6 * s);
-        double pad = arc + settings.speculativeFraction() * inner;
-        double margin = settings.boundsMargin() * outer;
+        double pad = arc + settings.get(Tunable.SPECULATIVE_FRACTION) * inner;
+        double margin = settings.get(Tunable.BOUNDS_MARGIN) * outer;
         boolean inside = broadPhase.contains(s);
         inside &= axis(s, 0, b.positionX[s], vx, reach, pad, margin);
         inside &= axis(s, 1, b.positionY[s], vy, reach, pad, margin);
@@ -280,7 +281,7 @@ public final class BoundsStage {
         double swept = v * reach;
         double min = box[low] + centre - pad + Math.min(swept, 0);
         double max = box[high] + centre + pad + Math.max(swept, 0);
-        double lead = v * (step * settings.boundsTime());
+        double lead = v * (step * settings.get(Tunable.BOUNDS_TICKS));
         double fatMin = min - margin + Math.min(lead, 0);
         double fatMax = max + margin + Math.max(lead, 0);
         box[low] = fatMin;

@@ -3,7 +3,6 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.BoxContacts;
@@ -17,6 +16,8 @@ import dev.cairn.physics.narrowphase.wide.KeptBatch;
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Moved;
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.physics.tuning.Tuning;
 
 import java.util.Arrays;
 
@@ -45,7 +46,7 @@ public final class ManifoldStage {
     /** Other pairs cost from some hundred nanoseconds to some microseconds. */
     private static final int OTHERS_PER_BLOCK = 32;
 
-    private final PhysicsSettings settings;
+    private final Tuning settings;
     private final BlockJob job = this::block;
     private final PairKinds kinds = new PairKinds();
     private final PointStore points = new PointStore();
@@ -64,7 +65,7 @@ public final class ManifoldStage {
      *
      * @param settings the margin rule
      */
-    public ManifoldStage(PhysicsSettings settings) {
+    public ManifoldStage(Tuning settings) {
         this.settings = settings;
         this.bounds = new BoundsStage(settings);
     }
@@ -87,7 +88,7 @@ public final class ManifoldStage {
         bodies = bodyStore;
         contacts = rows;
         bounds = motion;
-        reach = stepSeconds * settings.speculativeTime();
+        reach = stepSeconds * settings.get(Tunable.SPECULATIVE_TICKS);
         if (scratch.length < jobs.workers()) {
             int old = scratch.length;
             scratch = Arrays.copyOf(scratch, jobs.workers());
@@ -97,7 +98,7 @@ public final class ManifoldStage {
         }
         points.use(bodyStore, rows);
         recycler.use(bodyStore, rows, stepSeconds);
-        roundRows.use(bodyStore, rows, motion, reach, settings.speculativeFraction());
+        roundRows.use(bodyStore, rows, motion, reach, settings.get(Tunable.SPECULATIVE_FRACTION));
         kinds.sort(bodyStore, rows, jobs);
         int round = kinds.begin(PairKinds.ROUND);
         int others = kinds.begin(PairKinds.OTHERS);
@@ -264,7 +265,12 @@ public final class ManifoldStage {
                 recycler.put(kept, row - first, row, bounds);
             }
         }
-        kept.run(places, c.kept, ContactStore.keptAt(first), reach, settings.speculativeFraction());
+        kept.run(
+                places,
+                c.kept,
+                ContactStore.keptAt(first),
+                reach,
+                settings.get(Tunable.SPECULATIVE_FRACTION));
         int moved = 0;
         for (int i = begin; i < begin + count; i++) {
             int row = order[i];
@@ -380,7 +386,7 @@ public final class ManifoldStage {
         return reach * Math.sqrt(vx * vx + vy * vy + vz * vz)
                 + ahead[i + 3]
                 + ahead[j + 3]
-                + settings.speculativeFraction() * smaller;
+                + settings.get(Tunable.SPECULATIVE_FRACTION) * smaller;
     }
 
     /** What one worker needs. */

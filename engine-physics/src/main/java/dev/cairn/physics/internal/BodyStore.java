@@ -134,12 +134,6 @@ public final class BodyStore {
     public int[] pressing = {};
 
     /**
-     * How often the sub-steps of the body's island are doubled, -1 where nothing is known yet; and
-     * for how many ticks fewer would have done.
-     */
-    public byte[] effort = {}, idleTicks = {};
-
-    /**
      * {@link #DAMPED}, {@link #LIMITED}, and the world axes along which (bits 0 to 2 for x, y, z)
      * and about which (bits 3 to 5) the body may not move; 0 for a body without any of these.
      */
@@ -217,8 +211,6 @@ public final class BodyStore {
         lastVelocity = Arrays.copyOf(lastVelocity, 6 * n);
         pressed = Arrays.copyOf(pressed, n);
         pressing = Arrays.copyOf(pressing, n);
-        effort = Arrays.copyOf(effort, n);
-        idleTicks = Arrays.copyOf(idleTicks, n);
         restraint = Arrays.copyOf(restraint, n);
         linearDamping = Arrays.copyOf(linearDamping, n);
         angularDamping = Arrays.copyOf(angularDamping, n);

@@ -1,9 +1,10 @@
 package dev.cairn.physics.island;
 
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.physics.tuning.Tuning;
 
 import java.util.Arrays;
 
@@ -65,14 +66,15 @@ public final class Sleepers {
      * Nobody sleeps yet.
      *
      * @param settings whether bodies sleep, and when
+     * @param enabled whether bodies at rest fall asleep
      * @param bodies whose kinds change
      * @param contacts whose active rows are the links
      */
-    public Sleepers(PhysicsSettings settings, BodyStore bodies, ContactStore contacts) {
+    public Sleepers(Tuning settings, boolean enabled, BodyStore bodies, ContactStore contacts) {
         this.bodies = bodies;
         this.contacts = contacts;
-        enabled = settings.sleeping();
-        quiet = new Quiet(settings.sleepSeconds());
+        this.enabled = enabled;
+        quiet = new Quiet(settings.get(Tunable.SLEEP_SECONDS));
     }
 
     /**

@@ -3,6 +3,7 @@ package dev.cairn.physics.solver;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Islands;
+import dev.cairn.physics.tuning.Tunable;
 
 import java.util.Arrays;
 
@@ -16,9 +17,8 @@ import java.util.Arrays;
  * islands are gathered into batches, in the order of their smallest slot, up to {@link #WANTED}
  * rows; what one worker should not have alone goes to batch 0, which all workers solve in lockstep.
  * Islands of more than {@link #LARGEST} rows are cut into {@link Domains}, a batch each, with the
- * contacts between these in batch 0. Where islands differ in {@link Effort}, or in the precision of
- * their rows, a batch has those of one effort and one precision, and there is a batch in lockstep
- * with domains for each.
+ * contacts between these in batch 0. A batch has islands whose rows are of one precision, and there
+ * is a batch in lockstep with domains for each precision.
  *
  * <p>The order in which the contacts of an island are solved is the same in both, and so are the
  * bits: the cut may depend on the number of workers. Simulation thread; allocates only when a store
@@ -31,7 +31,7 @@ final class Batches {
     static final int WANTED = 320;
 
     /** A larger island is cut into domains. */
-    private static final int LARGEST = SolverSettings.LARGE - 1;
+    private static final int LARGEST = Tunable.LARGE_ISLAND - 1;
 
     /** Kinds of rows, in the order of their batches. */
     static final int FLOATS = 0;
@@ -46,20 +46,15 @@ final class Batches {
     /** Whether islands are those of the contacts that were cut last. */
     private boolean knowsIslands;
 
-    private final Effort efforts = new Effort();
     private final Domains domains = new Domains();
 
     /** Batches, those in lockstep and the domains included. */
     int count;
 
-    /** Efforts there may be. */
-    int paces = 1;
+    /** By kind of rows: the batch in lockstep, its domains after it; the first alone. */
+    private final int[] lockstep = new int[2];
 
-    /**
-     * By kind of rows and effort: the batch in lockstep; after it come its domains, up to the next
-     * effort's; then the first batch that one worker has alone.
-     */
-    private final int[] lockstep = new int[2 * (SolverSettings.MOST_EFFORT + 2)];
+    private final int[] alone = new int[2];
 
     /** An empty batch, after those whose rows are floats, before those of doubles. */
     int divider;
@@ -69,16 +64,8 @@ final class Batches {
 
     private int floatsFrom;
 
-    /** By batch: how often its sub-steps are doubled. */
-    byte[] effort = new byte[2];
-
     /** By domain: its batch. */
     private int[] batchOfDomain = {};
-
-    /** By effort: the batch that is being filled, and its rows. */
-    private final int[] open = new int[SolverSettings.MOST_EFFORT + 1];
-
-    private final int[] openRows = new int[SolverSettings.MOST_EFFORT + 1];
 
     /** Bodies with contacts, by batch and then by slot; where those of each batch start. */
     int[] order = {};
@@ -115,11 +102,10 @@ final class Batches {
             byBatch = new int[n];
             batchOf = new int[n];
         }
-        int most = Math.max(order.length, byBatch.length) + 2 * paces + 2;
+        int most = Math.max(order.length, byBatch.length) + 4;
         if (firstBody.length < most) {
             firstBody = new int[most];
             firstRow = new int[most];
-            effort = new byte[most];
             batchOfDomain = new int[most];
         }
     }
@@ -130,8 +116,6 @@ final class Batches {
      * @param guide tells who has contacts
      * @param together whether all are to be solved in lockstep
      * @param workers that take part
-     * @param doublings of sub-steps that an island may get
-     * @param sag of a body on a soft contact, m
      * @param floatsFrom rows of an island that are floats if there are as many
      */
     void cut(
@@ -141,11 +125,8 @@ final class Batches {
             int[] guide,
             boolean together,
             int workers,
-            int doublings,
-            double sag,
             int floatsFrom) {
         this.floatsFrom = floatsFrom;
-        paces = doublings + 1;
         ensureCapacity(bodies.slotCount, list.source.length);
         boundCount = 0;
         for (int i = 0; i < bodies.slotCount; i++) {
@@ -154,36 +135,14 @@ final class Batches {
             }
         }
         boolean isOne = floatsFrom == 0 || list.count < floatsFrom;
-        if (doublings == 0 && isOne && list.count <= (together ? LARGEST : WANTED)) {
+        if (isOne && list.count <= (together ? LARGEST : WANTED)) {
             whole(list, isSingle(list.count) ? FLOATS : DOUBLES, together);
             knowsIslands = false;
             return;
         }
         knowsIslands = false;
         islands(bodies, contacts);
-        if (doublings > 0) {
-            efforts.update(bodies, contacts, list, islands, bound, boundCount, doublings, sag);
-        }
         gather(bodies, contacts, list, together, workers);
-    }
-
-    /**
-     * Cuts anew where islands are as they were, if one now needs another effort.
-     *
-     * @return whether one does
-     */
-    boolean recut(
-            BodyStore bodies,
-            ContactStore contacts,
-            RowList list,
-            boolean together,
-            int workers,
-            double sag) {
-        if (!efforts.update(bodies, contacts, list, islands, bound, boundCount, paces - 1, sag)) {
-            return false;
-        }
-        gather(bodies, contacts, list, together, workers);
-        return true;
     }
 
     private void gather(
@@ -192,16 +151,14 @@ final class Batches {
         for (int k = 0; k < boundCount; k++) {
             isSingle[bound[k]] = isSingle(tally[islands.root(bound[k])]);
         }
-        int needy = together ? efforts.most(bodies, bound, boundCount, paces) : -1;
         cutLarge(bodies, contacts, list);
         // an island that would keep one worker busy while the others wait is for all
         int share = workers == 1 ? LARGEST : list.count / (2 * workers);
         int largest = Math.max(WANTED, Math.min(LARGEST, share));
         count = 0;
-        number(FLOATS, bodies, needy, largest);
-        divider = count;
-        effort[count++] = 0;
-        number(DOUBLES, bodies, needy, largest);
+        number(FLOATS, together, largest);
+        divider = count++;
+        number(DOUBLES, together, largest);
         for (int m = 0; m < list.count; m++) {
             list.isSingle[m] = isSingle[batchOf[m]];
             int batch = tally[batchOf[m]];
@@ -217,8 +174,8 @@ final class Batches {
         int target = 0;
         for (int k = FLOATS; k <= DOUBLES; k++) {
             target = k == kind ? count : target;
-            lockstep[index(k, 0)] = count++;
-            lockstep[index(k, 1)] = count;
+            lockstep[k] = count++;
+            alone[k] = count;
             if (k == kind && !together) {
                 target = count++;
             }
@@ -226,7 +183,6 @@ final class Batches {
                 divider = count++;
             }
         }
-        Arrays.fill(effort, 0, count, (byte) 0);
         System.arraycopy(bound, 0, order, 0, boundCount);
         for (int k = 0; k < boundCount; k++) {
             isSingle[bound[k]] = kind == FLOATS;
@@ -286,28 +242,16 @@ final class Batches {
         }
     }
 
-    /**
-     * Numbers the batches of floats, or of doubles: those in lockstep and the domains by effort.
-     */
-    private void number(int kind, BodyStore bodies, int needy, int largest) {
-        for (int e = 0; e < paces; e++) {
-            lockstep[index(kind, e)] = count;
-            effort[count++] = (byte) e;
-            for (int d = 0; d < domains.count; d++) {
-                int seed = domains.seed[d];
-                if (kindOf(seed) == kind && pace(bodies, seed, needy) == e) {
-                    batchOfDomain[d] = count;
-                    effort[count++] = (byte) e;
-                }
+    /** Numbers the batches of one kind: the one in lockstep, its domains, those of islands. */
+    private void number(int kind, boolean together, int largest) {
+        lockstep[kind] = count++;
+        for (int d = 0; d < domains.count; d++) {
+            if (kindOf(domains.seed[d]) == kind) {
+                batchOfDomain[d] = count++;
             }
         }
-        lockstep[index(kind, paces)] = count;
-        assign(kind, bodies, needy, largest);
-    }
-
-    /** The effort of a body; of the neediest where all go together. */
-    private int pace(BodyStore bodies, int slot, int needy) {
-        return paces == 1 ? 0 : needy >= 0 ? needy : bodies.effort[slot];
+        alone[kind] = count;
+        assign(kind, together, largest);
     }
 
     /** Kind of rows of a body with contacts. */
@@ -315,13 +259,14 @@ final class Batches {
         return isSingle[slot] ? FLOATS : DOUBLES;
     }
 
-    private int index(int kind, int pace) {
-        return kind * (paces + 1) + pace;
+    /** The batch in lockstep of one kind; its domains follow. */
+    int lockstep(int kind) {
+        return lockstep[kind];
     }
 
-    /** The batch in lockstep of one kind and effort; after the largest effort: the first alone. */
-    int lockstep(int kind, int pace) {
-        return lockstep[index(kind, pace)];
+    /** The first of the batches of a kind that one worker has alone. */
+    int alone(int kind) {
+        return alone[kind];
     }
 
     /** End of the batches of a kind that one worker has alone. */
@@ -329,26 +274,25 @@ final class Batches {
         return kind == FLOATS ? divider : count;
     }
 
-    private void assign(int kind, BodyStore bodies, int needy, int largest) {
-        Arrays.fill(openRows, WANTED);
+    private void assign(int kind, boolean together, int largest) {
+        int open = 0;
+        int openRows = WANTED;
         for (int k = 0; k < boundCount; k++) {
             int i = bound[k];
             if (islands.root(i) != i || tally[i] == CUT || kindOf(i) != kind) {
                 continue;
             }
             int n = tally[i];
-            int e = pace(bodies, i, needy);
-            if (needy >= 0 || n > largest) {
-                tally[i] = lockstep(kind, e);
+            if (together || n > largest) {
+                tally[i] = lockstep[kind];
                 continue;
             }
-            if (openRows[e] + n > WANTED) {
-                effort[count] = (byte) e;
-                open[e] = count++;
-                openRows[e] = 0;
+            if (openRows + n > WANTED) {
+                open = count++;
+                openRows = 0;
             }
-            openRows[e] += n;
-            tally[i] = open[e];
+            openRows += n;
+            tally[i] = open;
         }
     }
 
@@ -363,7 +307,7 @@ final class Batches {
             return batchOfDomain[domains.of[a]];
         }
         int batch = batchOfDomain[domains.of[a]];
-        return domains.of[a] == domains.of[b] ? batch : lockstep(kindOf(a), effort[batch]);
+        return domains.of[a] == domains.of[b] ? batch : lockstep[kindOf(a)];
     }
 
     private void sortRows(RowList list) {
@@ -416,7 +360,7 @@ final class Batches {
     /** Whether a row is in a batch in lockstep. */
     boolean isLockstep(int m) {
         int batch = batchOf[m];
-        return batch == lockstep(batch < divider ? FLOATS : DOUBLES, effort[batch]);
+        return batch == lockstep[batch < divider ? FLOATS : DOUBLES];
     }
 
     /** Ends become starts again. */

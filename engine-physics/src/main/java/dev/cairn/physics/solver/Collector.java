@@ -48,7 +48,6 @@ final class Collector {
     private int bouncing;
 
     private int workers;
-    private int doublings;
     private boolean stacked;
 
     /** What of the rows of this tick is as it was: who touches whom, and what colours follow. */
@@ -69,8 +68,6 @@ final class Collector {
      *
      * @param guide receives who has contacts, see {@link SolverBodies#guide}
      * @param workerCount who may work at batches
-     * @param extra doublings of sub-steps that an island may get
-     * @param sag of a body on a soft contact, m
      * @param floatsFrom rows of an island that are floats if there are as many
      * @param jobs runs the comparison
      * @return whether any two dynamic bodies touch
@@ -81,8 +78,6 @@ final class Collector {
             RowList list,
             int[] guide,
             int workerCount,
-            int extra,
-            double sag,
             int floatsFrom,
             Jobs jobs) {
         bodies = bodyStore;
@@ -97,17 +92,12 @@ final class Collector {
         sameBodies = sameList || list(list);
         sameBodies &= slots == bodies.slotCount;
         sameBodies &= together == bouncing > 0 && workers == workerCount;
-        sameBodies &= doublings == extra;
         if (!sameBodies) {
             slots = bodies.slotCount;
             together = bouncing > 0;
             workers = workerCount;
-            doublings = extra;
             bind(list, guide);
-            batches.cut(
-                    bodies, contacts, list, guide, together, workerCount, extra, sag, floatsFrom);
-        } else if (extra > 0 && batches.recut(bodies, contacts, list, together, workerCount, sag)) {
-            sameColours = false;
+            batches.cut(bodies, contacts, list, guide, together, workerCount, floatsFrom);
         }
         if (!sameList) {
             listBouncers(list);

@@ -5,6 +5,8 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.physics.tuning.Tuning;
 
 /**
  * Solves one tick of motion and contact: a sub-stepped soft contact solver, wide over the contacts
@@ -46,9 +48,7 @@ public final class ContactSolver {
     private final Passes[] passes = new Passes[2];
     private final Lockstep[] lockstep = new Lockstep[2];
 
-    /** By effort. */
-    private final SubStep[] paces;
-
+    private final SubStep sub = new SubStep();
     private final Tick tick;
     private final RowList list;
     private final Colouring colouring = new Colouring();
@@ -75,14 +75,20 @@ public final class ContactSolver {
      *
      * @param settings the tunables
      */
-    public ContactSolver(SolverSettings settings) {
+    public ContactSolver(Tuning settings) {
         this(
                 settings,
-                Lanes.sweeps(settings.lanes(), true, settings.floatsFrom() == 0),
-                Lanes.sweeps(settings.lanes(), false, settings.floatsFrom() > 0));
+                Lanes.sweeps(
+                        settings.count(Tunable.LANES),
+                        true,
+                        settings.count(Tunable.FLOATS_FROM) == 0),
+                Lanes.sweeps(
+                        settings.count(Tunable.LANES),
+                        false,
+                        settings.count(Tunable.FLOATS_FROM) > 0));
     }
 
-    ContactSolver(SolverSettings settings, Sweeps floats, Sweeps doubles) {
+    ContactSolver(Tuning settings, Sweeps floats, Sweeps doubles) {
         sweeps = new Sweeps[] {floats, doubles};
         tick = new Tick(settings);
         list =
@@ -95,14 +101,10 @@ public final class ContactSolver {
             passes[k] = new Passes(tick, k == Batches.FLOATS ? list.floats : list.doubles);
             lockstep[k] = new Lockstep(passes[k], colouring, batches, narrow[k], k);
         }
-        paces = new SubStep[settings.effort() + 1];
-        for (int e = 0; e < paces.length; e++) {
-            paces[e] = new SubStep();
-        }
     }
 
-    private static int group(int lanes, SolverSettings settings) {
-        return lanes == 1 ? 1 : Math.max(lanes, settings.lanes());
+    private static int group(int lanes, Tuning settings) {
+        return lanes == 1 ? 1 : Math.max(lanes, settings.count(Tunable.LANES));
     }
 
     /**
@@ -110,7 +112,7 @@ public final class ContactSolver {
      *
      * @return as given
      */
-    public SolverSettings settings() {
+    public Tuning settings() {
         return tick.settings;
     }
 
@@ -120,7 +122,7 @@ public final class ContactSolver {
      * @param count 1 to 64
      */
     public void setSubsteps(int count) {
-        tick.settings = tick.settings.withSubsteps(count);
+        tick.settings = tick.settings.with(Tunable.SUBSTEPS, count);
     }
 
     /**
@@ -129,7 +131,9 @@ public final class ContactSolver {
      * @return 1 (scalar), 4, 8 or 16; those of floats, if all are
      */
     public int lanes() {
-        return tick.settings.floatsFrom() == 0 ? list.floats.group : list.doubles.group;
+        return tick.settings.count(Tunable.FLOATS_FROM) == 0
+                ? list.floats.group
+                : list.doubles.group;
     }
 
     /**
@@ -169,10 +173,8 @@ public final class ContactSolver {
             ensureScratch(jobs.workers());
             for (kind = Batches.FLOATS; kind <= Batches.DOUBLES; kind++) {
                 choose();
-                for (int e = 0; e < paces.length; e++) {
-                    lockstep[kind].run(e, paces[e], chosen[kind], unloaded, scratch, jobs);
-                }
-                run(batch, batches.end(kind) - batches.lockstep(kind, paces.length), jobs);
+                lockstep[kind].run(sub, chosen[kind], unloaded, scratch, jobs);
+                run(batch, batches.end(kind) - batches.alone(kind), jobs);
             }
         }
         run(clearRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK), jobs);
@@ -181,7 +183,7 @@ public final class ContactSolver {
     /** Lists the contacts, and finds what rests on what. */
     private void load(Jobs jobs) {
         Tick t = tick;
-        SolverSettings settings = t.settings;
+        Tuning settings = t.settings;
         boolean stacked =
                 collector.run(
                         t.bodies,
@@ -189,13 +191,11 @@ public final class ContactSolver {
                         list,
                         t.body.guide,
                         jobs.workers(),
-                        paces.length - 1,
-                        paces[0].sag(t.weight()),
-                        settings.floatsFrom(),
+                        settings.count(Tunable.FLOATS_FROM),
                         jobs);
         t.order = batches.order;
         unloaded =
-                settings.unloadSweeps() > 0
+                settings.count(Tunable.UNLOAD_SWEEPS) > 0
                         && unloading.find(
                                 t.bodies,
                                 t.contacts,
@@ -204,21 +204,24 @@ public final class ContactSolver {
                                 t.weight(),
                                 collector.isSame());
         t.start.found = false;
-        if (stacked && settings.startSweeps() > 0 && t.weight() > 0 && !collector.isSame()) {
+        if (stacked
+                && settings.count(Tunable.START_SWEEPS) > 0
+                && t.weight() > 0
+                && !collector.isSame()) {
             t.start.find(
                     t.bodies,
                     t.contacts,
                     list,
                     STILL * t.weight() * t.step,
                     t.weight() * t.subStep,
-                    settings.startSweeps());
+                    settings.count(Tunable.START_SWEEPS));
             unloaded |= t.start.found;
         }
         t.loaded =
-                (settings.loadInertia() > 0
-                                || settings.unloadSweeps() > 0
-                                || settings.startSweeps() > 0
-                                || settings.directFrom() > 0)
+                (settings.get(Tunable.LOAD_INERTIA) > 0
+                                || settings.count(Tunable.UNLOAD_SWEEPS) > 0
+                                || settings.count(Tunable.START_SWEEPS) > 0
+                                || settings.count(Tunable.DIRECT_FROM) > 0)
                         && loads.run(
                                 t.bodies,
                                 t.contacts,
@@ -230,13 +233,13 @@ public final class ContactSolver {
                                 stacked,
                                 collector.isSame(),
                                 jobs);
-        if (settings.directFrom() > 0) {
+        if (settings.count(Tunable.DIRECT_FROM) > 0) {
             t.direct.update(
                     t.bodies,
                     t.contacts,
                     list,
                     batches,
-                    t.loaded ? settings.directFrom() : Integer.MAX_VALUE,
+                    t.loaded ? settings.count(Tunable.DIRECT_FROM) : Integer.MAX_VALUE,
                     collector.isSame());
         }
     }
@@ -259,8 +262,7 @@ public final class ContactSolver {
     private void batch(int block, int worker) {
         Passes p = passes[kind];
         Scratch own = scratch[worker];
-        int b = batches.lockstep(kind, paces.length) + block;
-        SubStep sub = paces[batches.effort[b]];
+        int b = batches.alone(kind) + block;
         int first = colouring.firstColour[b];
         int last = colouring.firstColour[b + 1];
         int[] start = colouring.start;
@@ -318,7 +320,8 @@ public final class ContactSolver {
             }
             t.body.axes.update(b, i);
             if (t.body.guide[i] == SolverBodies.FREE) {
-                Motion.fly(b, t.body, i, g[0], g[1], g[2], t.step, t.settings.substeps());
+                Motion.fly(
+                        b, t.body, i, g[0], g[1], g[2], t.step, t.settings.count(Tunable.SUBSTEPS));
             } else {
                 passes[batches.kindOf(i)].load(i, weight);
             }
@@ -345,7 +348,9 @@ public final class ContactSolver {
             chosen[k] = narrow[k];
             // Not places: how many there are depends on the lanes.
             contactTicks = Math.min(WORTH_WIDE, contactTicks + list.count);
-            if (tick.settings.lanes() != 0 && k == Batches.FLOATS && settings().floatsFrom() > 0) {
+            if (tick.settings.count(Tunable.LANES) != 0
+                    && k == Batches.FLOATS
+                    && settings().count(Tunable.FLOATS_FROM) > 0) {
                 wide.finish();
                 chosen[k] = wide;
             } else if (list.count >= WIDE_FROM || contactTicks == WORTH_WIDE) {
@@ -367,25 +372,21 @@ public final class ContactSolver {
      * Coefficients that depend on the length of the step; the impulses of a sub-step scale with it.
      */
     private void timing(double stepSeconds) {
-        SolverSettings settings = tick.settings;
-        if (stepSeconds == tick.step && settings.substeps() == substepsBefore) {
+        Tuning settings = tick.settings;
+        if (stepSeconds == tick.step && settings.count(Tunable.SUBSTEPS) == substepsBefore) {
             tick.impulseScale = 1;
         } else {
-            double longer = (double) substepsBefore / settings.substeps();
+            double longer = (double) substepsBefore / settings.count(Tunable.SUBSTEPS);
             tick.impulseScale = tick.step == 0 ? 1 : stepSeconds / tick.step * longer;
-            substepsBefore = settings.substeps();
-            for (int e = 0; e < paces.length; e++) {
-                paces[e].set(stepSeconds, e, settings);
-            }
+            substepsBefore = settings.count(Tunable.SUBSTEPS);
+            sub.set(stepSeconds, settings);
             tick.step = stepSeconds;
-            tick.subStep = paces[0].seconds;
+            tick.subStep = sub.seconds;
         }
-        for (SubStep sub : paces) {
-            sub.fillScale = tick.impulseScale / sub.keepScale;
-            sub.still = STILL * tick.weight() * stepSeconds;
-            sub.closing = CLOSING * tick.weight() * stepSeconds;
-            sub.touch = TOUCH * tick.weight() * sub.seconds * sub.seconds;
-        }
+        sub.fillScale = tick.impulseScale;
+        sub.still = STILL * tick.weight() * stepSeconds;
+        sub.closing = CLOSING * tick.weight() * stepSeconds;
+        sub.touch = TOUCH * tick.weight() * sub.seconds * sub.seconds;
     }
 
     /**

@@ -3,6 +3,7 @@ package dev.cairn.physics.solver;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Islands;
+import dev.cairn.physics.tuning.Tunable;
 
 import java.util.Arrays;
 
@@ -33,7 +34,7 @@ final class DirectIslands {
     private static final int WIDE = 4;
 
     /** Contacts of an island, at most: what is larger is cut into {@link Domains}. */
-    private static final int MOST_ROWS = SolverSettings.LARGE - 1;
+    private static final int MOST_ROWS = Tunable.LARGE_ISLAND - 1;
 
     private int count;
 

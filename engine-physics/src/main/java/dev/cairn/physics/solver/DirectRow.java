@@ -249,7 +249,7 @@ final class DirectRow {
                 int at = ContactStore.POINTS * source + p;
                 double known = k * (c.separation[at] - d[o + (ConstraintRows.GAP + p) * lanes]);
                 double learnt = known - k * share;
-                c.preload[at] = (learnt > 0 ? learnt : 0) * sub.keepScale;
+                c.preload[at] = learnt > 0 ? learnt : 0;
             }
         }
     }

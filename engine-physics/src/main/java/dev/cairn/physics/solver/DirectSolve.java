@@ -113,10 +113,8 @@ final class DirectSolve {
         to = islands.firstRow[island + 1];
         for (int e = from; e < to; e++) {
             int source = rows.list.source[islands.row[e]];
-            if (!(Effort.softened(tick.bodies, tick.contacts, source) > 0)) {
-                open(rows, e);
-                row.learn(tick.contacts, source, sub);
-            }
+            open(rows, e);
+            row.learn(tick.contacts, source, sub);
         }
     }
 

@@ -80,7 +80,7 @@ final class LaneStore implements RowStore {
         for (int j = from, g = 0; j < to; j += L, g += L) {
             int points = rows.points[j / L];
             int o = START + j * FIELDS;
-            rub(d, o, st, sub.keepScale);
+            rub(d, o, st);
             if (gain > 0) {
                 stage(rows, contacts, j, st);
                 slip(d, o, st, g, still);
@@ -88,23 +88,22 @@ final class LaneStore implements RowStore {
             }
             for (int l = 0; l < L; l++) {
                 if (rows.link[(j + l) * LINK + COUNT] > 0) {
-                    put(rows, contacts, j + l, o + l, st, l, sub.keepScale, gain > 0);
+                    put(rows, contacts, j + l, o + l, st, l, gain > 0);
                 }
             }
         }
     }
 
     /** Friction impulses in world axes, see {@link StoreRow}. */
-    private static void rub(double[] d, int o, double[] st, double scale) {
+    private static void rub(double[] d, int o, double[] st) {
         var f1 = DoubleVector.fromArray(S, d, o + LAMBDA * L);
         var f2 = DoubleVector.fromArray(S, d, o + (LAMBDA + 1) * L);
         for (int axis = 0; axis < 3; axis++) {
             f1.mul(DoubleVector.fromArray(S, d, o + (TANGENT1 + axis) * L))
                     .add(f2.mul(DoubleVector.fromArray(S, d, o + (TANGENT2 + axis) * L)))
-                    .mul(scale)
                     .intoArray(st, RUBS + axis * L);
         }
-        DoubleVector.fromArray(S, d, o + (LAMBDA + 2) * L).mul(scale).intoArray(st, RUBS + 3 * L);
+        DoubleVector.fromArray(S, d, o + (LAMBDA + 2) * L).intoArray(st, RUBS + 3 * L);
     }
 
     /** Copies the separations at the start of the tick into lanes; 0 where there is no contact. */
@@ -200,8 +199,6 @@ final class LaneStore implements RowStore {
         var stiffness =
                 DoubleVector.broadcast(S, sub.stiffness(false)).blend(sub.stiffness(true), fixed);
         var rests = DoubleVector.fromArray(S, st, RESTS).compare(VectorOperators.GT, 0.0);
-        var softened = DoubleVector.fromArray(S, st, Scratch.SOFTENED + g);
-        var softens = softened.compare(VectorOperators.GT, 0.0);
         var ax = DoubleVector.fromArray(S, st, VA + 3 * LINE + g);
         var ay = DoubleVector.fromArray(S, st, VA + 4 * LINE + g);
         var az = DoubleVector.fromArray(S, st, VA + 5 * LINE + g);
@@ -232,7 +229,7 @@ final class LaneStore implements RowStore {
                             .and(rests)
                             .and(impulse.compare(VectorOperators.GT, 0.0));
             var overlap = DoubleVector.zero(S).blend(gap, gap.compare(VectorOperators.LT, 0.0));
-            var learnt = known.sub(k.mul(overlap.mul(gain).blend(softened.mul(gap), softens)));
+            var learnt = known.sub(k.mul(overlap.mul(gain)));
             var open =
                     impulse.compare(VectorOperators.EQ, 0.0)
                             .and(gap.compare(VectorOperators.GT, 0.0));
@@ -241,21 +238,13 @@ final class LaneStore implements RowStore {
             known = faded.blend(learnt, holds);
             DoubleVector.zero(S)
                     .blend(known, known.compare(VectorOperators.GT, 0.0))
-                    .mul(sub.keepScale)
                     .intoArray(st, KNOWN + i * L);
         }
     }
 
     /** Writes what one lane holds to its contact. */
     private static void put(
-            ConstraintRows rows,
-            ContactStore c,
-            int j,
-            int o,
-            double[] st,
-            int l,
-            double scale,
-            boolean knows) {
+            ConstraintRows rows, ContactStore c, int j, int o, double[] st, int l, boolean knows) {
         double[] d = rows.doubles;
         int source = rows.link[j * LINK + SOURCE];
         c.setFrictionImpulse(
@@ -263,7 +252,7 @@ final class LaneStore implements RowStore {
         int first = ContactStore.POINTS * source;
         int count = rows.link[j * LINK + COUNT];
         for (int i = 0; i < count; i++) {
-            c.normalImpulse[first + i] = d[o + (POINT + i * POINT_FIELDS + IMPULSE) * L] * scale;
+            c.normalImpulse[first + i] = d[o + (POINT + i * POINT_FIELDS + IMPULSE) * L];
             c.totalNormalImpulse[first + i] = d[o + (SUM + i) * L];
             if (knows) {
                 c.preload[first + i] = st[KNOWN + i * L + l];

@@ -5,6 +5,8 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.physics.tuning.Tuning;
 
 import java.util.Arrays;
 
@@ -106,7 +108,7 @@ final class LoadSweep {
     private double upZ;
     private double gravity;
     private double stepSeconds;
-    private SolverSettings settings = SolverSettings.DEFAULT;
+    private Tuning settings = Tuning.DEFAULT;
 
     /**
      * Brings {@link BodyStore#inertiaScale} and {@link BodyStore#restTicks} of this tick up to
@@ -125,7 +127,7 @@ final class LoadSweep {
             SolverBodies state,
             double[] g,
             double step,
-            SolverSettings solverSettings,
+            Tuning solverSettings,
             boolean stacked,
             boolean same,
             Jobs jobs) {
@@ -451,7 +453,7 @@ final class LoadSweep {
     private void scale(int block, int worker) {
         BodyStore b = bodies;
         boolean any = false;
-        double limit = settings.restAcceleration();
+        double limit = settings.get(Tunable.REST_ACCELERATION);
         int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             if (b.kind[i] != BodyStore.DYNAMIC) {
@@ -463,8 +465,11 @@ final class LoadSweep {
                 continue;
             }
             double own = gravity / b.inverseMass[i];
-            double wanted = Math.max(1, settings.loadInertia() * load[i] / own);
-            double floor = Math.max(1, Math.min(LARGEST_FLOOR, settings.inertiaFloor() * wanted));
+            double wanted = Math.max(1, settings.get(Tunable.LOAD_INERTIA) * load[i] / own);
+            double floor =
+                    Math.max(
+                            1,
+                            Math.min(LARGEST_FLOOR, settings.get(Tunable.INERTIA_FLOOR) * wanted));
             double unrest = b.unrest[i];
             wanted = floor + (wanted - floor) * Math.max(0, Math.min(1, 2 - 2 * unrest / limit));
             boolean still = rough[i] == 0 && !(unrest > limit);

@@ -3,6 +3,7 @@ package dev.cairn.physics.solver;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.tuning.Tunable;
 
 /**
  * The tick of islands that are too large for one worker, by all of them at once: the contacts
@@ -90,25 +91,18 @@ final class Lockstep {
     /**
      * Runs the tick of a batch in lockstep and of its domains.
      *
-     * @param effort whose
      * @param pace its sub-steps
      * @param chosen sweeps of this tick
      * @param unloaded whether a load has gone
      * @param scratch by worker
      */
-    void run(
-            int effort,
-            SubStep pace,
-            Sweeps chosen,
-            boolean unloaded,
-            Scratch[] scratch,
-            Jobs jobs) {
+    void run(SubStep pace, Sweeps chosen, boolean unloaded, Scratch[] scratch, Jobs jobs) {
         this.pace = pace;
         this.chosen = chosen;
         this.scratch = scratch;
         this.unloaded = unloaded;
-        base = batches.lockstep(kind, effort);
-        domains = batches.lockstep(kind, effort + 1) - base - 1;
+        base = batches.lockstep(kind);
+        domains = batches.alone(kind) - base - 1;
         if (isEmpty()) {
             return;
         }
@@ -167,7 +161,7 @@ final class Lockstep {
                         p.tick.contacts,
                         p.tick.gravity,
                         pace.seconds,
-                        p.tick.settings.restitutionThreshold())) {
+                        p.tick.settings.get(Tunable.RESTITUTION_THRESHOLD))) {
             p.separate(batches.firstBody[base], batches.firstBody[base + 1 + domains]);
         }
         ContactSolver.run(kick, bodyBlocks, jobs);

@@ -23,19 +23,9 @@ final class Offsets {
 
     private Offsets() {}
 
-    /**
-     * Writes the preloads of contact {@code c}, the row at place {@code j}, for the next tick.
-     *
-     * @param softened share of its gap, open or closed, that the contact's stiffness loses next
-     */
+    /** Writes the preloads of contact {@code c}, the row at place {@code j}, for the next tick. */
     static void update(
-            ConstraintRows rows,
-            double[] body,
-            ContactStore contacts,
-            int c,
-            int j,
-            SubStep sub,
-            double softened) {
+            ConstraintRows rows, double[] body, ContactStore contacts, int c, int j, SubStep sub) {
         double gain = sub.offsetGain;
         double still = sub.still;
         double[] d = rows.doubles;
@@ -63,11 +53,11 @@ final class Offsets {
                             - ScalarNormals.dot(
                                     d, q + ConstraintRows.ARM_A * lanes, lanes, body, a + 3);
             if (impulse > 0 && rests && Math.abs(speed) < still) {
-                known -= k * (softened > 0 ? softened * gap : (gap < 0 ? gap : 0) * gain);
+                known -= k * ((gap < 0 ? gap : 0) * gain);
             } else {
                 known *= impulse == 0 && gap > 0 ? OPEN : MOVING;
             }
-            contacts.preload[p] = (known > 0 ? known : 0) * sub.keepScale;
+            contacts.preload[p] = known > 0 ? known : 0;
         }
     }
 

@@ -1,6 +1,7 @@
 package dev.cairn.physics.solver;
 
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.tuning.Tunable;
 
 /**
  * The passes of a tick, each over a range of rows of one colour or over a range of the bodies with
@@ -54,7 +55,7 @@ final class Passes {
         if (rows.rolling.isUsed) {
             rows.rolling.fill(rows, body, tick.contacts, sub.fillScale, from, to);
         }
-        if (tick.impulseScale != 1 && tick.settings.offsetGain() > 0) {
+        if (tick.impulseScale != 1 && tick.settings.get(Tunable.OFFSET_GAIN) > 0) {
             Rescaling.carryOver(rows, tick.contacts, tick.impulseScale, from, to);
         }
     }
@@ -143,7 +144,7 @@ final class Passes {
         if (tick.start.found) {
             one.start(rows, body, sub, tick.start, from, to, scratch);
         }
-        one.settle(rows, body, sub, tick.settings.unloadSweeps(), from, to, scratch);
+        one.settle(rows, body, sub, tick.settings.count(Tunable.UNLOAD_SWEEPS), from, to, scratch);
     }
 
     void bias(Sweeps sweeps, SubStep sub, int from, int to, Scratch scratch) {
@@ -238,7 +239,7 @@ final class Passes {
 
     /** What the contacts of such an island have learnt of their loads. */
     void learn(SubStep sub, int batch, int index, Scratch scratch) {
-        if (tick.settings.offsetGain() > 0) {
+        if (tick.settings.get(Tunable.OFFSET_GAIN) > 0) {
             scratch.direct.learn(tick, rows, sub, tick.direct.open(batch, index));
         }
     }
@@ -291,30 +292,16 @@ final class Passes {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
             scratch.doubles[Scratch.PACKED] = Touch.results(rows, tick.contacts, j, last);
-            soften(j, last, scratch);
             sweeps.store(rows, body, tick.contacts, sub, j, last, scratch);
             if (rows.rolling.isUsed) {
-                rows.rolling.store(rows, tick.contacts, sub.keepScale, j, last);
+                rows.rolling.store(rows, tick.contacts, j, last);
             }
         }
         if (renewed) {
             renewal.restore(rows, tick.contacts, from, to);
         }
-        if (tick.settings.unloadSweeps() > 0) {
+        if (tick.settings.count(Tunable.UNLOAD_SWEEPS) > 0) {
             Unloading.press(tick.bodies, tick.contacts, rows, 1 / tick.subStep, from, to);
-        }
-    }
-
-    /** Which contacts lose stiffness, see {@link RowStore}. */
-    private void soften(int from, int to, Scratch scratch) {
-        for (int j = from; j < to; j++) {
-            int l = j * ConstraintRows.LINK;
-            double share = 0;
-            if (tick.settings.effort() > 0 && rows.link[l + ConstraintRows.COUNT] > 0) {
-                int source = rows.link[l + ConstraintRows.SOURCE];
-                share = Effort.softened(tick.bodies, tick.contacts, source);
-            }
-            scratch.soften(j - from, share);
         }
     }
 }

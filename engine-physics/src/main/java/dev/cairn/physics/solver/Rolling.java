@@ -205,11 +205,11 @@ final class Rolling {
     }
 
     /** Writes the impulses of a range of rows to their contacts. */
-    void store(ConstraintRows rows, ContactStore c, double scale, int from, int to) {
+    void store(ConstraintRows rows, ContactStore c, int from, int to) {
         for (int j = from; j < to; j++) {
             if (has(j)) {
                 int source = rows.link[j * LINK + ConstraintRows.SOURCE];
-                double share = scale * carried(j, normal(rows, j));
+                double share = carried(j, normal(rows, j));
                 for (int axis = 0; axis < 3; axis++) {
                     c.rollingImpulse[3 * source + axis] =
                             share

@@ -7,9 +7,6 @@ interface RowStore {
     /**
      * Writes the impulses of the places from {@code from} to {@code to}, a chunk at most and both
      * at the bounds of groups, to their contacts, and what the contacts know of their load.
-     *
-     * @param scratch of the worker; by row, at {@link Scratch#SOFTENED}: share of its gap, open or
-     *     closed, that the contact's stiffness loses next
      */
     void store(
             ConstraintRows rows,

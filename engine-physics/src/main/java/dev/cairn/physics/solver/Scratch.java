@@ -26,9 +26,6 @@ final class Scratch {
 
     static final int PB = VA + 24 * LINE;
 
-    /** For the store, which has no use for movements: see {@link RowStore}. */
-    static final int SOFTENED = PA;
-
     /** Marks of lanes: those that land, those that rub, and all. */
     static final int LANDS = VA + 32 * LINE;
 
@@ -88,11 +85,5 @@ final class Scratch {
     Scratch() {
         Arrays.fill(doubles, ONES, ONES + CHUNK, 1.0);
         Arrays.fill(floats, ONES, ONES + CHUNK, 1.0f);
-    }
-
-    /** Tells the store what share of its gap a row of the chunk loses, see {@link RowStore}. */
-    void soften(int row, double share) {
-        doubles[SOFTENED + row] = share;
-        floats[SOFTENED + row] = (float) share;
     }
 }

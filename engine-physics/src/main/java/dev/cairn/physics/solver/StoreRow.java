@@ -24,35 +24,32 @@ final class StoreRow implements RowStore {
             int from,
             int to,
             Scratch scratch) {
-        double[] st = scratch.doubles;
         for (int j = from; j < to; j++) {
             int l = j * LINK;
             if (rows.link[l + COUNT] > 0) {
                 int source = rows.link[l + SOURCE];
-                impulses(rows, contacts, j, source, sub.keepScale);
+                impulses(rows, contacts, j, source);
                 if (sub.offsetGain > 0) {
-                    double softened = st[Scratch.SOFTENED + j - from];
-                    Offsets.update(rows, bodies.state, contacts, source, j, sub, softened);
+                    Offsets.update(rows, bodies.state, contacts, source, j, sub);
                 }
             }
         }
     }
 
-    private static void impulses(
-            ConstraintRows rows, ContactStore contacts, int j, int source, double scale) {
+    private static void impulses(ConstraintRows rows, ContactStore contacts, int j, int source) {
         double[] d = rows.doubles;
         int lanes = rows.lanes;
         int o = rows.base(j);
         contacts.setFrictionImpulse(
                 source,
-                tangent(d, o, lanes, LAMBDA, 0) * scale,
-                tangent(d, o, lanes, LAMBDA, 1) * scale,
-                tangent(d, o, lanes, LAMBDA, 2) * scale,
-                d[o + (LAMBDA + 2) * lanes] * scale);
+                tangent(d, o, lanes, LAMBDA, 0),
+                tangent(d, o, lanes, LAMBDA, 1),
+                tangent(d, o, lanes, LAMBDA, 2),
+                d[o + (LAMBDA + 2) * lanes]);
         for (int k = 0; k < rows.link[j * LINK + COUNT]; k++) {
             int p = ContactStore.POINTS * source + k;
             int q = POINT + k * POINT_FIELDS;
-            contacts.normalImpulse[p] = d[o + (q + IMPULSE) * lanes] * scale;
+            contacts.normalImpulse[p] = d[o + (q + IMPULSE) * lanes];
             contacts.totalNormalImpulse[p] = d[o + (SUM + k) * lanes];
         }
     }

@@ -1,5 +1,8 @@
 package dev.cairn.physics.solver;
 
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.physics.tuning.Tuning;
+
 /**
  * What a sweep needs besides rows and bodies: the sub-step's length and the soft step's numbers.
  */
@@ -12,13 +15,8 @@ final class SubStep {
     /** 1/s. */
     double inverse;
 
-    /**
-     * Contacts keep their impulses as those of a sub-step without extra effort: how many of that
-     * one, a power of two, and so exact. The first also holds the ratio to the last tick's.
-     */
+    /** This sub-step over that of the last tick: the scale of the impulses that were kept. */
     double fillScale;
-
-    double keepScale;
 
     /** m/s. */
     double pushSpeed;
@@ -60,42 +58,32 @@ final class SubStep {
     /** Most sweeps over a lone contact. */
     int lone;
 
-    /**
-     * Sets all but the fill scale.
-     *
-     * @param doublings of the sub-steps' number
-     */
-    void set(double stepSeconds, int doublings, SolverSettings settings) {
-        count = settings.substeps() << doublings;
-        keepScale = 1 << doublings;
+    /** Sets what follows from the length of the tick and the settings. */
+    void set(double stepSeconds, Tuning settings) {
+        count = settings.count(Tunable.SUBSTEPS);
         double h = stepSeconds / count;
-        double hertz = settings.hertzPerRate() / h;
-        double damping = settings.dampingRatio();
+        double hertz = settings.get(Tunable.CONTACT_STIFFNESS) / h;
+        double damping = settings.get(Tunable.CONTACT_DAMPING_RATIO);
         Softness soft = Softness.of(hertz, damping, h);
         Softness fixed =
                 Softness.of(
-                        hertz * settings.staticHertzScale(),
-                        damping * settings.staticDampingScale(),
+                        hertz * settings.get(Tunable.STATIC_STIFFNESS_SCALE),
+                        damping * settings.get(Tunable.STATIC_DAMPING_SCALE),
                         h);
         seconds = h;
         inverse = 1 / h;
-        pushSpeed = settings.pushSpeed();
-        offsetGain = settings.offsetGain();
+        pushSpeed = settings.get(Tunable.PUSH_SPEED);
+        offsetGain = settings.get(Tunable.OFFSET_GAIN);
         rate = soft.biasRate() * soft.massScale();
         massScale = soft.massScale();
         impulseScale = soft.impulseScale();
         fixedRate = fixed.biasRate() * fixed.massScale();
         fixedMassScale = fixed.massScale();
         fixedImpulseScale = fixed.impulseScale();
-        sweeps = settings.innerSweeps();
-        landing = Math.max(sweeps, settings.coldSweeps() / 2);
-        coldRounds = settings.coldSweeps();
-        lone = settings.loneSweeps();
-    }
-
-    /** How deep a body of any mass sinks into one that moves, under its own weight, m: g/w². */
-    double sag(double gravity) {
-        return gravity * seconds * impulseScale / rate;
+        sweeps = settings.count(Tunable.INNER_SWEEPS);
+        landing = Math.max(sweeps, settings.count(Tunable.COLD_SWEEPS) / 2);
+        coldRounds = settings.count(Tunable.COLD_SWEEPS);
+        lone = settings.count(Tunable.LONE_SWEEPS);
     }
 
     /** Impulse of a sub-step that a metre of overlap holds at rest, over the effective mass. */

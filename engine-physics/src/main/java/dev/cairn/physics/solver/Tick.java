@@ -2,6 +2,7 @@ package dev.cairn.physics.solver;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.tuning.Tuning;
 
 /** What all passes of the tick in work share. Written by the simulation thread between passes. */
 final class Tick {
@@ -12,7 +13,7 @@ final class Tick {
     /** World, m/s². */
     final double[] gravity = new double[3];
 
-    SolverSettings settings;
+    Tuning settings;
     BodyStore bodies = new BodyStore();
     ContactStore contacts = new ContactStore();
 
@@ -22,7 +23,7 @@ final class Tick {
     /** Length of the tick, s. */
     double step;
 
-    /** Length of a sub-step without extra effort, s. */
+    /** Length of a sub-step, s. */
     double subStep;
 
     /** This sub-step over the last tick's: the scale of the impulses that are kept. */
@@ -31,7 +32,7 @@ final class Tick {
     /** Whether bodies have the inertia of their load. */
     boolean loaded;
 
-    Tick(SolverSettings settings) {
+    Tick(Tuning settings) {
         this.settings = settings;
     }
 

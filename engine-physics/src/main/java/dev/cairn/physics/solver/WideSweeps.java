@@ -1,6 +1,7 @@
 package dev.cairn.physics.solver;
 
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.tuning.Tuning;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -122,7 +123,7 @@ final class WideSweeps implements Sweeps {
         bodies.ensureCapacity(2 * ConstraintRows.CHUNK);
         Scratch scratch = new Scratch();
         SubStep sub = new SubStep();
-        sub.set(1 / 60.0, 0, SolverSettings.DEFAULT);
+        sub.set(1 / 60.0, Tuning.DEFAULT);
         sub.fillScale = 1;
         sub.still = 0.01;
         Random random = new Random(1);

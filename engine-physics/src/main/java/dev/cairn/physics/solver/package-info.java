@@ -31,11 +31,10 @@
  * <p>Colours: no two contacts of a colour move the same body, so a colour may be solved at once, by
  * lanes and by workers, with one result. Batches: islands that fit the cache go through the whole
  * tick on one worker; what is larger is cut into domains that fit, solved a pass or two at a time
- * with what lies between them in lockstep. Islands that need it and may have it get more sub-steps,
- * see {@code Effort}. A row lies in memory with its group, field by field, so that a field of a
- * group is one vector. Angular velocities are weighted by a root of the inverse inertia: an arm
- * then is three numbers that serve both ways. The warm start costs nothing per contact: a body
- * keeps the sum of what its contacts did.
+ * with what lies between them in lockstep. A row lies in memory with its group, field by field, so
+ * that a field of a group is one vector. Angular velocities are weighted by a root of the inverse
+ * inertia: an arm then is three numbers that serve both ways. The warm start costs nothing per
+ * contact: a body keeps the sum of what its contacts did.
  *
  * <p>Precision: bodies are doubles. The rows of small islands are, too, those of large ones are
  * floats, see {@code Batches}. Then the sweeps see velocities and movements rounded, and what they

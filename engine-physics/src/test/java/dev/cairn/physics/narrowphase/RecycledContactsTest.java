@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.internal.BodyStore;
@@ -13,6 +12,8 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.physics.tuning.Tuning;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -35,8 +36,8 @@ class RecycledContactsTest {
 
     private final BodyStore bodies = new BodyStore();
     private final ContactStore rows = new ContactStore();
-    private final BoundsStage bounds = new BoundsStage(PhysicsSettings.DEFAULT);
-    private final ManifoldStage stage = new ManifoldStage(PhysicsSettings.DEFAULT);
+    private final BoundsStage bounds = new BoundsStage(Tuning.DEFAULT);
+    private final ManifoldStage stage = new ManifoldStage(Tuning.DEFAULT);
     private final Jobs jobs = Jobs.of(1);
 
     RecycledContactsTest() {
@@ -198,7 +199,7 @@ class RecycledContactsTest {
                 }
                 kept++;
                 if (apart) {
-                    double margin = PhysicsSettings.DEFAULT.speculativeFraction() * inner(s);
+                    double margin = Tuning.DEFAULT.get(Tunable.SPECULATIVE_FRACTION) * inner(s);
                     assertTrue(truth(s) > margin, where + ": came within the margin unseen");
                     continue;
                 }
@@ -279,7 +280,7 @@ class RecycledContactsTest {
         Scene s = new Scene(Box.cube(.5), Box.of(.4, .3, .2)).at(0, .85, 0);
         begin(s);
         assertEquals(0, rows.pointCount[0]);
-        double margin = PhysicsSettings.DEFAULT.speculativeFraction() * inner(s);
+        double margin = Tuning.DEFAULT.get(Tunable.SPECULATIVE_FRACTION) * inner(s);
         while (s.d.y > .79) {
             s.d.y -= 1e-5;
             run(s);

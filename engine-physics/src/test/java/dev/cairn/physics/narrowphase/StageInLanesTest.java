@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.internal.BodyStore;
@@ -15,6 +14,7 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.tuning.Tuning;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -37,8 +37,8 @@ class StageInLanesTest {
     private static final class Lots {
         final BodyStore bodies = new BodyStore();
         final ContactStore rows = new ContactStore();
-        final BoundsStage bounds = new BoundsStage(PhysicsSettings.DEFAULT);
-        final ManifoldStage stage = new ManifoldStage(PhysicsSettings.DEFAULT);
+        final BoundsStage bounds = new BoundsStage(Tuning.DEFAULT);
+        final ManifoldStage stage = new ManifoldStage(Tuning.DEFAULT);
         final int lot;
 
         Lots(Scene[] scenes, int lot) {

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.physics.tuning.Tuning;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,7 +22,7 @@ class BatchesTest {
     private static final int ON_PLATE = 360;
 
     /** Columns of four, and one large island: a plate with boxes on it. */
-    private static SolverScene scene(Jobs jobs, SolverSettings settings) {
+    private static SolverScene scene(Jobs jobs, Tuning settings) {
         SolverScene s = new SolverScene(settings, jobs);
         int plane = s.fixed();
         int[] column = new int[4];
@@ -57,8 +59,10 @@ class BatchesTest {
     }
 
     private static double[] run(int workers, boolean bouncing, int floatsFrom, int lanes) {
-        SolverSettings settings =
-                SolverSettings.DEFAULT.withFloatsFrom(floatsFrom).withLanes(lanes);
+        Tuning settings =
+                SolverScene.DOUBLES
+                        .with(Tunable.FLOATS_FROM, floatsFrom)
+                        .with(Tunable.LANES, lanes);
         try (Jobs jobs = Jobs.of(workers)) {
             SolverScene s = scene(jobs, settings);
             int bodies = s.bodies.slotCount;
@@ -107,12 +111,11 @@ class BatchesTest {
     }
 
     private static boolean isLockstep(Batches batches, int b) {
-        return b == batches.lockstep(Batches.FLOATS, 0)
-                || b == batches.lockstep(Batches.DOUBLES, 0);
+        return b == batches.lockstep(Batches.FLOATS) || b == batches.lockstep(Batches.DOUBLES);
     }
 
     /** All bodies but the first have contacts. */
-    static Batches cut(SolverScene s, RowList list, int workers, int doublings, int floatsFrom) {
+    static Batches cut(SolverScene s, RowList list, int workers, int floatsFrom) {
         s.collide();
         list.ensureCapacity(s.contacts.count);
         list.count = s.contacts.count;
@@ -123,7 +126,7 @@ class BatchesTest {
             list.source[m] = m;
         }
         Batches batches = new Batches();
-        batches.cut(s.bodies, s.contacts, list, guide, false, workers, doublings, 0, floatsFrom);
+        batches.cut(s.bodies, s.contacts, list, guide, false, workers, floatsFrom);
         return batches;
     }
 
@@ -132,9 +135,9 @@ class BatchesTest {
     @ValueSource(ints = {0, 100, Integer.MAX_VALUE})
     void noBodyIsInTwoBatchesAndNothingIsLost(int floatsFrom) {
         for (int workers : new int[] {1, 2}) {
-            SolverScene s = scene(Jobs.of(1), SolverSettings.DEFAULT);
+            SolverScene s = scene(Jobs.of(1), SolverScene.DOUBLES);
             RowList list = new RowList();
-            Batches batches = cut(s, list, workers, 0, floatsFrom);
+            Batches batches = cut(s, list, workers, floatsFrom);
             assertTrue(batches.count > 2, "batches: " + batches.count);
             int[] home = new int[s.bodies.slotCount];
             Arrays.fill(home, -1);
@@ -168,33 +171,6 @@ class BatchesTest {
             assertEquals(workers > 1, isLockstep(batches, home[plate]));
             assertEquals(floatsFrom <= ON_PLATE, batches.isSingle[plate]);
             assertEquals(floatsFrom == 0, batches.isSingle[1]);
-        }
-    }
-
-    /** Islands of two bodies' efforts take the larger; a batch has islands of one effort. */
-    @Test
-    void aBatchHasOneEffort() {
-        for (int workers : new int[] {1, 2}) {
-            SolverScene s = scene(Jobs.of(1), SolverSettings.DEFAULT);
-            for (int i = 0; i < COLUMNS; i++) {
-                s.bodies.effort[4 * i + 3] = (byte) (i % 4);
-            }
-            int plate = 4 * COLUMNS + 1;
-            s.bodies.effort[plate] = 2;
-            Batches batches = cut(s, new RowList(), workers, 3, Integer.MAX_VALUE);
-            assertEquals(4, batches.paces);
-            int[] seen = new int[4];
-            for (int b = 0; b < batches.count; b++) {
-                int e = batches.effort[b];
-                for (int k = batches.firstBody[b]; k < batches.firstBody[b + 1]; k++) {
-                    int i = batches.order[k];
-                    assertEquals(i < plate ? (i - 1) / 4 % 4 : 2, e, "effort of body " + i);
-                    assertEquals(e, s.bodies.effort[i]);
-                    seen[e]++;
-                }
-            }
-            int each = COLUMNS * 4 / 4;
-            assertArrayEquals(new int[] {each, each, each + 1 + ON_PLATE, each}, seen);
         }
     }
 }

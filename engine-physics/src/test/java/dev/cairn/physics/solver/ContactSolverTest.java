@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.physics.tuning.Tuning;
 
 import org.junit.jupiter.api.Test;
 
@@ -130,7 +132,7 @@ class ContactSolverTest {
         }
     }
 
-    private static SolverScene stack(int n, double jitter, Jobs jobs, SolverSettings settings) {
+    private static SolverScene stack(int n, double jitter, Jobs jobs, Tuning settings) {
         SolverScene s = new SolverScene(settings, jobs);
         Random random = new Random(7);
         int below = s.fixed();
@@ -152,7 +154,7 @@ class ContactSolverTest {
     @Test
     void tenCubesStandForAMinute() {
         try (Jobs jobs = Jobs.of(1)) {
-            SolverScene s = stack(10, 0.002, jobs, SolverSettings.DEFAULT);
+            SolverScene s = stack(10, 0.002, jobs, SolverScene.DOUBLES);
             s.run(10);
             double x = s.bodies.positionX[10];
             double z = s.bodies.positionZ[10];
@@ -177,7 +179,7 @@ class ContactSolverTest {
         // s = W / (m_eff w²): two cubes meet at a corner with m_eff = 1/8 kg, w = 2 pi 30 Hz; the
         // ground is twice as stiff
         try (Jobs jobs = Jobs.of(1)) {
-            SolverScene s = stack(4, 0, jobs, SolverSettings.DEFAULT.withOffsetGain(0));
+            SolverScene s = stack(4, 0, jobs, SolverScene.DOUBLES.with(Tunable.OFFSET_GAIN, 0));
             s.run(10);
             double w = 2 * Math.PI * 30;
             double[] overlap = new double[4];
@@ -193,7 +195,7 @@ class ContactSolverTest {
     @Test
     void reportedImpulsesAreTheChangeOfMomentum() {
         try (Jobs jobs = Jobs.of(1)) {
-            SolverScene s = stack(6, 0.05, jobs, SolverSettings.DEFAULT);
+            SolverScene s = stack(6, 0.05, jobs, SolverScene.DOUBLES);
             s.velocity(4, 3, 1, -2);
             s.spin(5, 1, -3, 2);
             for (int tick = 0; tick < 240; tick++) {
@@ -321,7 +323,7 @@ class ContactSolverTest {
         double[] one = null;
         for (int workers = 1; workers <= 4; workers++) {
             try (Jobs jobs = workers == 1 ? Jobs.of(1) : Jobs.perturbed(workers, 42L + workers)) {
-                SolverScene s = stack(40, 0.1, jobs, SolverSettings.DEFAULT);
+                SolverScene s = stack(40, 0.1, jobs, SolverScene.DOUBLES);
                 for (int i = 0; i < 400; i++) {
                     int b = s.box(1, 0.1, 0.2, 0.3, 10 + i, 5, 0);
                     s.spin(b, 1, 2 + i, 3);
@@ -348,7 +350,7 @@ class ContactSolverTest {
         try (Jobs jobs = Jobs.of(1)) {
             // without lanes: other tests in this JVM try several numbers of them, and leave type
             // profiles behind with which vectors are objects
-            SolverScene s = stack(10, 0.002, jobs, SolverSettings.DEFAULT.withLanes(1));
+            SolverScene s = stack(10, 0.002, jobs, SolverScene.DOUBLES.with(Tunable.LANES, 1));
             s.spin(s.box(1, 0.1, 0.2, 0.3, 50, 5, 0), 1, 2, 3);
             s.run(1);
             s.collide();
@@ -370,14 +372,14 @@ class ContactSolverTest {
         var tooMany =
                 assertThrows(
                         IllegalArgumentException.class,
-                        () -> SolverSettings.DEFAULT.withSubsteps(65));
+                        () -> SolverScene.DOUBLES.with(Tunable.SUBSTEPS, 65));
         assertTrue(
                 tooMany.getMessage().contains("substeps") && tooMany.getMessage().contains("65"));
         assertThrows(
                 IllegalArgumentException.class,
-                () -> SolverSettings.DEFAULT.withOffsetGain(Double.NaN));
+                () -> SolverScene.DOUBLES.with(Tunable.OFFSET_GAIN, Double.NaN));
         assertThrows(
                 IllegalArgumentException.class,
-                () -> SolverSettings.DEFAULT.withSoftness(0.125, 10, -1));
+                () -> SolverScene.DOUBLES.with(Tunable.PUSH_SPEED, -1));
     }
 }

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.physics.tuning.Tuning;
 
 import org.junit.jupiter.api.Test;
 
@@ -41,9 +43,9 @@ class DomainsTest {
         wall(s, plane, 0);
         wall(s, plane, 10);
         RowList list = new RowList();
-        Batches batches = BatchesTest.cut(s, list, 1, 0, Integer.MAX_VALUE);
-        int base = batches.lockstep(Batches.DOUBLES, 0);
-        int domains = batches.lockstep(Batches.DOUBLES, 1) - base - 1;
+        Batches batches = BatchesTest.cut(s, list, 1, Integer.MAX_VALUE);
+        int base = batches.lockstep(Batches.DOUBLES);
+        int domains = batches.alone(Batches.DOUBLES) - base - 1;
         assertTrue(domains >= 4, "domains: " + domains);
         assertEquals(base + 1 + domains, batches.count);
         int[] home = new int[s.bodies.slotCount];
@@ -79,12 +81,7 @@ class DomainsTest {
 
     /** What a wall does that is struck, turns a brick, and loses the load on its top. */
     private static double[] run(int lanes, int workers, boolean bouncing, boolean another) {
-        return run(lanes, workers, bouncing, another, 0);
-    }
-
-    private static double[] run(
-            int lanes, int workers, boolean bouncing, boolean another, int effort) {
-        SolverSettings settings = SolverSettings.DEFAULT.withLanes(lanes).withEffort(effort);
+        Tuning settings = SolverScene.DOUBLES.with(Tunable.LANES, lanes);
         try (Jobs jobs = Jobs.of(workers)) {
             SolverScene s = new SolverScene(settings, jobs);
             int plane = s.fixed();
@@ -96,7 +93,6 @@ class DomainsTest {
             }
             if (another) {
                 wall(s, plane, 10);
-                s.bodies.effort[bodies + 5] = (byte) effort;
             }
             s.spin(COURSES, 0, 1.5, 0);
             for (int tick = 0; tick < 16; tick++) {
@@ -124,19 +120,14 @@ class DomainsTest {
         assertArrayEquals(wanted, run(8, 2, false, false), 0.0, "8 lanes");
         assertArrayEquals(wanted, run(4, 2, true, false), 0.0, "a ball that bounces elsewhere");
         assertArrayEquals(wanted, run(4, 3, false, true), 0.0, "another wall");
-        double[] needy = run(1, 1, false, false, 2);
-        for (int workers : new int[] {1, 2, 4}) {
-            String who = workers + " workers, another wall with four times as many sub-steps";
-            assertArrayEquals(needy, run(4, workers, false, true, 2), 0.0, who);
-        }
     }
 
     /** What the ground gives in a tick is what gravity takes and the bodies gain. */
     @Test
     void allContactsAreSolvedAndReportedOnce() {
-        SolverSettings own = SolverSettings.DEFAULT;
-        own = own.withLoadInertia(0, own.restAcceleration(), own.inertiaFloor());
-        SolverScene s = new SolverScene(own.withLanes(4), Jobs.of(1));
+        Tuning own = SolverScene.DOUBLES;
+        own = own.with(Tunable.LOAD_INERTIA, 0);
+        SolverScene s = new SolverScene(own.with(Tunable.LANES, 4), Jobs.of(1));
         int plane = s.fixed();
         wall(s, plane, 0);
         BodyStore b = s.bodies;

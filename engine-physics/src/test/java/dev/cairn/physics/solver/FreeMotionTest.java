@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.tuning.Tunable;
 
 import org.junit.jupiter.api.Test;
 
@@ -18,7 +19,8 @@ class FreeMotionTest {
     }
 
     private static SolverScene scene(int substeps) {
-        SolverScene s = new SolverScene(SolverSettings.DEFAULT.withSubsteps(substeps), Jobs.of(1));
+        SolverScene s =
+                new SolverScene(SolverScene.DOUBLES.with(Tunable.SUBSTEPS, substeps), Jobs.of(1));
         s.gy = 0;
         return s;
     }

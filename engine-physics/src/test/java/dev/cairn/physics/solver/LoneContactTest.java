@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.physics.tuning.Tuning;
 
 import org.junit.jupiter.api.Test;
 
@@ -14,7 +16,7 @@ class LoneContactTest {
     private static final double SPEED = 5;
 
     private static SolverScene scene(int sweeps, double slope, Jobs jobs) {
-        SolverSettings settings = SolverSettings.DEFAULT.withLoneSweeps(sweeps);
+        Tuning settings = SolverScene.DOUBLES.with(Tunable.LONE_SWEEPS, sweeps);
         SolverScene s = new SolverScene(settings, jobs);
         s.gx = 9.81 * Math.sin(slope);
         s.gy = -9.81 * Math.cos(slope);

@@ -3,6 +3,8 @@ package dev.cairn.physics.solver;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.physics.tuning.Tuning;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -12,6 +14,9 @@ import java.util.List;
  * spaces, boxes and spheres on them, boxes on boxes' tops, spheres on spheres.
  */
 final class SolverScene {
+    /** The defaults, with all rows in double precision. */
+    static final Tuning DOUBLES = Tuning.DEFAULT.with(Tunable.FLOATS_FROM, Integer.MAX_VALUE);
+
     static final double TICK = 1.0 / 60;
 
     interface Pair {
@@ -29,7 +34,7 @@ final class SolverScene {
     double gz = 0;
     double margin = 0.5;
 
-    SolverScene(SolverSettings settings, Jobs jobs) {
+    SolverScene(Tuning settings, Jobs jobs) {
         this(new ContactSolver(settings), jobs);
     }
 
@@ -39,7 +44,7 @@ final class SolverScene {
     }
 
     SolverScene() {
-        this(SolverSettings.DEFAULT, Jobs.of(1));
+        this(SolverScene.DOUBLES, Jobs.of(1));
     }
 
     int body(double mass, double ixx, double iyy, double izz) {

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.physics.tuning.Tuning;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -87,10 +89,10 @@ class WideSweepsTest {
     }
 
     private static double[] columns(Sweeps sweeps, int lanes, boolean isSingle) {
-        SolverSettings settings =
-                SolverSettings.DEFAULT
-                        .withLanes(lanes)
-                        .withFloatsFrom(isSingle ? 0 : Integer.MAX_VALUE);
+        Tuning settings =
+                SolverScene.DOUBLES
+                        .with(Tunable.LANES, lanes)
+                        .with(Tunable.FLOATS_FROM, isSingle ? 0 : Integer.MAX_VALUE);
         try (Jobs jobs = Jobs.of(1)) {
             SolverScene s = new SolverScene(new ContactSolver(settings, sweeps, sweeps), jobs);
             int plane = s.fixed();

@@ -2,6 +2,7 @@ package dev.cairn.samples.accuracy;
 
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.Precision;
+import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.samples.accuracy.AccuracyCase.Effort;
 
 import me.tongfei.progressbar.ConsoleProgressBarConsumer;
@@ -60,20 +61,12 @@ public final class AccuracyCommand {
     boolean all;
 
     @Option(
-            names = "--effort",
-            paramLabel = "0..4",
-            description =
-                    "How often the engine may double the sub-steps where bodies overlap by more"
-                            + " than 1 %% of their inner radius; 0 by default, as in the tables.")
-    int effort;
-
-    @Option(
             names = "--direct-from",
             paramLabel = "N",
             description =
                     "Bodies from end to end of a slender island at rest from which on it is solved"
                             + " directly, 0 for never; 24 by default, as in the tables.")
-    int directFrom = PhysicsSettings.DEFAULT.directFrom();
+    int directFrom = PhysicsSettings.DEFAULT.tuning().count(Tunable.DIRECT_FROM);
 
     @Option(
             names = "--precision",
@@ -191,7 +184,7 @@ public final class AccuracyCommand {
         double micros = Double.NaN;
         for (int n : SUBSTEPS) {
             if (runs(one, n)) {
-                Trial trial = new Trial(n, effort, precision, directFrom);
+                Trial trial = new Trial(n, precision, directFrom);
                 values.put(n, one.experiment().run(trial));
                 if (n == DEFAULT_SUBSTEPS) {
                     micros = trial.microsPerBodyStep();

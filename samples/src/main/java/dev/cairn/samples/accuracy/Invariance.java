@@ -9,6 +9,7 @@ import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.samples.accuracy.AccuracyCase.Effort;
 
 import org.joml.Quaterniond;
@@ -164,7 +165,7 @@ final class Invariance {
         /** The two settings that are speeds. */
         private static PhysicsSettings scaled(PhysicsSettings s, double speed) {
             return s.withRestitutionThreshold(s.restitutionThreshold() * speed)
-                    .withPushSpeed(s.pushSpeed() * speed);
+                    .with(Tunable.PUSH_SPEED, s.pushSpeed() * speed);
         }
 
         private static Material surface() {

@@ -7,6 +7,7 @@ import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.Precision;
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
@@ -30,7 +31,6 @@ public final class Trial {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
     private final int substeps;
-    private final int effort;
     private final Precision precision;
     private final int directFrom;
     private long cpuNanos;
@@ -41,23 +41,20 @@ public final class Trial {
      * A run.
      *
      * @param substeps sub-steps of a tick, 1 to 32
-     * @param effort how often the engine may double them where it needs to, 0 to 4
      */
-    public Trial(int substeps, int effort) {
-        this(substeps, effort, Precision.AUTO, PhysicsSettings.DEFAULT.directFrom());
+    public Trial(int substeps) {
+        this(substeps, Precision.AUTO, PhysicsSettings.DEFAULT.tuning().count(Tunable.DIRECT_FROM));
     }
 
     /**
      * A run in a precision, with or without direct solves.
      *
      * @param substeps sub-steps of a tick, 1 to 32
-     * @param effort how often the engine may double them where it needs to, 0 to 4
      * @param precision of the contacts' numbers
      * @param directFrom see {@link PhysicsSettings}
      */
-    public Trial(int substeps, int effort, Precision precision, int directFrom) {
+    public Trial(int substeps, Precision precision, int directFrom) {
         this.substeps = substeps;
-        this.effort = effort;
         this.precision = precision;
         this.directFrom = directFrom;
     }
@@ -68,7 +65,7 @@ public final class Trial {
 
     /** A run of the same case at twice as many sub-steps, for orders of convergence. */
     Trial finer() {
-        return new Trial(2 * substeps, effort, precision, directFrom);
+        return new Trial(2 * substeps, precision, directFrom);
     }
 
     /**
@@ -84,8 +81,7 @@ public final class Trial {
     PhysicsSettings settings() {
         return PhysicsSettings.DEFAULT
                 .withSubsteps(substeps)
-                .withEffort(effort)
-                .withDirectFrom(directFrom)
+                .with(Tunable.DIRECT_FROM, directFrom)
                 .withPrecision(precision)
                 .withSleeping(false);
     }
