@@ -46,7 +46,9 @@ final class Twins {
                     "ScalarFour",
                     "ScalarFriction",
                     "Roll",
-                    "Rub");
+                    "Rub",
+                    "RowArithmetic",
+                    "StartSweep");
 
     /** What is read from a contact or from the sub-step. */
     private static final Pattern READ =

@@ -150,7 +150,7 @@ final class Blow {
         return d[o] * (v[j] - v[i])
                 + d[o + lanes] * (v[j + 1] - v[i + 1])
                 + d[o + 2 * lanes] * (v[j + 2] - v[i + 2])
-                + ScalarNormals.dot(d, q + ARM_B * lanes, lanes, v, j + 3)
-                - ScalarNormals.dot(d, q + ARM_A * lanes, lanes, v, i + 3);
+                + RowArithmetic.dot(d, q + ARM_B * lanes, lanes, v, j + 3)
+                - RowArithmetic.dot(d, q + ARM_A * lanes, lanes, v, i + 3);
     }
 }

@@ -87,7 +87,7 @@ final class Collector {
         samePoints = true;
         sameList = active == contacts.activeCount;
         if (sameList) {
-            ContactSolver.run(compare, Blocks.count(active, CONTACTS_PER_BLOCK), jobs);
+            jobs.run(compare, Blocks.count(active, CONTACTS_PER_BLOCK));
         }
         sameBodies = sameList || list(list);
         sameBodies &= slots == bodies.slotCount;

@@ -56,6 +56,8 @@ public final class ContactSolver {
     private final Collector collector = new Collector(colouring, batches);
     private final LoadSweep loads = new LoadSweep();
     private final Unloading unloading = new Unloading();
+    private final StaticStart start = new StaticStart();
+    private final DirectIslands direct = new DirectIslands();
 
     private final BlockJob begin = this::begin;
     private final BlockJob clearRows = this::clearRows;
@@ -68,7 +70,7 @@ public final class ContactSolver {
     /** Of the batches that one worker has alone. */
     private int kind;
 
-    private Scratch[] scratch = {};
+    private Workbench[] benches = {};
 
     /**
      * A solver; one per world.
@@ -98,7 +100,8 @@ public final class ContactSolver {
                         doubles.lanes(),
                         group(doubles.lanes(), settings));
         for (int k = 0; k < 2; k++) {
-            passes[k] = new Passes(tick, k == Batches.FLOATS ? list.floats : list.doubles);
+            passes[k] = new Passes(
+                    tick, k == Batches.FLOATS ? list.floats : list.doubles, start, direct);
             lockstep[k] = new Lockstep(passes[k], colouring, batches, narrow[k], k);
         }
     }
@@ -168,16 +171,16 @@ public final class ContactSolver {
                 p.ensureCapacity(bodies.slotCount);
             }
         }
-        run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK), jobs);
+        jobs.run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK));
         if (list.count > 0) {
-            ensureScratch(jobs.workers());
+            ensureBenches(jobs.workers());
             for (kind = Batches.FLOATS; kind <= Batches.DOUBLES; kind++) {
                 choose();
-                lockstep[kind].run(sub, chosen[kind], unloaded, scratch, jobs);
-                run(batch, batches.end(kind) - batches.alone(kind), jobs);
+                lockstep[kind].run(sub, chosen[kind], unloaded, benches, jobs);
+                jobs.run(batch, batches.end(kind) - batches.alone(kind));
             }
         }
-        run(clearRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK), jobs);
+        jobs.run(clearRows, Blocks.count(contacts.activeCount, ROWS_PER_BLOCK));
     }
 
     /** Lists the contacts, and finds what rests on what. */
@@ -203,19 +206,19 @@ public final class ContactSolver {
                                 t.impulseScale / t.subStep,
                                 t.weight(),
                                 collector.isSame());
-        t.start.found = false;
+        start.found = false;
         if (stacked
                 && settings.count(Tunable.START_SWEEPS) > 0
                 && t.weight() > 0
                 && !collector.isSame()) {
-            t.start.find(
+            start.find(
                     t.bodies,
                     t.contacts,
                     list,
                     STILL * t.weight() * t.step,
                     t.weight() * t.subStep,
                     settings.count(Tunable.START_SWEEPS));
-            unloaded |= t.start.found;
+            unloaded |= start.found;
         }
         t.loaded =
                 (settings.get(Tunable.LOAD_INERTIA) > 0
@@ -234,22 +237,13 @@ public final class ContactSolver {
                                 collector.isSame(),
                                 jobs);
         if (settings.count(Tunable.DIRECT_FROM) > 0) {
-            t.direct.update(
+            direct.update(
                     t.bodies,
                     t.contacts,
                     list,
                     batches,
                     t.loaded ? settings.count(Tunable.DIRECT_FROM) : Integer.MAX_VALUE,
                     collector.isSame());
-        }
-    }
-
-    /** One block needs no other worker, and no protocol. */
-    static void run(BlockJob job, int blocks, Jobs jobs) {
-        if (blocks == 1) {
-            job.run(0, 0);
-        } else {
-            jobs.run(job, blocks);
         }
     }
 
@@ -261,7 +255,7 @@ public final class ContactSolver {
     /** The whole tick of a batch: its rows stay in the cache, and nobody waits. */
     private void batch(int block, int worker) {
         Passes p = passes[kind];
-        Scratch own = scratch[worker];
+        Workbench own = benches[worker];
         int b = batches.alone(kind) + block;
         int first = colouring.firstColour[b];
         int last = colouring.firstColour[b + 1];
@@ -280,7 +274,7 @@ public final class ContactSolver {
             for (int c = first; c < last; c++) {
                 p.bias(sweeps(c), sub, start[c], start[c + 1], own);
             }
-            for (int d = 0; d < tick.direct.openIn(b); d++) {
+            for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, true, own);
             }
             p.drift(sub, head, tail);
@@ -293,14 +287,14 @@ public final class ContactSolver {
             for (int c = first; c < last; c++) {
                 p.relax(sweeps(c), sub, start[c], start[c + 1], own);
             }
-            for (int d = 0; d < tick.direct.openIn(b); d++) {
+            for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, false, own);
             }
             p.finish(sub, head, tail, own);
         }
         p.storeBodies(head, tail);
         p.storeRows(chosen[kind], sub, renewed, start[first], start[last], own);
-        for (int d = 0; d < tick.direct.openIn(b); d++) {
+        for (int d = 0; d < direct.openIn(b); d++) {
             p.learn(sub, b, d, own);
         }
     }
@@ -359,11 +353,11 @@ public final class ContactSolver {
         }
     }
 
-    private void ensureScratch(int workers) {
-        if (scratch.length < workers) {
-            scratch = new Scratch[workers];
+    private void ensureBenches(int workers) {
+        if (benches.length < workers) {
+            benches = new Workbench[workers];
             for (int i = 0; i < workers; i++) {
-                scratch[i] = new Scratch();
+                benches[i] = new Workbench();
             }
         }
     }

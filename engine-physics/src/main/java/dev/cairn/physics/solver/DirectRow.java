@@ -145,8 +145,8 @@ final class DirectRow {
         }
         int twist = o + TWIST * lanes;
         miss[at + 6] =
-                ScalarNormals.dot(d, twist + 3 * lanes, lanes, body, b + 3)
-                        - ScalarNormals.dot(d, twist, lanes, body, a + 3);
+                RowArithmetic.dot(d, twist + 3 * lanes, lanes, body, b + 3)
+                        - RowArithmetic.dot(d, twist, lanes, body, a + 3);
         stiffness[at + 6] = d[o + TWIST_MASS * lanes] / GIVE;
         return worst;
     }
@@ -166,8 +166,8 @@ final class DirectRow {
         return d[n] * (body[b] - body[a])
                 + d[n + lanes] * (body[b + 1] - body[a + 1])
                 + d[n + 2 * lanes] * (body[b + 2] - body[a + 2])
-                + ScalarNormals.dot(d, armB, lanes, body, b + 3)
-                - ScalarNormals.dot(d, armA, lanes, body, a + 3);
+                + RowArithmetic.dot(d, armB, lanes, body, b + 3)
+                - RowArithmetic.dot(d, armA, lanes, body, a + 3);
     }
 
     /** Loads the Jacobians of a constraint: a point, from 4 on a tangent, 6 the twist. */
@@ -259,8 +259,8 @@ final class DirectRow {
         boolean fixed = !moves(a) || !moves(b);
         ScalarNormals.soften(d, o, lanes, points, fixed, sub, st);
         ScalarNormals.sweep(
-                d, o, lanes, body, a, b, points, sub.sweeps, LaneKernels.Points.NONE, st);
-        if (ScalarNormals.sum(d, o, lanes, points) > 0) {
+                d, o, lanes, body, a, b, points, sub.sweeps, CommonStep.NONE, st);
+        if (RowArithmetic.sum(d, o, lanes, points) > 0) {
             body[a + SolverBodies.LOADED] = a == 0 ? 0 : 1;
             body[b + SolverBodies.LOADED] = b == 0 ? 0 : 1;
         }
@@ -269,7 +269,7 @@ final class DirectRow {
     /** One more sweep of the relax pass. */
     void sweepHard(SubStep sub, double[] st) {
         ScalarSweep.hard(
-                d, o, lanes, body, a, b, points, sub, sub.sweeps, LaneKernels.Points.NONE, st);
+                d, o, lanes, body, a, b, points, sub, sub.sweeps, CommonStep.NONE, st);
         for (int p = 0; p < points; p++) {
             d[o + (SUM + p) * lanes] += st[Scratch.CHANGE + p];
         }

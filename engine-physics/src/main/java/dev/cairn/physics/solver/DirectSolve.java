@@ -106,8 +106,8 @@ final class DirectSolve {
     }
 
     /** What the contacts of an island have learnt of their loads, at the end of a tick. */
-    void learn(Tick tick, ConstraintRows rows, SubStep sub, int island) {
-        islands = tick.direct;
+    void learn(Tick tick, ConstraintRows rows, SubStep sub, DirectIslands of, int island) {
+        islands = of;
         body = tick.body.state;
         from = islands.firstRow[island];
         to = islands.firstRow[island + 1];

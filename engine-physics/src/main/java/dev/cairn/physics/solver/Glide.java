@@ -21,22 +21,6 @@ import dev.cairn.physics.internal.BodyStore;
  * first impact, 9.3e-3 and 1.4e-3. Any worker, one to a body. Does not allocate.
  */
 final class Glide {
-    /**
-     * Doubles to a body of {@link SolverBodies#glide}, world: velocity at the start; velocity that
-     * moved it; angular velocity at the start, then what was added to it before the body turned;
-     * angular velocity after the turn; then what {@link Pivot} needs.
-     */
-    static final int STRIDE = 24;
-
-    /** Movement, angular velocity and orientation at the start. */
-    static final int START = 12;
-
-    /** The point that it stands on, or -1. */
-    static final int CORNER = 22;
-
-    /** 1 if an impact has put the start of its path elsewhere. */
-    static final int STRUCK = 23;
-
     /** Square of the share of its speed that is left of a body that friction has stopped. */
     private static final double STOPPED = 1e-12;
 
@@ -49,36 +33,6 @@ final class Glide {
     private static final double MOST_TURN = 4;
 
     private Glide() {}
-
-    /** Start of a sub-step, before forces. */
-    static void begin(SolverBodies s, int i) {
-        int o = SolverBodies.offset(i) + V;
-        int g = STRIDE * i;
-        for (int axis = 0; axis < 3; axis++) {
-            s.glide[g + axis] = s.state[o + axis];
-            s.glide[g + 6 + axis] = s.world(i, o + 3, axis);
-        }
-    }
-
-    /** Before the body turns: the velocity that moves it. */
-    static void moves(SolverBodies s, int i, double vx, double vy, double vz) {
-        int o = SolverBodies.offset(i) + V + 3;
-        int g = STRIDE * i;
-        s.glide[g + 3] = vx;
-        s.glide[g + 4] = vy;
-        s.glide[g + 5] = vz;
-        for (int axis = 0; axis < 3; axis++) {
-            s.glide[g + 6 + axis] = s.world(i, o, axis) - s.glide[g + 6 + axis];
-        }
-    }
-
-    /** After the body has turned. */
-    static void turned(SolverBodies s, int i) {
-        int o = SolverBodies.offset(i) + V + 3;
-        for (int axis = 0; axis < 3; axis++) {
-            s.glide[STRIDE * i + 9 + axis] = s.world(i, o, axis);
-        }
-    }
 
     /**
      * End of a sub-step of a guided body, its row at {@code place}: along the contact plane it
@@ -103,7 +57,7 @@ final class Glide {
         if (v[o + LOADED] == 0) {
             return;
         }
-        int g = STRIDE * i;
+        int g = MotionRecord.STRIDE * i;
         double[] d = s.glide;
         int r = rows.base(place);
         double nx = rows.doubles[r];
@@ -127,7 +81,7 @@ final class Glide {
     private static double rock(
             BodyStore b, SolverBodies s, int i, ConstraintRows rows, int place, double h) {
         double[] d = s.glide;
-        int g = STRIDE * i;
+        int g = MotionRecord.STRIDE * i;
         int o = SolverBodies.offset(i);
         double x = 0.5 * h * (s.world(i, o + V + 3, 0) - d[g + 9] - d[g + 6]);
         double y = 0.5 * h * (s.world(i, o + V + 3, 1) - d[g + 10] - d[g + 7]);
@@ -158,7 +112,7 @@ final class Glide {
             int q = r + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * rows.lanes;
             double l = rows.doubles[q + ConstraintRows.IMPULSE * rows.lanes];
             sum += l;
-            low += l * ScalarNormals.dot(rows.doubles, q + arm * rows.lanes, rows.lanes, w, g);
+            low += l * RowArithmetic.dot(rows.doubles, q + arm * rows.lanes, rows.lanes, w, g);
         }
         return sum > 0 ? low / sum : 0;
     }
@@ -179,10 +133,10 @@ final class Glide {
         int o = SolverBodies.offset(i);
         int t1 = r + ConstraintRows.TANGENT1 * lanes;
         int t2 = r + ConstraintRows.TANGENT2 * lanes;
-        double b1 = ScalarNormals.dot(d, t1, lanes, s.glide, STRIDE * i);
-        double b2 = ScalarNormals.dot(d, t2, lanes, s.glide, STRIDE * i);
-        double a1 = ScalarNormals.dot(d, t1, lanes, v, o + V);
-        double a2 = ScalarNormals.dot(d, t2, lanes, v, o + V);
+        double b1 = RowArithmetic.dot(d, t1, lanes, s.glide, MotionRecord.STRIDE * i);
+        double b2 = RowArithmetic.dot(d, t2, lanes, s.glide, MotionRecord.STRIDE * i);
+        double a1 = RowArithmetic.dot(d, t1, lanes, v, o + V);
+        double a2 = RowArithmetic.dot(d, t2, lanes, v, o + V);
         double before = b1 * b1 + b2 * b2;
         if (!(a1 * a1 + a2 * a2 < STOPPED * before)) {
             return 1;
@@ -193,7 +147,7 @@ final class Glide {
         double taken = Math.abs(l1 * b1 + l2 * b2) / speed;
         int points = rows.points(place);
         double limit =
-                d[r + ConstraintRows.FRICTION * lanes] * ScalarNormals.sum(d, r, lanes, points);
+                d[r + ConstraintRows.FRICTION * lanes] * RowArithmetic.sum(d, r, lanes, points);
         double left = (limit - taken) * v[o + MASS];
         if (rolling.has(at)) {
             left = rolling.left(rows, place, at, v[o + MASS], taken / limit, left);

@@ -274,7 +274,7 @@ final class Impacts {
         if (!(time > 0)) {
             return;
         }
-        bodies.glide[Glide.STRIDE * SolverBodies.slot(at) + Glide.STRUCK] = 1;
+        bodies.glide[MotionRecord.STRIDE * SolverBodies.slot(at) + MotionRecord.STRUCK] = 1;
         int p = at + SolverBodies.P;
         double tu = -time * (body[at + 3] - old[q + 3]);
         double tv = -time * (body[at + 4] - old[q + 4]);

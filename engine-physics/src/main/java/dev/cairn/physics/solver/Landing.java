@@ -252,7 +252,7 @@ final class Landing {
             ScalarFriction.rub(d, o, lanes, body, rows.link[link], rows.link[link + 1], points);
             change = Math.max(change, Math.abs(d[o + LAMBDA * lanes] - x));
             change = Math.max(change, Math.abs(d[o + (LAMBDA + 1) * lanes] - y));
-            if (!(change > AGREES * ScalarNormals.largest(d, o, lanes, points))) {
+            if (!(change > AGREES * RowArithmetic.largest(d, o, lanes, points))) {
                 return;
             }
         }

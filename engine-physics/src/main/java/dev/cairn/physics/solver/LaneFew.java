@@ -40,7 +40,7 @@ final class LaneFew implements LaneKernels.Points {
         boolean lands;
         if (points == 2) {
             couplings(d, o, st, k, g, points);
-            if (!evenTwo(d, o, st, k, step) && step == SOFT) {
+            if (!evenTwo(d, o, st, k, step) && step == CommonStep.SOFT) {
                 DoubleVector.zero(S).intoArray(st, LANDS + g);
                 return false;
             }
@@ -132,13 +132,13 @@ final class LaneFew implements LaneKernels.Points {
         var zero = DoubleVector.zero(S);
         var f0 = DoubleVector.fromArray(S, d, q);
         var f1 = DoubleVector.fromArray(S, d, q + next);
-        if (step == NONE) {
+        if (step == CommonStep.NONE) {
             f0.intoArray(st, k + FIRST);
             f1.intoArray(st, k + FIRST + L);
             return true;
         }
         var begins =
-                (step == SOFT ? DoubleVector.fromArray(S, d, o + COLD * L) : zero)
+                (step == CommonStep.SOFT ? DoubleVector.fromArray(S, d, o + COLD * L) : zero)
                         .compare(VectorOperators.GT, 0.0);
         var least = DoubleVector.broadcast(S, Double.MAX_VALUE);
         var own0 = DoubleVector.fromArray(S, st, k + OWN);

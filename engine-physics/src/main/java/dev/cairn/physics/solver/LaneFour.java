@@ -37,7 +37,7 @@ final class LaneFour implements LaneKernels.Points {
     public boolean sweep(
             double[] d, int o, double[] st, int k, int g, int points, int sweeps, int step) {
         enterFour(d, o, st, k, g);
-        if (!evenFour(d, o, st, k, step) && step == SOFT) {
+        if (!evenFour(d, o, st, k, step) && step == CommonStep.SOFT) {
             DoubleVector.zero(S).intoArray(st, LANDS + g);
             return false;
         }
@@ -194,7 +194,7 @@ final class LaneFour implements LaneKernels.Points {
         var f1 = DoubleVector.fromArray(S, d, q + next);
         var f2 = DoubleVector.fromArray(S, d, q + 2 * next);
         var f3 = DoubleVector.fromArray(S, d, q + 3 * next);
-        if (step == NONE) {
+        if (step == CommonStep.NONE) {
             f0.intoArray(st, k + FIRST);
             f1.intoArray(st, k + FIRST + L);
             f2.intoArray(st, k + FIRST + 2 * L);
@@ -202,7 +202,7 @@ final class LaneFour implements LaneKernels.Points {
             return true;
         }
         var begins =
-                (step == SOFT ? DoubleVector.fromArray(S, d, o + COLD * L) : zero)
+                (step == CommonStep.SOFT ? DoubleVector.fromArray(S, d, o + COLD * L) : zero)
                         .compare(VectorOperators.GT, 0.0);
         var least = DoubleVector.broadcast(S, Double.MAX_VALUE);
         var own0 = DoubleVector.fromArray(S, st, k + OWN);

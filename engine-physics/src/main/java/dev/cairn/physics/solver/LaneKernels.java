@@ -49,19 +49,13 @@ final class LaneKernels {
 
     /** Sweeps over the points of one group. */
     interface Points {
-        /** The common step: none, that of the bias pass, that of the relax pass. */
-        int NONE = 0;
-
-        int SOFT = 1;
-        int HARD = 2;
-
         /**
          * Sweeps over the points, after one common step of all.
          *
          * @param o index of the group's first field in {@code d}
          * @param k its pack in scratch
          * @param g its first lane there
-         * @param step {@link #SOFT}, {@link #HARD}, or {@link #NONE}
+         * @param step see {@link CommonStep}
          * @return whether a lane that lands needs more sweeps
          */
         boolean sweep(

@@ -1,8 +1,8 @@
 package dev.cairn.physics.solver;
 
-import static dev.cairn.physics.solver.LaneKernels.Points.HARD;
-import static dev.cairn.physics.solver.LaneKernels.Points.NONE;
-import static dev.cairn.physics.solver.LaneKernels.Points.SOFT;
+import static dev.cairn.physics.solver.CommonStep.HARD;
+import static dev.cairn.physics.solver.CommonStep.NONE;
+import static dev.cairn.physics.solver.CommonStep.SOFT;
 import static dev.cairn.physics.solver.Scratch.LANDS;
 import static dev.cairn.physics.solver.Scratch.ONES;
 import static dev.cairn.physics.solver.Scratch.RUBS;

@@ -151,8 +151,8 @@ final class LoadSweep {
         hurt = false;
         moved = false;
         boolean keeps = same && !stale;
-        ContactSolver.run(measureJob, bodyBlocks, jobs);
-        ContactSolver.run(lookJob, Blocks.count(list.count, ROWS_PER_BLOCK), jobs);
+        jobs.run(measureJob, bodyBlocks);
+        jobs.run(lookJob, Blocks.count(list.count, ROWS_PER_BLOCK));
         if (hurt) {
             spread();
         }
@@ -163,7 +163,7 @@ final class LoadSweep {
         descend();
         ground();
         raised = false;
-        ContactSolver.run(scaleJob, bodyBlocks, jobs);
+        jobs.run(scaleJob, bodyBlocks);
         stale = false;
         return true;
     }

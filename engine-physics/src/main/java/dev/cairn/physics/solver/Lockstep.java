@@ -53,7 +53,7 @@ final class Lockstep {
     private final BlockJob directHard = this::directHard;
 
     private Sweeps chosen;
-    private Scratch[] scratch = {};
+    private Workbench[] benches = {};
     private boolean renews;
     private boolean unloaded;
     private int domains;
@@ -94,12 +94,12 @@ final class Lockstep {
      * @param pace its sub-steps
      * @param chosen sweeps of this tick
      * @param unloaded whether a load has gone
-     * @param scratch by worker
+     * @param benches by worker
      */
-    void run(SubStep pace, Sweeps chosen, boolean unloaded, Scratch[] scratch, Jobs jobs) {
+    void run(SubStep pace, Sweeps chosen, boolean unloaded, Workbench[] benches, Jobs jobs) {
         this.pace = pace;
         this.chosen = chosen;
-        this.scratch = scratch;
+        this.benches = benches;
         this.unloaded = unloaded;
         base = batches.lockstep(kind);
         domains = batches.alone(kind) - base - 1;
@@ -112,32 +112,31 @@ final class Lockstep {
         int parts = domains + Blocks.count(alone, BODIES_PER_BLOCK);
         renews = false;
         colours(prepare, jobs);
-        ContactSolver.run(
-                findRenewed, Blocks.count(firstPlace(0) - firstPlace(-1), ROWS_PER_BLOCK), jobs);
+        jobs.run(findRenewed, Blocks.count(firstPlace(0) - firstPlace(-1), ROWS_PER_BLOCK));
         substep = 0;
-        ContactSolver.run(within, parts, jobs);
+        jobs.run(within, parts);
         while (substep < pace.count) {
             if (isApart()) {
                 begin(bodyBlocks, jobs);
             }
             colours(bias, jobs);
             direct(true, jobs);
-            ContactSolver.run(drift, parts, jobs);
+            jobs.run(drift, parts);
             if (renews) {
                 colours(takeOut, jobs);
-                ContactSolver.run(takeOutWithin, domains, jobs);
-                ContactSolver.run(renewBodies, bodyBlocks, jobs);
+                jobs.run(takeOutWithin, domains);
+                jobs.run(renewBodies, bodyBlocks);
                 colours(renewRows, jobs);
-                ContactSolver.run(renewWithin, domains, jobs);
+                jobs.run(renewWithin, domains);
             }
             colours(relax, jobs);
             direct(false, jobs);
             substep++;
-            ContactSolver.run(within, parts, jobs);
+            jobs.run(within, parts);
         }
         colours(storeRows, jobs);
         for (int d = 0; d < direct(); d++) {
-            passes.learn(pace, base, d, scratch[0]);
+            passes.learn(pace, base, d, benches[0]);
         }
         impacts.report();
     }
@@ -164,11 +163,11 @@ final class Lockstep {
                         p.tick.settings.get(Tunable.RESTITUTION_THRESHOLD))) {
             p.separate(batches.firstBody[base], batches.firstBody[base + 1 + domains]);
         }
-        ContactSolver.run(kick, bodyBlocks, jobs);
+        jobs.run(kick, bodyBlocks);
         if (unloaded && substep == 0) {
-            p.settle(pace, firstPlace(-1), firstPlace(domains), scratch[0]);
+            p.settle(pace, firstPlace(-1), firstPlace(domains), benches[0]);
         }
-        ContactSolver.run(biasWithin, domains, jobs);
+        jobs.run(biasWithin, domains);
     }
 
     /** Runs a job over the rows of one colour after the other, in blocks. */
@@ -180,7 +179,7 @@ final class Lockstep {
             sweep = sweeps(c);
             int rowCount = to - from;
             perBlock = rowCount <= 2 * COLOUR_ROWS_PER_BLOCK ? rowCount : COLOUR_ROWS_PER_BLOCK;
-            ContactSolver.run(job, Blocks.count(rowCount, perBlock), jobs);
+            jobs.run(job, Blocks.count(rowCount, perBlock));
         }
     }
 
@@ -188,21 +187,21 @@ final class Lockstep {
     private void direct(boolean soft, Jobs jobs) {
         int islands = direct();
         if (islands > 0) {
-            ContactSolver.run(soft ? directSoft : directHard, islands, jobs);
+            jobs.run(soft ? directSoft : directHard, islands);
         }
     }
 
     /** How many there are of them. */
     private int direct() {
-        return kind == Batches.DOUBLES ? passes.tick.direct.openIn(base) : 0;
+        return kind == Batches.DOUBLES ? passes.direct.openIn(base) : 0;
     }
 
     private void directSoft(int block, int worker) {
-        passes.direct(pace, base, block, true, scratch[worker]);
+        passes.direct(pace, base, block, true, benches[worker]);
     }
 
     private void directHard(int block, int worker) {
-        passes.direct(pace, base, block, false, scratch[worker]);
+        passes.direct(pace, base, block, false, benches[worker]);
     }
 
     /** A colour of one row is swept by the scalar twin. */
@@ -217,7 +216,7 @@ final class Lockstep {
             return;
         }
         Passes p = passes;
-        Scratch own = scratch[worker];
+        Workbench own = benches[worker];
         // to and fro: the domains of the end of the last pass are still in the third cache
         int domain = substep % 2 == 0 ? block : domains - 1 - block;
         int b = base + 1 + domain;
@@ -253,12 +252,12 @@ final class Lockstep {
         int head = aloneFrom(block);
         int tail = aloneTo(block);
         if (substep > 0) {
-            passes.finish(pace, head, tail, scratch[worker]);
+            passes.finish(pace, head, tail, benches[worker]);
         }
         if (substep == pace.count) {
             passes.storeBodies(head, tail);
         } else if (!isApart()) {
-            passes.kick(pace, substep, head, tail, scratch[worker]);
+            passes.kick(pace, substep, head, tail, benches[worker]);
         }
     }
 
@@ -267,7 +266,7 @@ final class Lockstep {
         int b = base + 1 + block;
         for (int c = colouring.firstColour[b]; c < colouring.firstFixed[b]; c++) {
             passes.bias(
-                    sweeps(c), pace, colouring.start[c], colouring.start[c + 1], scratch[worker]);
+                    sweeps(c), pace, colouring.start[c], colouring.start[c + 1], benches[worker]);
         }
     }
 
@@ -279,7 +278,7 @@ final class Lockstep {
         }
         int b = base + 1 + block;
         for (int c = colouring.firstFixed[b]; c < colouring.firstColour[b + 1]; c++) {
-            p.bias(sweeps(c), pace, colouring.start[c], colouring.start[c + 1], scratch[worker]);
+            p.bias(sweeps(c), pace, colouring.start[c], colouring.start[c + 1], benches[worker]);
         }
         drift(batches.firstBody[b], batches.firstBody[b + 1], p);
     }
@@ -325,7 +324,7 @@ final class Lockstep {
     }
 
     private void prepare(int block, int worker) {
-        passes.prepare(sweep, pace, rowsFrom(block), rowsTo(block), scratch[worker]);
+        passes.prepare(sweep, pace, rowsFrom(block), rowsTo(block), benches[worker]);
     }
 
     private void findRenewed(int block, int worker) {
@@ -337,23 +336,23 @@ final class Lockstep {
     }
 
     private void kick(int block, int worker) {
-        passes.kick(pace, substep, bodiesFrom(block), bodiesTo(block), scratch[worker]);
+        passes.kick(pace, substep, bodiesFrom(block), bodiesTo(block), benches[worker]);
     }
 
     private void bias(int block, int worker) {
-        passes.bias(sweep, pace, rowsFrom(block), rowsTo(block), scratch[worker]);
+        passes.bias(sweep, pace, rowsFrom(block), rowsTo(block), benches[worker]);
     }
 
     private void relax(int block, int worker) {
-        passes.relax(sweep, pace, rowsFrom(block), rowsTo(block), scratch[worker]);
+        passes.relax(sweep, pace, rowsFrom(block), rowsTo(block), benches[worker]);
     }
 
     private void takeOut(int block, int worker) {
-        passes.takeOut(rowsFrom(block), rowsTo(block), scratch[worker]);
+        passes.takeOut(rowsFrom(block), rowsTo(block), benches[worker]);
     }
 
     private void takeOutWithin(int block, int worker) {
-        passes.takeOut(firstPlace(block), firstPlace(block + 1), scratch[worker]);
+        passes.takeOut(firstPlace(block), firstPlace(block + 1), benches[worker]);
     }
 
     private void renewBodies(int block, int worker) {
@@ -361,14 +360,14 @@ final class Lockstep {
     }
 
     private void renewRows(int block, int worker) {
-        passes.renewRows(pace, substep, rowsFrom(block), rowsTo(block), scratch[worker]);
+        passes.renewRows(pace, substep, rowsFrom(block), rowsTo(block), benches[worker]);
     }
 
     private void renewWithin(int block, int worker) {
-        passes.renewRows(pace, substep, firstPlace(block), firstPlace(block + 1), scratch[worker]);
+        passes.renewRows(pace, substep, firstPlace(block), firstPlace(block + 1), benches[worker]);
     }
 
     private void storeRows(int block, int worker) {
-        passes.storeRows(chosen, pace, renews, rowsFrom(block), rowsTo(block), scratch[worker]);
+        passes.storeRows(chosen, pace, renews, rowsFrom(block), rowsTo(block), benches[worker]);
     }
 }

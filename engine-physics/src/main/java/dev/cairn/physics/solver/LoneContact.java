@@ -51,7 +51,7 @@ final class LoneContact {
                 change = Math.max(change, Roll.row(rows, place, body, rolling, at));
             }
             double largest =
-                    ScalarNormals.largest(
+                    RowArithmetic.largest(
                             rows.doubles, rows.base(place), rows.lanes, rows.points(place));
             if (!(change > AGREES * largest)) {
                 return;
@@ -69,7 +69,7 @@ final class LoneContact {
         int b = rows.link[l + 1];
         int n = rows.link[l + ConstraintRows.COUNT];
         int o = rows.base(j);
-        ScalarSweep.hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, LaneKernels.Points.HARD, st);
+        ScalarSweep.hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, CommonStep.HARD, st);
         double worst = 0;
         for (int p = 0; p < n; p++) {
             double change = st[Scratch.CHANGE + p];

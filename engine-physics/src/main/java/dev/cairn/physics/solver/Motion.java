@@ -191,7 +191,7 @@ final class Motion {
         double[] v = s.state;
         int o = SolverBodies.offset(i);
         if (s.guide[i] >= 0) {
-            Glide.begin(s, i);
+            MotionRecord.begin(s, i);
         }
         v[o + LOADED] = 0;
         double m = v[o + MASS];
@@ -257,7 +257,7 @@ final class Motion {
             vy -= half * (k * gy + m * b.forceY[i]);
             vz -= half * (k * gz + m * b.forceZ[i]);
         } else if (s.guide[i] >= 0) {
-            Glide.moves(s, i, vx, vy, vz);
+            MotionRecord.moves(s, i, vx, vy, vz);
         }
         v[o + P] += h * vx;
         v[o + P + 1] += h * vy;
@@ -267,7 +267,7 @@ final class Motion {
         v[o + P + 5] += h * v[o + V + 5];
         turn(b, s, i, turn);
         if (s.guide[i] >= 0) {
-            Glide.turned(s, i);
+            MotionRecord.turned(s, i);
         }
     }
 

@@ -48,9 +48,9 @@ final class Offsets {
             double known = k * (gap - d[o + (ConstraintRows.GAP + i) * lanes]);
             double speed =
                     vn
-                            + ScalarNormals.dot(
+                            + RowArithmetic.dot(
                                     d, q + ConstraintRows.ARM_B * lanes, lanes, body, b + 3)
-                            - ScalarNormals.dot(
+                            - RowArithmetic.dot(
                                     d, q + ConstraintRows.ARM_A * lanes, lanes, body, a + 3);
             if (impulse > 0 && rests && Math.abs(speed) < still) {
                 known -= k * ((gap < 0 ? gap : 0) * gain);
@@ -81,14 +81,14 @@ final class Offsets {
                 x * d[t1]
                         + y * d[t1 + lanes]
                         + z * d[t1 + 2 * lanes]
-                        + ScalarNormals.dot(d, v + 6 * lanes, lanes, body, b + 3)
-                        - ScalarNormals.dot(d, v, lanes, body, a + 3);
+                        + RowArithmetic.dot(d, v + 6 * lanes, lanes, body, b + 3)
+                        - RowArithmetic.dot(d, v, lanes, body, a + 3);
         double s2 =
                 x * d[t2]
                         + y * d[t2 + lanes]
                         + z * d[t2 + 2 * lanes]
-                        + ScalarNormals.dot(d, v + 9 * lanes, lanes, body, b + 3)
-                        - ScalarNormals.dot(d, v + 3 * lanes, lanes, body, a + 3);
+                        + RowArithmetic.dot(d, v + 9 * lanes, lanes, body, b + 3)
+                        - RowArithmetic.dot(d, v + 3 * lanes, lanes, body, a + 3);
         return Math.sqrt(s1 * s1 + s2 * s2);
     }
 }

@@ -25,11 +25,24 @@ final class Passes {
     /** What is done row by row. */
     private final ScalarPasses one;
 
-    Passes(Tick tick, ConstraintRows rows) {
+    private final StartPass starts;
+    private final StaticStart start;
+    final DirectIslands direct;
+
+    /**
+     * Passes over the rows of one precision.
+     *
+     * @param start the islands that begin at rest
+     * @param direct the islands that are solved directly
+     */
+    Passes(Tick tick, ConstraintRows rows, StaticStart start, DirectIslands direct) {
         this.tick = tick;
         this.rows = rows;
         body = tick.body;
+        this.start = start;
+        this.direct = direct;
         one = rows.isSingle ? new SingleScalarSweep() : new ScalarSweep();
+        starts = rows.isSingle ? new SingleStartSweep() : new StartSweep();
     }
 
     void ensureCapacity(int slots) {
@@ -42,7 +55,7 @@ final class Passes {
     void load(int i, double weight) {
         BodyStore b = tick.bodies;
         renewal.look(b, i, weight);
-        body.glide[Glide.STRIDE * i + Glide.STRUCK] = 0;
+        body.glide[MotionRecord.STRIDE * i + MotionRecord.STRUCK] = 0;
         body.loadBound(b, i, tick.loaded ? b.inertiaScale[i] : 1);
         if (rows.isSingle) {
             body.round(i);
@@ -50,8 +63,8 @@ final class Passes {
         }
     }
 
-    void prepare(Sweeps sweeps, SubStep sub, int from, int to, Scratch scratch) {
-        sweeps.fill(rows, body, tick.contacts, sub, from, to, scratch);
+    void prepare(Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
+        sweeps.fill(rows, body, tick.contacts, sub, from, to, bench.scratch);
         if (rows.rolling.isUsed) {
             rows.rolling.fill(rows, body, tick.contacts, sub.fillScale, from, to);
         }
@@ -79,7 +92,7 @@ final class Passes {
      *
      * @param index of the sub-step
      */
-    void kick(SubStep sub, int index, int from, int to, Scratch scratch) {
+    void kick(SubStep sub, int index, int from, int to, Workbench bench) {
         double[] g = tick.gravity;
         double gain = tick.weight() * sub.seconds;
         for (int k = from; k < to; k++) {
@@ -88,7 +101,7 @@ final class Passes {
                 body.addWarm(i);
             }
             if (body.guide[i] >= 0 && LoneContact.turns(body.state, i, gain)) {
-                land(sub, i, scratch);
+                land(sub, i, bench);
             }
             if (body.guide[i] >= 0 && renewal.stirs(i)) {
                 Pivot.begin(tick.bodies, body, i, rows, rows.list.place[body.guide[i]], sub.touch);
@@ -101,16 +114,16 @@ final class Passes {
     }
 
     /** The blow of points that land in this sub-step, of a body on one contact. */
-    private void land(SubStep sub, int i, Scratch scratch) {
+    private void land(SubStep sub, int i, Workbench bench) {
         int row = rows.list.place[body.guide[i]];
         if (sub.lone == 0 || !Landing.isAwaited(rows, row) || isStruck(sub, i, row)) {
             return;
         }
-        ConstraintRows window = scratch.row.open(rows, row);
-        int place = scratch.row.place();
-        Landing landing = scratch.landing;
+        ConstraintRows window = bench.row.open(rows, row);
+        int place = bench.row.place();
+        Landing landing = bench.landing;
         if (landing.run(tick, window, rows.rolling, place, row, i, sub.seconds, sub.lone)) {
-            scratch.row.close(rows, row);
+            bench.row.close(rows, row);
         }
     }
 
@@ -140,20 +153,20 @@ final class Passes {
     }
 
     /** Corrects the warm start of rows that have lost a load, or know of none yet. */
-    void settle(SubStep sub, int from, int to, Scratch scratch) {
-        if (tick.start.found) {
-            one.start(rows, body, sub, tick.start, from, to, scratch);
+    void settle(SubStep sub, int from, int to, Workbench bench) {
+        if (start.found) {
+            starts.start(rows, body, sub, start, from, to, bench.scratch);
         }
-        one.settle(rows, body, sub, tick.settings.count(Tunable.UNLOAD_SWEEPS), from, to, scratch);
+        one.settle(rows, body, sub, tick.settings.count(Tunable.UNLOAD_SWEEPS), from, to, bench.scratch);
     }
 
-    void bias(Sweeps sweeps, SubStep sub, int from, int to, Scratch scratch) {
+    void bias(Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
             if (rows.rolling.isUsed) {
                 one.calm(rows, body, j, last);
             }
-            sweeps.bias(rows, body, sub, j, last, scratch);
+            sweeps.bias(rows, body, sub, j, last, bench.scratch);
         }
     }
 
@@ -180,8 +193,8 @@ final class Passes {
         }
     }
 
-    void takeOut(int from, int to, Scratch scratch) {
-        renewal.unload(rows, body.warm, from, to, scratch.renew);
+    void takeOut(int from, int to, Workbench bench) {
+        renewal.unload(rows, body.warm, from, to, bench.renew);
     }
 
     void renewBodies(int from, int to) {
@@ -198,15 +211,15 @@ final class Passes {
      *
      * @param index of the sub-step; the first one scales what the contacts know
      */
-    void renewRows(SubStep sub, int index, int from, int to, Scratch scratch) {
-        renewal.rows(rows, body, tick.contacts, sub, index, from, to, scratch.renew);
+    void renewRows(SubStep sub, int index, int from, int to, Workbench bench) {
+        renewal.rows(rows, body, tick.contacts, sub, index, from, to, bench.renew);
     }
 
-    void relax(Sweeps sweeps, SubStep sub, int from, int to, Scratch scratch) {
+    void relax(Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
-            scratch.doubles[Scratch.PACKED] = Touch.rows(rows, j, last);
-            sweeps.relax(rows, body, sub, j, last, scratch);
+            bench.scratch.doubles[Scratch.PACKED] = Touch.rows(rows, j, last);
+            sweeps.relax(rows, body, sub, j, last, bench.scratch);
             if (rows.rolling.isUsed) {
                 one.roll(rows, body, j, last);
             }
@@ -218,14 +231,14 @@ final class Passes {
      *
      * @param index among those of the batch
      */
-    void direct(SubStep sub, int batch, int index, boolean soft, Scratch scratch) {
-        DirectIslands islands = tick.direct;
+    void direct(SubStep sub, int batch, int index, boolean soft, Workbench bench) {
+        DirectIslands islands = direct;
         int island = islands.open(batch, index);
         boolean renewed = false;
         for (int k = islands.firstBody[island]; k < islands.firstBody[island + 1]; k++) {
             renewed |= renewal.stirs(islands.body[k]);
         }
-        scratch.direct.run(
+        bench.direct.run(
                 rows,
                 body.state,
                 sub,
@@ -234,13 +247,13 @@ final class Passes {
                 renewed,
                 soft,
                 tick.weight() * sub.seconds,
-                scratch.doubles);
+                bench.scratch.doubles);
     }
 
     /** What the contacts of such an island have learnt of their loads. */
-    void learn(SubStep sub, int batch, int index, Scratch scratch) {
+    void learn(SubStep sub, int batch, int index, Workbench bench) {
         if (tick.settings.get(Tunable.OFFSET_GAIN) > 0) {
-            scratch.direct.learn(tick, rows, sub, tick.direct.open(batch, index));
+            bench.direct.learn(tick, rows, sub, direct, direct.open(batch, index));
         }
     }
 
@@ -252,7 +265,7 @@ final class Passes {
         one.separate(rows, body);
     }
 
-    void finish(SubStep sub, int from, int to, Scratch scratch) {
+    void finish(SubStep sub, int from, int to, Workbench bench) {
         double gain = tick.weight() * sub.seconds;
         for (int k = from; k < to; k++) {
             int i = tick.order[k];
@@ -262,18 +275,18 @@ final class Passes {
                 continue;
             }
             int row = rows.list.place[body.guide[i]];
-            ConstraintRows guides = scratch.row.open(rows, row);
-            int place = scratch.row.place();
+            ConstraintRows guides = bench.row.open(rows, row);
+            int place = bench.row.place();
             if (sub.lone > 0
                     && renewal.stirs(i)
-                    && scratch.pivot.run(tick, guides, rows.rolling, place, i, sub, renewal, row)) {
-                scratch.row.close(rows, row);
+                    && bench.pivot.run(tick, guides, rows.rolling, place, i, sub, renewal, row)) {
+                bench.row.close(rows, row);
                 continue;
             }
             if (sub.lone > 0) {
                 LoneContact.agree(
-                        guides, rows.rolling, body.state, sub, gain, place, row, i, scratch);
-                scratch.row.close(rows, row);
+                        guides, rows.rolling, body.state, sub, gain, place, row, i, bench.scratch);
+                bench.row.close(rows, row);
             }
             Motion.keep(tick.bodies, body, i);
             Glide.end(tick.bodies, body, i, guides, rows.rolling, place, row, sub.seconds);
@@ -288,11 +301,11 @@ final class Passes {
     }
 
     /** Writes the impulses of the rows back, and tells their bodies what presses on them. */
-    void storeRows(Sweeps sweeps, SubStep sub, boolean renewed, int from, int to, Scratch scratch) {
+    void storeRows(Sweeps sweeps, SubStep sub, boolean renewed, int from, int to, Workbench bench) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
-            scratch.doubles[Scratch.PACKED] = Touch.results(rows, tick.contacts, j, last);
-            sweeps.store(rows, body, tick.contacts, sub, j, last, scratch);
+            bench.scratch.doubles[Scratch.PACKED] = Touch.results(rows, tick.contacts, j, last);
+            sweeps.store(rows, body, tick.contacts, sub, j, last, bench.scratch);
             if (rows.rolling.isUsed) {
                 rows.rolling.store(rows, tick.contacts, j, last);
             }

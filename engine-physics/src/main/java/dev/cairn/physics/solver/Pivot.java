@@ -80,17 +80,17 @@ final class Pivot {
     static void begin(
             BodyStore b, SolverBodies s, int i, ConstraintRows rows, int place, double touch) {
         double[] d = s.glide;
-        int g = Glide.STRIDE * i;
-        int corner = d[g + Glide.STRUCK] != 0 ? -1 : only(rows, place, touch);
-        d[g + Glide.STRUCK] = 0;
-        d[g + Glide.CORNER] = corner;
+        int g = MotionRecord.STRIDE * i;
+        int corner = d[g + MotionRecord.STRUCK] != 0 ? -1 : only(rows, place, touch);
+        d[g + MotionRecord.STRUCK] = 0;
+        d[g + MotionRecord.CORNER] = corner;
         if (corner >= 0) {
             int o = SolverBodies.offset(i);
             for (int k = 0; k < 3; k++) {
-                d[g + Glide.START + k] = s.state[o + P + k];
-                d[g + Glide.START + 3 + k] = s.world(i, o + V + 3, k);
+                d[g + MotionRecord.START + k] = s.state[o + P + k];
+                d[g + MotionRecord.START + 3 + k] = s.world(i, o + V + 3, k);
             }
-            read(b, i, d, g + Glide.START + 6);
+            read(b, i, d, g + MotionRecord.START + 6);
         }
     }
 
@@ -129,8 +129,8 @@ final class Pivot {
             int kept) {
         SolverBodies s = tick.body;
         BodyStore b = tick.bodies;
-        int g = Glide.STRIDE * i;
-        int corner = (int) s.glide[g + Glide.CORNER];
+        int g = MotionRecord.STRIDE * i;
+        int corner = (int) s.glide[g + MotionRecord.CORNER];
         int o = SolverBodies.offset(i);
         if (corner < 0 || s.state[o + GRAVITY] != 1 || pressesElsewhere(rows, place, corner)) {
             return false;
@@ -142,7 +142,7 @@ final class Pivot {
             return false;
         }
         read(b, i, swept, 0);
-        write(b, i, s.glide, g + Glide.START + 6);
+        write(b, i, s.glide, g + MotionRecord.START + 6);
         step(tick, i, sub.seconds, rolling.has(kept));
         int r = rows.base(place);
         double friction = rows.doubles[r + FRICTION * rows.lanes];
@@ -175,18 +175,18 @@ final class Pivot {
             SubStep sub) {
         // how far the corner has moved since the tick's start
         double[] d = s.glide;
-        int g = Glide.STRIDE * i;
+        int g = MotionRecord.STRIDE * i;
         int o = SolverBodies.offset(i);
         double open = gap;
         for (int k = 0; k < 3; k++) {
-            double moved = d[g + Glide.START + k] - from[k] - arm[k];
+            double moved = d[g + MotionRecord.START + k] - from[k] - arm[k];
             open += side * rows.doubles[r + k * rows.lanes] * moved;
         }
         double speed = Math.min(-sub.fixedRate * open, sub.pushSpeed);
         double rise = open > 0 ? -open : speed * sub.seconds;
         for (int k = 0; k < 3; k++) {
             double up = side * rows.doubles[r + k * rows.lanes];
-            s.state[o + P + k] = d[g + Glide.START + k] + (to[k] - from[k]) + rise * up;
+            s.state[o + P + k] = d[g + MotionRecord.START + k] + (to[k] - from[k]) + rise * up;
         }
         s.state[o + V] = spin[1] * to[2] - spin[2] * to[1];
         s.state[o + V + 1] = spin[2] * to[0] - spin[0] * to[2];
@@ -208,7 +208,7 @@ final class Pivot {
     private void step(Tick tick, int i, double h, boolean rolls) {
         SolverBodies s = tick.body;
         BodyStore b = tick.bodies;
-        int g = Glide.STRIDE * i;
+        int g = MotionRecord.STRIDE * i;
         double[] d = s.glide;
         double mass = 1 / s.state[SolverBodies.offset(i) + MASS];
         double scale = mass * b.gravityScale[i];
@@ -231,7 +231,7 @@ final class Pivot {
         impulse[1] = -y - h * force[1];
         impulse[2] = -z - h * force[2];
         for (int k = 0; k < 3; k++) {
-            spin[k] = angular * d[g + Glide.START + 3 + k];
+            spin[k] = angular * d[g + MotionRecord.START + 3 + k];
         }
         torque[0] = b.torqueX[i];
         torque[1] = b.torqueY[i];

@@ -54,7 +54,7 @@ final class Roll {
                 continue;
             }
             double normal =
-                    ScalarNormals.sum(rows.doubles, rows.base(j), rows.lanes, rows.points(j));
+                    RowArithmetic.sum(rows.doubles, rows.base(j), rows.lanes, rows.points(j));
             double share = /*(float)*/ r.carried(j, normal);
             r.put(j, Rolling.BEFORE, normal);
             if (share < 1) {
@@ -83,7 +83,7 @@ final class Roll {
         int a = rows.link[place * LINK];
         int b = rows.link[place * LINK + 1];
         int points = rows.points(place);
-        double normal = ScalarNormals.sum(d, o, lanes, points);
+        double normal = RowArithmetic.sum(d, o, lanes, points);
         double bound = /*(float)*/ r.bound(rows, place, at);
         double l1 = /*(float)*/ r.get(at, Rolling.LAMBDA);
         double l2 = /*(float)*/ r.get(at, Rolling.LAMBDA + 1);
@@ -205,8 +205,8 @@ final class Roll {
         return dx * d[t]
                 + dy * d[t + lanes]
                 + dz * d[t + 2 * lanes]
-                + ScalarNormals.dot(d, lever + 6 * lanes, lanes, body, b + 3)
-                - ScalarNormals.dot(d, lever, lanes, body, a + 3);
+                + RowArithmetic.dot(d, lever + 6 * lanes, lanes, body, b + 3)
+                - RowArithmetic.dot(d, lever, lanes, body, a + 3);
     }
 
     private static void turn(

@@ -38,8 +38,8 @@ final class ScalarFriction {
         int three = 3 * lanes;
         double old = d[o + (LAMBDA + 2) * lanes];
         double speed =
-                ScalarNormals.dot(d, t + three, lanes, body, b + 3)
-                        - ScalarNormals.dot(d, t, lanes, body, a + 3);
+                RowArithmetic.dot(d, t + three, lanes, body, b + 3)
+                        - RowArithmetic.dot(d, t, lanes, body, a + 3);
         double next = bound > 0 ? old - d[o + TWIST_MASS * lanes] * speed : 0;
         // The slide is that of the spin which the patch leaves. Were it that of a spin stopped
         // whole, a top that leans on its tip would be driven by its friction.
@@ -52,7 +52,7 @@ final class ScalarFriction {
 
     /** Whether friction has the warm start of a blow, see {@link Rub#STALE}. */
     static boolean isStale(double[] d, int o, int lanes, int points) {
-        double limit = d[o + FRICTION * lanes] * ScalarNormals.sum(d, o, lanes, points);
+        double limit = d[o + FRICTION * lanes] * RowArithmetic.sum(d, o, lanes, points);
         double f1 = d[o + LAMBDA * lanes];
         double f2 = d[o + (LAMBDA + 1) * lanes];
         return f1 * f1 + f2 * f2 > limit * limit * Rub.STALE;
@@ -83,14 +83,14 @@ final class ScalarFriction {
                 dx * d[t1]
                         + dy * d[t1 + lanes]
                         + dz * d[t1 + 2 * lanes]
-                        + ScalarNormals.dot(d, lever + 2 * three, lanes, body, b + 3)
-                        - ScalarNormals.dot(d, lever, lanes, body, a + 3);
+                        + RowArithmetic.dot(d, lever + 2 * three, lanes, body, b + 3)
+                        - RowArithmetic.dot(d, lever, lanes, body, a + 3);
         double v2 =
                 dx * d[t2]
                         + dy * d[t2 + lanes]
                         + dz * d[t2 + 2 * lanes]
-                        + ScalarNormals.dot(d, lever + 3 * three, lanes, body, b + 3)
-                        - ScalarNormals.dot(d, lever + three, lanes, body, a + 3);
+                        + RowArithmetic.dot(d, lever + 3 * three, lanes, body, b + 3)
+                        - RowArithmetic.dot(d, lever + three, lanes, body, a + 3);
         double f1 = d[l] - (d[k] * v1 + d[k + lanes] * v2);
         double f2 = d[l + lanes] - (d[k + lanes] * v1 + d[k + 2 * lanes] * v2);
         double size = f1 * f1 + f2 * f2;

@@ -68,7 +68,7 @@ final class ScalarNormals {
     /**
      * Sweeps over the points, after one common step of all.
      *
-     * @param step {@link LaneKernels.Points#SOFT}, {@code HARD}, or {@code NONE}
+     * @param step {@link CommonStep#SOFT}, {@code HARD}, or {@code NONE}
      * @return whether the last of the sweeps changed an impulse
      */
     static boolean sweep(
@@ -89,8 +89,8 @@ final class ScalarNormals {
         }
         int q = o + (POINT + IMPULSE) * lanes;
         int next = POINT_FIELDS * lanes;
-        if (step != LaneKernels.Points.NONE) {
-            boolean soft = step == LaneKernels.Points.SOFT;
+        if (step != CommonStep.NONE) {
+            boolean soft = step == CommonStep.SOFT;
             boolean begins = soft && d[o + COLD * lanes] > 0;
             boolean any =
                     points == 4
@@ -159,8 +159,8 @@ final class ScalarNormals {
             st[CHANGE + p] = d[q + IMPULSE * lanes];
             st[SPEED + p] =
                     vn
-                            + dot(d, q + ARM_B * lanes, lanes, body, b + 3)
-                            - dot(d, q, lanes, body, a + 3)
+                            + RowArithmetic.dot(d, q + ARM_B * lanes, lanes, body, b + 3)
+                            - RowArithmetic.dot(d, q, lanes, body, a + 3)
                             - own * st[CHANGE + p];
             for (int i = 0; i < p; i++) {
                 int r = o + (POINT + i * POINT_FIELDS) * lanes;
@@ -282,30 +282,9 @@ final class ScalarNormals {
             d[q + SEPARATION * lanes] =
                     moved
                             + d[o + (GAP + p) * lanes]
-                            + dot(d, q + ARM_B * lanes, lanes, body, b + P + 3)
-                            - dot(d, q + ARM_A * lanes, lanes, body, a + P + 3);
+                            + RowArithmetic.dot(d, q + ARM_B * lanes, lanes, body, b + P + 3)
+                            - RowArithmetic.dot(d, q + ARM_A * lanes, lanes, body, a + P + 3);
         }
-    }
-
-    static double sum(double[] d, int o, int lanes, int points) {
-        double sum = 0;
-        for (int p = 0; p < points; p++) {
-            sum += d[o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes];
-        }
-        return sum;
-    }
-
-    /** The largest impulse of a point. */
-    static double largest(double[] d, int o, int lanes, int points) {
-        double largest = 0;
-        for (int p = 0; p < points; p++) {
-            largest = Math.max(largest, d[o + (POINT + p * POINT_FIELDS + IMPULSE) * lanes]);
-        }
-        return largest;
-    }
-
-    static double dot(double[] d, int o, int lanes, double[] v, int i) {
-        return d[o] * v[i] + d[o + lanes] * v[i + 1] + d[o + 2 * lanes] * v[i + 2];
     }
 
     /** {@code armA.armA' + armB.armB'} of the points at {@code q} and {@code i}. */

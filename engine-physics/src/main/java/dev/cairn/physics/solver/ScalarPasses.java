@@ -15,19 +15,6 @@ interface ScalarPasses extends Sweep {
             int to,
             Scratch scratch);
 
-    /**
-     * The same for rows of islands that start at rest, until they agree; what they then hold is in
-     * the offsets of their points.
-     */
-    void start(
-            ConstraintRows rows,
-            SolverBodies bodies,
-            SubStep sub,
-            StaticStart islands,
-            int from,
-            int to,
-            Scratch scratch);
-
     /** Rolling impulses that a sub-step does not start with, before the bias pass of a range. */
     void calm(ConstraintRows rows, SolverBodies bodies, int from, int to);
 

@@ -72,16 +72,6 @@ final class Scratch {
     /** For rows of floats. */
     final float[] floats = new float[SIZE];
 
-    final RowWindow row = new RowWindow();
-
-    final RenewRow renew = new RenewRow();
-
-    final Landing landing = new Landing();
-
-    final Pivot pivot = new Pivot();
-
-    final DirectSolve direct = new DirectSolve();
-
     Scratch() {
         Arrays.fill(doubles, ONES, ONES + CHUNK, 1.0);
         Arrays.fill(floats, ONES, ONES + CHUNK, 1.0f);

@@ -74,7 +74,7 @@ final class SolverBodies {
     /** Velocities after the warm start. */
     double[] mark = {};
 
-    /** For guided bodies, {@link Glide#STRIDE} to a slot. */
+    /** For guided bodies, {@link MotionRecord#STRIDE} to a slot. */
     double[] glide = {};
 
     /**
@@ -109,7 +109,7 @@ final class SolverBodies {
             root = Arrays.copyOf(root, (n + 1) * ROOT);
             warm = Arrays.copyOf(warm, (n + 1) * HALF);
             mark = Arrays.copyOf(mark, (n + 1) * HALF);
-            glide = Arrays.copyOf(glide, n * Glide.STRIDE);
+            glide = Arrays.copyOf(glide, n * MotionRecord.STRIDE);
             carry = Arrays.copyOf(carry, n * 12);
             guide = Arrays.copyOf(guide, n);
         }

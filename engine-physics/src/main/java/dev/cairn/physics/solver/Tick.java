@@ -7,8 +7,6 @@ import dev.cairn.physics.tuning.Tuning;
 /** What all passes of the tick in work share. Written by the simulation thread between passes. */
 final class Tick {
     final SolverBodies body = new SolverBodies();
-    final StaticStart start = new StaticStart();
-    final DirectIslands direct = new DirectIslands();
 
     /** World, m/s². */
     final double[] gravity = new double[3];

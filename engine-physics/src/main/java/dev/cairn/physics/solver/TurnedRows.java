@@ -65,12 +65,12 @@ final class TurnedRows {
         if (!(d[o + FRICTION * lanes] > 0)) {
             return;
         }
-        double along = ScalarNormals.dot(d, o, lanes, friction, 0);
+        double along = RowArithmetic.dot(d, o, lanes, friction, 0);
         for (int k = 0; k < 3; k++) {
             sum[3 * at + k] += along * d[o + k * lanes];
         }
-        d[o + TOTAL * lanes] = ScalarNormals.dot(d, o + TANGENT1 * lanes, lanes, friction, 0);
-        d[o + (TOTAL + 1) * lanes] = ScalarNormals.dot(d, o + TANGENT2 * lanes, lanes, friction, 0);
+        d[o + TOTAL * lanes] = RowArithmetic.dot(d, o + TANGENT1 * lanes, lanes, friction, 0);
+        d[o + (TOTAL + 1) * lanes] = RowArithmetic.dot(d, o + TANGENT2 * lanes, lanes, friction, 0);
     }
 
     /** End of the tick: turns the normals that are reported, when the rows are stored. */

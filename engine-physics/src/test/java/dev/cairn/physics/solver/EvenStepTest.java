@@ -40,14 +40,14 @@ class EvenStepTest {
         double[] v = bodies.state;
         ScalarNormals.harden(rows.doubles, o, 1, 4, sub, scratch.doubles);
         ScalarNormals.sweep(
-                rows.doubles, o, 1, v, 0, b, 4, 0, LaneKernels.Points.HARD, scratch.doubles);
+                rows.doubles, o, 1, v, 0, b, 4, 0, CommonStep.HARD, scratch.doubles);
         double mean = 0;
         double change = 0;
         for (int p = 0; p < 4; p++) {
             int q = o + ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS;
             double speed =
                     v[b + 1]
-                            + ScalarNormals.dot(
+                            + RowArithmetic.dot(
                                     rows.doubles, q + ConstraintRows.ARM_B, 1, v, b + 3);
             mean += speed / 4;
             double own = rows.doubles[q + ConstraintRows.IMPULSE] - warm[p];
