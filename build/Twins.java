@@ -2,6 +2,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -23,7 +25,7 @@ import java.util.stream.Stream;
  *   <li>the classes of the list get {@code Single} in front of their names.
  * </ul>
  *
- * <p>Arguments: the folder of the package's sources, the folder to write the package to.
+ * <p>Arguments: the folder of the solver's packages, the folder to write its twins to.
  */
 final class Twins {
     private static final List<String> TWINS =
@@ -45,8 +47,8 @@ final class Twins {
                     "ScalarNormals",
                     "ScalarFour",
                     "ScalarFriction",
-                    "Roll",
-                    "Rub",
+                    "RollingFriction",
+                    "PatchFriction",
                     "RowArithmetic",
                     "StartSweep");
 
@@ -74,24 +76,36 @@ final class Twins {
         }
         Path from = Path.of(arguments[0]);
         Path to = Files.createDirectories(Path.of(arguments[1]));
-        clean(to);
-        for (String name : TWINS) {
-            Path file = to.resolve("Single" + name + ".java");
-            String text = twin(Files.readString(from.resolve(name + ".java")));
+        Map<Path, String> texts = new TreeMap<>();
+        try (Stream<Path> files = Files.walk(from)) {
+            for (Path file : files.toList()) {
+                String name = file.getFileName().toString();
+                if (name.endsWith(".java") && TWINS.contains(name.replace(".java", ""))) {
+                    Path twin = to.resolve(from.relativize(file)).resolveSibling("Single" + name);
+                    texts.put(twin, twin(Files.readString(file)));
+                }
+            }
+        }
+        if (texts.size() != TWINS.size()) {
+            throw new IllegalStateException(
+                    "Twins lists " + TWINS.size() + " classes, but found " + texts.keySet());
+        }
+        clean(to, texts);
+        for (Map.Entry<Path, String> twin : texts.entrySet()) {
+            Path file = twin.getKey();
             // an unchanged file keeps its time, so that nothing is compiled for it
-            if (!Files.exists(file) || !Files.readString(file).equals(text)) {
-                Files.writeString(file, text);
+            if (!Files.exists(file) || !Files.readString(file).equals(twin.getValue())) {
+                Files.createDirectories(file.getParent());
+                Files.writeString(file, twin.getValue());
             }
         }
     }
 
-    /** Deletes the twins of classes that are no longer in the list. */
-    private static void clean(Path folder) throws IOException {
-        try (Stream<Path> files = Files.list(folder)) {
-            for (Path file : files.toList()) {
-                String name = file.getFileName().toString();
-                if (name.startsWith("Single")
-                        && TWINS.stream().noneMatch(t -> name.equals("Single" + t + ".java"))) {
+    /** Deletes the twins of classes that are no longer in the list, or elsewhere. */
+    private static void clean(Path folder, Map<Path, String> texts) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                if (!texts.containsKey(file)) {
                     Files.delete(file);
                 }
             }

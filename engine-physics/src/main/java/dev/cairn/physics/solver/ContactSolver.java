@@ -5,6 +5,25 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.solver.body.Motion;
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.body.SolverContext;
+import dev.cairn.physics.solver.direct.DirectIslands;
+import dev.cairn.physics.solver.graph.Batches;
+import dev.cairn.physics.solver.graph.Collector;
+import dev.cairn.physics.solver.graph.Colouring;
+import dev.cairn.physics.solver.kernel.RowSweeps;
+import dev.cairn.physics.solver.kernel.StoreRow;
+import dev.cairn.physics.solver.kernel.Sweeps;
+import dev.cairn.physics.solver.load.LoadSweep;
+import dev.cairn.physics.solver.load.StaticStart;
+import dev.cairn.physics.solver.load.Unloading;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.RowWindow;
+import dev.cairn.physics.solver.row.SubStep;
+import dev.cairn.physics.solver.wide.Lanes;
+import dev.cairn.physics.solver.wide.WideSweeps;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 
@@ -49,7 +68,7 @@ public final class ContactSolver {
     private final Lockstep[] lockstep = new Lockstep[2];
 
     private final SubStep sub = new SubStep();
-    private final Tick tick;
+    private final SolverContext tick;
     private final RowList list;
     private final Colouring colouring = new Colouring();
     private final Batches batches = new Batches();
@@ -92,7 +111,7 @@ public final class ContactSolver {
 
     ContactSolver(Tuning settings, Sweeps floats, Sweeps doubles) {
         sweeps = new Sweeps[] {floats, doubles};
-        tick = new Tick(settings);
+        tick = new SolverContext(settings);
         list =
                 new RowList(
                         floats.lanes(),
@@ -100,8 +119,9 @@ public final class ContactSolver {
                         doubles.lanes(),
                         group(doubles.lanes(), settings));
         for (int k = 0; k < 2; k++) {
-            passes[k] = new Passes(
-                    tick, k == Batches.FLOATS ? list.floats : list.doubles, start, direct);
+            passes[k] =
+                    new Passes(
+                            tick, k == Batches.FLOATS ? list.floats : list.doubles, start, direct);
             lockstep[k] = new Lockstep(passes[k], colouring, batches, narrow[k], k);
         }
     }
@@ -185,7 +205,7 @@ public final class ContactSolver {
 
     /** Lists the contacts, and finds what rests on what. */
     private void load(Jobs jobs) {
-        Tick t = tick;
+        SolverContext t = tick;
         Tuning settings = t.settings;
         boolean stacked =
                 collector.run(
@@ -301,7 +321,7 @@ public final class ContactSolver {
 
     /** Flies the bodies without contacts, loads the others. */
     private void begin(int block, int worker) {
-        Tick t = tick;
+        SolverContext t = tick;
         BodyStore b = t.bodies;
         double[] g = t.gravity;
         double weight = t.weight();

@@ -3,6 +3,11 @@ package dev.cairn.physics.solver;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.solver.graph.Batches;
+import dev.cairn.physics.solver.graph.Colouring;
+import dev.cairn.physics.solver.impact.Impacts;
+import dev.cairn.physics.solver.kernel.Sweeps;
+import dev.cairn.physics.solver.row.SubStep;
 import dev.cairn.physics.tuning.Tunable;
 
 /**

@@ -1,6 +1,32 @@
 package dev.cairn.physics.solver;
 
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.solver.body.Motion;
+import dev.cairn.physics.solver.body.MotionRecord;
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.body.SolverContext;
+import dev.cairn.physics.solver.direct.DirectIslands;
+import dev.cairn.physics.solver.graph.Batches;
+import dev.cairn.physics.solver.kernel.Rescaling;
+import dev.cairn.physics.solver.kernel.ScalarPasses;
+import dev.cairn.physics.solver.kernel.ScalarSweep;
+import dev.cairn.physics.solver.kernel.SingleScalarSweep;
+import dev.cairn.physics.solver.kernel.Sweeps;
+import dev.cairn.physics.solver.load.SingleStartSweep;
+import dev.cairn.physics.solver.load.StartPass;
+import dev.cairn.physics.solver.load.StartSweep;
+import dev.cairn.physics.solver.load.StaticStart;
+import dev.cairn.physics.solver.load.Unloading;
+import dev.cairn.physics.solver.refresh.JacobianRefresh;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.RollingRows;
+import dev.cairn.physics.solver.row.RowPrefetch;
+import dev.cairn.physics.solver.row.Scratch;
+import dev.cairn.physics.solver.row.SubStep;
+import dev.cairn.physics.solver.single.InelasticImpact;
+import dev.cairn.physics.solver.single.PinnedCorner;
+import dev.cairn.physics.solver.single.SingleContact;
+import dev.cairn.physics.solver.single.TrapezoidalCorrection;
 import dev.cairn.physics.tuning.Tunable;
 
 /**
@@ -17,10 +43,10 @@ final class Passes {
     /** Arm over inner radius up to which a landing need not mind it. */
     private static final double SHORT = 0.01;
 
-    final Tick tick;
+    final SolverContext tick;
     final ConstraintRows rows;
     private final SolverBodies body;
-    private final Renewal renewal = new Renewal();
+    private final JacobianRefresh renewal = new JacobianRefresh();
 
     /** What is done row by row. */
     private final ScalarPasses one;
@@ -35,7 +61,7 @@ final class Passes {
      * @param start the islands that begin at rest
      * @param direct the islands that are solved directly
      */
-    Passes(Tick tick, ConstraintRows rows, StaticStart start, DirectIslands direct) {
+    Passes(SolverContext tick, ConstraintRows rows, StaticStart start, DirectIslands direct) {
         this.tick = tick;
         this.rows = rows;
         body = tick.body;
@@ -100,11 +126,12 @@ final class Passes {
             if (rows.isSingle && index == 0) {
                 body.addWarm(i);
             }
-            if (body.guide[i] >= 0 && LoneContact.turns(body.state, i, gain)) {
+            if (body.guide[i] >= 0 && SingleContact.turns(body.state, i, gain)) {
                 land(sub, i, bench);
             }
             if (body.guide[i] >= 0 && renewal.stirs(i)) {
-                Pivot.begin(tick.bodies, body, i, rows, rows.list.place[body.guide[i]], sub.touch);
+                PinnedCorner.begin(
+                        tick.bodies, body, i, rows, rows.list.place[body.guide[i]], sub.touch);
             }
             Motion.kick(tick.bodies, body, i, g[0], g[1], g[2], sub.seconds);
             if (rows.isSingle) {
@@ -116,12 +143,12 @@ final class Passes {
     /** The blow of points that land in this sub-step, of a body on one contact. */
     private void land(SubStep sub, int i, Workbench bench) {
         int row = rows.list.place[body.guide[i]];
-        if (sub.lone == 0 || !Landing.isAwaited(rows, row) || isStruck(sub, i, row)) {
+        if (sub.lone == 0 || !InelasticImpact.isAwaited(rows, row) || isStruck(sub, i, row)) {
             return;
         }
         ConstraintRows window = bench.row.open(rows, row);
         int place = bench.row.place();
-        Landing landing = bench.landing;
+        InelasticImpact landing = bench.landing;
         if (landing.run(tick, window, rows.rolling, place, row, i, sub.seconds, sub.lone)) {
             bench.row.close(rows, row);
         }
@@ -134,8 +161,8 @@ final class Passes {
     private boolean isStruck(SubStep sub, int i, int row) {
         double mass = body.state[SolverBodies.offset(i) + SolverBodies.MASS];
         return rows.rolling.has(row)
-                && rows.rolling.get(row, Rolling.ARM) > SHORT * tick.bodies.innerRadius[i]
-                && Rolling.normal(rows, row) * mass > BLOW * tick.weight() * sub.seconds;
+                && rows.rolling.get(row, RollingRows.ARM) > SHORT * tick.bodies.innerRadius[i]
+                && RollingRows.normal(rows, row) * mass > BLOW * tick.weight() * sub.seconds;
     }
 
     /** Shows the sweeps a body as it is now. */
@@ -157,7 +184,14 @@ final class Passes {
         if (start.found) {
             starts.start(rows, body, sub, start, from, to, bench.scratch);
         }
-        one.settle(rows, body, sub, tick.settings.count(Tunable.UNLOAD_SWEEPS), from, to, bench.scratch);
+        one.settle(
+                rows,
+                body,
+                sub,
+                tick.settings.count(Tunable.UNLOAD_SWEEPS),
+                from,
+                to,
+                bench.scratch);
     }
 
     void bias(Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
@@ -218,7 +252,7 @@ final class Passes {
     void relax(Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
-            bench.scratch.doubles[Scratch.PACKED] = Touch.rows(rows, j, last);
+            bench.scratch.doubles[Scratch.PACKED] = RowPrefetch.rows(rows, j, last);
             sweeps.relax(rows, body, sub, j, last, bench.scratch);
             if (rows.rolling.isUsed) {
                 one.roll(rows, body, j, last);
@@ -284,12 +318,13 @@ final class Passes {
                 continue;
             }
             if (sub.lone > 0) {
-                LoneContact.agree(
+                SingleContact.agree(
                         guides, rows.rolling, body.state, sub, gain, place, row, i, bench.scratch);
                 bench.row.close(rows, row);
             }
             Motion.keep(tick.bodies, body, i);
-            Glide.end(tick.bodies, body, i, guides, rows.rolling, place, row, sub.seconds);
+            TrapezoidalCorrection.end(
+                    tick.bodies, body, i, guides, rows.rolling, place, row, sub.seconds);
         }
     }
 
@@ -304,7 +339,8 @@ final class Passes {
     void storeRows(Sweeps sweeps, SubStep sub, boolean renewed, int from, int to, Workbench bench) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
-            bench.scratch.doubles[Scratch.PACKED] = Touch.results(rows, tick.contacts, j, last);
+            bench.scratch.doubles[Scratch.PACKED] =
+                    RowPrefetch.results(rows, tick.contacts, j, last);
             sweeps.store(rows, body, tick.contacts, sub, j, last, bench.scratch);
             if (rows.rolling.isUsed) {
                 rows.rolling.store(rows, tick.contacts, j, last);

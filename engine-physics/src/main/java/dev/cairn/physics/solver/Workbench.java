@@ -1,11 +1,18 @@
 package dev.cairn.physics.solver;
 
+import dev.cairn.physics.solver.direct.DirectSolve;
+import dev.cairn.physics.solver.refresh.RefreshRow;
+import dev.cairn.physics.solver.row.RowWindow;
+import dev.cairn.physics.solver.row.Scratch;
+import dev.cairn.physics.solver.single.InelasticImpact;
+import dev.cairn.physics.solver.single.PinnedCorner;
+
 /** What a worker has for itself while it solves: scratch, and helpers that hold state. */
 final class Workbench {
     final Scratch scratch = new Scratch();
     final RowWindow row = new RowWindow();
-    final RenewRow renew = new RenewRow();
-    final Landing landing = new Landing();
-    final Pivot pivot = new Pivot();
+    final RefreshRow renew = new RefreshRow();
+    final InelasticImpact landing = new InelasticImpact();
+    final PinnedCorner pivot = new PinnedCorner();
     final DirectSolve direct = new DirectSolve();
 }

@@ -20,11 +20,11 @@
  *     drift    x += h v under load, the parabola without; free rotation, exact or of order 6
  *     renew    levers of now, for rows of bodies that turn or pass each other
  *     relax    normals, hard, without push; then twist and friction at the patch's centre; then
- *              rolling friction, only of rows whose materials have it, see {@code Roll}
+ *              rolling friction, only of rows whose materials have it, see {@code RollingFriction}
  *     direct   after bias and relax: all contacts of a long, slender island at rest together, see
  *              {@code DirectSolve}
  *     finish   what the contacts did is the next warm start; bodies on one static contact: trapezoid,
- *              on one corner of theirs: pinned there, see {@code Pivot}
+ *              on one corner of theirs: pinned there, see {@code PinnedCorner}
  *   store   ─ impulses, totals, and what resting points have learnt of their load
  * </pre>
  *
@@ -55,7 +55,7 @@
  * bodies with stacking" (2003) for impacts before contacts; R. McLachlan, A. Zanna (2005) and E.
  * Hairer, G. Vilmart (2006) for the rotation; M. Powell and M. Hestenes (1969) for the offset; A.
  * Aitken (1926) for the leaps of {@code StaticStart}; M. Silcowitz, S. Niebe, K. Erleben (2010) for
- * solves between sweeps. Figures: {@code docs/solver.md}.
+ * solves between sweeps. How it works: {@code docs/solver.md}; figures: {@code docs/notebook}.
  */
 @NullMarked
 package dev.cairn.physics.solver;

@@ -6,6 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.solver.graph.Batches;
+import dev.cairn.physics.solver.graph.Collector;
+import dev.cairn.physics.solver.graph.Colouring;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.RowList;
 
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;

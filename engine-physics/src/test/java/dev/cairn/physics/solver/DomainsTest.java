@@ -7,6 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.solver.graph.Batches;
+import dev.cairn.physics.solver.graph.Domains;
+import dev.cairn.physics.solver.row.RowList;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 

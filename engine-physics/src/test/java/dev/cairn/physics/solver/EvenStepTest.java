@@ -3,6 +3,16 @@ package dev.cairn.physics.solver;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.kernel.CommonStep;
+import dev.cairn.physics.solver.kernel.PrepareRow;
+import dev.cairn.physics.solver.kernel.RowArithmetic;
+import dev.cairn.physics.solver.kernel.ScalarNormals;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.Scratch;
+import dev.cairn.physics.solver.row.SubStep;
+
 import org.junit.jupiter.api.Test;
 
 /**
@@ -39,8 +49,7 @@ class EvenStepTest {
         int o = rows.base(0);
         double[] v = bodies.state;
         ScalarNormals.harden(rows.doubles, o, 1, 4, sub, scratch.doubles);
-        ScalarNormals.sweep(
-                rows.doubles, o, 1, v, 0, b, 4, 0, CommonStep.HARD, scratch.doubles);
+        ScalarNormals.sweep(rows.doubles, o, 1, v, 0, b, 4, 0, CommonStep.HARD, scratch.doubles);
         double mean = 0;
         double change = 0;
         for (int p = 0; p < 4; p++) {

@@ -7,6 +7,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.kernel.RowSweeps;
+import dev.cairn.physics.solver.kernel.Sweeps;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.Scratch;
+import dev.cairn.physics.solver.row.SubStep;
+import dev.cairn.physics.solver.wide.Lanes;
+import dev.cairn.physics.solver.wide.WideSweeps;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 

@@ -165,7 +165,7 @@ final class Invariance {
         /** The two settings that are speeds. */
         private static PhysicsSettings scaled(PhysicsSettings s, double speed) {
             return s.withRestitutionThreshold(s.restitutionThreshold() * speed)
-                    .with(Tunable.PUSH_SPEED, s.pushSpeed() * speed);
+                    .with(Tunable.PUSH_SPEED, s.tuning().get(Tunable.PUSH_SPEED) * speed);
         }
 
         private static Material surface() {

@@ -1,0 +1,57 @@
+package dev.cairn.physics.solver.body;
+
+import static dev.cairn.physics.solver.body.SolverBodies.V;
+
+/**
+ * How a guided body, whose only contact is with what does not move, came through a sub-step: what a
+ * correction at its end, when the impulses are known, starts from.
+ */
+public final class MotionRecord {
+    /**
+     * Doubles to a body of {@link SolverBodies#glide}, world: velocity at the start; velocity that
+     * moved it; angular velocity at the start, then what was added to it before the body turned;
+     * angular velocity after the turn; then what a pinned corner needs.
+     */
+    public static final int STRIDE = 24;
+
+    /** Movement, angular velocity and orientation at the start. */
+    public static final int START = 12;
+
+    /** The point that it stands on, or -1. */
+    public static final int CORNER = 22;
+
+    /** 1 if an impact has put the start of its path elsewhere. */
+    public static final int STRUCK = 23;
+
+    private MotionRecord() {}
+
+    /** Start of a sub-step, before forces. */
+    static void begin(SolverBodies s, int i) {
+        int o = SolverBodies.offset(i) + V;
+        int g = STRIDE * i;
+        for (int axis = 0; axis < 3; axis++) {
+            s.glide[g + axis] = s.state[o + axis];
+            s.glide[g + 6 + axis] = s.world(i, o + 3, axis);
+        }
+    }
+
+    /** Before the body turns: the velocity that moves it. */
+    static void moves(SolverBodies s, int i, double vx, double vy, double vz) {
+        int o = SolverBodies.offset(i) + V + 3;
+        int g = STRIDE * i;
+        s.glide[g + 3] = vx;
+        s.glide[g + 4] = vy;
+        s.glide[g + 5] = vz;
+        for (int axis = 0; axis < 3; axis++) {
+            s.glide[g + 6 + axis] = s.world(i, o, axis) - s.glide[g + 6 + axis];
+        }
+    }
+
+    /** After the body has turned. */
+    static void turned(SolverBodies s, int i) {
+        int o = SolverBodies.offset(i) + V + 3;
+        for (int axis = 0; axis < 3; axis++) {
+            s.glide[STRIDE * i + 9 + axis] = s.world(i, o, axis);
+        }
+    }
+}

@@ -1,0 +1,373 @@
+package dev.cairn.physics.solver.graph;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.island.Islands;
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.tuning.Tunable;
+
+import java.util.Arrays;
+
+/**
+ * Cuts the contacts of a tick into batches that share no body that moves, so that a worker takes a
+ * batch through the whole tick on its own.
+ *
+ * <p>Problem: in lockstep all contacts of a scene stream through the caches in each of the passes,
+ * and the workers wait for each other after each colour of each pass. Islands do not see each
+ * other; the rows of one that fits the cache stay there for all sub-steps, and nobody waits. So
+ * islands are gathered into batches, in the order of their smallest slot, up to {@link #WANTED}
+ * rows; what one worker should not have alone goes to batch 0, which all workers solve in lockstep.
+ * Islands of more than {@link #LARGEST} rows are cut into {@link Domains}, a batch each, with the
+ * contacts between these in batch 0. A batch has islands whose rows are of one precision, and there
+ * is a batch in lockstep with domains for each precision.
+ *
+ * <p>The order in which the contacts of an island are solved is the same in both, and so are the
+ * bits: the cut may depend on the number of workers. Simulation thread; allocates only when a store
+ * has grown.
+ */
+public final class Batches {
+    /**
+     * Rows up to which small islands are put together: some 700 bytes each in a cache of 512 KiB.
+     */
+    static final int WANTED = 320;
+
+    /** A larger island is cut into domains. */
+    private static final int LARGEST = Tunable.LARGE_ISLAND - 1;
+
+    /** Kinds of rows, in the order of their batches. */
+    public static final int FLOATS = 0;
+
+    public static final int DOUBLES = 1;
+
+    /** In {@link #tally}: the island is cut into domains. */
+    private static final int CUT = -1;
+
+    private final Islands islands = new Islands();
+
+    /** Whether islands are those of the contacts that were cut last. */
+    private boolean knowsIslands;
+
+    private final Domains domains = new Domains();
+
+    /** Batches, those in lockstep and the domains included. */
+    public int count;
+
+    /** By kind of rows: the batch in lockstep, its domains after it; the first alone. */
+    private final int[] lockstep = new int[2];
+
+    private final int[] alone = new int[2];
+
+    /** An empty batch, after those whose rows are floats, before those of doubles. */
+    public int divider;
+
+    /** By slot of a body with contacts: whether its rows are floats. */
+    public boolean[] isSingle = {};
+
+    private int floatsFrom;
+
+    /** By domain: its batch. */
+    private int[] batchOfDomain = {};
+
+    /** Bodies with contacts, by batch and then by slot; where those of each batch start. */
+    public int[] order = {};
+
+    public int[] firstBody = new int[2];
+
+    /** Bodies with contacts, by slot. */
+    public int[] bound = {};
+
+    public int boundCount;
+
+    /** By slot: rows of the island whose smallest slot it is, then its batch. */
+    private int[] tally = {};
+
+    /** By row: its batch; by batch: where its rows start in {@link #byBatch}. */
+    private int[] batchOf = {};
+
+    public int[] firstRow = new int[2];
+
+    /** Rows by batch, in their order. */
+    public int[] byBatch = {};
+
+    private void ensureCapacity(int slots, int rows) {
+        if (order.length < slots) {
+            int n = Math.max(slots, order.length + (order.length >> 1));
+            order = new int[n];
+            bound = new int[n];
+            tally = new int[n];
+            isSingle = new boolean[n];
+        }
+        islands.ensureSlots(order.length);
+        if (byBatch.length < rows) {
+            int n = Math.max(rows, Math.max(64, byBatch.length + (byBatch.length >> 1)));
+            byBatch = new int[n];
+            batchOf = new int[n];
+        }
+        int most = Math.max(order.length, byBatch.length) + 4;
+        if (firstBody.length < most) {
+            firstBody = new int[most];
+            firstRow = new int[most];
+            batchOfDomain = new int[most];
+        }
+    }
+
+    /**
+     * Cuts the rows.
+     *
+     * @param guide tells who has contacts
+     * @param together whether all are to be solved in lockstep
+     * @param workers that take part
+     * @param floatsFrom rows of an island that are floats if there are as many
+     */
+    public void cut(
+            BodyStore bodies,
+            ContactStore contacts,
+            RowList list,
+            int[] guide,
+            boolean together,
+            int workers,
+            int floatsFrom) {
+        this.floatsFrom = floatsFrom;
+        ensureCapacity(bodies.slotCount, list.source.length);
+        boundCount = 0;
+        for (int i = 0; i < bodies.slotCount; i++) {
+            if (guide[i] != SolverBodies.FREE) {
+                bound[boundCount++] = i;
+            }
+        }
+        boolean isOne = floatsFrom == 0 || list.count < floatsFrom;
+        if (isOne && list.count <= (together ? LARGEST : WANTED)) {
+            whole(list, isSingle(list.count) ? FLOATS : DOUBLES, together);
+            knowsIslands = false;
+            return;
+        }
+        knowsIslands = false;
+        islands(bodies, contacts);
+        gather(bodies, contacts, list, together, workers);
+    }
+
+    private void gather(
+            BodyStore bodies, ContactStore contacts, RowList list, boolean together, int workers) {
+        tally(bodies, contacts, list);
+        for (int k = 0; k < boundCount; k++) {
+            isSingle[bound[k]] = isSingle(tally[islands.root(bound[k])]);
+        }
+        cutLarge(bodies, contacts, list);
+        // an island that would keep one worker busy while the others wait is for all
+        int share = workers == 1 ? LARGEST : list.count / (2 * workers);
+        int largest = Math.max(WANTED, Math.min(LARGEST, share));
+        count = 0;
+        number(FLOATS, together, largest);
+        divider = count++;
+        number(DOUBLES, together, largest);
+        for (int m = 0; m < list.count; m++) {
+            list.isSingle[m] = isSingle[batchOf[m]];
+            int batch = tally[batchOf[m]];
+            batchOf[m] = batch == CUT ? domain(bodies, contacts, list.source[m]) : batch;
+        }
+        sortRows(list);
+        sortBodies();
+    }
+
+    /** All in one batch. */
+    private void whole(RowList list, int kind, boolean together) {
+        count = 0;
+        int target = 0;
+        for (int k = FLOATS; k <= DOUBLES; k++) {
+            target = k == kind ? count : target;
+            lockstep[k] = count++;
+            alone[k] = count;
+            if (k == kind && !together) {
+                target = count++;
+            }
+            if (k == FLOATS) {
+                divider = count++;
+            }
+        }
+        System.arraycopy(bound, 0, order, 0, boundCount);
+        for (int k = 0; k < boundCount; k++) {
+            isSingle[bound[k]] = kind == FLOATS;
+        }
+        for (int m = 0; m < list.count; m++) {
+            byBatch[m] = m;
+            batchOf[m] = target;
+            list.isSingle[m] = kind == FLOATS;
+        }
+        for (int b = 0; b <= count; b++) {
+            firstRow[b] = b <= target ? 0 : list.count;
+            firstBody[b] = b <= target ? 0 : boundCount;
+        }
+    }
+
+    /** Counts the rows of each island. */
+    private void tally(BodyStore bodies, ContactStore contacts, RowList list) {
+        for (int k = 0; k < boundCount; k++) {
+            tally[bound[k]] = 0;
+        }
+        for (int m = 0; m < list.count; m++) {
+            int c = list.source[m];
+            int a = contacts.bodyA[c];
+            int root = islands.root(bodies.kind[a] == BodyStore.DYNAMIC ? a : contacts.bodyB[c]);
+            batchOf[m] = root;
+            tally[root]++;
+        }
+    }
+
+    /** Whether the rows of an island are floats. */
+    private boolean isSingle(int islandRows) {
+        return islandRows >= floatsFrom;
+    }
+
+    /** Cuts what is too large. */
+    private void cutLarge(BodyStore bodies, ContactStore contacts, RowList list) {
+        boolean cuts = false;
+        for (int k = 0; k < boundCount; k++) {
+            if (tally[bound[k]] > LARGEST) {
+                tally[bound[k]] = CUT;
+                cuts = true;
+            }
+        }
+        domains.count = 0;
+        if (cuts) {
+            domains.cut(
+                    bodies,
+                    contacts,
+                    list,
+                    islands,
+                    batchOf,
+                    tally,
+                    CUT,
+                    isSingle,
+                    bound,
+                    boundCount);
+        }
+    }
+
+    /** Numbers the batches of one kind: the one in lockstep, its domains, those of islands. */
+    private void number(int kind, boolean together, int largest) {
+        lockstep[kind] = count++;
+        for (int d = 0; d < domains.count; d++) {
+            if (kindOf(domains.seed[d]) == kind) {
+                batchOfDomain[d] = count++;
+            }
+        }
+        alone[kind] = count;
+        assign(kind, together, largest);
+    }
+
+    /** Kind of rows of a body with contacts. */
+    public int kindOf(int slot) {
+        return isSingle[slot] ? FLOATS : DOUBLES;
+    }
+
+    /** The batch in lockstep of one kind; its domains follow. */
+    public int lockstep(int kind) {
+        return lockstep[kind];
+    }
+
+    /** The first of the batches of a kind that one worker has alone. */
+    public int alone(int kind) {
+        return alone[kind];
+    }
+
+    /** End of the batches of a kind that one worker has alone. */
+    public int end(int kind) {
+        return kind == FLOATS ? divider : count;
+    }
+
+    private void assign(int kind, boolean together, int largest) {
+        int open = 0;
+        int openRows = WANTED;
+        for (int k = 0; k < boundCount; k++) {
+            int i = bound[k];
+            if (islands.root(i) != i || tally[i] == CUT || kindOf(i) != kind) {
+                continue;
+            }
+            int n = tally[i];
+            if (together || n > largest) {
+                tally[i] = lockstep[kind];
+                continue;
+            }
+            if (openRows + n > WANTED) {
+                open = count++;
+                openRows = 0;
+            }
+            openRows += n;
+            tally[i] = open;
+        }
+    }
+
+    /** The batch of a contact within a domain; that in lockstep for one between two of them. */
+    private int domain(BodyStore bodies, ContactStore contacts, int c) {
+        int a = contacts.bodyA[c];
+        int b = contacts.bodyB[c];
+        if (bodies.kind[a] != BodyStore.DYNAMIC) {
+            return batchOfDomain[domains.of[b]];
+        }
+        if (bodies.kind[b] != BodyStore.DYNAMIC) {
+            return batchOfDomain[domains.of[a]];
+        }
+        int batch = batchOfDomain[domains.of[a]];
+        return domains.of[a] == domains.of[b] ? batch : lockstep[kindOf(a)];
+    }
+
+    private void sortRows(RowList list) {
+        Arrays.fill(firstRow, 0, count + 1, 0);
+        for (int m = 0; m < list.count; m++) {
+            firstRow[batchOf[m] + 1]++;
+        }
+        for (int b = 0; b < count; b++) {
+            firstRow[b + 1] += firstRow[b];
+        }
+        for (int m = 0; m < list.count; m++) {
+            byBatch[firstRow[batchOf[m]]++] = m;
+        }
+        shift(firstRow);
+    }
+
+    private void sortBodies() {
+        Arrays.fill(firstBody, 0, count + 1, 0);
+        for (int k = 0; k < boundCount; k++) {
+            firstBody[batchOfBody(bound[k]) + 1]++;
+        }
+        for (int b = 0; b < count; b++) {
+            firstBody[b + 1] += firstBody[b];
+        }
+        for (int k = 0; k < boundCount; k++) {
+            order[firstBody[batchOfBody(bound[k])]++] = bound[k];
+        }
+        shift(firstBody);
+    }
+
+    private int batchOfBody(int slot) {
+        int batch = tally[islands.root(slot)];
+        return batch == CUT ? batchOfDomain[domains.of[slot]] : batch;
+    }
+
+    /** The islands of the contacts that were cut last, which are still those of the store. */
+    public Islands islands(BodyStore bodies, ContactStore contacts) {
+        if (!knowsIslands) {
+            islands.build(bodies, contacts, bound, boundCount);
+            knowsIslands = true;
+        }
+        return islands;
+    }
+
+    /** The batch of a row. */
+    public int batchOfRow(int m) {
+        return batchOf[m];
+    }
+
+    /** Whether a row is in a batch in lockstep. */
+    boolean isLockstep(int m) {
+        int batch = batchOf[m];
+        return batch == lockstep[batch < divider ? FLOATS : DOUBLES];
+    }
+
+    /** Ends become starts again. */
+    private void shift(int[] first) {
+        System.arraycopy(first, 0, first, 1, count);
+        first[0] = 0;
+    }
+}

@@ -1,0 +1,311 @@
+package dev.cairn.physics.solver.impact;
+
+import static dev.cairn.physics.solver.row.ConstraintRows.COUNT;
+import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
+import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
+import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
+import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
+import static dev.cairn.physics.solver.row.ConstraintRows.REACH;
+import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
+import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.solver.body.AxisLocks;
+import dev.cairn.physics.solver.body.MotionRecord;
+import dev.cairn.physics.solver.body.Rotation;
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.kernel.ScalarFriction;
+import dev.cairn.physics.solver.kernel.WarmStart;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.RowWindow;
+
+import java.util.Arrays;
+
+/**
+ * Impacts that bounce, before the contacts of a sub-step are solved.
+ *
+ * <p>A contact with restitution {@code e > 0} whose surfaces meet within the sub-step at time
+ * {@code t}, faster than the threshold, takes its impulse at that time: Newton's law for all points
+ * of the manifold that touch then, {@code v'_i >= -e v_i}, solved to convergence, and then friction
+ * bounded by that impulse. The speed is the one at the impact, {@code v_i = -sqrt(v² - 2 a s)}, so
+ * gravity within the sub-step neither adds nor takes energy. A velocity change {@code dv} at time t
+ * is the same path as a change now and a shift of the start by {@code -t dv}: so the rest of the
+ * sub-step is flown without a loss of time, and impacts may follow each other in any order. The
+ * contact solver then finds the contact parting, and adds only what other bodies press onto it; so
+ * it does with what still closes after the last round, without a bounce.
+ *
+ * <p>With one restitution for a manifold, the law never adds energy: {@code dE = (1 - e)/2 l.v <=
+ * 0}.
+ */
+public final class Impacts {
+    private static final int ROUNDS = 16;
+
+    /** Few contacts may take more rounds, up to so many visits of a contact in a sub-step. */
+    private static final int VISITS = 16384;
+
+    /**
+     * Points within this share of the patch's radius of the surface at the time of impact take part
+     * in it.
+     */
+    public static final double FLUSH = 0.005;
+
+    /**
+     * Share of a gap that is rounding, by precision: what the contact solver would take for a
+     * contact must be an impact here.
+     */
+    public static final double SOON = 1e-9;
+
+    static final double SOON_SINGLE = 1e-6;
+
+    private final double[] acceleration = new double[6];
+    private final BallImpacts balls = new BallImpacts(this);
+
+    /** By slot: time of the body's last impact in this sub-step, s. */
+    private double[] since = {};
+
+    /** Velocities of both bodies before the impact. */
+    private final double[] before = new double[12];
+
+    private final MultiPointImpact blow = new MultiPointImpact();
+
+    private double soon;
+    private final RowWindow window = new RowWindow();
+    private ConstraintRows rows = new RowList().doubles;
+
+    // the contact in work
+    private ConstraintRows look = rows;
+    private SolverBodies bodies = new SolverBodies();
+    private BodyStore store = new BodyStore();
+    private double[] d = {};
+    private double[] body = {};
+    private int place;
+    private int o;
+    private int lanes;
+    private int a;
+    private int b;
+    private int points;
+
+    /**
+     * Handles all impacts of one sub-step, in row order, until none is left.
+     *
+     * @return whether there was one: bodies have moved
+     */
+    public boolean run(
+            ConstraintRows constraintRows,
+            SolverBodies solverBodies,
+            BodyStore bodyStore,
+            ContactStore contacts,
+            double[] g,
+            double h,
+            double threshold) {
+        rows = constraintRows;
+        bodies = solverBodies;
+        store = bodyStore;
+        body = bodies.state;
+        soon = rows.isSingle ? SOON_SINGLE : SOON;
+        balls.begin(constraintRows, solverBodies, bodyStore, contacts, g, h, threshold);
+        if (since.length < bodyStore.slotCount) {
+            since = new double[bodyStore.kind.length];
+        }
+        Arrays.fill(since, 0, bodyStore.slotCount, 0.0);
+        int n = rows.bouncing;
+        boolean any = false;
+        boolean again = n > 0;
+        int rounds = n == 0 ? 0 : Math.max(ROUNDS, VISITS / n);
+        for (int round = 0; again && round < rounds; round++) {
+            again = false;
+            for (int k = 0; k < n; k++) {
+                int row = rows.bouncer[k];
+                if (balls.isPair(row)) {
+                    again |= balls.visit(k);
+                } else {
+                    open(row);
+                    boolean met =
+                            impact(contacts.restitution[rows.list.source[row]], g, h, threshold);
+                    if (met) {
+                        window.close(rows, rows.list.place[row]);
+                        int at = rows.list.place[row];
+                        rows.rolling.drop(rows, bodies.warm, at, at);
+                    }
+                    again |= met;
+                }
+            }
+            any |= again;
+        }
+        return any;
+    }
+
+    /** End of the tick, when the rows are stored. */
+    public void report() {
+        balls.report();
+    }
+
+    private void open(int row) {
+        look = window.open(rows, rows.list.place[row]);
+        place = window.place();
+        d = look.doubles;
+        lanes = look.lanes;
+        o = look.base(place);
+        a = look.link[place * LINK];
+        b = look.link[place * LINK + 1];
+        points = look.link[place * LINK + COUNT];
+        blow.open(look, place, body);
+    }
+
+    private boolean impact(double restitution, double[] g, double h, double threshold) {
+        accelerate(a, g, acceleration, 0);
+        accelerate(b, g, acceleration, 3);
+        double[] f = acceleration;
+        double an =
+                d[o] * (f[3] - f[0])
+                        + d[o + lanes] * (f[4] - f[1])
+                        + d[o + 2 * lanes] * (f[5] - f[2]);
+        double time = Double.POSITIVE_INFINITY;
+        double radius = 0;
+        for (int p = 0; p < points; p++) {
+            time = Math.min(time, timeOfImpact(blow.gap(p), blow.speed(p), an, h, threshold));
+            radius = Math.max(radius, d[o + (REACH + p) * lanes]);
+        }
+        if (time == Double.POSITIVE_INFINITY) {
+            return false;
+        }
+        double flush = FLUSH * radius;
+        for (int p = 0; p < points; p++) {
+            double v = blow.speed(p);
+            double now = blow.gap(p);
+            double at = now + time * (v + 0.5 * time * an);
+            blow.goal[p] =
+                    at <= flush + soon * now
+                            ? Math.max(0, -restitution * (v + time * an))
+                            : Double.NaN;
+        }
+        strike(time, time * an);
+        return true;
+    }
+
+    /**
+     * Root of {@code s + v t + a t²/2}, or infinity where the surfaces do not meet faster than the
+     * threshold.
+     *
+     * <p>The contact solver foresees the movement {@code h (v + h a)}, a little more than the path
+     * itself; what it would stop is an impact of this sub-step, though the root may lie a little
+     * beyond its end.
+     */
+    private double timeOfImpact(double s, double v, double a, double h, double threshold) {
+        if (v >= 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (s <= 0) {
+            return v < -threshold ? 0 : Double.POSITIVE_INFINITY;
+        }
+        if (s + h * (v + h * a) > soon * s) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double square = v * v - 2 * a * s;
+        if (!(square > threshold * threshold)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return 2 * s / (Math.sqrt(square) - v);
+    }
+
+    /**
+     * Acceleration of a body between impacts: its own when it flies, none while contacts carry it.
+     */
+    void accelerate(int at, double[] g, double[] destination, int out) {
+        double m = 0;
+        double k = 0;
+        if (body[at + SolverBodies.MASS] > 0 && body[at + SolverBodies.LOADED] == 0) {
+            m = body[at + SolverBodies.MASS];
+            k = body[at + SolverBodies.GRAVITY];
+        }
+        int slot = Math.max(0, SolverBodies.slot(at));
+        k *= store.gravityScale[slot];
+        destination[out] = k * g[0] + m * store.forceX[slot];
+        destination[out + 1] = k * g[1] + m * store.forceY[slot];
+        destination[out + 2] = k * g[2] + m * store.forceZ[slot];
+    }
+
+    /**
+     * The impulses of one impact, {@code early} the speed that acceleration adds until then, and
+     * the shift of the start. The contact starts the sub-step without impulses.
+     */
+    private void strike(double time, double early) {
+        System.arraycopy(body, a, before, 0, 6);
+        System.arraycopy(body, b, before, 6, 6);
+        WarmStart.addNormals(look, bodies.warm, place, o, -1);
+        WarmStart.addFriction(look, bodies.warm, place, o, -1);
+        for (int p = 0; p < points; p++) {
+            d[blow.point(p) + IMPULSE * lanes] = 0;
+        }
+        for (int k = 0; k < 3; k++) {
+            d[o + (LAMBDA + k) * lanes] = 0;
+        }
+        blow.uniform(early);
+        blow.newton(early);
+        for (int p = 0; p < points; p++) {
+            d[o + (SUM + p) * lanes] += d[blow.point(p) + IMPULSE * lanes];
+        }
+        if (d[o + FRICTION * lanes] > 0) {
+            ScalarFriction.rub(d, o, lanes, body, a, b, points);
+            for (int k = 0; k < 3; k++) {
+                d[o + (TOTAL + k) * lanes] += d[o + (LAMBDA + k) * lanes];
+                d[o + (LAMBDA + k) * lanes] = 0;
+            }
+        }
+        for (int p = 0; p < points; p++) {
+            d[blow.point(p) + IMPULSE * lanes] = 0;
+        }
+        AxisLocks.lock(store, bodies.state, a);
+        AxisLocks.lock(store, bodies.state, b);
+        shift(a, before, 0, time);
+        shift(b, before, 6, time);
+    }
+
+    /**
+     * Moves the start of a body's path back by {@code time} times its change of velocity.
+     *
+     * @param old holds the velocities before, at {@code q}
+     */
+    public void shift(int at, double[] old, int q, double time) {
+        if (at == 0) {
+            return;
+        }
+        since[SolverBodies.slot(at)] = time;
+        shift(store, bodies, at, old, q, time);
+    }
+
+    /** The same, for who keeps no time of impacts. */
+    public static void shift(
+            BodyStore store, SolverBodies bodies, int at, double[] old, int q, double time) {
+        double[] body = bodies.state;
+        if (!(time > 0)) {
+            return;
+        }
+        bodies.glide[MotionRecord.STRIDE * SolverBodies.slot(at) + MotionRecord.STRUCK] = 1;
+        int p = at + SolverBodies.P;
+        double tu = -time * (body[at + 3] - old[q + 3]);
+        double tv = -time * (body[at + 4] - old[q + 4]);
+        double tw = -time * (body[at + 5] - old[q + 5]);
+        body[p] -= time * (body[at] - old[q]);
+        body[p + 1] -= time * (body[at + 1] - old[q + 1]);
+        body[p + 2] -= time * (body[at + 2] - old[q + 2]);
+        body[p + 3] += tu;
+        body[p + 4] += tv;
+        body[p + 5] += tw;
+        int k = (at >> 4) * SolverBodies.ROOT;
+        double[] r = bodies.root;
+        Rotation.turn(
+                store,
+                SolverBodies.slot(at),
+                r[k] * tu + r[k + 1] * tv + r[k + 2] * tw,
+                r[k + 3] * tu + r[k + 4] * tv + r[k + 5] * tw,
+                r[k + 6] * tu + r[k + 7] * tv + r[k + 8] * tw);
+    }
+
+    /** Time of the last impact of the body at {@code at} in this sub-step; 0 if there was none. */
+    double since(int at) {
+        return at == 0 ? 0 : since[SolverBodies.slot(at)];
+    }
+}

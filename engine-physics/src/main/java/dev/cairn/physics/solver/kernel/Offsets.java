@@ -1,0 +1,96 @@
+package dev.cairn.physics.solver.kernel;
+
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.SubStep;
+
+/**
+ * The offset that removes sag: the outer loop of an augmented Lagrangian, once a tick.
+ *
+ * <p>A soft contact holds the load {@code l} only with the overlap {@code l / k}. While a point
+ * rests, a small share of its overlap moves into an offset of its separation, kept as the load
+ * {@code k offset} that it stands for, so that it stays right when the effective mass changes. The
+ * point ends with no overlap and an offset that holds its whole load. One-sided: it never pulls.
+ * While a point moves, the offset fades; when it opens, fast.
+ *
+ * <p>Source: own study; the idea is Powell's and Hestenes' method of multipliers (1969).
+ */
+public final class Offsets {
+    /**
+     * What is left of an offset after a tick with an open point, and after one with a moving one.
+     */
+    public static final double OPEN = 0.5;
+
+    public static final double MOVING = 0.98;
+
+    private Offsets() {}
+
+    /** Writes the preloads of contact {@code c}, the row at place {@code j}, for the next tick. */
+    static void update(
+            ConstraintRows rows, double[] body, ContactStore contacts, int c, int j, SubStep sub) {
+        double gain = sub.offsetGain;
+        double still = sub.still;
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        int o = rows.base(j);
+        int a = rows.link[j * ConstraintRows.LINK];
+        int b = rows.link[j * ConstraintRows.LINK + 1];
+        double vx = body[b] - body[a];
+        double vy = body[b + 1] - body[a + 1];
+        double vz = body[b + 2] - body[a + 2];
+        boolean rests = slip(d, o, lanes, body, a, b, vx, vy, vz) < still;
+        double vn = vx * d[o] + vy * d[o + lanes] + vz * d[o + 2 * lanes];
+        double stiffness = sub.stiffness(a == 0 || b == 0);
+        for (int i = 0; i < contacts.pointCount[c]; i++) {
+            int p = ContactStore.POINTS * c + i;
+            int q = o + (ConstraintRows.POINT + i * ConstraintRows.POINT_FIELDS) * lanes;
+            double impulse = d[q + ConstraintRows.IMPULSE * lanes];
+            double gap = contacts.separation[p];
+            double k = d[q + ConstraintRows.MASS * lanes] * stiffness;
+            double known = k * (gap - d[o + (ConstraintRows.GAP + i) * lanes]);
+            double speed =
+                    vn
+                            + RowArithmetic.dot(
+                                    d, q + ConstraintRows.ARM_B * lanes, lanes, body, b + 3)
+                            - RowArithmetic.dot(
+                                    d, q + ConstraintRows.ARM_A * lanes, lanes, body, a + 3);
+            if (impulse > 0 && rests && Math.abs(speed) < still) {
+                known -= k * ((gap < 0 ? gap : 0) * gain);
+            } else {
+                known *= impulse == 0 && gap > 0 ? OPEN : MOVING;
+            }
+            contacts.preload[p] = known > 0 ? known : 0;
+        }
+    }
+
+    private static double slip(
+            double[] d,
+            int o,
+            int lanes,
+            double[] body,
+            int a,
+            int b,
+            double x,
+            double y,
+            double z) {
+        if (!(d[o + ConstraintRows.FRICTION * lanes] > 0)) {
+            return 0;
+        }
+        int t1 = o + ConstraintRows.TANGENT1 * lanes;
+        int t2 = o + ConstraintRows.TANGENT2 * lanes;
+        int v = o + ConstraintRows.LEVER * lanes;
+        double s1 =
+                x * d[t1]
+                        + y * d[t1 + lanes]
+                        + z * d[t1 + 2 * lanes]
+                        + RowArithmetic.dot(d, v + 6 * lanes, lanes, body, b + 3)
+                        - RowArithmetic.dot(d, v, lanes, body, a + 3);
+        double s2 =
+                x * d[t2]
+                        + y * d[t2 + lanes]
+                        + z * d[t2 + 2 * lanes]
+                        + RowArithmetic.dot(d, v + 9 * lanes, lanes, body, b + 3)
+                        - RowArithmetic.dot(d, v + 3 * lanes, lanes, body, a + 3);
+        return Math.sqrt(s1 * s1 + s2 * s2);
+    }
+}

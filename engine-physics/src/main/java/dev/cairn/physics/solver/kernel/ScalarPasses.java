@@ -1,0 +1,31 @@
+package dev.cairn.physics.solver.kernel;
+
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.Scratch;
+import dev.cairn.physics.solver.row.SubStep;
+
+/** What is done to rows one by one only. */
+public interface ScalarPasses extends Sweep {
+    /**
+     * Hard normals and friction of the rows that are marked as unloaded, over and over; no totals:
+     * the sweeps only correct the first guess of the sub-step.
+     */
+    void settle(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            SubStep sub,
+            int rounds,
+            int from,
+            int to,
+            Scratch scratch);
+
+    /** Rolling impulses that a sub-step does not start with, before the bias pass of a range. */
+    void calm(ConstraintRows rows, SolverBodies bodies, int from, int to);
+
+    /** Rolling friction of a range of rows of one colour, after their relax pass. */
+    void roll(ConstraintRows rows, SolverBodies bodies, int from, int to);
+
+    /** Brings the separations of all rows up to date with the bodies. */
+    void separate(ConstraintRows rows, SolverBodies bodies);
+}

@@ -1,0 +1,186 @@
+package dev.cairn.physics.solver.kernel;
+
+import static dev.cairn.physics.solver.body.SolverBodies.LOADED;
+import static dev.cairn.physics.solver.body.SolverBodies.MASS;
+import static dev.cairn.physics.solver.kernel.CommonStep.HARD;
+import static dev.cairn.physics.solver.kernel.CommonStep.NONE;
+import static dev.cairn.physics.solver.kernel.CommonStep.SOFT;
+import static dev.cairn.physics.solver.row.ConstraintRows.COLD;
+import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
+import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
+
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.Scratch;
+import dev.cairn.physics.solver.row.SubStep;
+
+/**
+ * The sweeps in scalar arithmetic: what runs without the Vector API, and what the wide ones are
+ * held to, bit by bit.
+ *
+ * <p>With {@code s} the separation now, {@code vn} the speed of separation, {@code m} the effective
+ * mass, a normal impulse changes by {@code dl = -m (massScale vn + b) - impulseScale l; l' = max(l
+ * + dl, 0)}. A gap closes at most to zero ({@code b = s/h}, hard); overlap is soft with {@code b =
+ * max(massScale biasRate s, -pushSpeed)} in the bias pass, and {@code b = 0}, hard, in the relax
+ * pass. There an open gap without an impulse is the next sub-step's matter: impacts want the speed
+ * as it is.
+ *
+ * <p>Source: E. Catto, Soft Step solver (2023).
+ */
+public final class ScalarSweep implements ScalarPasses {
+    @Override
+    public void bias(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            SubStep sub,
+            int from,
+            int to,
+            Scratch scratch) {
+        double[] d = rows.doubles;
+        double[] st = scratch.doubles;
+        double[] body = bodies.state;
+        int[] link = rows.link;
+        int lanes = rows.lanes;
+        for (int j = from; j < to; j++) {
+            int l = j * LINK;
+            int n = link[l + ConstraintRows.COUNT];
+            if (n == 0) {
+                continue;
+            }
+            int o = rows.base(j);
+            int a = link[l];
+            int b = link[l + 1];
+            boolean fixed = body[a + MASS] == 0 || body[b + MASS] == 0;
+            boolean cold = RowArithmetic.sum(d, o, lanes, n) == 0;
+            d[o + COLD * lanes] = cold ? 1 : 0;
+            ScalarNormals.soften(d, o, lanes, n, fixed, sub, st);
+            boolean moved = ScalarNormals.sweep(d, o, lanes, body, a, b, n, sub.sweeps, SOFT, st);
+            int more = sub.landing - sub.sweeps;
+            if (cold && moved && more > 0) {
+                ScalarNormals.soften(d, o, lanes, n, fixed, sub, st);
+                ScalarNormals.sweep(d, o, lanes, body, a, b, n, more, NONE, st);
+            }
+            if (RowArithmetic.sum(d, o, lanes, n) > 0) {
+                body[a + LOADED] = a == 0 ? 0 : 1;
+                body[b + LOADED] = b == 0 ? 0 : 1;
+            }
+        }
+    }
+
+    @Override
+    public void relax(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            SubStep sub,
+            int from,
+            int to,
+            Scratch scratch) {
+        double[] d = rows.doubles;
+        double[] st = scratch.doubles;
+        double[] body = bodies.state;
+        int[] link = rows.link;
+        int lanes = rows.lanes;
+        for (int j = from; j < to; j++) {
+            int l = j * LINK;
+            int n = link[l + ConstraintRows.COUNT];
+            if (n == 0) {
+                continue;
+            }
+            int o = rows.base(j);
+            int a = link[l];
+            int b = link[l + 1];
+            ScalarNormals.separate(d, o, lanes, body, a, b, n);
+            // a contact without a warm start, or with that of a blow, has its normals and its
+            // friction still to agree on who stops what
+            boolean cold = d[o + COLD * lanes] > 0;
+            boolean moved = hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, HARD, st);
+            if (cold && moved) {
+                int more = sub.landing - sub.sweeps;
+                hard(d, o, lanes, body, a, b, n, sub, more, NONE, st);
+            }
+            if (d[o + FRICTION * lanes] > 0) {
+                cold |= ScalarFriction.isStale(d, o, lanes, n);
+                double normal = ScalarFriction.rub(d, o, lanes, body, a, b, n);
+                for (int round = 1; cold && normal > 0 && round < sub.coldRounds; round++) {
+                    hard(d, o, lanes, body, a, b, n, sub, sub.landing, NONE, st);
+                    normal = ScalarFriction.rub(d, o, lanes, body, a, b, n);
+                }
+            }
+            ScalarFriction.total(d, o, lanes, n);
+        }
+    }
+
+    /** Hard normals; whether the last sweep changed an impulse. */
+    public static boolean hard(
+            double[] d,
+            int o,
+            int lanes,
+            double[] body,
+            int a,
+            int b,
+            int points,
+            SubStep sub,
+            int sweeps,
+            int step,
+            double[] st) {
+        ScalarNormals.harden(d, o, lanes, points, sub, st);
+        return ScalarNormals.sweep(d, o, lanes, body, a, b, points, sweeps, step, st);
+    }
+
+    @Override
+    public void settle(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            SubStep sub,
+            int rounds,
+            int from,
+            int to,
+            Scratch scratch) {
+        double[] d = rows.doubles;
+        double[] st = scratch.doubles;
+        double[] body = bodies.state;
+        int[] link = rows.link;
+        int lanes = rows.lanes;
+        for (int round = 0; round < rounds; round++) {
+            for (int j = from; j < to; j++) {
+                if (rows.unloaded[j] != 1) {
+                    continue;
+                }
+                int l = j * LINK;
+                int n = link[l + ConstraintRows.COUNT];
+                int o = rows.base(j);
+                int a = link[l];
+                int b = link[l + 1];
+                hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, NONE, st);
+                if (d[o + FRICTION * lanes] > 0) {
+                    ScalarFriction.rub(d, o, lanes, body, a, b, n);
+                }
+            }
+        }
+    }
+
+    @Override
+    public void calm(ConstraintRows rows, SolverBodies bodies, int from, int to) {
+        RollingFriction.calm(rows, bodies, from, to);
+    }
+
+    @Override
+    public void roll(ConstraintRows rows, SolverBodies bodies, int from, int to) {
+        RollingFriction.sweep(rows, bodies, from, to);
+    }
+
+    @Override
+    public void separate(ConstraintRows rows, SolverBodies bodies) {
+        double[] body = bodies.state;
+        int[] link = rows.link;
+        for (int j = 0; j < rows.places; j++) {
+            int l = j * LINK;
+            int n = link[l + ConstraintRows.COUNT];
+            if (n > 0) {
+                int a = link[l];
+                int b = link[l + 1];
+                ScalarNormals.separate(rows.doubles, rows.base(j), rows.lanes, body, a, b, n);
+            }
+        }
+    }
+}

@@ -1,0 +1,22 @@
+package dev.cairn.physics.solver.load;
+
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.Scratch;
+import dev.cairn.physics.solver.row.SubStep;
+
+/** What is done to the rows of islands that start at rest. */
+public interface StartPass {
+    /**
+     * Hard normals and friction of the rows that are marked with {@link StaticStart#MARK}, over and
+     * over until they agree; what they then hold is in the offsets of their points.
+     */
+    void start(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            SubStep sub,
+            StaticStart islands,
+            int from,
+            int to,
+            Scratch scratch);
+}

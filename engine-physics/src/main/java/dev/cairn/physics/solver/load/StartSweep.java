@@ -1,0 +1,214 @@
+package dev.cairn.physics.solver.load;
+
+import static dev.cairn.physics.solver.body.SolverBodies.MASS;
+import static dev.cairn.physics.solver.kernel.CommonStep.NONE;
+import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
+import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
+
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.kernel.RowArithmetic;
+import dev.cairn.physics.solver.kernel.ScalarFriction;
+import dev.cairn.physics.solver.kernel.ScalarSweep;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.Scratch;
+import dev.cairn.physics.solver.row.SubStep;
+
+/** The rows of islands that start at rest, swept until they agree, see {@link StaticStart}. */
+public final class StartSweep implements StartPass {
+    @Override
+    public void start(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            SubStep sub,
+            StaticStart islands,
+            int from,
+            int to,
+            Scratch scratch) {
+        double[] body = bodies.state;
+        boolean again = true;
+        for (int sweep = 0; again; sweep++) {
+            for (int j = from; j < to; j++) {
+                if (rows.unloaded[j] == StaticStart.MARK) {
+                    again(rows, body, sub, islands, j, scratch.doubles);
+                }
+            }
+            again = false;
+            for (int j = from; j < to; j++) {
+                if (rows.unloaded[j] == StaticStart.MARK) {
+                    again |= islands.goesOn(root(rows, body, islands, j));
+                }
+            }
+            if (again && StaticStart.isLookedAt(sweep)) {
+                leap(rows, body, islands, sweep, from, to);
+            }
+        }
+        for (int j = from; j < to; j++) {
+            if (rows.unloaded[j] == StaticStart.MARK) {
+                int l = j * LINK;
+                double speed = Math.max(speed(body, rows.link[l]), speed(body, rows.link[l + 1]));
+                islands.moves(root(rows, body, islands, j), speed);
+            }
+        }
+        for (int j = from; j < to; j++) {
+            if (rows.unloaded[j] != StaticStart.MARK) {
+                continue;
+            }
+            rows.unloaded[j] = 0;
+            if (islands.isBalanced(root(rows, body, islands, j))) {
+                preload(rows, sub, j);
+            } else {
+                forget(rows, bodies, j);
+            }
+        }
+    }
+
+    /**
+     * Remembers impulses and velocities, or goes on from there as the last sweep did: velocities
+     * are linear in impulses, so that both stay in step.
+     */
+    private static void leap(
+            ConstraintRows rows, double[] body, StaticStart islands, int sweep, int from, int to) {
+        boolean leaps = StaticStart.leaps(sweep);
+        for (int pass = leaps ? 0 : 1; pass < 2; pass++) {
+            for (int j = from; j < to; j++) {
+                int root = rows.unloaded[j] == StaticStart.MARK ? root(rows, body, islands, j) : -1;
+                if (root < 0 || !islands.isOpen(root)) {
+                    continue;
+                }
+                if (pass == 0) {
+                    bound(rows, islands, root, j);
+                } else {
+                    leap(rows, islands, root, j, leaps);
+                    leap(body, islands, root, rows.link[j * LINK], sweep);
+                    leap(body, islands, root, rows.link[j * LINK + 1], sweep);
+                }
+            }
+        }
+    }
+
+    /** No normal impulse may become negative. */
+    private static void bound(ConstraintRows rows, StaticStart islands, int root, int j) {
+        int o = rows.base(j);
+        for (int p = 0; p < rows.link[j * LINK + ConstraintRows.COUNT]; p++) {
+            int q = o + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * rows.lanes;
+            double impulse = rows.doubles[q + ConstraintRows.IMPULSE * rows.lanes];
+            islands.bound(root, rows.link[j * LINK + ConstraintRows.SOURCE], p, impulse);
+        }
+    }
+
+    private static void leap(
+            ConstraintRows rows, StaticStart islands, int root, int j, boolean leaps) {
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        int o = rows.base(j);
+        int source = rows.link[j * LINK + ConstraintRows.SOURCE];
+        for (int p = 0; p < rows.link[j * LINK + ConstraintRows.COUNT]; p++) {
+            int q = o + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * lanes;
+            int at = q + ConstraintRows.IMPULSE * lanes;
+            d[at] = /*(float)*/ islands.impulse(root, source, p, d[at], leaps);
+        }
+        for (int f = 0; f < 3; f++) {
+            int at = o + (ConstraintRows.LAMBDA + f) * lanes;
+            int k = ContactStore.POINTS + f;
+            d[at] = /*(float)*/ islands.impulse(root, source, k, d[at], leaps);
+        }
+    }
+
+    private static void leap(double[] body, StaticStart islands, int root, int at, int sweep) {
+        int slot = SolverBodies.slot(at);
+        if (body[at + MASS] == 0 || !islands.takes(slot, sweep)) {
+            return;
+        }
+        boolean leaps = StaticStart.leaps(sweep);
+        for (int k = 0; k < 6; k++) {
+            body[at + k] = /*(float)*/ islands.speed(root, slot, k, body[at + k], leaps);
+        }
+    }
+
+    /** Square of the speed of a body that moves, its turn weighed in: {@code v² + w'²/m}. */
+    private static double speed(double[] body, int o) {
+        if (body[o + MASS] == 0) {
+            return 0;
+        }
+        double v = body[o] * body[o] + body[o + 1] * body[o + 1] + body[o + 2] * body[o + 2];
+        double w =
+                body[o + 3] * body[o + 3] + body[o + 4] * body[o + 4] + body[o + 5] * body[o + 5];
+        return v + w * body[o + MASS];
+    }
+
+    /** Row and bodies as they were before the sweeps. */
+    private static void forget(ConstraintRows rows, SolverBodies bodies, int j) {
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        int o = rows.base(j);
+        for (int p = 0; p < rows.link[j * LINK + ConstraintRows.COUNT]; p++) {
+            int q = o + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * lanes;
+            d[q + ConstraintRows.IMPULSE * lanes] = 0;
+        }
+        for (int f = 0; f < 3; f++) {
+            d[o + (ConstraintRows.LAMBDA + f) * lanes] = 0;
+        }
+        double[] body = bodies.state;
+        for (int side = 0; side < 2; side++) {
+            int at = rows.link[j * LINK + side];
+            for (int k = 0; k < 6 && body[at + MASS] != 0; k++) {
+                body[at + k] = /*(float)*/ bodies.mark[at / 2 + k];
+            }
+        }
+    }
+
+    private static int root(ConstraintRows rows, double[] body, StaticStart islands, int j) {
+        int a = rows.link[j * LINK];
+        return islands.islandOf(body[a + MASS] == 0 ? rows.link[j * LINK + 1] : a);
+    }
+
+    /** One more sweep over a row of an island that starts. */
+    private static void again(
+            ConstraintRows rows,
+            double[] body,
+            SubStep sub,
+            StaticStart islands,
+            int j,
+            double[] st) {
+        int root = root(rows, body, islands, j);
+        if (!islands.isOpen(root)) {
+            return;
+        }
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        int a = rows.link[j * LINK];
+        int b = rows.link[j * LINK + 1];
+        int n = rows.link[j * LINK + ConstraintRows.COUNT];
+        int o = rows.base(j);
+        ScalarSweep.hard(d, o, lanes, body, a, b, n, sub, sub.sweeps, NONE, st);
+        double change = 0;
+        for (int p = 0; p < n; p++) {
+            change = Math.max(change, Math.abs(st[Scratch.CHANGE + p]));
+        }
+        if (d[o + FRICTION * lanes] > 0) {
+            double x = d[o + ConstraintRows.LAMBDA * lanes];
+            double y = d[o + (ConstraintRows.LAMBDA + 1) * lanes];
+            ScalarFriction.rub(d, o, lanes, body, a, b, n);
+            change = Math.max(change, Math.abs(d[o + ConstraintRows.LAMBDA * lanes] - x));
+            change = Math.max(change, Math.abs(d[o + (ConstraintRows.LAMBDA + 1) * lanes] - y));
+        }
+        islands.note(root, change, RowArithmetic.largest(d, o, lanes, n));
+    }
+
+    /** The springs of the points hold what presses on them: {@code offset = impulse/k}. */
+    private static void preload(ConstraintRows rows, SubStep sub, int j) {
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        int l = j * LINK;
+        int o = rows.base(j);
+        double stiffness = sub.stiffness(rows.link[l] == 0 || rows.link[l + 1] == 0);
+        for (int p = 0; p < rows.link[l + ConstraintRows.COUNT]; p++) {
+            int q = o + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * lanes;
+            double k = d[q + ConstraintRows.MASS * lanes] * stiffness;
+            double offset = k > 0 ? d[q + ConstraintRows.IMPULSE * lanes] / k : 0;
+            d[o + (ConstraintRows.GAP + p) * lanes] -= offset;
+            d[q + ConstraintRows.SEPARATION * lanes] -= offset;
+        }
+    }
+}

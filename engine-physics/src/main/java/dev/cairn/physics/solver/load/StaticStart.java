@@ -1,0 +1,299 @@
+package dev.cairn.physics.solver.load;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.island.Islands;
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.row.RowList;
+
+import java.util.Arrays;
+
+/**
+ * The tick in which a structure is put up: an island of bodies that are all new and at rest.
+ *
+ * <p>Its contacts know of no load yet. Sweeps that start from nothing hand the weight on from
+ * contact to contact while the bodies already move, and soft contacts give until their offsets have
+ * learnt of the load: a house of thin cards has fallen by then. So before anything moves, hard
+ * normals and friction are swept until they agree, and the offsets begin with the load that was
+ * found: the structure starts in balance, with springs that are neither too long nor too short.
+ *
+ * <p>Error falls by a constant share a sweep, and slowly. Two sweeps in a row tell the share, and
+ * from it what all further ones would do: every fourth sweep impulses and velocities leap there
+ * together (Aitken's extrapolation). A house of five levels takes 1/8 of the sweeps for it.
+ *
+ * <p>If what is left moves, as in a scene that starts out of balance, or in one that is too large,
+ * all is as if nothing had been done: half a balance is worse than none, since a tall column leans
+ * on springs that are a little wrong. The number of sweeps follows from the islands that start
+ * alone, so that neither workers nor batches change a bit. Found by the simulation thread; an
+ * island is swept by the worker that has its batch. Allocates only when a store has grown. Source:
+ * own study.
+ */
+public final class StaticStart {
+    /** Mark of a row, beside 1 for one that has lost a load. */
+    static final byte MARK = 2;
+
+    /** Change of an impulse over the largest one of the island at which it agrees. */
+    private static final double AGREES = 1e-12;
+
+    /** Contacts of an island times sweeps, at most: up to a tenth of a second, once. */
+    private static final int VISITS = 1 << 17;
+
+    /** Contacts of all islands that start in a tick times sweeps, at most. */
+    private static final int ALL_VISITS = 1 << 20;
+
+    /** A larger island, which could be swept less often, starts as it is. */
+    private static final int FEWEST = 32;
+
+    /** Sweeps from leap to leap. */
+    private static final int EVERY = 4;
+
+    /** Of a leap, in changes of a sweep. */
+    private static final double LONGEST = 100;
+
+    /** To a contact: four of points, two of friction and a twist. */
+    private static final int IMPULSES = 7;
+
+    /** Speed over what gravity adds to it in a sub-step, up to which an island is in balance. */
+    private static final double BALANCED = 1e-4;
+
+    private final Islands islands = new Islands();
+
+    /** Dynamic bodies, and by slot: the smallest slot of the island. */
+    private int[] slots = {};
+
+    private int[] island = {};
+
+    /** By smallest slot of an island, as what follows. */
+    private int[] sweepsLeft = {};
+
+    private double[] change = {};
+    private double[] largest = {};
+    private double[] before = {};
+    private double[] rate = {};
+    private double[] reach = {};
+
+    /** By slot: the last leap that the body took part in, and its velocity before. */
+    private int[] taken = {};
+
+    private double[] oldSpeed = {};
+
+    /** By contact: impulses before a leap. */
+    private double[] oldImpulse = {};
+
+    private boolean[] swept = {};
+
+    /** Square of the speed at which an island is out of balance. */
+    private double loose;
+
+    /** Whether there is such an island. */
+    public boolean found;
+
+    /**
+     * Marks the rows of islands that start.
+     *
+     * @param still speed below which a body is at rest, m/s
+     * @param gain what gravity adds to a speed in a sub-step, m/s
+     * @param sweeps over an island, at most
+     */
+    public void find(
+            BodyStore b, ContactStore c, RowList list, double still, double gain, int sweeps) {
+        found = false;
+        loose = BALANCED * BALANCED * gain * gain;
+        if (!anyNew(b)) {
+            return;
+        }
+        ensureCapacity(b, c);
+        gather(b, c);
+        Arrays.fill(sweepsLeft, 0, b.slotCount, 0);
+        Arrays.fill(swept, 0, b.slotCount, false);
+        for (int m = 0; m < list.count; m++) {
+            int i = c.bodyA[list.source[m]];
+            int j = c.bodyB[list.source[m]];
+            int root = island[b.kind[i] == BodyStore.DYNAMIC ? i : j];
+            sweepsLeft[root]++;
+            // for now: whether the island is no start
+            swept[root] |= !starts(b, i, still) || !starts(b, j, still);
+        }
+        int all = 0;
+        for (int m = 0; m < list.count; m++) {
+            int i = c.bodyA[list.source[m]];
+            int root = islands.root(b.kind[i] == BodyStore.DYNAMIC ? i : c.bodyB[list.source[m]]);
+            if (!swept[root] && VISITS / sweepsLeft[root] >= FEWEST) {
+                list.rows(m).unloaded[list.place[m]] = MARK;
+                all++;
+                found = true;
+            }
+        }
+        for (int i = 0; i < b.slotCount; i++) {
+            int rows = sweepsLeft[i];
+            int most =
+                    rows == 0 || swept[i]
+                            ? 0
+                            : Math.min(VISITS / rows, ALL_VISITS / Math.max(1, all));
+            sweepsLeft[i] = Math.min(sweeps, most);
+            swept[i] = false;
+            change[i] = 0;
+            largest[i] = 0;
+            before[i] = 0;
+            taken[i] = -1;
+        }
+    }
+
+    /** The load sweep knows every body that it has seen in a tick. */
+    private static boolean anyNew(BodyStore b) {
+        for (int i = 0; i < b.slotCount; i++) {
+            if (b.kind[i] == BodyStore.DYNAMIC && !(b.inertiaScale[i] > 0)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void gather(BodyStore b, ContactStore c) {
+        int count = 0;
+        for (int i = 0; i < b.slotCount; i++) {
+            if (b.kind[i] == BodyStore.DYNAMIC) {
+                slots[count++] = i;
+            }
+        }
+        islands.ensureSlots(island.length);
+        islands.build(b, c, slots, count);
+        for (int k = 0; k < count; k++) {
+            island[slots[k]] = islands.root(slots[k]);
+        }
+    }
+
+    private static boolean starts(BodyStore b, int i, double still) {
+        if (b.kind[i] == BodyStore.DYNAMIC && b.inertiaScale[i] > 0) {
+            return false;
+        }
+        double x = b.velocityX[i];
+        double y = b.velocityY[i];
+        double z = b.velocityZ[i];
+        double u = b.angularVelocityX[i];
+        double v = b.angularVelocityY[i];
+        double w = b.angularVelocityZ[i];
+        double turn = b.kind[i] == BodyStore.DYNAMIC ? b.outerRadius[i] : 1;
+        return Math.sqrt(x * x + y * y + z * z) + Math.sqrt(u * u + v * v + w * w) * turn < still;
+    }
+
+    private void ensureCapacity(BodyStore b, ContactStore c) {
+        if (sweepsLeft.length < b.slotCount) {
+            int n = b.kind.length;
+            slots = new int[n];
+            island = new int[n];
+            sweepsLeft = new int[n];
+            change = new double[n];
+            largest = new double[n];
+            swept = new boolean[n];
+            before = new double[n];
+            rate = new double[n];
+            reach = new double[n];
+            taken = new int[n];
+            oldSpeed = new double[6 * n];
+        }
+        int rows = c.pointCount.length;
+        if (oldImpulse.length < IMPULSES * rows) {
+            oldImpulse = new double[IMPULSES * rows];
+        }
+    }
+
+    /**
+     * The island of a body that moves.
+     *
+     * @param offset of the body, see {@link SolverBodies}
+     */
+    int islandOf(int offset) {
+        return island[SolverBodies.slot(offset)];
+    }
+
+    boolean isOpen(int root) {
+        return sweepsLeft[root] > 0;
+    }
+
+    /** A row of the island has been swept. */
+    void note(int root, double rowChange, double rowLargest) {
+        swept[root] = true;
+        change[root] = Math.max(change[root], rowChange);
+        largest[root] = Math.max(largest[root], rowLargest);
+    }
+
+    /** After a sweep, for each row; returns whether the island needs another one. */
+    boolean goesOn(int root) {
+        if (swept[root]) {
+            swept[root] = false;
+            boolean agrees = !(change[root] > AGREES * largest[root]);
+            sweepsLeft[root] = agrees ? 0 : sweepsLeft[root] - 1;
+            rate[root] = change[root] / before[root];
+            before[root] = change[root];
+            change[root] = 0;
+            largest[root] = 0;
+        }
+        return sweepsLeft[root] > 0;
+    }
+
+    /** Whether a sweep is one of two before a leap. */
+    static boolean isLookedAt(int sweep) {
+        return sweep % EVERY >= EVERY - 2;
+    }
+
+    /** Whether a leap follows a sweep. */
+    static boolean leaps(int sweep) {
+        return sweep % EVERY == EVERY - 1;
+    }
+
+    /** Bounds the leap of an island so that this normal impulse stays one. */
+    void bound(int root, int contact, int k, double now) {
+        double less = oldImpulse[IMPULSES * contact + k] - now;
+        if (less > 0) {
+            reach[root] = Math.min(reach[root], now / less);
+        }
+    }
+
+    /**
+     * How far an island leaps: if each sweep leaves the share q of an error, then what is left
+     * after one is q/(1 - q) of what it did (Aitken 1926).
+     */
+    private double leap(int root) {
+        double q = rate[root];
+        return q < 1 ? Math.min(q / (1 - q), reach[root]) : 0;
+    }
+
+    /** An impulse after the leap, or, before it, as it is: then it is remembered. */
+    double impulse(int root, int contact, int k, double now, boolean leaps) {
+        int at = IMPULSES * contact + k;
+        if (!leaps) {
+            reach[root] = LONGEST;
+            oldImpulse[at] = now;
+            return now;
+        }
+        return now + leap(root) * (now - oldImpulse[at]);
+    }
+
+    /** The same for a component of a velocity. */
+    double speed(int root, int slot, int k, double now, boolean leaps) {
+        int at = 6 * slot + k;
+        if (!leaps) {
+            oldSpeed[at] = now;
+            return now;
+        }
+        return now + leap(root) * (now - oldSpeed[at]);
+    }
+
+    /** Whether a body has not taken part in the look after this sweep yet. */
+    boolean takes(int slot, int sweep) {
+        boolean takes = taken[slot] != sweep;
+        taken[slot] = sweep;
+        return takes;
+    }
+
+    /** After the sweeps, for each row: the square of a speed that is left. */
+    void moves(int root, double square) {
+        largest[root] = Math.max(largest[root], square);
+    }
+
+    /** Whether the sweeps have found impulses that hold an island. */
+    boolean isBalanced(int root) {
+        return largest[root] < loose;
+    }
+}

@@ -1,0 +1,427 @@
+package dev.cairn.physics.solver.refresh;
+
+import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Cone;
+import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.solver.body.Rotation;
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.impact.BallImpacts;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.SubStep;
+
+import java.util.Arrays;
+
+/**
+ * Levers of bodies that turn, or pass each other, within a tick: renewed in each sub-step, after
+ * the bodies have moved and before the relax pass.
+ *
+ * <p>Problem: rows are filled from the contact points of the tick's start. A top at 300 rad/s turns
+ * by 5 rad in a tick, a rocking block shortens its lever by some percent, and two bodies that pass
+ * each other take their impulses at two points that drift apart, which makes angular momentum. So a
+ * body that turns gets the root of its present inertia, and a row of such a body, or of two that
+ * pass each other, gets levers of now: corners turn with their body, points of round bodies stay
+ * where they are seen from its centre, and two bodies that move share one point, that of the round
+ * one. Then no angular momentum is made. Normals and tangents stay those of the tick's start; so
+ * two bodies that bounce keep their own points, else balls would leave an impact with a spin, and a
+ * gas of them lose its energy.
+ *
+ * <p>Who is slower than 0.045 of {@code sqrt(g r)} (0.1 m/s for a cube of 1 m) is left alone, so
+ * that what rests or creeps pays one comparison a row; without gravity all that moves is renewed. A
+ * row keeps its impulses and totals; its share in the warm start is taken out before and put in
+ * after, by colour, so that the result does not depend on the workers.
+ */
+public final class JacobianRefresh {
+    /** Speed over {@code sqrt(g r)} up to which levers may age by a tick. */
+    private static final double SLOW = 0.045;
+
+    /** How far from its axis the tip of a cone may be read, over its height above the centre. */
+    private static final double TIP = 1e-9;
+
+    /** The row is renewed. */
+    private static final int YES = 1;
+
+    /** Of a row: its points turn with the corners of A, of B. */
+    private static final int TURNS_A = 2;
+
+    private static final int TURNS_B = 4;
+
+    /** Of a row: two bodies share a point, that of A, of B, or what lies between. */
+    private static final int OF_A = 8;
+
+    private static final int OF_B = 16;
+    private static final int BETWEEN = OF_A | OF_B;
+
+    /** Of a row: A, or B, moves but does not turn, so that it keeps its warm start. */
+    private static final int STAYS_A = 32;
+
+    private static final int STAYS_B = 64;
+
+    /** Of a row: its normal may turn within the tick, see {@link BallImpacts}. */
+    private static final int AIMED = 128;
+
+    /** Of a row: others read in the contact where its points are. */
+    private static final int TOLD = 256;
+
+    /** Numbers to a row in {@link #kept}. */
+    private static final int KEPT = RefreshRow.RECORD;
+
+    /** By slot: whether the body's root is renewed; its orientation at the start, 4 to a slot. */
+    boolean[] turns = {};
+
+    private double[] start = {};
+
+    /** Turn since the start as a matrix, 9 to a slot. */
+    private double[] turn = {};
+
+    /** By place: 0, or that the row is renewed, and how; its first levers are kept. */
+    private int[] renewed = {};
+
+    private double[] kept = {};
+
+    /** By slot: whether a row of the body is renewed. */
+    private boolean[] stirred = {};
+
+    public void ensureCapacity(int slots) {
+        if (turns.length < slots) {
+            int n = Math.max(slots, turns.length + (turns.length >> 1));
+            turns = Arrays.copyOf(turns, n);
+            start = Arrays.copyOf(start, 4 * n);
+            turn = Arrays.copyOf(turn, 9 * n);
+            stirred = Arrays.copyOf(stirred, n);
+        }
+    }
+
+    /** Decides whether a body with contacts turns in this tick; blocks of bodies. */
+    public void look(BodyStore b, int i, double gravity) {
+        double x = b.angularVelocityX[i];
+        double y = b.angularVelocityY[i];
+        double z = b.angularVelocityZ[i];
+        double far = b.outerRadius[i];
+        double slow = SLOW * SLOW * gravity * b.innerRadius[i];
+        stirred[i] = false;
+        turns[i] = (x * x + y * y + z * z) * (far * far) > slow;
+        if (turns[i]) {
+            start[4 * i] = b.orientationX[i];
+            start[4 * i + 1] = b.orientationY[i];
+            start[4 * i + 2] = b.orientationZ[i];
+            start[4 * i + 3] = b.orientationW[i];
+        }
+    }
+
+    public void ensurePlaces(ConstraintRows rows) {
+        if (renewed.length < rows.unloaded.length) {
+            // With the rows, so that a scene that gets wilder later allocates nothing.
+            renewed = new int[rows.unloaded.length];
+            kept = new double[rows.unloaded.length * KEPT];
+        }
+    }
+
+    /**
+     * Finds the rows to renew; ranges of places. Whose row is renewed is written by all alike.
+     *
+     * @return whether there is one
+     */
+    public boolean find(
+            ConstraintRows rows, ContactStore c, BodyStore b, double gravity, int from, int to) {
+        boolean any = false;
+        for (int place = from; place < to; place++) {
+            renewed[place] = 0;
+            int l = place * ConstraintRows.LINK;
+            if (rows.link[l + ConstraintRows.COUNT] == 0) {
+                continue;
+            }
+            int source = rows.link[l + ConstraintRows.SOURCE];
+            int i = c.bodyA[source];
+            int j = c.bodyB[source];
+            boolean movesA = rows.link[l] != 0;
+            boolean movesB = rows.link[l + 1] != 0;
+            if ((movesA && turns[i])
+                    || (movesB && turns[j])
+                    || (movesA
+                            && movesB
+                            && c.restitution[source] == 0
+                            && passes(b, i, j, gravity))) {
+                renewed[place] = how(rows, c, b, place, source, movesA, movesB);
+                any = true;
+                RefreshRow.keep(c, source, kept, KEPT * place);
+                if (movesA) {
+                    stirred[i] = true;
+                }
+                if (movesB) {
+                    stirred[j] = true;
+                }
+            }
+        }
+        return any;
+    }
+
+    /**
+     * Says that none of a range of rows is renewed, if none can be: none of their bodies turns, and
+     * even two of the fastest would not pass each other fast enough. So what rests or creeps pays
+     * by body, not by row.
+     *
+     * @param order lists the bodies of the rows, from {@code head} to {@code tail}
+     */
+    public boolean isCalm(
+            BodyStore b, int[] order, int head, int tail, double gravity, int from, int to) {
+        double fastest = 0;
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = head; k < tail; k++) {
+            int i = order[k];
+            if (turns[i]) {
+                return false;
+            }
+            double x = b.velocityX[i];
+            double y = b.velocityY[i];
+            double z = b.velocityZ[i];
+            fastest = Math.max(fastest, x * x + y * y + z * z);
+            least = Math.min(least, b.innerRadius[i]);
+        }
+        // |vj - vi| <= 2 max |v|, with room for rounding
+        if (!(5 * fastest <= SLOW * SLOW * gravity * least)) {
+            return false;
+        }
+        Arrays.fill(renewed, from, to, 0);
+        return true;
+    }
+
+    /** Whether a row of a body is renewed. */
+    public boolean stirs(int slot) {
+        return stirred[slot];
+    }
+
+    private static boolean passes(BodyStore b, int i, int j, double gravity) {
+        double x = b.velocityX[j] - b.velocityX[i];
+        double y = b.velocityY[j] - b.velocityY[i];
+        double z = b.velocityZ[j] - b.velocityZ[i];
+        double slow = SLOW * SLOW * gravity * Math.min(b.innerRadius[i], b.innerRadius[j]);
+        return x * x + y * y + z * z > slow;
+    }
+
+    private int how(
+            ConstraintRows rows,
+            ContactStore c,
+            BodyStore b,
+            int place,
+            int source,
+            boolean movesA,
+            boolean movesB) {
+        int i = c.bodyA[source];
+        int k = c.bodyB[source];
+        boolean isCorneredA = isCornered(b, i);
+        boolean isCorneredB = isCornered(b, k);
+        boolean bounces = c.restitution[source] > 0;
+        int how = YES;
+        how |= movesA && turns[i] && isCorneredA ? TURNS_A : 0;
+        how |= movesB && turns[k] && isCorneredB ? TURNS_B : 0;
+        how |= movesA && !turns[i] ? STAYS_A : 0;
+        how |= movesB && !turns[k] ? STAYS_B : 0;
+        how |= bounces ? AIMED : 0;
+        // what lands, rolls or bounces
+        how |= !movesA || !movesB || bounces || rows.rolling.has(place) ? TOLD : 0;
+        if (movesA && movesB && !bounces) {
+            // two bodies share one point: a ball's own, since on a ball a lever off its normal
+            // would lift
+            how |= isCorneredA == isCorneredB ? BETWEEN : isCorneredA ? OF_B : OF_A;
+        }
+        return how;
+    }
+
+    /**
+     * Takes the impulses of the rows out of the bodies' warm start; blocks of a colour. A body that
+     * turns begins with none, so its rows need not be looked at.
+     */
+    public void unload(ConstraintRows rows, double[] warm, int from, int to, RefreshRow row) {
+        for (int j = from; j < to; j++) {
+            int how = renewed[j];
+            if ((how & (STAYS_A | STAYS_B)) != 0) {
+                row.takeOut(rows, warm, j, (how & STAYS_A) != 0, (how & STAYS_B) != 0);
+                if (rows.rolling.has(j)) {
+                    rows.rolling.addWarm(rows, warm, j, j, -1);
+                }
+            }
+        }
+    }
+
+    /** Gives a body that turns the root of its present inertia; blocks of bodies. */
+    public void body(SolverBodies s, BodyStore b, int i) {
+        int o = SolverBodies.offset(i);
+        int w = (i + 1) * SolverBodies.HALF;
+        if (!turns[i]) {
+            System.arraycopy(s.state, o, s.mark, w, 6);
+            return;
+        }
+        double x = s.world(i, o + 3, 0);
+        double y = s.world(i, o + 3, 1);
+        double z = s.world(i, o + 3, 2);
+        s.rootOfInertia(b, i, s.state[o + SolverBodies.GRAVITY]);
+        s.weigh(i, x, y, z);
+        Arrays.fill(s.state, o + SolverBodies.P + 3, o + SolverBodies.P + 6, 0.0);
+        System.arraycopy(s.state, o, s.mark, w, 6);
+        Arrays.fill(s.warm, w, w + 6, 0.0);
+        turned(b, i);
+    }
+
+    /** {@code q q0^-1} as a matrix. */
+    private void turned(BodyStore b, int i) {
+        double px = -start[4 * i];
+        double py = -start[4 * i + 1];
+        double pz = -start[4 * i + 2];
+        double pw = start[4 * i + 3];
+        double bx = b.orientationX[i];
+        double by = b.orientationY[i];
+        double bz = b.orientationZ[i];
+        double bw = b.orientationW[i];
+        double x = bw * px + bx * pw + (by * pz - bz * py);
+        double y = bw * py + by * pw + (bz * px - bx * pz);
+        double z = bw * pz + bz * pw + (bx * py - by * px);
+        double w = bw * pw - (bx * px + by * py + bz * pz);
+        int r = 9 * i;
+        turn[r] = 1 - 2 * (y * y + z * z);
+        turn[r + 1] = 2 * (x * y - w * z);
+        turn[r + 2] = 2 * (x * z + w * y);
+        turn[r + 3] = 2 * (x * y + w * z);
+        turn[r + 4] = 1 - 2 * (x * x + z * z);
+        turn[r + 5] = 2 * (y * z - w * x);
+        turn[r + 6] = 2 * (x * z - w * y);
+        turn[r + 7] = 2 * (y * z + w * x);
+        turn[r + 8] = 1 - 2 * (x * x + y * y);
+    }
+
+    private static boolean isCornered(BodyStore b, int i) {
+        return b.shape[i] instanceof Box || b.shape[i] instanceof ConvexHull;
+    }
+
+    /**
+     * Where the corner of a body is at which it stands on what does not move, from its centre of
+     * mass.
+     *
+     * @param source row of the contact in the store
+     * @param place of its row, which is renewed
+     * @param point of the contact
+     * @param i slot of the body
+     * @param side 1 if the body is the second of the contact, else -1
+     * @param arm receives the corner at the tick's start, world axes, then in the body
+     * @return its gap at the tick's start, m, or NaN if it is not always the same point of the body
+     */
+    public double corner(
+            BodyStore b,
+            ContactStore c,
+            int source,
+            int place,
+            int point,
+            int i,
+            double side,
+            double[] arm) {
+        int other = side > 0 ? c.bodyA[source] : c.bodyB[source];
+        boolean isFlat = isCornered(b, other) || b.shape[other] instanceof HalfSpace;
+        boolean isTip = b.shape[i] instanceof Cone;
+        if (!isFlat || !(isTip || isCornered(b, i)) || (b.restraint[i] & ~BodyStore.DAMPED) != 0) {
+            return Double.NaN;
+        }
+        int k = KEPT * place + RefreshRow.POINTS + RefreshRow.NUMBERS * point;
+        double gap = kept[k + RefreshRow.GAPS];
+        int a = side > 0 ? k + 3 : k;
+        double half = 0.5 * side * gap;
+        arm[0] = kept[a] + half * c.normalX(source);
+        arm[1] = kept[a + 1] + half * c.normalY(source);
+        arm[2] = kept[a + 2] + half * c.normalZ(source);
+        double x = start[4 * i];
+        double y = start[4 * i + 1];
+        double z = start[4 * i + 2];
+        double w = start[4 * i + 3];
+        for (int axis = 0; axis < 3; axis++) {
+            double sum = 0;
+            for (int n = 0; n < 3; n++) {
+                sum += arm[n] * Rotation.axis(x, y, z, w, axis, n);
+            }
+            arm[3 + axis] = sum;
+        }
+        return isTip && !isTip(arm) ? Double.NaN : gap;
+    }
+
+    /** Whether a point of a cone is on its axis. */
+    private static boolean isTip(double[] arm) {
+        double x = arm[3];
+        double y = arm[4];
+        double z = arm[5];
+        return y > 0 && x * x + z * z < TIP * TIP * (y * y);
+    }
+
+    /** Gives the contacts their first levers back. */
+    public void restore(ConstraintRows rows, ContactStore c, int from, int to) {
+        for (int j = from; j < to; j++) {
+            int how = renewed[j];
+            if (how == 0) {
+                continue;
+            }
+            int first = ContactStore.POINTS * rows.link[j * LINK + ConstraintRows.SOURCE];
+            int q = j * KEPT + RefreshRow.POINTS;
+            for (int p = first; p < first + rows.points(j); p++, q += RefreshRow.NUMBERS) {
+                c.separation[p] = kept[q + RefreshRow.GAPS];
+                if ((how & TOLD) != 0) {
+                    System.arraycopy(
+                            kept, q, c.anchors, ContactStore.anchor(p), ContactStore.ANCHORS);
+                }
+            }
+        }
+    }
+
+    /**
+     * Fills the rows anew, and adds their impulses to the warm start; blocks of a colour.
+     *
+     * @param index of the sub-step
+     */
+    public void rows(
+            ConstraintRows rows,
+            SolverBodies s,
+            ContactStore c,
+            SubStep sub,
+            int index,
+            int from,
+            int to,
+            RefreshRow row) {
+        boolean isLast = index == sub.count - 1;
+        for (int j = from; j < to; j++) {
+            int how = renewed[j];
+            if (how == 0) {
+                continue;
+            }
+            int k = j * KEPT;
+            int source = rows.link[j * LINK + ConstraintRows.SOURCE];
+            if (index == 0 && sub.fillScale != 1) {
+                scale(c, source, k, sub.fillScale);
+            }
+            if ((how & AIMED) != 0) {
+                RefreshRow.aim(c, source, kept, k);
+            }
+            int ra = (how & TURNS_A) != 0 ? 9 * SolverBodies.slot(rows.link[j * LINK]) : -1;
+            int rb = (how & TURNS_B) != 0 ? 9 * SolverBodies.slot(rows.link[j * LINK + 1]) : -1;
+            int shared = how & BETWEEN;
+            double shareA = shared == BETWEEN ? 0.5 : shared == OF_B ? 1 : 0;
+            double shareB = shared == BETWEEN ? 0.5 : shared == OF_A ? 1 : 0;
+            row.place(rows, s.state, j, kept, k, turn, ra, rb, shareA, shareB);
+            if ((how & TOLD) != 0 || isLast) {
+                row.tell(c, source, (how & TOLD) != 0);
+            }
+            row.fill(rows, s, j, kept, k, index == 0 || (how & AIMED) != 0, sub);
+            if (rows.rolling.has(j)) {
+                rows.rolling.renew(rows, s, c, j);
+            }
+        }
+    }
+
+    /** What the contacts know is of sub-steps of another length. */
+    private void scale(ContactStore c, int source, int k, double scale) {
+        int first = ContactStore.POINTS * source;
+        for (int i = 0; i < c.pointCount[source]; i++) {
+            c.preload[first + i] *= scale;
+            kept[k + RefreshRow.POINTS + RefreshRow.NUMBERS * i + RefreshRow.LOADS] *= scale;
+        }
+    }
+}

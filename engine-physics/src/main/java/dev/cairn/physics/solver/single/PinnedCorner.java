@@ -1,0 +1,441 @@
+package dev.cairn.physics.solver.single;
+
+import static dev.cairn.physics.solver.body.SolverBodies.GRAVITY;
+import static dev.cairn.physics.solver.body.SolverBodies.LOADED;
+import static dev.cairn.physics.solver.body.SolverBodies.MASS;
+import static dev.cairn.physics.solver.body.SolverBodies.P;
+import static dev.cairn.physics.solver.body.SolverBodies.V;
+import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
+import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
+import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
+import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
+import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
+import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
+import static dev.cairn.physics.solver.row.ConstraintRows.SEPARATION;
+import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
+import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT1;
+import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT2;
+import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.solver.body.AxisLocks;
+import dev.cairn.physics.solver.body.MotionRecord;
+import dev.cairn.physics.solver.body.PrincipalAxes;
+import dev.cairn.physics.solver.body.Rotation;
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.body.SolverContext;
+import dev.cairn.physics.solver.body.Tumbling;
+import dev.cairn.physics.solver.kernel.ScalarNormals;
+import dev.cairn.physics.solver.kernel.WarmStart;
+import dev.cairn.physics.solver.refresh.JacobianRefresh;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.RollingRows;
+import dev.cairn.physics.solver.row.SubStep;
+
+import java.util.Arrays;
+
+/**
+ * A body that stands and turns on one corner, held there by friction: for the sub-step it is what
+ * it is, a rigid body pinned at that point.
+ *
+ * <p>Problem: sweeps stop the corner at one end of the sub-step. That drives the nutation of a top,
+ * whose period they hardly resolve: at 32 sub-steps it grew by a tenth a tick, at any number until
+ * the corner slipped, so that the tilt of a steady top did not converge.
+ *
+ * <p>About a fixed point the body turns freely but for its weight, and so: half a kick of the
+ * moment of weight and forces about the point; free rotation with the inertia about the point,
+ * exact or nearly ({@link Tumbling}); half a kick at the new pose. Symmetric and of the second
+ * order; without weight it is the free motion itself, at any speed. The corner stays where it is,
+ * but for what it is pushed out of an overlap. The contact's impulse is what the body's momentum
+ * lacks then. If that pulls, or is more than friction holds, the body slips or lifts: then all is
+ * left as the sweeps have it.
+ *
+ * <p>Only corners of polyhedra and tips of cones, which stay the same point of the body, on what is
+ * flat or edged and does not move. One body at a time, any worker. Does not allocate. Source: own
+ * study; for the splitting see {@link Rotation}.
+ */
+public final class PinnedCorner {
+    private static final int SWEEPS = 12;
+
+    /** Products of inertia over the moments that are none. */
+    private static final double DIAGONAL = 1e-15;
+
+    /** Principal axes about the corner, as {@link PrincipalAxes} has them, and what they are of. */
+    private final double[] axes = new double[PrincipalAxes.STRIDE];
+
+    private final double[] matrix = new double[9];
+    private final double[] turn = new double[4];
+
+    /** From the centre of mass to the corner at the tick's start, in the world and in the body. */
+    private final double[] arm = new double[6];
+
+    /** From the corner to the centre of mass, at the start and the end. */
+    private final double[] from = new double[3];
+
+    private final double[] to = new double[3];
+
+    /** About the corner. */
+    private final double[] momentum = new double[3];
+
+    private final double[] spin = new double[3];
+    private final double[] force = new double[3];
+    private final double[] impulse = new double[3];
+
+    /** The user's and that of rolling friction; of that the impulse. */
+    private final double[] torque = new double[3];
+
+    private final double[] roll = new double[3];
+
+    /** Orientation as the sweeps left it. */
+    private final double[] swept = new double[4];
+
+    /** Start of a sub-step, before its kick: remembers where a body is that stands on a point. */
+    public static void begin(
+            BodyStore b, SolverBodies s, int i, ConstraintRows rows, int place, double touch) {
+        double[] d = s.glide;
+        int g = MotionRecord.STRIDE * i;
+        int corner = d[g + MotionRecord.STRUCK] != 0 ? -1 : only(rows, place, touch);
+        d[g + MotionRecord.STRUCK] = 0;
+        d[g + MotionRecord.CORNER] = corner;
+        if (corner >= 0) {
+            int o = SolverBodies.offset(i);
+            for (int k = 0; k < 3; k++) {
+                d[g + MotionRecord.START + k] = s.state[o + P + k];
+                d[g + MotionRecord.START + 3 + k] = s.world(i, o + V + 3, k);
+            }
+            read(b, i, d, g + MotionRecord.START + 6);
+        }
+    }
+
+    /** The only point of a row that presses or touches, or -1. */
+    private static int only(ConstraintRows rows, int place, double touch) {
+        int o = rows.base(place);
+        int found = -1;
+        for (int p = 0; p < rows.points(place); p++) {
+            int q = o + (POINT + p * POINT_FIELDS) * rows.lanes;
+            if (rows.get(q + IMPULSE * rows.lanes) > 0
+                    || rows.get(q + SEPARATION * rows.lanes) <= touch) {
+                if (found >= 0) {
+                    return -1;
+                }
+                found = p;
+            }
+        }
+        return found;
+    }
+
+    /**
+     * End of a sub-step: puts a body that stood on one point where it goes if that is held.
+     *
+     * @param rows of doubles, with the body's only row at {@code place}
+     * @param kept place of that row's first levers in {@code levers}, and in {@code rolling}
+     * @return whether it was held; if not, nothing has changed
+     */
+    public boolean run(
+            SolverContext tick,
+            ConstraintRows rows,
+            RollingRows rolling,
+            int place,
+            int i,
+            SubStep sub,
+            JacobianRefresh levers,
+            int kept) {
+        SolverBodies s = tick.body;
+        BodyStore b = tick.bodies;
+        int g = MotionRecord.STRIDE * i;
+        int corner = (int) s.glide[g + MotionRecord.CORNER];
+        int o = SolverBodies.offset(i);
+        if (corner < 0 || s.state[o + GRAVITY] != 1 || pressesElsewhere(rows, place, corner)) {
+            return false;
+        }
+        double side = rows.link[place * LINK] == o ? -1 : 1;
+        int source = rows.link[place * LINK + ConstraintRows.SOURCE];
+        double gap = levers.corner(b, tick.contacts, source, kept, corner, i, side, arm);
+        if (Double.isNaN(gap) || !rolling.slips(rows, place, kept, side, roll)) {
+            return false;
+        }
+        read(b, i, swept, 0);
+        write(b, i, s.glide, g + MotionRecord.START + 6);
+        step(tick, i, sub.seconds, rolling.has(kept));
+        int r = rows.base(place);
+        double friction = rows.doubles[r + FRICTION * rows.lanes];
+        if (!isHeld(rows.doubles, r, rows.lanes, side, friction)) {
+            write(b, i, swept, 0);
+            return false;
+        }
+        put(s, rows, r, i, side, gap, sub);
+        s.weigh(i, spin[0], spin[1], spin[2]);
+        s.state[o + LOADED] = 1;
+        tell(s, b, i, rows, place, corner, side);
+        if (rolling.has(kept)) {
+            rolling.addWarm(rows, s.warm, place, kept, 1);
+        }
+        return true;
+    }
+
+    /**
+     * Moves the body; a corner that overlaps is pushed out, and one that is open closes.
+     *
+     * @param gap at the start of the tick
+     */
+    private void put(
+            SolverBodies s,
+            ConstraintRows rows,
+            int r,
+            int i,
+            double side,
+            double gap,
+            SubStep sub) {
+        // how far the corner has moved since the tick's start
+        double[] d = s.glide;
+        int g = MotionRecord.STRIDE * i;
+        int o = SolverBodies.offset(i);
+        double open = gap;
+        for (int k = 0; k < 3; k++) {
+            double moved = d[g + MotionRecord.START + k] - from[k] - arm[k];
+            open += side * rows.doubles[r + k * rows.lanes] * moved;
+        }
+        double speed = Math.min(-sub.fixedRate * open, sub.pushSpeed);
+        double rise = open > 0 ? -open : speed * sub.seconds;
+        for (int k = 0; k < 3; k++) {
+            double up = side * rows.doubles[r + k * rows.lanes];
+            s.state[o + P + k] = d[g + MotionRecord.START + k] + (to[k] - from[k]) + rise * up;
+        }
+        s.state[o + V] = spin[1] * to[2] - spin[2] * to[1];
+        s.state[o + V + 1] = spin[2] * to[0] - spin[0] * to[2];
+        s.state[o + V + 2] = spin[0] * to[1] - spin[1] * to[0];
+    }
+
+    private static boolean pressesElsewhere(ConstraintRows rows, int place, int corner) {
+        int o = rows.base(place);
+        for (int p = 0; p < rows.points(place); p++) {
+            int q = o + (POINT + p * POINT_FIELDS) * rows.lanes;
+            if (p != corner && rows.doubles[q + IMPULSE * rows.lanes] > 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** From the start of the sub-step: half a kick, free rotation, half a kick. */
+    private void step(SolverContext tick, int i, double h, boolean rolls) {
+        SolverBodies s = tick.body;
+        BodyStore b = tick.bodies;
+        int g = MotionRecord.STRIDE * i;
+        double[] d = s.glide;
+        double mass = 1 / s.state[SolverBodies.offset(i) + MASS];
+        double scale = mass * b.gravityScale[i];
+        force[0] = scale * tick.gravity[0] + b.forceX[i];
+        force[1] = scale * tick.gravity[1] + b.forceY[i];
+        force[2] = scale * tick.gravity[2] + b.forceZ[i];
+        double linear = 1;
+        double angular = 1;
+        if (b.restraint[i] != 0) {
+            linear = AxisLocks.decay(b.linearDamping[i] * h);
+            angular = AxisLocks.decay(b.angularDamping[i] * h);
+        }
+        moments(b, i, mass);
+        lever(b, i, from);
+        // L = I w + r x m v
+        double x = mass * linear * d[g];
+        double y = mass * linear * d[g + 1];
+        double z = mass * linear * d[g + 2];
+        impulse[0] = -x - h * force[0];
+        impulse[1] = -y - h * force[1];
+        impulse[2] = -z - h * force[2];
+        for (int k = 0; k < 3; k++) {
+            spin[k] = angular * d[g + MotionRecord.START + 3 + k];
+        }
+        torque[0] = b.torqueX[i];
+        torque[1] = b.torqueY[i];
+        torque[2] = b.torqueZ[i];
+        for (int k = 0; k < 3 && rolls; k++) {
+            torque[k] += roll[k] / h;
+        }
+        own(b, i);
+        momentum[0] += from[1] * z - from[2] * y;
+        momentum[1] += from[2] * x - from[0] * z;
+        momentum[2] += from[0] * y - from[1] * x;
+        kick(from, 0.5 * h);
+        spin(b, i);
+        Tumbling.turn(b, i, axes, 0, spin, 0, h, 1);
+        lever(b, i, to);
+        kick(to, 0.5 * h);
+        spin(b, i);
+        impulse[0] += mass * (spin[1] * to[2] - spin[2] * to[1]);
+        impulse[1] += mass * (spin[2] * to[0] - spin[0] * to[2]);
+        impulse[2] += mass * (spin[0] * to[1] - spin[1] * to[0]);
+    }
+
+    /** Moments and principal axes about the corner: {@code I + m (r² - r r^T)}. */
+    private void moments(BodyStore b, int i, double mass) {
+        double x = arm[3];
+        double y = arm[4];
+        double z = arm[5];
+        double[] a = matrix;
+        a[0] = b.inertiaXX[i] + mass * (y * y + z * z);
+        a[4] = b.inertiaYY[i] + mass * (x * x + z * z);
+        a[8] = b.inertiaZZ[i] + mass * (x * x + y * y);
+        a[1] = b.inertiaXY[i] - mass * (x * y);
+        a[2] = b.inertiaXZ[i] - mass * (x * z);
+        a[5] = b.inertiaYZ[i] - mass * (y * z);
+        a[3] = a[1];
+        a[6] = a[2];
+        a[7] = a[5];
+        Arrays.fill(turn, 0, 3, 0.0);
+        turn[3] = 1;
+        double size = Math.max(a[0], Math.max(a[4], a[8]));
+        for (int n = 0; n < SWEEPS; n++) {
+            double off = Math.max(Math.abs(a[1]), Math.max(Math.abs(a[2]), Math.abs(a[5])));
+            if (!(off > DIAGONAL * size)) {
+                break;
+            }
+            PrincipalAxes.sweep(a, turn);
+        }
+        axes[PrincipalAxes.MOMENT] = a[0];
+        axes[PrincipalAxes.MOMENT + 1] = a[4];
+        axes[PrincipalAxes.MOMENT + 2] = a[8];
+        System.arraycopy(turn, 0, axes, PrincipalAxes.QX, 4);
+    }
+
+    /** From the corner to the centre of mass. */
+    private void lever(BodyStore b, int i, double[] out) {
+        for (int k = 0; k < 3; k++) {
+            out[k] =
+                    -(Rotation.axis(b, i, 0, k) * arm[3]
+                            + Rotation.axis(b, i, 1, k) * arm[4]
+                            + Rotation.axis(b, i, 2, k) * arm[5]);
+        }
+    }
+
+    /** Momentum about the centre of mass. */
+    private void own(BodyStore b, int i) {
+        double x = along(b, i, 0, spin);
+        double y = along(b, i, 1, spin);
+        double z = along(b, i, 2, spin);
+        double u = b.inertiaXX[i] * x + b.inertiaXY[i] * y + b.inertiaXZ[i] * z;
+        double v = b.inertiaXY[i] * x + b.inertiaYY[i] * y + b.inertiaYZ[i] * z;
+        double w = b.inertiaXZ[i] * x + b.inertiaYZ[i] * y + b.inertiaZZ[i] * z;
+        for (int k = 0; k < 3; k++) {
+            momentum[k] =
+                    Rotation.axis(b, i, 0, k) * u
+                            + Rotation.axis(b, i, 1, k) * v
+                            + Rotation.axis(b, i, 2, k) * w;
+        }
+    }
+
+    /** Component of a world vector along an axis of the body. */
+    private static double along(BodyStore b, int i, int axis, double[] v) {
+        return Rotation.axis(b, i, axis, 0) * v[0]
+                + Rotation.axis(b, i, axis, 1) * v[1]
+                + Rotation.axis(b, i, axis, 2) * v[2];
+    }
+
+    /** {@code L += t (r x f + torque)}. */
+    private void kick(double[] r, double t) {
+        momentum[0] += t * (r[1] * force[2] - r[2] * force[1] + torque[0]);
+        momentum[1] += t * (r[2] * force[0] - r[0] * force[2] + torque[1]);
+        momentum[2] += t * (r[0] * force[1] - r[1] * force[0] + torque[2]);
+    }
+
+    /** {@code w = I^-1 L} about the corner. */
+    private void spin(BodyStore b, int i) {
+        Arrays.fill(spin, 0.0);
+        for (int axis = 0; axis < 3; axis++) {
+            double x = PrincipalAxes.column(axes, axis, 0);
+            double y = PrincipalAxes.column(axes, axis, 1);
+            double z = PrincipalAxes.column(axes, axis, 2);
+            double part =
+                    (x * along(b, i, 0, momentum)
+                                    + y * along(b, i, 1, momentum)
+                                    + z * along(b, i, 2, momentum))
+                            / axes[PrincipalAxes.MOMENT + axis];
+            for (int k = 0; k < 3; k++) {
+                spin[k] +=
+                        part
+                                * (x * Rotation.axis(b, i, 0, k)
+                                        + y * Rotation.axis(b, i, 1, k)
+                                        + z * Rotation.axis(b, i, 2, k));
+            }
+        }
+    }
+
+    /** Whether the impulse presses, and friction can give it. */
+    private boolean isHeld(double[] d, int r, int lanes, double side, double friction) {
+        double normal = side * dot(d, r, lanes);
+        double f1 = dot(d, r + TANGENT1 * lanes, lanes);
+        double f2 = dot(d, r + TANGENT2 * lanes, lanes);
+        double limit = friction * normal;
+        return normal > 0 && f1 * f1 + f2 * f2 <= limit * limit;
+    }
+
+    private double dot(double[] d, int r, int lanes) {
+        return d[r] * impulse[0] + d[r + lanes] * impulse[1] + d[r + 2 * lanes] * impulse[2];
+    }
+
+    /** Gives the row its impulses, the warm start what they do, and the gaps what they are. */
+    private void tell(
+            SolverBodies s,
+            BodyStore b,
+            int i,
+            ConstraintRows rows,
+            int place,
+            int corner,
+            double side) {
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        int r = rows.base(place);
+        int q = r + (POINT + corner * POINT_FIELDS + IMPULSE) * lanes;
+        double normal = side * dot(d, r, lanes);
+        d[r + (SUM + corner) * lanes] += normal - d[q];
+        d[q] = normal;
+        for (int k = 0; k < 3; k++) {
+            int t = r + (k == 0 ? TANGENT1 : TANGENT2) * lanes;
+            double rub = k < 2 ? side * dot(d, t, lanes) : 0;
+            d[r + (TOTAL + k) * lanes] += rub - d[r + (LAMBDA + k) * lanes];
+            d[r + (LAMBDA + k) * lanes] = rub;
+        }
+        int w = (i + 1) * SolverBodies.HALF;
+        Arrays.fill(s.warm, w, w + 6, 0.0);
+        WarmStart.addNormals(rows, s.warm, place, r, 1);
+        WarmStart.addFriction(rows, s.warm, place, r, 1);
+        lean(s, b, i);
+        int link = place * LINK;
+        int n = rows.points(place);
+        ScalarNormals.separate(d, r, lanes, s.state, rows.link[link], rows.link[link + 1], n);
+    }
+
+    /** Adds what the body has turned beyond what the sweeps made of it to its weighted turn. */
+    private void lean(SolverBodies s, BodyStore b, int i) {
+        double bx = b.orientationX[i];
+        double by = b.orientationY[i];
+        double bz = b.orientationZ[i];
+        double bw = b.orientationW[i];
+        double w = bw * swept[3] + bx * swept[0] + by * swept[1] + bz * swept[2];
+        double twice = w < 0 ? -2 : 2;
+        double x = twice * (bx * swept[3] - bw * swept[0] - (by * swept[2] - bz * swept[1]));
+        double y = twice * (by * swept[3] - bw * swept[1] - (bz * swept[0] - bx * swept[2]));
+        double z = twice * (bz * swept[3] - bw * swept[2] - (bx * swept[1] - by * swept[0]));
+        double[] root = s.root;
+        int k = (i + 1) * SolverBodies.ROOT;
+        int o = SolverBodies.offset(i) + P + 3;
+        for (int c = 0; c < 3; c++) {
+            s.state[o + c] +=
+                    root[k + 9 + c] * (root[k + c] * x + root[k + 3 + c] * y + root[k + 6 + c] * z);
+        }
+    }
+
+    private static void read(BodyStore b, int i, double[] q, int o) {
+        q[o] = b.orientationX[i];
+        q[o + 1] = b.orientationY[i];
+        q[o + 2] = b.orientationZ[i];
+        q[o + 3] = b.orientationW[i];
+    }
+
+    private static void write(BodyStore b, int i, double[] q, int o) {
+        b.orientationX[i] = q[o];
+        b.orientationY[i] = q[o + 1];
+        b.orientationZ[i] = q[o + 2];
+        b.orientationW[i] = q[o + 3];
+    }
+}

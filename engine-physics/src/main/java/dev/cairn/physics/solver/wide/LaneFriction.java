@@ -1,0 +1,431 @@
+package dev.cairn.physics.solver.wide;
+
+import static dev.cairn.physics.solver.row.ConstraintRows.BLOCK;
+import static dev.cairn.physics.solver.row.ConstraintRows.COLD;
+import static dev.cairn.physics.solver.row.ConstraintRows.FIELDS;
+import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
+import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
+import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
+import static dev.cairn.physics.solver.row.ConstraintRows.LEVER;
+import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
+import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
+import static dev.cairn.physics.solver.row.ConstraintRows.REACH;
+import static dev.cairn.physics.solver.row.ConstraintRows.START;
+import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
+import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT1;
+import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
+import static dev.cairn.physics.solver.row.ConstraintRows.TWIST;
+import static dev.cairn.physics.solver.row.ConstraintRows.TWIST_MASS;
+import static dev.cairn.physics.solver.row.Scratch.IDLE;
+import static dev.cairn.physics.solver.row.Scratch.LINE;
+import static dev.cairn.physics.solver.row.Scratch.PACKED;
+import static dev.cairn.physics.solver.row.Scratch.RUBS;
+import static dev.cairn.physics.solver.row.Scratch.VA;
+import static dev.cairn.physics.solver.row.Scratch.VB;
+
+import dev.cairn.physics.solver.kernel.PatchFriction;
+import dev.cairn.physics.solver.kernel.ScalarFriction;
+import dev.cairn.physics.solver.row.ConstraintRows;
+
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
+import java.lang.invoke.MethodHandles;
+
+/** Friction in lanes: the arithmetic of {@link ScalarFriction}, operation by operation. */
+final class LaneFriction implements LaneKernels.Friction {
+    private static final VectorSpecies<Double> S = LaneSpecies.doubles(MethodHandles.lookup());
+    private static final int L = S.length();
+
+    /**
+     * Of a group that slips: the square of the impulse that stops its slide, the impulse that stops
+     * its spin, their limits, and the shares of them that it can give.
+     */
+    private static final int SLIDE = PACKED;
+
+    private static final int SPIN = SLIDE + L;
+    private static final int LIMIT = SLIDE + 2 * L;
+    private static final int BOUND = SLIDE + 3 * L;
+    private static final int SLIDE_SHARE = SLIDE + 4 * L;
+    private static final int SPIN_SHARE = SLIDE + 5 * L;
+
+    /** Of the group in work: sum of the normal impulses, marks, and impulses that would stop it. */
+    private static final int NORMAL = SLIDE + 6 * L;
+
+    private static final int ACTIVE = SLIDE + 7 * L;
+    private static final int TWISTED = SLIDE + 8 * L;
+    private static final int HELD = SLIDE + 9 * L;
+    private static final int WANTED = SLIDE + 10 * L;
+
+    @Override
+    public boolean rub(ConstraintRows rows, int from, int to, double[] st, int g, int marks) {
+        boolean again = false;
+        double[] d = rows.doubles;
+        for (int j = from; j < to; j += L, g += L) {
+            int points = rows.points[j / L];
+            int o = START + j * FIELDS;
+            if (st[IDLE + g] != 0 || !rows.rough[j / L]) {
+                DoubleVector.zero(S).intoArray(st, RUBS + g);
+                continue;
+            }
+            again |= rub(d, o, st, g, points, marks);
+        }
+        return again;
+    }
+
+    /** In steps that are small enough for the compiler; they hand numbers on in scratch. */
+    private static boolean rub(double[] d, int o, double[] st, int g, int points, int marks) {
+        if (!press(d, o, st, points)) {
+            DoubleVector.zero(S).intoArray(st, RUBS + g);
+            return false;
+        }
+        boolean again = mark(d, o, st, g, marks);
+        spin(d, o, st, g);
+        if (slide(d, o, st, g)) {
+            slip(d, o, st);
+        }
+        give(d, o, st, g);
+        push(d, o, st, g);
+        return again;
+    }
+
+    /** What the normal impulses allow; false without any impulse, old or new. */
+    private static boolean press(double[] d, int o, double[] st, int points) {
+        var bound = DoubleVector.zero(S);
+        var normal = DoubleVector.zero(S);
+        for (int p = 0; p < points; p++) {
+            var impulse =
+                    DoubleVector.fromArray(S, d, o + (POINT + p * POINT_FIELDS + IMPULSE) * L);
+            normal = normal.add(impulse);
+            bound = bound.add(impulse.mul(DoubleVector.fromArray(S, d, o + (REACH + p) * L)));
+        }
+        int l = o + LAMBDA * L;
+        var any =
+                normal.add(DoubleVector.fromArray(S, d, l).abs())
+                        .add(DoubleVector.fromArray(S, d, l + L).abs())
+                        .add(DoubleVector.fromArray(S, d, l + 2 * L).abs());
+        var mu = DoubleVector.fromArray(S, d, o + FRICTION * L);
+        normal.intoArray(st, NORMAL);
+        mu.mul(normal).intoArray(st, LIMIT);
+        bound.mul(mu).intoArray(st, BOUND);
+        return any.compare(VectorOperators.GT, 0.0).anyTrue();
+    }
+
+    /** Marks the lanes that press without a good warm start: they need another round. */
+    private static boolean mark(double[] d, int o, double[] st, int g, int marks) {
+        int l = o + LAMBDA * L;
+        var f1 = DoubleVector.fromArray(S, d, l);
+        var f2 = DoubleVector.fromArray(S, d, l + L);
+        var limit = DoubleVector.fromArray(S, st, LIMIT);
+        var stale =
+                f1.mul(f1)
+                        .add(f2.mul(f2))
+                        .compare(VectorOperators.GT, limit.mul(limit).mul(PatchFriction.STALE));
+        var cold = DoubleVector.fromArray(S, d, o + COLD * L);
+        cold = cold.blend(DoubleVector.fromArray(S, st, marks + g), stale);
+        cold.intoArray(d, o + COLD * L);
+        var rubs =
+                cold.compare(VectorOperators.GT, 0.0)
+                        .and(
+                                DoubleVector.fromArray(S, st, marks + g)
+                                        .compare(VectorOperators.GT, 0.0))
+                        .and(DoubleVector.fromArray(S, st, NORMAL).compare(VectorOperators.GT, 0.0))
+                        .and(
+                                DoubleVector.fromArray(S, d, o + FRICTION * L)
+                                        .compare(VectorOperators.GT, 0.0));
+        var active = DoubleVector.fromArray(S, st, marks + g);
+        active.intoArray(st, ACTIVE);
+        DoubleVector.zero(S).blend(1.0, rubs).intoArray(st, RUBS + g);
+        return rubs.anyTrue();
+    }
+
+    /** The twist that would stop the spin. */
+    private static void spin(double[] d, int o, double[] st, int g) {
+        int t = o + TWIST * L;
+        var ax = DoubleVector.fromArray(S, st, VA + 3 * LINE + g);
+        var ay = DoubleVector.fromArray(S, st, VA + 4 * LINE + g);
+        var az = DoubleVector.fromArray(S, st, VA + 5 * LINE + g);
+        var bx = DoubleVector.fromArray(S, st, VB + 3 * LINE + g);
+        var by = DoubleVector.fromArray(S, st, VB + 4 * LINE + g);
+        var bz = DoubleVector.fromArray(S, st, VB + 5 * LINE + g);
+        var tax = DoubleVector.fromArray(S, d, t);
+        var tay = DoubleVector.fromArray(S, d, t + L);
+        var taz = DoubleVector.fromArray(S, d, t + 2 * L);
+        var tbx = DoubleVector.fromArray(S, d, t + 3 * L);
+        var tby = DoubleVector.fromArray(S, d, t + 4 * L);
+        var tbz = DoubleVector.fromArray(S, d, t + 5 * L);
+        var old = DoubleVector.fromArray(S, d, o + (LAMBDA + 2) * L);
+        var speed =
+                tbx.mul(bx)
+                        .add(tby.mul(by))
+                        .add(tbz.mul(bz))
+                        .sub(tax.mul(ax).add(tay.mul(ay)).add(taz.mul(az)));
+        var active = DoubleVector.fromArray(S, st, ACTIVE).compare(VectorOperators.GT, 0.0);
+        var bound = DoubleVector.fromArray(S, st, BOUND);
+        var none = bound.compare(VectorOperators.LE, 0.0);
+        var twist =
+                old.blend(
+                        old.sub(DoubleVector.fromArray(S, d, o + TWIST_MASS * L).mul(speed))
+                                .blend(0.0, none),
+                        active);
+        twist.intoArray(st, TWISTED);
+        var held = old.blend(twist.min(bound).max(bound.neg()), active);
+        held.intoArray(st, HELD);
+        var turn = held.sub(old);
+        ax.sub(turn.mul(tax)).intoArray(st, VA + 3 * LINE + g);
+        ay.sub(turn.mul(tay)).intoArray(st, VA + 4 * LINE + g);
+        az.sub(turn.mul(taz)).intoArray(st, VA + 5 * LINE + g);
+        bx.add(turn.mul(tbx)).intoArray(st, VB + 3 * LINE + g);
+        by.add(turn.mul(tby)).intoArray(st, VB + 4 * LINE + g);
+        bz.add(turn.mul(tbz)).intoArray(st, VB + 5 * LINE + g);
+    }
+
+    /** The tangent impulses that would stop the slide; whether a lane may slip. */
+    private static boolean slide(double[] d, int o, double[] st, int g) {
+        int u = o + TANGENT1 * L;
+        int v = o + LEVER * L;
+        var v1 = DoubleVector.zero(S);
+        var v2 = v1;
+        for (int i = 0; i < 3; i++) {
+            var along =
+                    DoubleVector.fromArray(S, st, VB + i * LINE + g)
+                            .sub(DoubleVector.fromArray(S, st, VA + i * LINE + g));
+            v1 = v1.add(along.mul(DoubleVector.fromArray(S, d, u + i * L)));
+            v2 = v2.add(along.mul(DoubleVector.fromArray(S, d, u + (3 + i) * L)));
+        }
+        var ax = DoubleVector.fromArray(S, st, VA + 3 * LINE + g);
+        var ay = DoubleVector.fromArray(S, st, VA + 4 * LINE + g);
+        var az = DoubleVector.fromArray(S, st, VA + 5 * LINE + g);
+        var bx = DoubleVector.fromArray(S, st, VB + 3 * LINE + g);
+        var by = DoubleVector.fromArray(S, st, VB + 4 * LINE + g);
+        var bz = DoubleVector.fromArray(S, st, VB + 5 * LINE + g);
+        v1 =
+                v1.add(
+                                DoubleVector.fromArray(S, d, v + 6 * L)
+                                        .mul(bx)
+                                        .add(DoubleVector.fromArray(S, d, v + 7 * L).mul(by))
+                                        .add(DoubleVector.fromArray(S, d, v + 8 * L).mul(bz)))
+                        .sub(
+                                DoubleVector.fromArray(S, d, v)
+                                        .mul(ax)
+                                        .add(DoubleVector.fromArray(S, d, v + L).mul(ay))
+                                        .add(DoubleVector.fromArray(S, d, v + 2 * L).mul(az)));
+        v2 =
+                v2.add(
+                                DoubleVector.fromArray(S, d, v + 9 * L)
+                                        .mul(bx)
+                                        .add(DoubleVector.fromArray(S, d, v + 10 * L).mul(by))
+                                        .add(DoubleVector.fromArray(S, d, v + 11 * L).mul(bz)))
+                        .sub(
+                                DoubleVector.fromArray(S, d, v + 3 * L)
+                                        .mul(ax)
+                                        .add(DoubleVector.fromArray(S, d, v + 4 * L).mul(ay))
+                                        .add(DoubleVector.fromArray(S, d, v + 5 * L).mul(az)));
+        int k = o + BLOCK * L;
+        var k12 = DoubleVector.fromArray(S, d, k + L);
+        int l = o + LAMBDA * L;
+        var f1 =
+                DoubleVector.fromArray(S, d, l)
+                        .sub(DoubleVector.fromArray(S, d, k).mul(v1).add(k12.mul(v2)));
+        var f2 =
+                DoubleVector.fromArray(S, d, l + L)
+                        .sub(k12.mul(v1).add(DoubleVector.fromArray(S, d, k + 2 * L).mul(v2)));
+        f1.intoArray(st, WANTED);
+        f2.intoArray(st, WANTED + L);
+        var twist = DoubleVector.fromArray(S, st, TWISTED);
+        var size = f1.mul(f1).add(f2.mul(f2));
+        var spin = twist.abs();
+        var limit = DoubleVector.fromArray(S, st, LIMIT);
+        var bound = DoubleVector.fromArray(S, st, BOUND);
+        size.intoArray(st, SLIDE);
+        spin.intoArray(st, SPIN);
+        DoubleVector.zero(S)
+                .blend(1.0, limit.compare(VectorOperators.GT, 0.0))
+                .intoArray(st, SLIDE_SHARE);
+        DoubleVector.zero(S)
+                .blend(1.0, bound.compare(VectorOperators.GT, 0.0))
+                .intoArray(st, SPIN_SHARE);
+        return size.compare(VectorOperators.GT, limit.mul(limit).mul(PatchFriction.SURE_SLIDE))
+                .or(spin.compare(VectorOperators.GT, bound.mul(PatchFriction.SURE_SPIN)))
+                // a lane that nothing presses gives nothing, however it slides
+                .and(limit.compare(VectorOperators.GT, 0.0))
+                .anyTrue();
+    }
+
+    /** The impulses that the patch can give, and the turn that they make. */
+    private static void give(double[] d, int o, double[] st, int g) {
+        int l = o + LAMBDA * L;
+        int t = o + TWIST * L;
+        int v = o + LEVER * L;
+        var active = DoubleVector.fromArray(S, st, ACTIVE).compare(VectorOperators.GT, 0.0);
+        var scale = DoubleVector.fromArray(S, st, SLIDE_SHARE);
+        var twist = DoubleVector.fromArray(S, st, TWISTED);
+        var next =
+                DoubleVector.fromArray(S, d, l + 2 * L)
+                        .blend(
+                                twist.mul(DoubleVector.fromArray(S, st, SPIN_SHARE)).add(0.0),
+                                active);
+        next.intoArray(d, l + 2 * L);
+        var turn = next.sub(DoubleVector.fromArray(S, st, HELD));
+        var old1 = DoubleVector.fromArray(S, d, l);
+        var old2 = DoubleVector.fromArray(S, d, l + L);
+        var f1 = old1.blend(DoubleVector.fromArray(S, st, WANTED).mul(scale).add(0.0), active);
+        var f2 = old2.blend(DoubleVector.fromArray(S, st, WANTED + L).mul(scale).add(0.0), active);
+        f1.intoArray(d, l);
+        f2.intoArray(d, l + L);
+        var d1 = f1.sub(old1);
+        var d2 = f2.sub(old2);
+        d1.intoArray(st, WANTED);
+        d2.intoArray(st, WANTED + L);
+        for (int i = 0; i < 3; i++) {
+            int a = VA + (3 + i) * LINE + g;
+            int b = VB + (3 + i) * LINE + g;
+            DoubleVector.fromArray(S, st, a)
+                    .sub(turn.mul(DoubleVector.fromArray(S, d, t + i * L)))
+                    .sub(
+                            d1.mul(DoubleVector.fromArray(S, d, v + i * L))
+                                    .add(d2.mul(DoubleVector.fromArray(S, d, v + (3 + i) * L))))
+                    .add(0.0)
+                    .intoArray(st, a);
+            DoubleVector.fromArray(S, st, b)
+                    .add(turn.mul(DoubleVector.fromArray(S, d, t + (3 + i) * L)))
+                    .add(
+                            d1.mul(DoubleVector.fromArray(S, d, v + (6 + i) * L))
+                                    .add(d2.mul(DoubleVector.fromArray(S, d, v + (9 + i) * L))))
+                    .add(0.0)
+                    .intoArray(st, b);
+        }
+    }
+
+    /** The velocities that the tangent impulses make. */
+    private static void push(double[] d, int o, double[] st, int g) {
+        int u = o + TANGENT1 * L;
+        var d1 = DoubleVector.fromArray(S, st, WANTED);
+        var d2 = DoubleVector.fromArray(S, st, WANTED + L);
+        var ma = DoubleVector.fromArray(S, st, VA + 7 * LINE + g);
+        var mb = DoubleVector.fromArray(S, st, VB + 7 * LINE + g);
+        for (int i = 0; i < 3; i++) {
+            var p =
+                    d1.mul(DoubleVector.fromArray(S, d, u + i * L))
+                            .add(d2.mul(DoubleVector.fromArray(S, d, u + (3 + i) * L)));
+            int a = VA + i * LINE + g;
+            int b = VB + i * LINE + g;
+            DoubleVector.fromArray(S, st, a).sub(ma.mul(p)).add(0.0).intoArray(st, a);
+            DoubleVector.fromArray(S, st, b).add(mb.mul(p)).add(0.0).intoArray(st, b);
+        }
+    }
+
+    /**
+     * The shares of the impulses that the slipping lanes of a group can give, see {@link
+     * PatchFriction}.
+     */
+    private static void slip(double[] d, int o, double[] st) {
+        var slide = DoubleVector.fromArray(S, st, SLIDE);
+        var spin = DoubleVector.fromArray(S, st, SPIN);
+        var limit = DoubleVector.fromArray(S, st, LIMIT);
+        var bound = DoubleVector.fromArray(S, st, BOUND);
+        int k = o + BLOCK * L;
+        var mass =
+                DoubleVector.fromArray(S, d, k)
+                        .add(DoubleVector.fromArray(S, d, k + 2 * L))
+                        .mul(0.5);
+        var inertia = DoubleVector.fromArray(S, d, o + TWIST_MASS * L);
+        var reach = bound.div(limit);
+        var radius = reach.mul(PatchFriction.RADIUS);
+        var slides = slide.sqrt();
+        var x =
+                slides.mul(inertia.div(mass.mul(reach.add(PatchFriction.SHORT))))
+                        .div(spin.mul(PatchFriction.RADIUS).add(PatchFriction.LEAST));
+        var e = x.mul(x);
+        var one = DoubleVector.broadcast(S, 1.0);
+        var inner =
+                e.mul(e.mul(e.mul(e).mul(PatchFriction.EIGHTH).add(PatchFriction.FOURTH)).add(1.0))
+                        .add(1.0);
+        var share =
+                one.div(
+                        e.mul(PatchFriction.FAST)
+                                .sub(PatchFriction.LESS)
+                                .blend(
+                                        inner,
+                                        e.compare(VectorOperators.LT, PatchFriction.TURNING)));
+        var whole =
+                share.mul(PatchFriction.NEAR)
+                        .add(PatchFriction.FAR)
+                        .mul(radius.mul(radius))
+                        .mul(limit);
+        var across =
+                share.mul(PatchFriction.CLOSE).add(PatchFriction.FAR).sqrt().mul(spin).mul(radius);
+        var give =
+                slides.sub(limit)
+                        .div(mass)
+                        .max(across.sub(whole).div(inertia.add(PatchFriction.SHORT)))
+                        .max(0.0);
+        for (int i = 0; i < PatchFriction.STEPS; i++) {
+            var u = one.div(mass.mul(give).add(limit));
+            var w =
+                    one.div(
+                            inertia.mul(give.add(PatchFriction.SHORT))
+                                    .add(whole)
+                                    .add(PatchFriction.LEAST));
+            var p = slides.mul(u);
+            var q = across.mul(w);
+            var most = p.max(q);
+            var inverse = one.div(most);
+            p = p.mul(inverse);
+            q = q.mul(inverse);
+            p = p.mul(p);
+            q = q.mul(q);
+            var h = p.add(q);
+            give =
+                    give.add(
+                                    h.mul(h.sqrt().mul(most).sub(1.0))
+                                            .div(p.mul(mass.mul(u)).add(q.mul(inertia.mul(w)))))
+                            .max(0.0);
+        }
+        var l2 = limit.mul(limit);
+        var rim = spin.div(reach.add(PatchFriction.SHORT));
+        var holds =
+                slide.compare(VectorOperators.LE, l2)
+                        .and(spin.compare(VectorOperators.LE, bound))
+                        .and(
+                                slide.mul(9.0)
+                                        .add(rim.mul(rim).mul(16.0))
+                                        .compare(VectorOperators.LE, l2.mul(9.0)));
+        var rubs = limit.compare(VectorOperators.GT, 0.0);
+        limit.div(mass.mul(give).add(limit))
+                .blend(1.0, holds)
+                .blend(0.0, rubs.not())
+                .intoArray(st, SLIDE_SHARE);
+        whole.div(inertia.mul(give).add(whole).add(PatchFriction.LEAST))
+                .blend(1.0, holds.and(bound.compare(VectorOperators.GT, 0.0)))
+                .blend(0.0, bound.compare(VectorOperators.LE, 0.0))
+                .intoArray(st, SPIN_SHARE);
+    }
+
+    @Override
+    public void total(ConstraintRows rows, int from, int to, double[] st, int g) {
+        double[] d = rows.doubles;
+        for (int j = from; j < to; j += L, g += L) {
+            int points = rows.points[j / L];
+            int o = START + j * FIELDS;
+            if (st[IDLE + g] != 0) {
+                continue;
+            }
+            int t = o + TOTAL * L;
+            int l = o + LAMBDA * L;
+            for (int f = 0; f < 3; f++) {
+                DoubleVector.fromArray(S, d, t + f * L)
+                        .add(DoubleVector.fromArray(S, d, l + f * L))
+                        .intoArray(d, t + f * L);
+            }
+            for (int p = 0; p < points; p++) {
+                int q = o + (POINT + p * POINT_FIELDS + IMPULSE) * L;
+                int s = o + (SUM + p) * L;
+                DoubleVector.fromArray(S, d, s)
+                        .add(DoubleVector.fromArray(S, d, q))
+                        .intoArray(d, s);
+            }
+        }
+    }
+}

@@ -1,0 +1,251 @@
+package dev.cairn.physics.solver.wide;
+
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.kernel.RowSweeps;
+import dev.cairn.physics.solver.kernel.Sweeps;
+import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.Scratch;
+import dev.cairn.physics.solver.row.SubStep;
+import dev.cairn.physics.tuning.Tuning;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.Arrays;
+import java.util.Random;
+
+/**
+ * The wide sweeps, once the compiler is done with them; the scalar ones before that.
+ *
+ * <p>Code of the Vector API that is not compiled yet is some hundred times slower than scalar code,
+ * and allocates. So the kernels are run on made-up rows until they are fast: in a thread of their
+ * own when the number of lanes was left to the machine, at once when it was asked for. Since both
+ * give the same bits, it does not matter to the result when the change comes.
+ */
+public final class WideSweeps implements Sweeps {
+    private static final Logger LOG = System.getLogger("dev.cairn.physics");
+    private static final int ROUNDS = 20_000;
+    private static final int LEAST = 3_000;
+
+    /**
+     * So many rounds in a row must be fast before the kernels are used. Rounds differ, and a kernel
+     * that is not compiled yet is a hundred times slower; who interrupts the thread breaks a row.
+     */
+    private static final int CALM = 200;
+
+    private final Sweeps wide;
+    private final Sweeps scalar;
+    private final boolean isSingle;
+    private boolean begun;
+    private volatile boolean warm;
+
+    public WideSweeps(Sweeps wide, boolean isSingle) {
+        this.wide = wide;
+        this.isSingle = isSingle;
+        scalar = RowSweeps.scalar(isSingle);
+    }
+
+    @Override
+    public int lanes() {
+        return wide.lanes();
+    }
+
+    @Override
+    public void fill(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            ContactStore contacts,
+            SubStep sub,
+            int from,
+            int to,
+            Scratch scratch) {
+        (warm ? wide : scalar).fill(rows, bodies, contacts, sub, from, to, scratch);
+    }
+
+    @Override
+    public void bias(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            SubStep sub,
+            int from,
+            int to,
+            Scratch scratch) {
+        (warm ? wide : scalar).bias(rows, bodies, sub, from, to, scratch);
+    }
+
+    @Override
+    public void relax(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            SubStep sub,
+            int from,
+            int to,
+            Scratch scratch) {
+        (warm ? wide : scalar).relax(rows, bodies, sub, from, to, scratch);
+    }
+
+    @Override
+    public void store(
+            ConstraintRows rows,
+            SolverBodies bodies,
+            ContactStore contacts,
+            SubStep sub,
+            int from,
+            int to,
+            Scratch scratch) {
+        (warm ? wide : scalar).store(rows, bodies, contacts, sub, from, to, scratch);
+    }
+
+    /** Whether the wide sweeps are in use. */
+    public boolean isWarm() {
+        return warm;
+    }
+
+    /** Starts to warm up in the background, once. */
+    public synchronized void begin() {
+        if (!begun) {
+            begun = true;
+            Thread thread = new Thread(() -> warmUp(false), "cairn-warm-up");
+            thread.setDaemon(true);
+            thread.start();
+        }
+    }
+
+    /** Warms up now, unless that has been done. */
+    public synchronized void finish() {
+        if (!warm) {
+            begun = true;
+            warmUp(true);
+            warm = true;
+        }
+    }
+
+    private void warmUp(boolean wanted) {
+        RowList list = new RowList(lanes(), lanes(), lanes(), lanes());
+        ConstraintRows rows = isSingle ? list.floats : list.doubles;
+        ContactStore contacts = new ContactStore();
+        contacts.ensureCapacity(ConstraintRows.CHUNK);
+        SolverBodies bodies = new SolverBodies();
+        bodies.ensureCapacity(2 * ConstraintRows.CHUNK);
+        Scratch scratch = new Scratch();
+        SubStep sub = new SubStep();
+        sub.set(1 / 60.0, Tuning.DEFAULT);
+        sub.fillScale = 1;
+        sub.still = 0.01;
+        Random random = new Random(1);
+        long bestWide = Long.MAX_VALUE;
+        long bestScalar = Long.MAX_VALUE;
+        int calm = 0;
+        for (int round = 0; round < ROUNDS; round++) {
+            fill(rows, bodies, contacts, random, round);
+            int to = rows.places;
+            long start = System.nanoTime();
+            scalar.fill(rows, bodies, contacts, sub, 0, to, scratch);
+            scalar.bias(rows, bodies, sub, 0, to, scratch);
+            scalar.relax(rows, bodies, sub, 0, to, scratch);
+            scalar.store(rows, bodies, contacts, sub, 0, to, scratch);
+            long middle = System.nanoTime();
+            fill(rows, bodies, contacts, random, round);
+            long begin = System.nanoTime();
+            wide.fill(rows, bodies, contacts, sub, 0, to, scratch);
+            wide.bias(rows, bodies, sub, 0, to, scratch);
+            wide.relax(rows, bodies, sub, 0, to, scratch);
+            wide.store(rows, bodies, contacts, sub, 0, to, scratch);
+            long end = System.nanoTime();
+            if (round % 2 == 0) {
+                bestScalar = Math.min(bestScalar, middle - start);
+                bestWide = Math.min(bestWide, end - begin);
+            }
+            calm = end - begin < 2 * (middle - start) ? calm + 1 : 0;
+            if (round > LEAST && bestWide < bestScalar && calm >= CALM) {
+                warm = true;
+                return;
+            }
+        }
+        if (bestWide < bestScalar) {
+            warm = true;
+            return;
+        }
+        LOG.log(
+                Level.WARNING,
+                (wanted
+                                ? "The contact solver is slower with the lanes that were asked for:"
+                                        + " sweeps of "
+                                : "The contact solver stays scalar: sweeps of ")
+                        + lanes()
+                        + " lanes took "
+                        + bestWide
+                        + " ns on this JVM, scalar ones "
+                        + bestScalar
+                        + " ns. The results are the same.");
+    }
+
+    /**
+     * Contacts between pairs of bodies, as unlike as those of a scene: what a compiled kernel has
+     * not seen it does not know, and then it is interpreted once more, with its vectors on the
+     * heap.
+     */
+    private static void fill(
+            ConstraintRows rows, SolverBodies bodies, ContactStore c, Random random, int round) {
+        int n = ConstraintRows.CHUNK;
+        rows.ensurePlaces(n);
+        rows.places = n;
+        random(random, bodies.state, 0.01);
+        random(random, bodies.root, 1);
+        random(random, bodies.warm, 0.01);
+        Arrays.fill(bodies.state, 0, SolverBodies.STRIDE, 0.0);
+        for (double[] column :
+                new double[][] {c.head, c.anchors, c.separation, c.normalImpulse, c.preload}) {
+            random(random, column, 1);
+        }
+        for (int j = 0; j < n; j++) {
+            int l = j * ConstraintRows.LINK;
+            boolean pads = (j + round) % 8 == 5 && round % 3 == 0;
+            rows.link[l] = pads || j % 7 == 0 ? 0 : (2 * j + 1) * SolverBodies.STRIDE;
+            rows.link[l + 1] = pads ? 0 : (2 * j + 2) * SolverBodies.STRIDE;
+            rows.link[l + ConstraintRows.SOURCE] = j;
+            c.pointCount[j] = 1 + (round + j / 8) % 4;
+            rows.link[l + ConstraintRows.COUNT] = pads ? 0 : c.pointCount[j];
+            c.setFriction(j, (round + j / 8) % 16 == 0 ? 0 : 0.5);
+            boolean cold = round % 4 == 3 && j % 5 == 0;
+            // whole groups that are far apart, and such that touch and part
+            boolean apart = (round + j / 16) % 8 == 6;
+            boolean parts = (round + j / 16) % 8 == 3;
+            for (int p = ContactStore.POINTS * j; p < ContactStore.POINTS * (j + 1); p++) {
+                boolean idle = cold || apart || parts;
+                c.normalImpulse[p] = idle ? 0 : Math.abs(c.normalImpulse[p]);
+                c.separation[p] = apart ? 1000 : parts ? -1e-9 : c.separation[p];
+                c.preload[p] = apart || parts ? 0 : c.preload[p];
+            }
+            if (parts) {
+                c.setFrictionImpulse(j, 0, 0, 0, 0);
+                part(bodies, c, j);
+            }
+            rows.unloaded[j] = (byte) ((j + round) % 11 == 0 ? 1 : 0);
+            bodies.state[(2 * j + 1) * SolverBodies.STRIDE + SolverBodies.MASS] = 0.5;
+            bodies.state[(2 * j + 2) * SolverBodies.STRIDE + SolverBodies.MASS] = 0.5;
+            for (int slot = 2 * j; slot < 2 * j + 2; slot++) {
+                bodies.round(slot);
+                bodies.roundRoot(slot);
+            }
+        }
+    }
+
+    /** Moves the bodies of contact {@code j} away from each other, without turning. */
+    private static void part(SolverBodies bodies, ContactStore c, int j) {
+        int a = (2 * j + 1) * SolverBodies.STRIDE;
+        int b = (2 * j + 2) * SolverBodies.STRIDE;
+        Arrays.fill(bodies.state, a, a + 6, 0.0);
+        Arrays.fill(bodies.state, b, b + 6, 0.0);
+        bodies.state[b] = c.normalX(j);
+        bodies.state[b + 1] = c.normalY(j);
+        bodies.state[b + 2] = c.normalZ(j);
+    }
+
+    private static void random(Random random, double[] column, double size) {
+        for (int i = 0; i < column.length; i++) {
+            column[i] = size * (random.nextDouble() - 0.3);
+        }
+    }
+}
