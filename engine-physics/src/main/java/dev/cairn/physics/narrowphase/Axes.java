@@ -39,13 +39,17 @@ final class Axes {
      */
     double separationRaw, rawX, rawY, rawZ;
 
-    /** See {@link Safeguard}. */
-    boolean features = true;
+    private boolean features = true;
 
     private final int[] nearA = new int[NEAREST_EDGES], nearB = new int[NEAREST_EDGES];
     private final double[] cosine = new double[NEAREST_EDGES];
     double cx, cy, cz;
     private double crossDot, crossSquare;
+
+    /** Leaves a safeguard out, if it is one of this class. */
+    void leaveOut(Safeguard without) {
+        features = without != Safeguard.FEATURES;
+    }
 
     double best() {
         return Math.max(

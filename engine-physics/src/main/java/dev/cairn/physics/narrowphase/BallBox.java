@@ -110,7 +110,7 @@ final class BallBox {
             out.normalY = w10 * x + w11 * y + w12 * z;
             out.normalZ = w20 * x + w21 * y + w22 * z;
             out.separation[0] = separation;
-            out.feature[0] = ContactPoints.CLOSEST;
+            out.feature[0] = Names.CLOSEST;
             double far = Math.max(Math.abs(dx), Math.max(Math.abs(dy), Math.abs(dz)));
             out.bound = 0x1p-47 * (box.outerRadius() + ball.radius() + far);
         }

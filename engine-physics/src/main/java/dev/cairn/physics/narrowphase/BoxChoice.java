@@ -74,12 +74,12 @@ final class BoxChoice {
         }
         leftOut[i] = separationA;
         if (separationA > distance) {
-            word[i] = Word.of(NarrowPhase.FACE_A, faceA, 0);
+            word[i] = Word.of(Word.FACE_A, faceA, 0);
             return true;
         }
         leftOut[i] = separationB;
         if (separationB > distance) {
-            word[i] = Word.of(NarrowPhase.FACE_B, faceB, 0);
+            word[i] = Word.of(Word.FACE_B, faceB, 0);
             return true;
         }
         return false;
@@ -93,14 +93,11 @@ final class BoxChoice {
         if (best[i] > t[MARGIN + i]) {
             onFace[i] = false;
             boolean onB = separationB > separationA;
-            word[i] =
-                    onB
-                            ? Word.of(NarrowPhase.FACE_B, faceB, 0)
-                            : Word.of(NarrowPhase.FACE_A, faceA, 0);
+            word[i] = onB ? Word.of(Word.FACE_B, faceB, 0) : Word.of(Word.FACE_A, faceA, 0);
             return;
         }
         onFace[i] = true;
-        boolean flip = chooseFace(i, word[i], NarrowPhase.CALM * t[INNER + i]);
+        boolean flip = chooseFace(i, word[i], ContactTolerances.HYSTERESIS * t[INNER + i]);
         int face = flip ? faceB : faceA;
         separation[i] = flip ? separationB : separationA;
         t[FLIP + i] = flip ? 1 : 0;
@@ -112,13 +109,15 @@ final class BoxChoice {
     /** Decides between edges and face by their directions, as {@link Polyhedra} does. */
     void crosses(int i, boolean wide) {
         if (wide) {
-            crosses[i] = t[EDGE + i] >= 0 && t[CROSSING_COSINE + i] <= Polyhedra.NEARLY_PARALLEL;
+            crosses[i] =
+                    t[EDGE + i] >= 0 && t[CROSSING_COSINE + i] <= ContactTolerances.NEARLY_PARALLEL;
             return;
         }
         int face = 2 * (int) t[AXIS + i] + (t[SIGN + i] > 0 ? 1 : 0);
         crosses[i] =
                 crossing.place(i)
-                        && crossing.cosine(i, t[FLIP + i] != 0, face) <= Polyhedra.NEARLY_PARALLEL;
+                        && crossing.cosine(i, t[FLIP + i] != 0, face)
+                                <= ContactTolerances.NEARLY_PARALLEL;
     }
 
     /** Whether the face contact tells another depth than the best axis, see {@link NarrowPhase}. */
@@ -128,22 +127,19 @@ final class BoxChoice {
 
     /** How much truer a point contact must be, as in {@link Polyhedra}. */
     private double better(int i) {
-        double calm = NarrowPhase.CALM * t[INNER + i];
-        double depth = Math.abs(best[i]);
-        return word[i] >>> 62 == NarrowPhase.EDGES
-                ? 0.5 * calm + 0.05 * depth
-                : 1.5 * calm + 0.15 * depth;
+        return ContactTolerances.depthError(
+                word[i] >>> 62 == Word.EDGES, ContactTolerances.HYSTERESIS * t[INNER + i], best[i]);
     }
 
     /** The face that separated or carried the pair last time separates it now. */
     private boolean stillApart(int i, long cache, double distance) {
         long before = cache >>> 62;
         int face = (int) (cache >>> 47) & 0x7FFF;
-        if (before == NarrowPhase.FACE_A && face < 6) {
+        if (before == Word.FACE_A && face < 6) {
             leftOut[i] = face == faceA ? separationA : alongA(i, face);
             return leftOut[i] > distance;
         }
-        if (before == NarrowPhase.FACE_B && face < 6) {
+        if (before == Word.FACE_B && face < 6) {
             leftOut[i] = face == faceB ? separationB : alongB(i, face);
             return leftOut[i] > distance;
         }
@@ -184,22 +180,22 @@ final class BoxChoice {
     private boolean chooseFace(int i, long cache, double calm) {
         long before = cache >>> 62;
         int last = (int) (cache >>> 47) & 0x7FFF;
-        if (before == NarrowPhase.FACE_A && last != faceA && last < 6) {
+        if (before == Word.FACE_A && last != faceA && last < 6) {
             double s = alongA(i, last);
             if (s >= Math.max(separationA, separationB) - calm) {
                 faceA = last;
                 separationA = s;
             }
         }
-        if (before == NarrowPhase.FACE_B && last != faceB && last < 6) {
+        if (before == Word.FACE_B && last != faceB && last < 6) {
             double s = alongB(i, last);
             if (s >= Math.max(separationA, separationB) - calm) {
                 faceB = last;
                 separationB = s;
             }
         }
-        double bias = before == NarrowPhase.FACE_A ? calm : -calm;
-        if (before != NarrowPhase.FACE_A && before != NarrowPhase.FACE_B) {
+        double bias = before == Word.FACE_A ? calm : -calm;
+        if (before != Word.FACE_A && before != Word.FACE_B) {
             double far = Math.max(Math.abs(t[CENTRE + i]), Math.abs(t[CENTRE + CAPACITY + i]));
             far = Math.max(far, Math.abs(t[CENTRE + 2 * CAPACITY + i]));
             bias = 0x1p-40 * (outerRadius(HALF_A + i) + outerRadius(HALF_B + i) + far);

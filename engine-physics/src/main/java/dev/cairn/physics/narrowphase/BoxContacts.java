@@ -281,9 +281,7 @@ public final class BoxContacts {
             copy(i, points, out);
         }
         return Word.of(
-                flip ? NarrowPhase.FACE_B : NarrowPhase.FACE_A,
-                face,
-                wide ? cuts.names[i] : Names.of(out));
+                flip ? Word.FACE_B : Word.FACE_A, face, wide ? cuts.names[i] : Names.of(out));
     }
 
     /**
@@ -369,7 +367,7 @@ public final class BoxContacts {
         double best = choice.best[i];
         double separation = t[SEPARATION_EDGE + i];
         BoxCrossing crossing = choice.crossing;
-        boolean found = separation >= best - NarrowPhase.CALM * t[INNER + i];
+        boolean found = separation >= best - ContactTolerances.HYSTERESIS * t[INNER + i];
         if (found && wide && choice.crosses[i]) {
             found = crossing.copy(i, out);
         } else if (found) {
@@ -377,7 +375,7 @@ public final class BoxContacts {
         }
         if (found) {
             out.bound = Math.abs(best - separation) + 0x1p-48 * scale(i);
-            return Word.of(NarrowPhase.EDGES, 0, Names.of(out));
+            return Word.of(Word.EDGES, 0, Names.of(out));
         }
         return single(i, a, b, out);
     }

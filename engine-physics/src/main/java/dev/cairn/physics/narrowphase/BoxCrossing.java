@@ -13,29 +13,12 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_EDGE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
 
-import dev.cairn.physics.shape.Box;
-import dev.cairn.physics.shape.Polyhedron;
-
 /**
  * Two edges of a pair in a batch that cross: the axis from the columns of the fifteen axes, and the
  * point midway between the edges, with the operations of {@link Axes} and {@link ContactPoints},
  * hence their bits.
  */
 final class BoxCrossing {
-    /** The edge from a vertex along an axis, at 3 vertex + axis. */
-    private static final int[] EDGE_AT = new int[24];
-
-    static {
-        Polyhedron h = Box.cube(1).polyhedron();
-        for (int e = 0; e < 12; e++) {
-            int from = h.edgeFrom(e);
-            int to = h.edgeTo(e);
-            int axis = Integer.numberOfTrailingZeros(from ^ to);
-            EDGE_AT[3 * from + axis] = e;
-            EDGE_AT[3 * to + axis] = e;
-        }
-    }
-
     /** Columns of the batch. */
     private final double[] t;
 
@@ -162,7 +145,7 @@ final class BoxCrossing {
         double det = uu * vv - uv * uv;
         double f = (ur * vv - vr * uv) / det;
         double g = (ur * uv - vr * uu) / det;
-        double end = ContactPoints.CROSSING_END;
+        double end = ContactTolerances.CROSSING_END;
         boolean beside = !(Math.abs(f) <= end && Math.abs(g) <= end);
         double separation = t[SEPARATION_EDGE + i];
         if (beside || separation > t[MARGIN + i]) {
@@ -213,6 +196,8 @@ final class BoxCrossing {
     }
 
     private static int name(int va, int vb, int k, int l) {
-        return Clipper.CROSSING | EDGE_AT[3 * va + k] << 15 | EDGE_AT[3 * vb + l];
+        return Names.CROSSING
+                | BoxTopology.EDGE_AT[3 * va + k] << 15
+                | BoxTopology.EDGE_AT[3 * vb + l];
     }
 }

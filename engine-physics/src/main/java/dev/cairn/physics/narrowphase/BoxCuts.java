@@ -15,8 +15,6 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
 
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
-import dev.cairn.physics.shape.Box;
-import dev.cairn.physics.shape.Polyhedron;
 
 /**
  * Clips the incident face of a pair in a batch, whose corners are in the columns, and puts the
@@ -30,11 +28,8 @@ final class BoxCuts {
     /** The polygon is not convex up to rounding: the single path shall decide. */
     static final int UNSURE = 0;
 
-    /** Of every block: the topology does not depend on the extents. */
-    static final int[] SLOT_VERTEX = new int[24], SLOT_EDGE = new int[24];
-
-    /** The side of a slot is on the first axis beside the face's (or the second), and its sign. */
-    private static final boolean[] SIDE_FIRST = new boolean[24], SIDE_POSITIVE = new boolean[24];
+    /** The side of a slot is on the first axis beside the face's, or the second. */
+    private static final boolean[] SIDE_FIRST = new boolean[24];
 
     /**
      * The slots of a face in the order in which its sides cut: those across the first axis beside
@@ -49,19 +44,15 @@ final class BoxCuts {
     static final int[] SLOT_CORNER = new int[24], CORNER_VERTEX = new int[24];
 
     static {
-        Polyhedron h = Box.cube(1).polyhedron();
         for (int s = 0; s < 24; s++) {
             int axis = s >> 3;
             int low = axis == 0 ? 1 : 0;
             int high = axis == 2 ? 1 : 2;
-            int v = h.slotVertex(s);
-            SLOT_VERTEX[s] = v;
-            SLOT_EDGE[s] = h.slotEdge(s);
+            int v = BoxTopology.SLOT_VERTEX[s];
             SLOT_CORNER[s] = (v >> low & 1) | (v >> high & 1) << 1;
             CORNER_VERTEX[(s & ~3) + SLOT_CORNER[s]] = v;
-            SIDE_FIRST[s] = (low == 0 ? h.sideX(s) : h.sideY(s)) != 0;
-            SIDE_POSITIVE[s] = h.sideX(s) + h.sideY(s) + h.sideZ(s) > 0;
-            int side = (SIDE_FIRST[s] ? 0 : 2) + (SIDE_POSITIVE[s] ? 0 : 1);
+            SIDE_FIRST[s] = BoxTopology.SIDE_AXIS[s] == low;
+            int side = (SIDE_FIRST[s] ? 0 : 2) + (BoxTopology.SIDE_POSITIVE[s] ? 0 : 1);
             SIDE_OUTSIDE[s] = OUTSIDE + side * CAPACITY;
             SIDE_SLOT[(s & ~3) + side] = s;
         }
@@ -133,7 +124,7 @@ final class BoxCuts {
             deepest = t[DEEPEST + i];
             return 4;
         }
-        first = Clipper.ON_PLANE * inner;
+        first = ContactTolerances.ON_PLANE * inner;
         boolean cuts = false;
         for (int slot = begin; slot < begin + 4; slot++) {
             cuts |= t[SIDE_OUTSIDE[slot] + i] > first;
@@ -141,7 +132,7 @@ final class BoxCuts {
         if (!cuts) {
             return whole(t, i, positive, incident, margin);
         }
-        later = Clipper.STILL_ON_PLANE * inner;
+        later = ContactTolerances.STILL_ON_PLANE * inner;
         return any(t, i, positive, incident, begin, margin, inner);
     }
 
@@ -169,7 +160,7 @@ final class BoxCuts {
         }
         keepNear(positive, t[HALF + i], margin);
         if (count > 4) {
-            reduce(begin >> 3, positive, NarrowPhase.CALM * inner);
+            reduce(begin >> 3, positive, ContactTolerances.HYSTERESIS * inner);
         }
         return put(t, i, positive);
     }
@@ -177,7 +168,7 @@ final class BoxCuts {
     /** All four corners stay, in order of their names. */
     private int whole(double[] t, int i, boolean positive, int incident, double margin) {
         int hash = 0;
-        int kind = flip ? Clipper.VERTEX_A : Clipper.VERTEX_B;
+        int kind = flip ? Names.VERTEX_A : Names.VERTEX_B;
         double limit = t[HALF + i];
         double least = Double.MAX_VALUE;
         int kept = 0;
@@ -208,12 +199,12 @@ final class BoxCuts {
 
     static int crossing(boolean flip, int incidentEdge, int edge) {
         return flip
-                ? Clipper.CROSSING | incidentEdge << 15 | edge
-                : Clipper.CROSSING | edge << 15 | incidentEdge;
+                ? Names.CROSSING | incidentEdge << 15 | edge
+                : Names.CROSSING | edge << 15 | incidentEdge;
     }
 
     private void load(double[] t, int i, int incident) {
-        int kind = flip ? Clipper.VERTEX_A : Clipper.VERTEX_B;
+        int kind = flip ? Names.VERTEX_A : Names.VERTEX_B;
         count = 4;
         made = 4;
         order = 0x3210;
@@ -222,7 +213,7 @@ final class BoxCuts {
             n[k] = t[at];
             u[k] = t[at + CAPACITY];
             v[k] = t[at + 2 * CAPACITY];
-            feature[k] = kind | SLOT_VERTEX[incident + k];
+            feature[k] = kind | BoxTopology.SLOT_VERTEX[incident + k];
             slack[k] = slack(feature[k]);
             side[k] = k;
         }
@@ -239,7 +230,7 @@ final class BoxCuts {
      * @return false when they are more than one run, which rounding can make of flush sides
      */
     private boolean cut(double[] t, int pair, int slot, int begin, double[] c, double limit) {
-        double sign = SIDE_POSITIVE[slot] ? 1 : -1;
+        double sign = BoxTopology.SIDE_POSITIVE[slot] ? 1 : -1;
         int corners = count;
         int outside = 0;
         for (int i = 0; i < corners; i++) {
@@ -319,10 +310,14 @@ final class BoxCuts {
             double limit,
             int leaving) {
         int k = made++;
-        int crossing = name(cutSide < 0 ? cutSide : SLOT_EDGE[incident + cutSide], slot, begin);
+        int crossing =
+                name(
+                        cutSide < 0 ? cutSide : BoxTopology.SLOT_EDGE[incident + cutSide],
+                        slot,
+                        begin);
         if (cutSide >= 0) {
             // The corners of the incident face keep their places.
-            double sign = SIDE_POSITIVE[slot] ? 1 : -1;
+            double sign = BoxTopology.SIDE_POSITIVE[slot] ? 1 : -1;
             int next = cutSide + 1 & 3;
             double here = sign * c[cutSide] - limit;
             double there = sign * c[next] - limit;
@@ -335,7 +330,7 @@ final class BoxCuts {
             v[k] = v[i] + s * (v[j] - v[i]);
         } else {
             int after = slot == begin + 3 ? begin : slot + 1;
-            corner(t, pair, k, SLOT_VERTEX[after == ~cutSide ? after : slot], begin);
+            corner(t, pair, k, BoxTopology.SLOT_VERTEX[after == ~cutSide ? after : slot], begin);
         }
         feature[k] = crossing;
         slack[k] = slack(crossing);
@@ -364,11 +359,11 @@ final class BoxCuts {
     /** What a side plane makes of a side that came from an edge, or from another side plane. */
     static int name(boolean flip, int cutSide, int slot, int begin) {
         if (cutSide >= 0) {
-            return crossing(flip, cutSide, SLOT_EDGE[slot]);
+            return crossing(flip, cutSide, BoxTopology.SLOT_EDGE[slot]);
         }
-        int kind = flip ? Clipper.VERTEX_B : Clipper.VERTEX_A;
+        int kind = flip ? Names.VERTEX_B : Names.VERTEX_A;
         int after = slot == begin + 3 ? begin : slot + 1;
-        return kind | SLOT_VERTEX[after == ~cutSide ? after : slot];
+        return kind | BoxTopology.SLOT_VERTEX[after == ~cutSide ? after : slot];
     }
 
     /** Drops the corners beyond the margin; what is left has its separation in {@link #beyond}. */

@@ -7,9 +7,6 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
 
-import dev.cairn.physics.shape.Box;
-import dev.cairn.physics.shape.Polyhedron;
-
 /**
  * The face contact of two boxes: what {@link ContactPoints#face} and {@link Clipper} do, for
  * rectangles whose sides are parallel to the axes. The operations on each number are the same, so
@@ -18,22 +15,6 @@ import dev.cairn.physics.shape.Polyhedron;
 final class BoxFaces {
     /** Corners a polygon can have while it is cut: four and two more for each of four sides. */
     private static final int MOST = 16;
-
-    /** Of every block: the topology does not depend on the extents. */
-    static final int[] SLOT_VERTEX = new int[24], SLOT_EDGE = new int[24], SIDE_AXIS = new int[24];
-
-    /** The side plane at a slot looks along {@link #SIDE_AXIS}, or against it. */
-    static final boolean[] SIDE_POSITIVE = new boolean[24];
-
-    static {
-        Polyhedron h = Box.cube(1).polyhedron();
-        for (int s = 0; s < 24; s++) {
-            SLOT_VERTEX[s] = h.slotVertex(s);
-            SLOT_EDGE[s] = h.slotEdge(s);
-            SIDE_AXIS[s] = h.sideX(s) != 0 ? 0 : h.sideY(s) != 0 ? 1 : 2;
-            SIDE_POSITIVE[s] = h.sideX(s) + h.sideY(s) + h.sideZ(s) > 0;
-        }
-    }
 
     /** Corners in the frame of the reference box, x, y and z; and the next ones while cutting. */
     private double[] x = new double[MOST], y = new double[MOST], z = new double[MOST];
@@ -90,14 +71,14 @@ final class BoxFaces {
             Manifold out) {
         this.flip = flip;
         this.last = last;
-        first = Clipper.ON_PLANE * inner;
-        later = Clipper.STILL_ON_PLANE * inner;
+        first = ContactTolerances.ON_PLANE * inner;
+        later = ContactTolerances.STILL_ON_PLANE * inner;
         int axis = face >> 1;
         load(t, i, axis, (face & 1) != 0);
         cutAll(face, axis);
         keepNear(axis, (face & 1) != 0, margin);
         if (count > 4) {
-            reduce(axis, (face & 1) != 0, NarrowPhase.CALM * inner);
+            reduce(axis, (face & 1) != 0, ContactTolerances.HYSTERESIS * inner);
         }
         return write(t, i, axis, (face & 1) != 0, out);
     }
@@ -138,10 +119,10 @@ final class BoxFaces {
         double dy = t[CENTRE + CAPACITY + i];
         double dz = t[CENTRE + 2 * CAPACITY + i];
         double[] m = turn;
-        int kind = flip ? Clipper.VERTEX_A : Clipper.VERTEX_B;
+        int kind = flip ? Names.VERTEX_A : Names.VERTEX_B;
         count = 4;
         for (int k = 0; k < 4; k++) {
-            int v = SLOT_VERTEX[begin + k];
+            int v = BoxTopology.SLOT_VERTEX[begin + k];
             double px = (v & 1) == 0 ? -hx : hx;
             double py = (v & 2) == 0 ? -hy : hy;
             double pz = (v & 4) == 0 ? -hz : hz;
@@ -196,10 +177,10 @@ final class BoxFaces {
 
     /** As {@link Clipper}'s. */
     private void cut(int slot, int begin) {
-        int axis = SIDE_AXIS[slot];
+        int axis = BoxTopology.SIDE_AXIS[slot];
         double[] c = axis == 0 ? x : axis == 1 ? y : z;
         double limit = half[axis];
-        boolean positive = SIDE_POSITIVE[slot];
+        boolean positive = BoxTopology.SIDE_POSITIVE[slot];
         boolean outside = false;
         int n = count;
         for (int i = 0; i < n; i++) {
@@ -243,14 +224,14 @@ final class BoxFaces {
         int name = name(cutSide, slot, begin);
         if (cutSide < 0) {
             int after = slot == begin + 3 ? begin : slot + 1;
-            corner(SLOT_VERTEX[after == ~cutSide ? after : slot], begin, name, leaving);
+            corner(BoxTopology.SLOT_VERTEX[after == ~cutSide ? after : slot], begin, name, leaving);
             return;
         }
         double[] o = origin;
-        int axis = SIDE_AXIS[slot];
+        int axis = BoxTopology.SIDE_AXIS[slot];
         int i = 3 * cutSide;
         int j = cutSide == 3 ? 0 : i + 3;
-        double sign = SIDE_POSITIVE[slot] ? 1 : -1;
+        double sign = BoxTopology.SIDE_POSITIVE[slot] ? 1 : -1;
         double here = sign * o[i + axis] - half[axis];
         double there = sign * o[j + axis] - half[axis];
         boolean enters = there < here;
@@ -285,11 +266,14 @@ final class BoxFaces {
 
     private int name(int cutSide, int slot, int begin) {
         if (cutSide >= 0) {
-            return BoxCuts.crossing(flip, SLOT_EDGE[4 * incidentFace + cutSide], SLOT_EDGE[slot]);
+            return BoxCuts.crossing(
+                    flip,
+                    BoxTopology.SLOT_EDGE[4 * incidentFace + cutSide],
+                    BoxTopology.SLOT_EDGE[slot]);
         }
-        int kind = flip ? Clipper.VERTEX_B : Clipper.VERTEX_A;
+        int kind = flip ? Names.VERTEX_B : Names.VERTEX_A;
         int after = slot == begin + 3 ? begin : slot + 1;
-        return kind | SLOT_VERTEX[after == ~cutSide ? after : slot];
+        return kind | BoxTopology.SLOT_VERTEX[after == ~cutSide ? after : slot];
     }
 
     private void swap() {

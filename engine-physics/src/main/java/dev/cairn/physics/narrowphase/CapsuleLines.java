@@ -84,9 +84,9 @@ final class CapsuleLines {
     /** The end of A, or of B, that a point is at. */
     private static int name(double s, double t) {
         if (s == 0 || s == 1) {
-            return Clipper.VERTEX_A | (s == 0 ? Patch.END : Patch.END + 1);
+            return Names.VERTEX_A | (s == 0 ? Patch.END : Patch.END + 1);
         }
-        return Clipper.VERTEX_B | (t <= 0.5 ? Patch.END : Patch.END + 1);
+        return Names.VERTEX_B | (t <= 0.5 ? Patch.END : Patch.END + 1);
     }
 
     /** Inserts a point in order of its name. */

@@ -6,9 +6,6 @@ package dev.cairn.physics.narrowphase;
  * the capsule's line that is over the face; else one point.
  */
 final class CapsuleOnBox {
-    /** Cosine of 0.1 rad: a face that is nearer to the axis is the reference. */
-    private static final double NEARLY = 0.995;
-
     /** Sine of 0.1 rad. */
     private static final double ACROSS = 0.1;
 
@@ -52,13 +49,13 @@ final class CapsuleOnBox {
 
     /** The face whose normal is nearly the axis, or -1. */
     private int face() {
-        if (Math.abs(axis.x) >= NEARLY) {
+        if (Math.abs(axis.x) >= ContactTolerances.NEARLY_PARALLEL) {
             return axis.x > 0 ? 1 : 0;
         }
-        if (Math.abs(axis.y) >= NEARLY) {
+        if (Math.abs(axis.y) >= ContactTolerances.NEARLY_PARALLEL) {
             return axis.y > 0 ? 3 : 2;
         }
-        return Math.abs(axis.z) >= NEARLY ? axis.z > 0 ? 5 : 4 : -1;
+        return Math.abs(axis.z) >= ContactTolerances.NEARLY_PARALLEL ? axis.z > 0 ? 5 : 4 : -1;
     }
 
     /** Fills the manifold; returns the word of the next tick. See {@link CurvedContact#run}. */
@@ -68,17 +65,17 @@ final class CapsuleOnBox {
         if (separation > margin) {
             return 0;
         }
-        boolean single = cache >>> 62 == NarrowPhase.EDGES;
-        double enough = (single ? 0.5 : 1.5) * calm + (single ? .05 : .15) * Math.abs(separation);
+        boolean single = cache >>> 62 == Word.EDGES;
+        double enough = ContactTolerances.depthError(single, calm, separation);
         int face = face();
         deepest = Double.MAX_VALUE;
         if (face >= 0) {
             last = (int) cache;
             onFace(face, radius, margin, out);
         }
-        long reference = axis.second ? NarrowPhase.FACE_B : NarrowPhase.FACE_A;
+        long reference = axis.second ? Word.FACE_B : Word.FACE_A;
         if (!(Math.abs(deepest - separation) <= enough)) {
-            reference = NarrowPhase.EDGES;
+            reference = Word.EDGES;
             deepest = separation;
             out.pointCount = 0;
             // Midway between the surfaces, which are r from the segment and best from it.
@@ -88,7 +85,7 @@ final class CapsuleOnBox {
                     axis.cy + axis.at * axis.uy - back * axis.y,
                     axis.cz + axis.at * axis.uz - back * axis.z,
                     separation,
-                    ContactPoints.CLOSEST,
+                    Names.CLOSEST,
                     out);
             normal(axis.x, axis.y, axis.z, out);
         }
@@ -99,22 +96,22 @@ final class CapsuleOnBox {
     /** The capsule's line nearest to a face, cut by the sides of the face. */
     private void onFace(int face, double radius, double margin, Manifold out) {
         SegmentBox s = axis;
-        int end = axis.second ? Clipper.VERTEX_A : Clipper.VERTEX_B;
+        int end = axis.second ? Names.VERTEX_A : Names.VERTEX_B;
         from = 0;
         to = 1;
         fromName = end | Patch.END;
         toName = end | (Patch.END + 1);
-        slack = Clipper.ON_PLANE * pair.inner;
-        slackBefore = Clipper.STILL_ON_PLANE * pair.inner;
+        slack = ContactTolerances.ON_PLANE * pair.inner;
+        slackBefore = ContactTolerances.STILL_ON_PLANE * pair.inner;
         int normal = face >> 1;
         double sign = (face & 1) == 0 ? -1 : 1;
         for (int slot = 4 * face; slot < 4 * face + 4; slot++) {
-            int side = BoxFaces.SIDE_AXIS[slot];
+            int side = BoxTopology.SIDE_AXIS[slot];
             double c = side == 0 ? s.cx : side == 1 ? s.cy : s.cz;
             double u = side == 0 ? s.ux : side == 1 ? s.uy : s.uz;
             double b = side == 0 ? s.bx : side == 1 ? s.by : s.bz;
-            double outward = BoxFaces.SIDE_POSITIVE[slot] ? 1 : -1;
-            cut(outward * (c - s.h * u) - b, outward * (2 * s.h * u), BoxFaces.SLOT_EDGE[slot]);
+            double outward = BoxTopology.SIDE_POSITIVE[slot] ? 1 : -1;
+            cut(outward * (c - s.h * u) - b, outward * (2 * s.h * u), BoxTopology.SLOT_EDGE[slot]);
         }
         if (to < from) {
             return;
@@ -146,8 +143,8 @@ final class CapsuleOnBox {
 
     private int crossing(int edge, int line) {
         return axis.second
-                ? Clipper.CROSSING | line << 15 | edge
-                : Clipper.CROSSING | edge << 15 | line;
+                ? Names.CROSSING | line << 15 | edge
+                : Names.CROSSING | edge << 15 | line;
     }
 
     /** A point of the line midway between the surfaces along a face's normal. */

@@ -1,6 +1,5 @@
 package dev.cairn.physics.narrowphase;
 
-import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.shape.Polyhedron;
 
 import java.util.Arrays;
@@ -12,22 +11,6 @@ import java.util.Arrays;
  * or an edge of A crossing an edge of B. The names are the same whichever shape is the reference.
  */
 final class Clipper {
-    static final int VERTEX_A = 0;
-    static final int VERTEX_B = 1 << 30;
-    static final int CROSSING = 2 << 30;
-
-    /**
-     * Of the smaller shape's inner radius: corners this near to a side plane count as on it, so
-     * that flush boxes keep their names.
-     */
-    static final double ON_PLANE = BoxBatch.ON_PLANE;
-
-    /**
-     * The same for a corner that was a point of the last tick: it leaves the plane later than it
-     * came, so that boxes that sway a little keep their names too.
-     */
-    static final double STILL_ON_PLANE = BoxBatch.STILL_ON_PLANE;
-
     double[] x = new double[32],
             y = new double[32],
             z = new double[32],
@@ -82,8 +65,8 @@ final class Clipper {
     void clip(Pair p, boolean flip, int face, int incident, double margin, int last) {
         this.flip = flip;
         this.last = last;
-        onPlane = ON_PLANE * p.inner;
-        stillOnPlane = STILL_ON_PLANE * p.inner;
+        onPlane = ContactTolerances.ON_PLANE * p.inner;
+        stillOnPlane = ContactTolerances.STILL_ON_PLANE * p.inner;
         reference = flip ? p.b : p.a;
         other = flip ? p.a : p.b;
         pair = p;
@@ -167,7 +150,7 @@ final class Clipper {
     }
 
     private void load(Pair p, int begin, int corners) {
-        int kind = flip ? VERTEX_A : VERTEX_B;
+        int kind = flip ? Names.VERTEX_A : Names.VERTEX_B;
         for (int i = 0; i < corners; i++) {
             int v = other.slotVertex(begin + i);
             corner(p, v);
@@ -202,7 +185,7 @@ final class Clipper {
      */
     private int triangle(Pair p, int at, int face, int begin, int sides) {
         Polyhedron h = reference;
-        int kind = flip ? VERTEX_A : VERTEX_B;
+        int kind = flip ? Names.VERTEX_A : Names.VERTEX_B;
         int v0 = other.slotVertex(at);
         int v1 = other.slotVertex(at + 1);
         int v2 = other.slotVertex(at + 2);
@@ -470,9 +453,11 @@ final class Clipper {
         if (cutSide >= 0) {
             int cutEdge = other.slotEdge(incidentBegin + cutSide);
             int edge = reference.slotEdge(slot);
-            return flip ? CROSSING | cutEdge << 15 | edge : CROSSING | edge << 15 | cutEdge;
+            return flip
+                    ? Names.CROSSING | cutEdge << 15 | edge
+                    : Names.CROSSING | edge << 15 | cutEdge;
         }
-        int kind = flip ? VERTEX_B : VERTEX_A;
+        int kind = flip ? Names.VERTEX_B : Names.VERTEX_A;
         int begin = reference.faceBegin(face);
         int end = reference.faceBegin(face + 1);
         int after = slot + 1 == end ? begin : slot + 1;

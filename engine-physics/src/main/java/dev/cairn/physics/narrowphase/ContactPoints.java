@@ -1,6 +1,5 @@
 package dev.cairn.physics.narrowphase;
 
-import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.shape.Polyhedron;
 
 /**
@@ -8,12 +7,6 @@ import dev.cairn.physics.shape.Polyhedron;
  * edges, or the nearest points. Works in A's frame and turns what it writes into world axes.
  */
 final class ContactPoints {
-    /** Name of a point that has no better one. */
-    static final int CLOSEST = 3 << 30;
-
-    /** In half lengths from the middle of an edge: edges cross up to there. */
-    static final double CROSSING_END = BoxBatch.CROSSING_END;
-
     private final Pair pair;
     private final Axes axes;
     private final Gjk gjk;
@@ -182,7 +175,9 @@ final class ContactPoints {
         double det = uu * vv - uv * uv;
         double s = (ur * vv - vr * uv) / det;
         double t = (ur * uv - vr * uu) / det;
-        boolean beside = !(Math.abs(s) <= CROSSING_END && Math.abs(t) <= CROSSING_END);
+        boolean beside =
+                !(Math.abs(s) <= ContactTolerances.CROSSING_END
+                        && Math.abs(t) <= ContactTolerances.CROSSING_END);
         if (beside || axes.separationEdge > margin) {
             return false;
         }
@@ -192,7 +187,7 @@ final class ContactPoints {
                 (ay + s * uy + (py + t * vy)) / 2,
                 (az + s * uz + (pz + t * vz)) / 2,
                 axes.separationEdge,
-                Clipper.CROSSING | axes.edgeA << 15 | axes.edgeB,
+                Names.CROSSING | axes.edgeA << 15 | axes.edgeB,
                 out);
         return true;
     }
@@ -208,7 +203,7 @@ final class ContactPoints {
             z += gjk.weight[i] * pair.vertexAZ(gjk.ia[i]);
         }
         setAxis(gjk.vx / gjk.distance, gjk.vy / gjk.distance, gjk.vz / gjk.distance);
-        single(x + gjk.vx / 2, y + gjk.vy / 2, z + gjk.vz / 2, gjk.distance, CLOSEST, out);
+        single(x + gjk.vx / 2, y + gjk.vy / 2, z + gjk.vz / 2, gjk.distance, Names.CLOSEST, out);
     }
 
     /**

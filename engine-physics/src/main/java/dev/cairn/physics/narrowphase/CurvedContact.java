@@ -10,13 +10,6 @@ package dev.cairn.physics.narrowphase;
  * deepest point does not tell the true depth.
  */
 final class CurvedContact {
-    private static final long FIRST = 1;
-    private static final long SECOND = 2;
-    private static final long SINGLE = 3;
-
-    /** Cosine of 0.1 rad: flats that are nearer to the axis may be the reference. */
-    private static final double NEARLY = 0.995;
-
     /** Sine of 0.1 rad. */
     private static final double ACROSS = 0.1;
 
@@ -48,31 +41,21 @@ final class CurvedContact {
         patchA.fill(pair, false, nx, ny, nz);
         patchB.fill(pair, true, -nx, -ny, -nz);
         long reference = reference(before, calm);
-        if (reference == FIRST) {
+        if (reference == Word.FACE_A) {
             flats(patchA, patchB, margin, calm, last, out);
-        } else if (reference == SECOND) {
+        } else if (reference == Word.FACE_B) {
             flats(patchB, patchA, margin, calm, last, out);
         } else {
             lines(margin, calm, out);
         }
-        double loose = before == SINGLE ? 0.5 * calm : 1.5 * calm;
-        double share = before == SINGLE ? 0.05 : 0.15;
-        double enough = loose + share * Math.abs(separation);
-        if (out.pointCount == 0 || Math.abs(deepest(out) - separation) > enough) {
+        double enough = ContactTolerances.depthError(before == Word.EDGES, calm, separation);
+        if (out.pointCount == 0 || Math.abs(out.deepest() - separation) > enough) {
             single(out);
-            reference = SINGLE;
+            reference = Word.EDGES;
         }
-        out.bound = Math.abs(deepest(out) - separation) + axis.gap + 0x1p-46 * pair.scale;
+        out.bound = Math.abs(out.deepest() - separation) + axis.gap + 0x1p-46 * pair.scale;
         // Lines count as a reference of nobody: word 0 with names.
         return reference << 62 | (Names.of(out) & 0xFFFFFFFFL);
-    }
-
-    private static double deepest(Manifold out) {
-        double least = Double.MAX_VALUE;
-        for (int i = 0; i < out.pointCount; i++) {
-            least = Math.min(least, out.separation[i]);
-        }
-        return least;
     }
 
     /** Whose flat the separations are measured from; 0 for nobody's. */
@@ -81,21 +64,26 @@ final class CurvedContact {
         double b = Axes.NEVER;
         boolean incidentA = patchA.line || patchA.flat != Patch.NONE;
         boolean incidentB = patchB.line || patchB.flat != Patch.NONE;
-        if (patchA.flat != Patch.NONE && patchA.cosine >= NEARLY && incidentB) {
+        if (patchA.flat != Patch.NONE
+                && patchA.cosine >= ContactTolerances.NEARLY_PARALLEL
+                && incidentB) {
             a = along(patchA.nx, patchA.ny, patchA.nz);
         }
-        if (patchB.flat != Patch.NONE && patchB.cosine >= NEARLY && incidentA) {
+        if (patchB.flat != Patch.NONE
+                && patchB.cosine >= ContactTolerances.NEARLY_PARALLEL
+                && incidentA) {
             b = along(-patchB.nx, -patchB.ny, -patchB.nz);
         }
         if (a == Axes.NEVER && b == Axes.NEVER) {
             return 0;
         }
         // A face is preferred to a disc, then what was the reference before.
-        double bias = before == SECOND ? -calm : before == FIRST ? calm : 0x1p-40 * pair.scale;
+        double bias =
+                before == Word.FACE_B ? -calm : before == Word.FACE_A ? calm : 0x1p-40 * pair.scale;
         if (patchA.flat != patchB.flat && a != Axes.NEVER && b != Axes.NEVER) {
             bias = patchA.flat == Patch.FACE ? calm : -calm;
         }
-        return b > a + bias ? SECOND : FIRST;
+        return b > a + bias ? Word.FACE_B : Word.FACE_A;
     }
 
     private double along(double x, double y, double z) {
@@ -205,7 +193,7 @@ final class CurvedContact {
             z = pair.pz - reach * nz;
         }
         points.setAxis(nx, ny, nz);
-        points.single(x, y, z, separation, ContactPoints.CLOSEST, out);
+        points.single(x, y, z, separation, Names.CLOSEST, out);
     }
 
     private double crossX, crossY, crossZ;

@@ -1,20 +1,15 @@
 package dev.cairn.physics.narrowphase;
 
 import dev.cairn.physics.shape.HalfSpace;
-import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 
 /**
- * The pairs that are not of boxes, hulls and balls alone: unwraps moved shapes, sends half-spaces
- * to {@link PlaneContact} and the rest to {@link CurvedAxis} and {@link CurvedContact}.
+ * The pairs that are not of boxes, hulls and balls alone: sends half-spaces to {@link PlaneContact}
+ * and the rest to {@link CurvedAxis} and {@link CurvedContact}.
  */
 final class CurvedPairs {
-    /** Of the smaller inner radius, as for polyhedra. */
-    private static final double CALM = 1e-3;
-
     boolean capped;
 
-    private final NarrowPhase owner;
     private final Pair pair;
     private final Gjk gjk;
     private final Epa epa;
@@ -32,17 +27,7 @@ final class CurvedPairs {
 
     private double lastX, lastY, lastZ;
 
-    /** An orientation that a moved shape's own turn was multiplied into. */
-    private double tx, ty, tz, tw;
-
-    CurvedPairs(
-            NarrowPhase owner,
-            Pair pair,
-            Gjk gjk,
-            Epa epa,
-            ContactPoints points,
-            boolean closedForm) {
-        this.owner = owner;
+    CurvedPairs(Pair pair, Gjk gjk, Epa epa, ContactPoints points, boolean closedForm) {
         this.pair = pair;
         this.gjk = gjk;
         this.epa = epa;
@@ -55,17 +40,6 @@ final class CurvedPairs {
 
     private boolean byHull(Shape a, Shape b, double limit) {
         return closedForm && SegmentHull.fits(a, b) && segmentHull.find(pair, a, b, limit, axis);
-    }
-
-    private void turn(double qx, double qy, double qz, double qw, Moved m) {
-        double mx = m.rotationX();
-        double my = m.rotationY();
-        double mz = m.rotationZ();
-        double mw = m.rotationW();
-        tx = qw * mx + qx * mw + qy * mz - qz * my;
-        ty = qw * my - qx * mz + qy * mw + qz * mx;
-        tz = qw * mz + qx * my - qy * mx + qz * mw;
-        tw = qw * mw - qx * mx - qy * my - qz * mz;
     }
 
     /** See {@link NarrowPhase#collide}; one of the shapes at least is none of the plain ones. */
@@ -86,18 +60,6 @@ final class CurvedPairs {
             double margin,
             long cache,
             Manifold out) {
-        if (a instanceof Moved m) {
-            turn(qAx, qAy, qAz, qAw, m);
-            return owner.collide(
-                    m.inner(), b, tx, ty, tz, tw, qBx, qBy, qBz, qBw, dx, dy, dz, margin, cache,
-                    out);
-        }
-        if (b instanceof Moved m) {
-            turn(qBx, qBy, qBz, qBw, m);
-            return owner.collide(
-                    a, m.inner(), qAx, qAy, qAz, qAw, tx, ty, tz, tw, dx, dy, dz, margin, cache,
-                    out);
-        }
         capped = false;
         out.pointCount = 0;
         out.patch = 0;
@@ -109,12 +71,15 @@ final class CurvedPairs {
         if (b instanceof HalfSpace) {
             pair.set(a, a, qAx, qAy, qAz, qAw, qAx, qAy, qAz, qAw, 0, 0, 0);
             double s = plane.distance(qBx, qBy, qBz, qBw, -dx, -dy, -dz);
-            return plane.run(s, false, margin, CALM * pair.inner, cache, out);
+            return plane.run(
+                    s, false, margin, ContactTolerances.HYSTERESIS * pair.inner, cache, out);
         }
         if (a instanceof HalfSpace) {
             pair.set(b, b, qBx, qBy, qBz, qBw, qBx, qBy, qBz, qBw, 0, 0, 0);
             double s = plane.distance(qAx, qAy, qAz, qAw, dx, dy, dz);
-            long word = plane.run(s, true, margin, CALM * pair.inner, cache, out);
+            long word =
+                    plane.run(
+                            s, true, margin, ContactTolerances.HYSTERESIS * pair.inner, cache, out);
             swap(dx, dy, dz, out);
             return word;
         }
@@ -132,8 +97,10 @@ final class CurvedPairs {
         }
         long word =
                 closed && !capsuleOnBox.sideBySide()
-                        ? capsuleOnBox.run(margin, CALM * pair.inner, cache, out)
-                        : contact.run(margin, CALM * pair.inner, cache, out);
+                        ? capsuleOnBox.run(
+                                margin, ContactTolerances.HYSTERESIS * pair.inner, cache, out)
+                        : contact.run(
+                                margin, ContactTolerances.HYSTERESIS * pair.inner, cache, out);
         out.capped = capped;
         return word;
     }
@@ -153,14 +120,6 @@ final class CurvedPairs {
             double dx,
             double dy,
             double dz) {
-        if (a instanceof Moved m) {
-            turn(qAx, qAy, qAz, qAw, m);
-            return owner.distance(m.inner(), b, tx, ty, tz, tw, qBx, qBy, qBz, qBw, dx, dy, dz);
-        }
-        if (b instanceof Moved m) {
-            turn(qBx, qBy, qBz, qBw, m);
-            return owner.distance(a, m.inner(), qAx, qAy, qAz, qAw, tx, ty, tz, tw, dx, dy, dz);
-        }
         capped = false;
         if (a instanceof HalfSpace && b instanceof HalfSpace) {
             points.setAxis(0, 1, 0);

@@ -32,8 +32,7 @@ final class Epa extends Polytope {
 
     double relativeTolerance = TOLERANCE;
 
-    /** See {@link Safeguard}. */
-    boolean knownPoints = true, independentStart = true;
+    private boolean knownPoints = true, independentStart = true;
 
     /** Of the depth: a gap that matters for shallow overlaps, where the tolerance is more. */
     double share = Double.MAX_VALUE;
@@ -43,6 +42,13 @@ final class Epa extends Polytope {
 
     /** Of the pair's scale: what the planes of faces that {@link #load} takes may be off by. */
     private static final double THIN_NOISE = 0x1p-34;
+
+    @Override
+    void leaveOut(Safeguard without) {
+        super.leaveOut(without);
+        knownPoints = without != Safeguard.KNOWN_POINTS;
+        independentStart = without != Safeguard.INDEPENDENT_START;
+    }
 
     /** Runs from the simplex that {@link Gjk} ended with. */
     void run(Pair pair, Gjk gjk) {

@@ -31,8 +31,7 @@ final class Gjk {
 
     double tolerance = TOLERANCE;
 
-    /** See {@link Safeguard}. */
-    boolean knownPoints = true;
+    private boolean knownPoints = true;
 
     final double[] wx = new double[4], wy = new double[4], wz = new double[4];
     final int[] ia = new int[4], ib = new int[4];
@@ -62,6 +61,11 @@ final class Gjk {
     private int bestCount;
     private final int[] bestIndex = new int[4];
     private final double[] bestWeight = new double[4];
+
+    /** Leaves a safeguard out, if it is one of this class. */
+    void leaveOut(Safeguard without) {
+        knownPoints = without != Safeguard.KNOWN_POINTS;
+    }
 
     /**
      * Runs from a start direction, any vector from A towards B; stops early when farther apart than

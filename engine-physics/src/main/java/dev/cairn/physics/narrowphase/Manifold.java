@@ -54,4 +54,13 @@ public final class Manifold {
 
     /** Creates an empty manifold. */
     public Manifold() {}
+
+    /** The least separation of the points, m; {@code Double.MAX_VALUE} without points. */
+    double deepest() {
+        double least = Double.MAX_VALUE;
+        for (int i = 0; i < pointCount; i++) {
+            least = Math.min(least, separation[i]);
+        }
+        return least;
+    }
 }

@@ -7,6 +7,9 @@ package dev.cairn.physics.narrowphase;
  * correctness.
  */
 final class Names {
+    /** Kinds of feature ids: a vertex of A or of B, two edges that cross, or any other point. */
+    static final int VERTEX_A = 0, VERTEX_B = 1 << 30, CROSSING = 2 << 30, CLOSEST = 3 << 30;
+
     private Names() {}
 
     static int of(Manifold m) {

@@ -1,8 +1,8 @@
 package dev.cairn.physics.narrowphase;
 
-import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 
@@ -21,18 +21,6 @@ public final class NarrowPhase {
         SPECIALISED
     }
 
-    static final long FACE_A = 1;
-    static final long FACE_B = 2;
-    static final long EDGES = 3;
-
-    /** In place of an edge of A: no two edges cross. */
-    static final long NO_EDGE = 0x7FFF;
-
-    /**
-     * Of the smaller inner radius: what one kind of contact must be better by to replace another.
-     */
-    static final double CALM = BoxBatch.CALM;
-
     private final Method method;
     private final Pair pair = new Pair();
     private final Gjk gjk = new Gjk();
@@ -45,6 +33,10 @@ public final class NarrowPhase {
     private final BallBox ballBox = new BallBox();
     private final CurvedPairs curved;
     private final Witness witness = new Witness();
+
+    /** An orientation that a moved shape's own turn was multiplied into. */
+    private double tx, ty, tz, tw;
+
     private boolean curvedLast;
     private long[] memory = Polyhedra.NOTHING;
     private int memoryAt;
@@ -62,7 +54,7 @@ public final class NarrowPhase {
     public NarrowPhase(Method method) {
         this.method = method;
         this.polyhedra = new Polyhedra(method == Method.SPECIALISED, pair, gjk, epa, axes, points);
-        this.curved = new CurvedPairs(this, pair, gjk, epa, points, method == Method.SPECIALISED);
+        this.curved = new CurvedPairs(pair, gjk, epa, points, method == Method.SPECIALISED);
     }
 
     /**
@@ -91,7 +83,10 @@ public final class NarrowPhase {
      */
     public NarrowPhase(Method method, Safeguard without) {
         this(method);
-        without.leaveOut(gjk, epa, axes, polyhedra);
+        gjk.leaveOut(without);
+        epa.leaveOut(without);
+        axes.leaveOut(without);
+        polyhedra.leaveOut(without);
     }
 
     /**
@@ -215,6 +210,18 @@ public final class NarrowPhase {
             exact();
             return 0;
         }
+        if (a instanceof Moved m) {
+            turn(qAx, qAy, qAz, qAw, m);
+            return collide(
+                    m.inner(), b, tx, ty, tz, tw, qBx, qBy, qBz, qBw, dx, dy, dz, margin, cache,
+                    out);
+        }
+        if (b instanceof Moved m) {
+            turn(qBx, qBy, qBz, qBw, m);
+            return collide(
+                    a, m.inner(), qAx, qAy, qAz, qAw, tx, ty, tz, tw, dx, dy, dz, margin, cache,
+                    out);
+        }
         if (!(plain(a) && plain(b))) {
             curvedLast = true;
             return curved.collide(
@@ -321,6 +328,14 @@ public final class NarrowPhase {
             double dy,
             double dz,
             long cache) {
+        if (a instanceof Moved m) {
+            turn(qAx, qAy, qAz, qAw, m);
+            return distance(m.inner(), b, tx, ty, tz, tw, qBx, qBy, qBz, qBw, dx, dy, dz);
+        }
+        if (b instanceof Moved m) {
+            turn(qBx, qBy, qBz, qBw, m);
+            return distance(a, m.inner(), qAx, qAy, qAz, qAw, tx, ty, tz, tw, dx, dy, dz);
+        }
         if (!(plain(a) && plain(b))) {
             curvedLast = true;
             return curved.distance(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
@@ -384,13 +399,24 @@ public final class NarrowPhase {
             return d;
         }
         witness.find(pair, points.axisX, points.axisY, points.axisZ, d);
-        points.single(witness.x, witness.y, witness.z, d, ContactPoints.CLOSEST, out);
+        points.single(witness.x, witness.y, witness.z, d, Names.CLOSEST, out);
         return d;
     }
 
     /** Final classes, so this is up to three comparisons, most often one. */
     private static boolean plain(Shape shape) {
         return shape instanceof Box || shape instanceof ConvexHull || shape instanceof Sphere;
+    }
+
+    private void turn(double qx, double qy, double qz, double qw, Moved m) {
+        double mx = m.rotationX();
+        double my = m.rotationY();
+        double mz = m.rotationZ();
+        double mw = m.rotationW();
+        tx = qw * mx + qx * mw + qy * mz - qz * my;
+        ty = qw * my - qx * mz + qy * mw + qz * mx;
+        tz = qw * mz + qx * my - qy * mx + qz * mw;
+        tw = qw * mw - qx * mx - qy * my - qz * mz;
     }
 
     private void begin(
@@ -439,7 +465,7 @@ public final class NarrowPhase {
                     by + along * points.axisY,
                     bz + along * points.axisZ,
                     separation,
-                    ContactPoints.CLOSEST,
+                    Names.CLOSEST,
                     out);
             out.bound = 0x1p-48 * pair.scale;
         }

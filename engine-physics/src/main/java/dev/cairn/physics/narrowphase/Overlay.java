@@ -9,8 +9,6 @@ package dev.cairn.physics.narrowphase;
  * keeps the four of the last tick until it is really deeper.
  */
 final class Overlay {
-    private static final double ON_PLANE = 1e-5;
-
     final Clipper out = new Clipper();
 
     private Pair pair = new Pair();
@@ -41,8 +39,8 @@ final class Overlay {
         ny = normalY;
         nz = normalZ;
         last = lastNames;
-        slack = ON_PLANE * p.inner;
-        slackBefore = Clipper.STILL_ON_PLANE * p.inner;
+        slack = ContactTolerances.ON_PLANE * p.inner;
+        slackBefore = ContactTolerances.STILL_ON_PLANE * p.inner;
         out.count = 0;
     }
 
@@ -92,8 +90,8 @@ final class Overlay {
 
     private int crossingName(int ofRef, int ofInc) {
         return ref.second
-                ? Clipper.CROSSING | ofInc << 15 | ofRef
-                : Clipper.CROSSING | ofRef << 15 | ofInc;
+                ? Names.CROSSING | ofInc << 15 | ofRef
+                : Names.CROSSING | ofRef << 15 | ofInc;
     }
 
     // Lines -------------------------------------------------------------------------------------

@@ -54,7 +54,7 @@ final class Patch {
     /** The shape is the second one. */
     boolean second;
 
-    /** {@link Clipper#VERTEX_A} or {@link Clipper#VERTEX_B}. */
+    /** {@link Names#VERTEX_A} or {@link Names#VERTEX_B}. */
     int kind;
 
     private Pair pair = new Pair();
@@ -63,7 +63,7 @@ final class Patch {
     void fill(Pair p, boolean ofB, double dx, double dy, double dz) {
         pair = p;
         second = ofB;
-        kind = ofB ? Clipper.VERTEX_B : Clipper.VERTEX_A;
+        kind = ofB ? Names.VERTEX_B : Names.VERTEX_A;
         flat = NONE;
         line = false;
         flatter = false;

@@ -60,15 +60,14 @@ final class PlaneContact {
         points.setAxis(-nx, -ny, -nz);
         if (!patch.line && patch.flat == Patch.NONE) {
             double reach = pair.radiusA + separation / 2;
-            points.single(
-                    -reach * nx, -reach * ny, -reach * nz, separation, ContactPoints.CLOSEST, out);
+            points.single(-reach * nx, -reach * ny, -reach * nz, separation, Names.CLOSEST, out);
         } else {
             plane.ox = -height * nx;
             plane.oy = -height * ny;
             plane.oz = -height * nz;
-            patch.kind = second ? Clipper.VERTEX_B : Clipper.VERTEX_A;
-            patch.nameP = patch.kind | (patch.nameP & ~Clipper.VERTEX_B);
-            patch.nameQ = patch.kind | (patch.nameQ & ~Clipper.VERTEX_B);
+            patch.kind = second ? Names.VERTEX_B : Names.VERTEX_A;
+            patch.nameP = patch.kind | (patch.nameP & ~Names.VERTEX_B);
+            patch.nameQ = patch.kind | (patch.nameQ & ~Names.VERTEX_B);
             overlay.begin(pair, plane, patch, nx, ny, nz, last);
             if (patch.flat == Patch.DISC && patch.flatter) {
                 overlay.discOnPlane();
@@ -104,7 +103,7 @@ final class PlaneContact {
                 pair.vertexAY(v) - reach * ny,
                 pair.vertexAZ(v) - reach * nz,
                 separation,
-                ContactPoints.CLOSEST,
+                Names.CLOSEST,
                 out);
     }
 }

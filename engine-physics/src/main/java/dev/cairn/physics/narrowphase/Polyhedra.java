@@ -1,10 +1,5 @@
 package dev.cairn.physics.narrowphase;
 
-import static dev.cairn.physics.narrowphase.NarrowPhase.CALM;
-import static dev.cairn.physics.narrowphase.NarrowPhase.EDGES;
-import static dev.cairn.physics.narrowphase.NarrowPhase.FACE_A;
-import static dev.cairn.physics.narrowphase.NarrowPhase.FACE_B;
-
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
 
@@ -14,9 +9,6 @@ import dev.cairn.physics.shape.Shape;
  * face contact or a point.
  */
 final class Polyhedra {
-    /** Cosine of 0.1 rad: nearer axes are the same direction, seen through rounding. */
-    static final double NEARLY_PARALLEL = 0.995;
-
     static final long[] NOTHING = {};
 
     private static final double NONE = Double.POSITIVE_INFINITY;
@@ -29,8 +21,7 @@ final class Polyhedra {
     final WarmContact warm;
     final PolyhedronAxis search;
 
-    /** See {@link Safeguard}. */
-    boolean calmFace = true, depthOfPoints = true;
+    private boolean calmFace = true, depthOfPoints = true;
 
     /** GJK has run for this pair. */
     private boolean iterated;
@@ -55,6 +46,14 @@ final class Polyhedra {
         this.points = points;
         this.search = new PolyhedronAxis(pair, gjk, epa, axes, points, specialised);
         this.warm = new WarmContact(pair, axes, points, search);
+    }
+
+    /** Leaves a safeguard out, if it is one of this class. */
+    void leaveOut(Safeguard without) {
+        calmFace = without != Safeguard.CALM_FACE;
+        depthOfPoints = without != Safeguard.DEPTH_OF_POINTS;
+        search.otherAxes = without != Safeguard.OTHER_AXES;
+        warm.secondBound = without != Safeguard.SECOND_BOUND;
     }
 
     /** See {@link NarrowPhase#distance}; leaves the axis in {@link ContactPoints}. */
@@ -86,7 +85,11 @@ final class Polyhedra {
         if (hulls && cache != 0) {
             long crossing = remembers ? memory[at + PairMemory.CROSSING] : 0;
             if (remembers) {
-                warm.proof.recall(pair, memory, at + PairMemory.PROOF, CALM * pair.inner);
+                warm.proof.recall(
+                        pair,
+                        memory,
+                        at + PairMemory.PROOF,
+                        ContactTolerances.HYSTERESIS * pair.inner);
             } else {
                 warm.proof.none();
             }
@@ -126,13 +129,13 @@ final class Polyhedra {
         if (!hulls || word == 0) {
             return word;
         }
-        if (word >>> 62 != EDGES) {
+        if (word >>> 62 != Word.EDGES) {
             return Word.withHint(word, points.incidentVertex);
         }
-        boolean crossing = out.feature[0] >>> 30 == Clipper.CROSSING >>> 30;
+        boolean crossing = out.feature[0] >>> 30 == Names.CROSSING >>> 30;
         return crossing
                 ? Word.withHint(word | (long) axes.edgeA << 47, axes.edgeB)
-                : word | NarrowPhase.NO_EDGE << 47;
+                : word | Word.NO_EDGE << 47;
     }
 
     /** Keeps what is known of the present pose, see {@link Proof}. */
@@ -143,7 +146,7 @@ final class Polyhedra {
     }
 
     private double leftOut(long word) {
-        return word >>> 62 == EDGES ? Double.NaN : points.clipper.leftOut;
+        return word >>> 62 == Word.EDGES ? Double.NaN : points.clipper.leftOut;
     }
 
     private long manifold(double margin, long cache, Manifold out) {
@@ -157,19 +160,19 @@ final class Polyhedra {
             return 0;
         }
         if (best > margin) {
-            return word(axes.separationB > axes.separationA ? FACE_B : FACE_A, 0);
+            return word(axes.separationB > axes.separationA ? Word.FACE_B : Word.FACE_A, 0);
         }
         long before = cache >>> 62;
-        boolean flip = chooseFace(cache, CALM * pair.inner);
+        boolean flip = chooseFace(cache, ContactTolerances.HYSTERESIS * pair.inner);
         rivalOnB = flip;
-        if (depthOfPoints && crosses(flip, best, before == EDGES)) {
+        if (depthOfPoints && crosses(flip, best, before == Word.EDGES)) {
             out.pointCount = 0;
             out.patch = 0;
             pointContact(margin, best, out);
             if (out.pointCount > 0) {
                 rival = faces;
-                out.bound = Math.abs(best - deepest(out)) + gap + rounding();
-                return word(EDGES, Names.of(out));
+                out.bound = Math.abs(best - out.deepest()) + gap + rounding();
+                return word(Word.EDGES, Names.of(out));
             }
             warm.clipped = false;
         }
@@ -177,7 +180,7 @@ final class Polyhedra {
                 warm.clipped && flip == warm.onB && warm.face == (flip ? axes.faceB : axes.faceA);
         if (!clipped) {
             out.pointCount = 0;
-            double calm = CALM * pair.inner;
+            double calm = ContactTolerances.HYSTERESIS * pair.inner;
             if (warm.certain) {
                 int v = flip ? axes.vertexOfA : axes.vertexOfB;
                 points.face(flip, v, margin, calm, (int) cache, out);
@@ -185,28 +188,21 @@ final class Polyhedra {
                 points.face(flip, margin, calm, (int) cache, out);
             }
         }
-        long kind = flip ? FACE_B : FACE_A;
-        if (out.pointCount == 0 || (depthOfPoints && strays(out, flip, best, before == EDGES))) {
-            kind = EDGES;
+        long kind = flip ? Word.FACE_B : Word.FACE_A;
+        if (out.pointCount == 0
+                || (depthOfPoints && strays(out, flip, best, before == Word.EDGES))) {
+            kind = Word.EDGES;
             out.pointCount = 0;
             out.patch = 0;
             pointContact(margin, best, out);
         }
         if (out.pointCount == 0) {
-            return word(flip ? FACE_B : FACE_A, 0);
+            return word(flip ? Word.FACE_B : Word.FACE_A, 0);
         }
-        rival = kind == EDGES ? NONE : faces;
+        rival = kind == Word.EDGES ? NONE : faces;
         leftOut = leftOut(kind << 62);
-        out.bound = Math.abs(best - deepest(out)) + gap + rounding();
+        out.bound = Math.abs(best - out.deepest()) + gap + rounding();
         return word(kind, Names.of(out));
-    }
-
-    static double deepest(Manifold out) {
-        double least = Double.MAX_VALUE;
-        for (int i = 0; i < out.pointCount; i++) {
-            least = Math.min(least, out.separation[i]);
-        }
-        return least;
     }
 
     /**
@@ -217,7 +213,7 @@ final class Polyhedra {
         long before = cache >>> 62;
         int last = (int) (cache >>> 47) & 0x7FFF;
         double enough = Math.max(axes.separationA, axes.separationB) - calm;
-        if (calmFace && before == FACE_A && last != axes.faceA && last < pair.a.faceCount()) {
+        if (calmFace && before == Word.FACE_A && last != axes.faceA && last < pair.a.faceCount()) {
             double s = separationA(last, cache);
             if (s >= enough) {
                 axes.faceA = last;
@@ -225,7 +221,7 @@ final class Polyhedra {
                 axes.vertexOfB = pair.end;
             }
         }
-        if (calmFace && before == FACE_B && last != axes.faceB && last < pair.b.faceCount()) {
+        if (calmFace && before == Word.FACE_B && last != axes.faceB && last < pair.b.faceCount()) {
             double s = separationB(last, cache);
             if (s >= enough) {
                 axes.faceB = last;
@@ -233,7 +229,8 @@ final class Polyhedra {
                 axes.vertexOfA = pair.end;
             }
         }
-        double bias = before == FACE_A ? calm : before == FACE_B ? -calm : 0x1p-40 * pair.scale;
+        double bias =
+                before == Word.FACE_A ? calm : before == Word.FACE_B ? -calm : 0x1p-40 * pair.scale;
         return axes.separationB > axes.separationA + bias;
     }
 
@@ -250,7 +247,7 @@ final class Polyhedra {
     }
 
     private long word(long kind, int names) {
-        long i = kind == FACE_A ? axes.faceA : kind == FACE_B ? axes.faceB : 0;
+        long i = kind == Word.FACE_A ? axes.faceA : kind == Word.FACE_B ? axes.faceB : 0;
         return Word.of(kind, i, names);
     }
 
@@ -258,9 +255,9 @@ final class Polyhedra {
     private boolean stillApart(long cache, double margin) {
         long kind = cache >>> 62;
         int face = (int) (cache >>> 47) & 0x7FFF;
-        if (kind == FACE_A && face < pair.a.faceCount()) {
+        if (kind == Word.FACE_A && face < pair.a.faceCount()) {
             leftOut = pair.faceSeparationA(face);
-        } else if (kind == FACE_B && face < pair.b.faceCount()) {
+        } else if (kind == Word.FACE_B && face < pair.b.faceCount()) {
             leftOut = pair.faceSeparationB(face);
         }
         boolean apart = leftOut > margin;
@@ -275,17 +272,13 @@ final class Polyhedra {
      * normal pass.
      */
     private boolean strays(Manifold out, boolean flip, double best, boolean before) {
-        return Math.abs(deepest(out) - best) > better(best, before) || crosses(flip, best, before);
+        return Math.abs(out.deepest() - best) > better(best, before) || crosses(flip, best, before);
     }
 
     /** How much truer a point contact must be. */
     private double better(double best, boolean before) {
-        return better(pair, best, before);
-    }
-
-    static double better(Pair pair, double best, boolean before) {
-        double calm = CALM * pair.inner;
-        return before ? 0.5 * calm + 0.05 * Math.abs(best) : 1.5 * calm + 0.15 * Math.abs(best);
+        return ContactTolerances.depthError(
+                before, ContactTolerances.HYSTERESIS * pair.inner, best);
     }
 
     /** Whether the best axis is another direction than the face's and separates by much less. */
@@ -304,7 +297,7 @@ final class Polyhedra {
                         : points.axisX * axes.rawX
                                 + points.axisY * axes.rawY
                                 + points.axisZ * axes.rawZ;
-        return cosine <= NEARLY_PARALLEL;
+        return cosine <= ContactTolerances.NEARLY_PARALLEL;
     }
 
     /**
@@ -312,7 +305,8 @@ final class Polyhedra {
      * best axis.
      */
     private void pointContact(double margin, double best, Manifold out) {
-        if (axes.separationEdge >= best - CALM * pair.inner && points.crossing(margin, out)) {
+        if (axes.separationEdge >= best - ContactTolerances.HYSTERESIS * pair.inner
+                && points.crossing(margin, out)) {
             return;
         }
         if (!iterated) {
@@ -333,7 +327,7 @@ final class Polyhedra {
                 pair.py - half * points.axisY,
                 pair.pz - half * points.axisZ,
                 best,
-                Clipper.VERTEX_B | v,
+                Names.VERTEX_B | v,
                 out);
     }
 }

@@ -30,9 +30,7 @@ class Polytope {
     /** Of the squares of two sides of a face: with less area its normal has lost digits. */
     private static final double SLIVER = 0x1p-16;
 
-    /** See {@link Safeguard}. */
-    boolean oneLoop = true, shortestSide = true;
-
+    private boolean oneLoop = true, shortestSide = true;
     final double[] x = new double[MAX_POINTS],
             y = new double[MAX_POINTS],
             z = new double[MAX_POINTS];
@@ -66,6 +64,12 @@ class Polytope {
             rimTo = new int[3 * MAX_FACES],
             rimFace = new int[3 * MAX_FACES];
     int rimCount;
+
+    /** Leaves a safeguard out, if it is one of this class. */
+    void leaveOut(Safeguard without) {
+        oneLoop = without != Safeguard.ONE_LOOP;
+        shortestSide = without != Safeguard.SHORTEST_SIDE;
+    }
 
     int nearest() {
         int best = -1;

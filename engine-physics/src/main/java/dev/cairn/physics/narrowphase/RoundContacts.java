@@ -33,7 +33,7 @@ import dev.cairn.physics.shape.Sphere;
  * <p>Allocates nothing; one instance per worker.
  */
 public final class RoundContacts {
-    static final long SINGLE = 3L << 62 | Names.hash(ContactPoints.CLOSEST);
+    static final long SINGLE = 3L << 62 | Names.hash(Names.CLOSEST);
 
     /** The word of the last contact. */
     private long word;
@@ -228,7 +228,7 @@ public final class RoundContacts {
         out.pointY[0] = onA * axisY + reach * ny;
         out.pointZ[0] = onA * axisZ + reach * nz;
         out.separation[0] = separation;
-        out.feature[0] = ContactPoints.CLOSEST;
+        out.feature[0] = Names.CLOSEST;
         word = SINGLE;
     }
 
@@ -278,9 +278,9 @@ public final class RoundContacts {
         double length = Math.sqrt(x * x + y * y + z * z);
         double separation = length - radiusA - radiusB;
         double inner = Math.min(radiusA, radiusB);
-        boolean before = cache >>> 62 == NarrowPhase.EDGES;
-        double calm = NarrowPhase.CALM * inner;
-        double enough = (before ? 0.5 : 1.5) * calm + (before ? 0.05 : 0.15) * Math.abs(separation);
+        boolean before = cache >>> 62 == Word.EDGES;
+        double calm = ContactTolerances.HYSTERESIS * inner;
+        double enough = ContactTolerances.depthError(before, calm, separation);
         double rounding = out.bound;
         sideBySide.run(this, radiusA, halfA, radiusB, halfB, dx, dy, dz, length, margin, calm, out);
         double wrong = Math.abs(sideBySide.deepest - separation);

@@ -142,7 +142,7 @@ public final class RoundPairs {
             out.pointY[0] = t[POINT + CAPACITY + i];
             out.pointZ[0] = t[POINT + 2 * CAPACITY + i];
             out.separation[0] = t[SEPARATION + i];
-            out.feature[0] = ContactPoints.CLOSEST;
+            out.feature[0] = Names.CLOSEST;
         }
         return true;
     }

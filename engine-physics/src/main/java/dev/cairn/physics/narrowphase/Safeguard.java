@@ -22,23 +22,5 @@ public enum Safeguard {
     /** A face contact whose points tell another depth is replaced. */
     DEPTH_OF_POINTS,
     /** What the last tick's features tell is taken only when a second bound agrees. */
-    SECOND_BOUND;
-
-    /** Leaves it out. */
-    void leaveOut(Gjk gjk, Epa epa, Axes axes, Polyhedra polyhedra) {
-        switch (this) {
-            case KNOWN_POINTS -> {
-                gjk.knownPoints = false;
-                epa.knownPoints = false;
-            }
-            case INDEPENDENT_START -> epa.independentStart = false;
-            case ONE_LOOP -> epa.oneLoop = false;
-            case SHORTEST_SIDE -> epa.shortestSide = false;
-            case OTHER_AXES -> polyhedra.search.otherAxes = false;
-            case FEATURES -> axes.features = false;
-            case CALM_FACE -> polyhedra.calmFace = false;
-            case DEPTH_OF_POINTS -> polyhedra.depthOfPoints = false;
-            case SECOND_BOUND -> polyhedra.warm.secondBound = false;
-        }
-    }
+    SECOND_BOUND
 }

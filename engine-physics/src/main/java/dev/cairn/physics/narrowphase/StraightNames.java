@@ -56,7 +56,7 @@ final class StraightNames {
             names.feature[k] = NAME[4 * entry + k];
             ORDER[entry] |= (byte) ((sorted[k] & 3) << (2 * k));
         }
-        long kind = flip ? NarrowPhase.FACE_B : NarrowPhase.FACE_A;
+        long kind = flip ? Word.FACE_B : Word.FACE_A;
         WORD[entry] = Word.of(kind, face, Names.of(names));
     }
 
@@ -98,10 +98,10 @@ final class StraightNames {
         void begin(boolean flipped, int face, int incident) {
             flip = flipped;
             begin = face;
-            int kind = flip ? Clipper.VERTEX_A : Clipper.VERTEX_B;
+            int kind = flip ? Names.VERTEX_A : Names.VERTEX_B;
             for (int k = 0; k < 4; k++) {
-                name[k] = kind | BoxCuts.SLOT_VERTEX[incident + k];
-                side[k] = BoxCuts.SLOT_EDGE[incident + k];
+                name[k] = kind | BoxTopology.SLOT_VERTEX[incident + k];
+                side[k] = BoxTopology.SLOT_EDGE[incident + k];
                 place[k] = BoxCuts.SLOT_CORNER[incident + k];
             }
         }

@@ -1,10 +1,5 @@
 package dev.cairn.physics.narrowphase;
 
-import static dev.cairn.physics.narrowphase.NarrowPhase.CALM;
-import static dev.cairn.physics.narrowphase.NarrowPhase.EDGES;
-import static dev.cairn.physics.narrowphase.NarrowPhase.FACE_A;
-import static dev.cairn.physics.narrowphase.NarrowPhase.FACE_B;
-
 import dev.cairn.physics.shape.Polyhedron;
 
 /**
@@ -31,7 +26,7 @@ import dev.cairn.physics.shape.Polyhedron;
  * either, its answer is the same without any search. Else the search runs.
  */
 final class WarmContact {
-    /** Of {@link NarrowPhase#CALM}: what two edges may leave open. */
+    /** Of {@link ContactTolerances#HYSTERESIS}: what two edges may leave open. */
     private static final double EDGE_GAP = 0.5;
 
     /** Of the depth. */
@@ -116,8 +111,10 @@ final class WarmContact {
      */
     long collide(double margin, long cache, long crossing, Manifold out) {
         forget();
-        boolean byEdges = cache >>> 62 == EDGES;
-        if (secondBound && proof.tells(CALM * pair.inner) && (byEdges || crossing != 0)) {
+        boolean byEdges = cache >>> 62 == Word.EDGES;
+        if (secondBound
+                && proof.tells(ContactTolerances.HYSTERESIS * pair.inner)
+                && (byEdges || crossing != 0)) {
             proofOnly = true;
             edgesBest = !byEdges && !proof.same && provenBest(crossing);
             long word = last(margin, cache, out);
@@ -157,13 +154,13 @@ final class WarmContact {
         long kind = cache >>> 62;
         int face = Word.faceOf(cache);
         int hint = Word.hint(cache);
-        if (kind == FACE_A && face < pair.a.faceCount() && hint < pair.b.vertexCount()) {
+        if (kind == Word.FACE_A && face < pair.a.faceCount() && hint < pair.b.vertexCount()) {
             return onA(face, hint, margin, cache, out);
         }
-        if (kind == FACE_B && face < pair.b.faceCount() && hint < pair.a.vertexCount()) {
+        if (kind == Word.FACE_B && face < pair.b.faceCount() && hint < pair.a.vertexCount()) {
             return onB(face, hint, margin, cache, out);
         }
-        if (kind == EDGES && face < pair.a.edgeCount() && hint < pair.b.edgeCount()) {
+        if (kind == Word.EDGES && face < pair.a.edgeCount() && hint < pair.b.edgeCount()) {
             if (proofOnly) {
                 return provenEdges(face, hint, margin, out);
             }
@@ -175,7 +172,7 @@ final class WarmContact {
     /** The edges of the axes, when they separate best by more than any decision could overlook. */
     long crossing() {
         double faces = Math.max(axes.separationA, axes.separationB);
-        boolean best = axes.separationEdge > faces + CALM * pair.inner;
+        boolean best = axes.separationEdge > faces + ContactTolerances.HYSTERESIS * pair.inner;
         return best ? 1L << 62 | (long) axes.edgeA << 15 | axes.edgeB : 0;
     }
 
@@ -216,13 +213,13 @@ final class WarmContact {
 
     private long face(
             boolean flip, int at, int v, double s, double margin, long cache, Manifold out) {
-        long kind = flip ? FACE_B : FACE_A;
+        long kind = flip ? Word.FACE_B : Word.FACE_A;
         separation = s;
         if (s > margin) {
             done = true;
             return Word.withHint(Word.of(kind, at, (int) cache), v);
         }
-        double calm = CALM * pair.inner;
+        double calm = ContactTolerances.HYSTERESIS * pair.inner;
         face = at;
         boolean known = secondBound && proof.refers(s, calm);
         known = known && (proof.directs(s, calm) || (edgesBest && besideEdges(flip)));
@@ -236,7 +233,7 @@ final class WarmContact {
         if (out.pointCount == 0) {
             return 0;
         }
-        double least = Polyhedra.deepest(out);
+        double least = out.deepest();
         double low = Math.max(s, proof.low);
         proven = known && proof.agrees(low, least, calm);
         if (proofOnly && !proven) {
@@ -278,11 +275,11 @@ final class WarmContact {
     private long other(boolean flip, boolean deep, double margin, long cache, Manifold out) {
         int name = points.clipper.feature[deepest];
         int id = name & 0x3FFF_FFFF;
-        if (name >>> 30 == Clipper.CROSSING >>> 30) {
+        if (name >>> 30 == Names.CROSSING >>> 30) {
             edges(id >>> 15, id & 0x7FFF);
             clipped = certain;
             onB = flip;
-        } else if (!second && (name >>> 30 == Clipper.VERTEX_B >>> 30) == flip) {
+        } else if (!second && (name >>> 30 == Names.VERTEX_B >>> 30) == flip) {
             second = true;
             out.pointCount = 0;
             return flip
@@ -374,13 +371,15 @@ final class WarmContact {
         done = true;
         proven = true;
         out.bound = Proof.wrong(proof.low, s, proof.high) + 0x1p-48 * pair.scale;
-        return Word.withHint(Word.of(EDGES, 0, Names.of(out)) | (long) ea << 47, eb);
+        return Word.withHint(Word.of(Word.EDGES, 0, Names.of(out)) | (long) ea << 47, eb);
     }
 
     /** The best face is another direction and separates by much less. */
     private boolean noFace() {
         double most = Math.max(Math.abs(proof.low), Math.abs(proof.high));
-        if (!(proof.low - proof.rival > Polyhedra.better(pair, most, true))) {
+        if (!(proof.low - proof.rival
+                > ContactTolerances.depthError(
+                        true, ContactTolerances.HYSTERESIS * pair.inner, most))) {
             return false;
         }
         axes.faceA = proof.face;
@@ -395,12 +394,12 @@ final class WarmContact {
                 points.axisX * cross.axisX
                         + points.axisY * cross.axisY
                         + points.axisZ * cross.axisZ;
-        return cosine > Polyhedra.NEARLY_PARALLEL;
+        return cosine > ContactTolerances.NEARLY_PARALLEL;
     }
 
     /** What two edges may leave open. */
     private double enough(double s) {
-        return EDGE_GAP * CALM * pair.inner - EDGE_SHARE * Math.min(s, 0);
+        return EDGE_GAP * ContactTolerances.HYSTERESIS * pair.inner - EDGE_SHARE * Math.min(s, 0);
     }
 
     /** Fills the axes when two edges are still those that separate best. */

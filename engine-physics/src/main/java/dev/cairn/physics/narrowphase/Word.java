@@ -7,6 +7,12 @@ package dev.cairn.physics.narrowphase;
  * 61..47 the first. A stale or random word costs time, never correctness.
  */
 public final class Word {
+    /** Kinds of contact: a face of A or of B is the reference; edges or points. */
+    static final long FACE_A = 1, FACE_B = 2, EDGES = 3;
+
+    /** In place of an edge of A: no two edges cross. */
+    static final long NO_EDGE = 0x7FFF;
+
     private Word() {}
 
     /** The warm-start word of a kind of contact, a face and the names of the points. */
@@ -41,6 +47,6 @@ public final class Word {
      * @return false for a face of A and for other contacts
      */
     public static boolean onFaceOfB(long word) {
-        return word >>> 62 == NarrowPhase.FACE_B;
+        return word >>> 62 == FACE_B;
     }
 }

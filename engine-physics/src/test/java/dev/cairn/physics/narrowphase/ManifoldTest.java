@@ -81,7 +81,7 @@ class ManifoldTest {
             word = s.collide(n, .02, word, m);
             int[] corners = {0, 1, 4, 5};
             for (int i = 0; i < 4; i++) {
-                assertEquals(Clipper.VERTEX_B | corners[i], m.feature[i], "seed 22 tick " + tick);
+                assertEquals(Names.VERTEX_B | corners[i], m.feature[i], "seed 22 tick " + tick);
             }
             assertEquals(4, m.pointCount);
         }

@@ -15,17 +15,17 @@ class NamesTest {
         Set<Integer> bytes = new HashSet<>();
         int names = 0;
         for (int v = 0; v < 8; v++) {
-            bytes.add(Names.hash(Clipper.VERTEX_A | v));
-            bytes.add(Names.hash(Clipper.VERTEX_B | v));
+            bytes.add(Names.hash(Names.VERTEX_A | v));
+            bytes.add(Names.hash(Names.VERTEX_B | v));
             names += 2;
         }
         for (int a = 0; a < 12; a++) {
             for (int b = 0; b < 12; b++) {
-                bytes.add(Names.hash(Clipper.CROSSING | a << 15 | b));
+                bytes.add(Names.hash(Names.CROSSING | a << 15 | b));
                 names++;
             }
         }
-        bytes.add(Names.hash(ContactPoints.CLOSEST));
+        bytes.add(Names.hash(Names.CLOSEST));
         assertEquals(names + 1, bytes.size());
         assertTrue(bytes.stream().allMatch(b -> b > 0 && b < 256));
     }

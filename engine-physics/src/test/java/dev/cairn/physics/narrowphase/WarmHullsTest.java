@@ -215,7 +215,7 @@ class WarmHullsTest {
                     long next = s.collide(other, .02 * inner, before, alone);
                     // Edges may stay where the faces beside them, which are weighed anew without
                     // the proof, would carry as well.
-                    if (next != word && word >>> 62 == NarrowPhase.EDGES) {
+                    if (next != word && word >>> 62 == Word.EDGES) {
                         others++;
                     } else {
                         assertEquals(next, word, where);

@@ -231,8 +231,8 @@ final class BoxCrossingWide {
         DoubleVector g = ur.mul(uv).sub(vr.mul(uu)).div(det);
         VectorMask<Double> meet =
                 f.abs()
-                        .compare(VectorOperators.LE, BoxBatch.CROSSING_END)
-                        .and(g.abs().compare(VectorOperators.LE, BoxBatch.CROSSING_END))
+                        .compare(VectorOperators.LE, ContactTolerances.CROSSING_END)
+                        .and(g.abs().compare(VectorOperators.LE, ContactTolerances.CROSSING_END))
                         .and(pair.compare(VectorOperators.GE, 0))
                         .and(
                                 DoubleVector.fromArray(S, t, SEPARATION_EDGE + i)

@@ -60,7 +60,8 @@ final class BoxFacesWide {
             DoubleVector margin = DoubleVector.fromArray(S, t, MARGIN + i);
             VectorMask<Double> beforeA = last.compare(VectorOperators.EQ, faceA.add(KIND));
             VectorMask<Double> beforeB = last.compare(VectorOperators.EQ, faceB.add(2.0 * KIND));
-            DoubleVector calm = DoubleVector.fromArray(S, t, INNER + i).mul(BoxBatch.CALM);
+            DoubleVector calm =
+                    DoubleVector.fromArray(S, t, INNER + i).mul(ContactTolerances.HYSTERESIS);
             VectorMask<Double> flip =
                     onB.compare(VectorOperators.GT, onA.add(calm.neg().blend(calm, beforeA)));
             DoubleVector face = faceA.blend(faceB, flip);

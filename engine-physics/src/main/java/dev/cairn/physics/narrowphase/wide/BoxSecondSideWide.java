@@ -59,8 +59,8 @@ final class BoxSecondSideWide {
         DoubleVector sr = DoubleVector.fromArray(S, t, R + v).mul(sign).sub(limit);
         DoubleVector sw = DoubleVector.fromArray(S, t, W + v).mul(sign).sub(limit);
         DoubleVector inner = DoubleVector.fromArray(S, t, INNER + i);
-        DoubleVector near = inner.mul(BoxBatch.ON_PLANE);
-        DoubleVector still = inner.mul(BoxBatch.STILL_ON_PLANE);
+        DoubleVector near = inner.mul(ContactTolerances.ON_PLANE);
+        DoubleVector still = inner.mul(ContactTolerances.STILL_ON_PLANE);
         DoubleVector within = still.neg();
         VectorMask<Double> low = sp.compare(VectorOperators.GT, near);
         VectorMask<Double> outQ = sq.compare(VectorOperators.GT, near);

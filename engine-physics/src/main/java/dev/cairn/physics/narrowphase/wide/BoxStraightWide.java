@@ -70,8 +70,11 @@ final class BoxStraightWide {
      */
     private static final double ROUNDING = 0x1p-26;
 
-    /** A little less than what {@code BoxContacts.strays} allows of {@link BoxBatch#CALM}. */
-    private static final double STRAYS = 1.498 * BoxBatch.CALM;
+    /**
+     * A little less than what {@code BoxContacts.strays} allows of {@link
+     * ContactTolerances#HYSTERESIS}.
+     */
+    private static final double STRAYS = 1.498 * ContactTolerances.HYSTERESIS;
 
     private BoxStraightWide() {}
 
@@ -99,7 +102,7 @@ final class BoxStraightWide {
 
     /** The side that cuts first, one on u where there is one; which cuts after it. */
     private static void sides(double[] t, int i) {
-        DoubleVector near = DoubleVector.fromArray(S, t, INNER + i).mul(BoxBatch.ON_PLANE);
+        DoubleVector near = DoubleVector.fromArray(S, t, INNER + i).mul(ContactTolerances.ON_PLANE);
         VectorMask<Double> highU =
                 DoubleVector.fromArray(S, t, OUTSIDE + i).compare(VectorOperators.GT, near);
         VectorMask<Double> lowU =
@@ -175,13 +178,13 @@ final class BoxStraightWide {
         DoubleVector s2 = DoubleVector.fromArray(S, t, BEYOND + 2 * POINT + i);
         DoubleVector s3 = DoubleVector.fromArray(S, t, BEYOND + 3 * POINT + i);
         DoubleVector inner = DoubleVector.fromArray(S, t, INNER + i);
-        DoubleVector near = inner.mul(BoxBatch.ON_PLANE);
+        DoubleVector near = inner.mul(ContactTolerances.ON_PLANE);
         VectorMask<Double> out0 = s0.compare(VectorOperators.GT, near);
         VectorMask<Double> out1 = s1.compare(VectorOperators.GT, near);
         VectorMask<Double> along = out0.xor(out1).not().and(cuts);
         VectorMask<Double> low = out0.and(cuts);
         VectorMask<Double> high = cuts.andNot(out0);
-        DoubleVector still = inner.mul(BoxBatch.STILL_ON_PLANE);
+        DoubleVector still = inner.mul(ContactTolerances.STILL_ON_PLANE);
         DoubleVector within = still.neg();
         VectorMask<Double> out2 = s2.compare(VectorOperators.GT, near);
         VectorMask<Double> out3 = s3.compare(VectorOperators.GT, near);
@@ -342,7 +345,7 @@ final class BoxStraightWide {
         DoubleVector qrV =
                 DoubleVector.fromArray(S, t, R + v).sub(DoubleVector.fromArray(S, t, Q + v));
         DoubleVector twice = pwU.mul(qrV).sub(pwV.mul(qrU)).abs();
-        DoubleVector beside = inner.mul(4 * BoxBatch.ON_PLANE);
+        DoubleVector beside = inner.mul(4 * ContactTolerances.ON_PLANE);
         DoubleVector around =
                 DoubleVector.fromArray(S, t, HALF + u)
                         .add(DoubleVector.fromArray(S, t, HALF + v))
