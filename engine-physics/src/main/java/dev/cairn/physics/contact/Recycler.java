@@ -10,8 +10,8 @@ import static dev.cairn.physics.narrowphase.wide.KeptBatch.SPIN;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.narrowphase.Manifold;
-import dev.cairn.physics.narrowphase.Word;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.pair.Word;
 import dev.cairn.physics.narrowphase.wide.KeptBatch;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;

@@ -1,5 +1,19 @@
 package dev.cairn.physics.narrowphase;
 
+import dev.cairn.physics.narrowphase.clip.ContactPoints;
+import dev.cairn.physics.narrowphase.curved.CurvedPairs;
+import dev.cairn.physics.narrowphase.gjk.Epa;
+import dev.cairn.physics.narrowphase.gjk.Gjk;
+import dev.cairn.physics.narrowphase.gjk.Witness;
+import dev.cairn.physics.narrowphase.hull.Polyhedra;
+import dev.cairn.physics.narrowphase.pair.Axes;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.Pair;
+import dev.cairn.physics.narrowphase.pair.Safeguard;
+import dev.cairn.physics.narrowphase.round.BallBox;
+import dev.cairn.physics.narrowphase.round.RoundContacts;
+import dev.cairn.physics.narrowphase.round.RoundQuery;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Moved;
@@ -8,7 +22,7 @@ import dev.cairn.physics.shape.Sphere;
 
 /**
  * Collides pairs of convex shapes: axis by {@link Gjk} and {@link Epa} (or {@link Axes#boxes}),
- * snapped to true features, then a manifold by {@link Clipper}. One instance per worker: it owns
+ * snapped to true features, then a manifold by {@code Clipper}. One instance per worker: it owns
  * all scratch memory and is not thread-safe. Allocates nothing, except when a face has more sides
  * than any before.
  */
@@ -145,7 +159,7 @@ public final class NarrowPhase {
     /**
      * Hands the next {@link #collide} what an earlier one for the pair left beside the word.
      *
-     * @param pairs a {@link PairMemory}, zeros at first; rewritten
+     * @param pairs a {@code PairMemory}, zeros at first; rewritten
      * @param at where the pair's begins
      */
     public void remember(long[] pairs, int at) {
@@ -240,9 +254,9 @@ public final class NarrowPhase {
         return word;
     }
 
-    /** Whether the last pair of hulls took what was proven at another pose, see {@link Proof}. */
+    /** Whether the last pair of hulls took what was proven at another pose, see {@code Proof}. */
     boolean proven() {
-        return polyhedra.warm.proven;
+        return polyhedra.proven();
     }
 
     /**

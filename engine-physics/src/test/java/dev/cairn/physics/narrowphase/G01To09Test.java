@@ -3,6 +3,13 @@ package dev.cairn.physics.narrowphase;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.narrowphase.clip.ContactPoints;
+import dev.cairn.physics.narrowphase.gjk.Epa;
+import dev.cairn.physics.narrowphase.gjk.Gjk;
+import dev.cairn.physics.narrowphase.hull.PolyhedronAxis;
+import dev.cairn.physics.narrowphase.pair.Axes;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.query.ShapeQueries;
 import dev.cairn.physics.shape.Box;

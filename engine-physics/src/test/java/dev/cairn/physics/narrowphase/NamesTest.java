@@ -3,6 +3,8 @@ package dev.cairn.physics.narrowphase;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.narrowphase.pair.Names;
+
 import org.junit.jupiter.api.Test;
 
 import java.util.HashSet;

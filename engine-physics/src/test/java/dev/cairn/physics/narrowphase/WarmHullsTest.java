@@ -4,6 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.narrowphase.hull.PairMemory;
+import dev.cairn.physics.narrowphase.hull.Proof;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.pair.Word;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Vector3d;

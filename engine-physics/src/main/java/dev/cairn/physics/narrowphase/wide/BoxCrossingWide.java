@@ -20,6 +20,8 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SQUARE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
 
+import dev.cairn.physics.narrowphase.pair.ContactTolerances;
+
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;

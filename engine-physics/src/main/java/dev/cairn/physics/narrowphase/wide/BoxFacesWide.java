@@ -29,6 +29,8 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT_POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
 
+import dev.cairn.physics.narrowphase.pair.ContactTolerances;
+
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;

@@ -25,6 +25,8 @@ import static dev.cairn.physics.narrowphase.wide.BoxStraightWide.Q;
 import static dev.cairn.physics.narrowphase.wide.BoxStraightWide.R;
 import static dev.cairn.physics.narrowphase.wide.BoxStraightWide.W;
 
+import dev.cairn.physics.narrowphase.pair.ContactTolerances;
+
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
