@@ -162,7 +162,7 @@ public class NarrowPhasePairs {
         double sum = 0;
         for (int i = 0; i < PairSet.SIZE; i++) {
             sum += s.set.distance(i, s.narrowPhase, s.words[i]);
-            s.words[i] = s.narrowPhase.distanceWord();
+            s.words[i] = s.narrowPhase.distanceKey();
         }
         return sum;
     }

@@ -168,7 +168,7 @@ public final class PairTimes {
             long begin = THREADS.getCurrentThreadCpuTime();
             for (int i = 0; i < PairSet.SIZE; i++) {
                 sum += set.distance(i, n, warm ? words[i] : 0);
-                words[i] = n.distanceWord();
+                words[i] = n.distanceKey();
             }
             long nanos = THREADS.getCurrentThreadCpuTime() - begin;
             fastest.add(nanos);

@@ -5,15 +5,15 @@ import dev.cairn.physics.narrowphase.curved.CurvedPairs;
 import dev.cairn.physics.narrowphase.gjk.Epa;
 import dev.cairn.physics.narrowphase.gjk.Gjk;
 import dev.cairn.physics.narrowphase.gjk.Witness;
-import dev.cairn.physics.narrowphase.hull.Polyhedra;
+import dev.cairn.physics.narrowphase.hull.HullPairs;
 import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.narrowphase.pair.Safeguard;
 import dev.cairn.physics.narrowphase.round.BallBox;
 import dev.cairn.physics.narrowphase.round.RoundContacts;
-import dev.cairn.physics.narrowphase.round.RoundQuery;
+import dev.cairn.physics.narrowphase.round.BallAxis;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Moved;
@@ -41,8 +41,8 @@ public final class NarrowPhase {
     private final Epa epa = new Epa();
     private final Axes axes = new Axes();
     private final ContactPoints points = new ContactPoints(pair, axes, gjk);
-    private final Polyhedra polyhedra;
-    private final RoundQuery round = new RoundQuery();
+    private final HullPairs polyhedra;
+    private final BallAxis round = new BallAxis();
     private final RoundContacts rounds = new RoundContacts();
     private final BallBox ballBox = new BallBox();
     private final CurvedPairs curved;
@@ -52,7 +52,7 @@ public final class NarrowPhase {
     private double tx, ty, tz, tw;
 
     private boolean curvedLast;
-    private long[] memory = Polyhedra.NOTHING;
+    private long[] memory = HullPairs.NOTHING;
     private int memoryAt;
 
     /** Creates the scratch of one worker that uses the fast paths. */
@@ -67,7 +67,7 @@ public final class NarrowPhase {
      */
     public NarrowPhase(Method method) {
         this.method = method;
-        this.polyhedra = new Polyhedra(method == Method.SPECIALISED, pair, gjk, epa, axes, points);
+        this.polyhedra = new HullPairs(method == Method.SPECIALISED, pair, gjk, epa, axes, points);
         this.curved = new CurvedPairs(pair, gjk, epa, points, method == Method.SPECIALISED);
     }
 
@@ -207,7 +207,7 @@ public final class NarrowPhase {
             long cache,
             Manifold out) {
         long[] kept = memory;
-        memory = Polyhedra.NOTHING;
+        memory = HullPairs.NOTHING;
         if (method == Method.SPECIALISED && RoundContacts.fits(a) && RoundContacts.fits(b)) {
             boolean done =
                     rounds.collide(
@@ -254,7 +254,7 @@ public final class NarrowPhase {
         return word;
     }
 
-    /** Whether the last pair of hulls took what was proven at another pose, see {@code Proof}. */
+    /** Whether the last pair of hulls took what was proven at another pose, see {@code DistanceCertificate}. */
     boolean proven() {
         return polyhedra.proven();
     }
@@ -323,7 +323,7 @@ public final class NarrowPhase {
      * @param dx centre of mass of B minus that of A, world axes, m
      * @param dy see {@code dx}
      * @param dz see {@code dx}
-     * @param cache {@link #distanceWord} after the last call; 0 if there is none. A stale or random
+     * @param cache {@link #distanceKey} after the last call; 0 if there is none. A stale or random
      *     word costs time, never correctness
      * @return m
      */
@@ -368,8 +368,8 @@ public final class NarrowPhase {
      *
      * @return what to pass to the next call for the pair; 0 when there is nothing to pass
      */
-    public long distanceWord() {
-        return polyhedra.distanceWord();
+    public long distanceKey() {
+        return polyhedra.distanceKey();
     }
 
     /**
@@ -413,7 +413,7 @@ public final class NarrowPhase {
             return d;
         }
         witness.find(pair, points.axisX, points.axisY, points.axisZ, d);
-        points.single(witness.x, witness.y, witness.z, d, Names.CLOSEST, out);
+        points.single(witness.x, witness.y, witness.z, d, FeatureIds.CLOSEST, out);
         return d;
     }
 
@@ -479,7 +479,7 @@ public final class NarrowPhase {
                     by + along * points.axisY,
                     bz + along * points.axisZ,
                     separation,
-                    Names.CLOSEST,
+                    FeatureIds.CLOSEST,
                     out);
             out.bound = 0x1p-48 * pair.scale;
         }

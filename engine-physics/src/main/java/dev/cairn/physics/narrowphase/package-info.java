@@ -13,7 +13,7 @@
  * </pre>
  *
  * <p>Pairs with a capsule, cylinder or cone take the same two iterations to a rough axis and then
- * {@link dev.cairn.physics.narrowphase.axis.Refine} to the exact one: round shapes have features
+ * {@link dev.cairn.physics.narrowphase.axis.AxisRefinement} to the exact one: round shapes have features
  * too (flats, lines with a circle of normals, rims), only their normals are found by Newton instead
  * of being listed. Half-spaces are a closed form.
  *

@@ -22,7 +22,7 @@ final class RimStart {
      * @param sign 1 when the line is A's, -1 when it is B's
      * @return false when it is best far away
      */
-    boolean onCircle(Features own, int line, Features other, int rim, double way, double sign) {
+    boolean onCircle(CandidateFeatures own, int line, CandidateFeatures other, int rim, double way, double sign) {
         double ax = own.lineX[line];
         double ay = own.lineY[line];
         double az = own.lineZ[line];
@@ -77,10 +77,10 @@ final class RimStart {
      * @return false when the rims do not cross, or their rays do not meet
      */
     boolean ofRims(
-            Features sideA,
+            CandidateFeatures sideA,
             int i,
             double wayA,
-            Features sideB,
+            CandidateFeatures sideB,
             int j,
             double wayB,
             double cx,

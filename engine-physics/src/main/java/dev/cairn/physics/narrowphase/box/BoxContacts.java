@@ -16,15 +16,15 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.OFFSET;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_EDGE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_B;
 
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
-import dev.cairn.physics.narrowphase.pair.Word;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.narrowphase.wide.BoxAxes;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.shape.Box;
@@ -46,17 +46,17 @@ public final class BoxContacts {
 
     private final BoxBatch batch = new BoxBatch();
     private final double[] t = batch.data;
-    private final BoxFaces faces = new BoxFaces();
+    private final BoxFaceContact faces = new BoxFaceContact();
     private final NarrowPhase single;
 
-    private final BoxCuts cuts = new BoxCuts();
+    private final BoxClipper cuts = new BoxClipper();
     private boolean wide = BoxAxes.wide();
 
     /** Pairs whose contact was found by lanes alone, a bit each. */
     private int settled;
 
     /** Of the others: whether they are apart, and else their faces; then what was found. */
-    private final BoxChoice choice = new BoxChoice(t);
+    private final BoxReferenceFace choice = new BoxReferenceFace(t);
 
     private final double[] deepest = new double[CAPACITY];
     private final int[] pointCount = new int[CAPACITY];
@@ -183,12 +183,12 @@ public final class BoxContacts {
             choice.choose(i);
         }
         BoxAxes.corners(batch, count);
-        long cut = BoxAxes.cutStraight(batch, count);
+        long cut = BoxAxes.clipAligned(batch, count);
         settled = (int) cut & all & ~others;
         for (int bits = (int) (cut >>> 32) & all; bits != 0; bits &= bits - 1) {
             int i = Integer.numberOfTrailingZeros(bits);
-            if (!StraightNames.rests((int) t[STRAIGHT + i], (int) choice.word[i])) {
-                t[STRAIGHT + i] = -1;
+            if (!AlignedFeatureIds.rests((int) t[ALIGNED + i], (int) choice.word[i])) {
+                t[ALIGNED + i] = -1;
                 settled &= ~(1 << i);
             }
         }
@@ -236,7 +236,7 @@ public final class BoxContacts {
         if (isSettled(i)) {
             out.bound = t[BOUND + i];
             copyNormal(i, out);
-            return StraightPoints.copy(t, i, out);
+            return AlignedPoints.copy(t, i, out);
         }
         return takeOther(i, a, b, out);
     }
@@ -280,13 +280,13 @@ public final class BoxContacts {
         out.bound = Math.abs(choice.best[i] - least) + 0x1p-48 * scale(i);
         if (wide) {
             copyNormal(i, out);
-            if (t[STRAIGHT + i] >= 0) {
-                return StraightPoints.copy(t, i, out);
+            if (t[ALIGNED + i] >= 0) {
+                return AlignedPoints.copy(t, i, out);
             }
             copy(i, points, out);
         }
-        return Word.of(
-                flip ? Word.FACE_B : Word.FACE_A, face, wide ? cuts.names[i] : Names.of(out));
+        return WarmStartKey.of(
+                flip ? WarmStartKey.FACE_B : WarmStartKey.FACE_A, face, wide ? cuts.names[i] : FeatureIds.of(out));
     }
 
     /**
@@ -329,23 +329,23 @@ public final class BoxContacts {
      * @param order which of the four, in order of names, is at each place, two bits each
      * @return false when {@link #take} must tell
      */
-    public boolean sameStraight(int i, int[] names, int first, int order) {
+    public boolean sameAligned(int i, int[] names, int first, int order) {
         if (!isSettled(i)
                 && (!wide
                         || !choice.onFace[i]
                         || choice.crosses[i]
-                        || t[STRAIGHT + i] < 0
+                        || t[ALIGNED + i] < 0
                         || choice.strays(i, deepest[i]))) {
             return false;
         }
-        return StraightPoints.named(t, i, names, first, order);
+        return AlignedPoints.named(t, i, names, first, order);
     }
 
     /**
-     * Writes the contact of a pair of {@link #sameStraight}.
+     * Writes the contact of a pair of {@link #sameAligned}.
      *
      * @param i its place
-     * @param order of the places, see {@link #sameStraight}
+     * @param order of the places, see {@link #sameAligned}
      * @param normal receives the unit normal from A to B, world
      * @param n where
      * @param anchors receives of each point its place from A's centre, then from B's, world, m
@@ -363,7 +363,7 @@ public final class BoxContacts {
             int at,
             double[] separation,
             int first) {
-        return StraightPoints.write(t, i, order, normal, n, anchors, at, separation, first);
+        return AlignedPoints.write(t, i, order, normal, n, anchors, at, separation, first);
     }
 
     /** Two edges that cross; where they do not, {@link NarrowPhase} finds what touches. */
@@ -371,7 +371,7 @@ public final class BoxContacts {
         choice.leftOut[i] = Double.NaN;
         double best = choice.best[i];
         double separation = t[SEPARATION_EDGE + i];
-        BoxCrossing crossing = choice.crossing;
+        BoxEdgeContact crossing = choice.crossing;
         boolean found = separation >= best - ContactTolerances.HYSTERESIS * t[INNER + i];
         if (found && wide && choice.crosses[i]) {
             found = crossing.copy(i, out);
@@ -380,7 +380,7 @@ public final class BoxContacts {
         }
         if (found) {
             out.bound = Math.abs(best - separation) + 0x1p-48 * scale(i);
-            return Word.of(Word.EDGES, 0, Names.of(out));
+            return WarmStartKey.of(WarmStartKey.EDGES, 0, FeatureIds.of(out));
         }
         return single(i, a, b, out);
     }

@@ -1,7 +1,7 @@
 package dev.cairn.physics.narrowphase.clip;
 
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.shape.Polyhedron;
 
@@ -63,7 +63,7 @@ public final class Clipper {
      * Fills the corners with separation up to the margin, in the reference's frame.
      *
      * @param flip the reference is B
-     * @param last the names of the points of the last tick, see {@link Names}
+     * @param last the names of the points of the last tick, see {@link FeatureIds}
      */
     public void clip(Pair p, boolean flip, int face, int incident, double margin, int last) {
         this.flip = flip;
@@ -153,7 +153,7 @@ public final class Clipper {
     }
 
     private void load(Pair p, int begin, int corners) {
-        int kind = flip ? Names.VERTEX_A : Names.VERTEX_B;
+        int kind = flip ? FeatureIds.VERTEX_A : FeatureIds.VERTEX_B;
         for (int i = 0; i < corners; i++) {
             int v = other.slotVertex(begin + i);
             corner(p, v);
@@ -188,7 +188,7 @@ public final class Clipper {
      */
     private int triangle(Pair p, int at, int face, int begin, int sides) {
         Polyhedron h = reference;
-        int kind = flip ? Names.VERTEX_A : Names.VERTEX_B;
+        int kind = flip ? FeatureIds.VERTEX_A : FeatureIds.VERTEX_B;
         int v0 = other.slotVertex(at);
         int v1 = other.slotVertex(at + 1);
         int v2 = other.slotVertex(at + 2);
@@ -448,7 +448,7 @@ public final class Clipper {
     }
 
     private double slack(int name) {
-        return last != 0 && Names.holds(last, name) ? stillOnPlane : onPlane;
+        return last != 0 && FeatureIds.holds(last, name) ? stillOnPlane : onPlane;
     }
 
     /** Names the crossing of a polygon side with a reference side. */
@@ -457,10 +457,10 @@ public final class Clipper {
             int cutEdge = other.slotEdge(incidentBegin + cutSide);
             int edge = reference.slotEdge(slot);
             return flip
-                    ? Names.CROSSING | cutEdge << 15 | edge
-                    : Names.CROSSING | edge << 15 | cutEdge;
+                    ? FeatureIds.CROSSING | cutEdge << 15 | edge
+                    : FeatureIds.CROSSING | edge << 15 | cutEdge;
         }
-        int kind = flip ? Names.VERTEX_B : Names.VERTEX_A;
+        int kind = flip ? FeatureIds.VERTEX_B : FeatureIds.VERTEX_A;
         int begin = reference.faceBegin(face);
         int end = reference.faceBegin(face + 1);
         int after = slot + 1 == end ? begin : slot + 1;

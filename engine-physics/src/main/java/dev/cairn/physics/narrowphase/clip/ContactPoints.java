@@ -4,7 +4,7 @@ import dev.cairn.physics.narrowphase.gjk.Gjk;
 import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.shape.Polyhedron;
 
@@ -193,7 +193,7 @@ public final class ContactPoints {
                 (ay + s * uy + (py + t * vy)) / 2,
                 (az + s * uz + (pz + t * vz)) / 2,
                 axes.separationEdge,
-                Names.CROSSING | axes.edgeA << 15 | axes.edgeB,
+                FeatureIds.CROSSING | axes.edgeA << 15 | axes.edgeB,
                 out);
         return true;
     }
@@ -209,7 +209,7 @@ public final class ContactPoints {
             z += gjk.weight[i] * pair.vertexAZ(gjk.ia[i]);
         }
         setAxis(gjk.vx / gjk.distance, gjk.vy / gjk.distance, gjk.vz / gjk.distance);
-        single(x + gjk.vx / 2, y + gjk.vy / 2, z + gjk.vz / 2, gjk.distance, Names.CLOSEST, out);
+        single(x + gjk.vx / 2, y + gjk.vy / 2, z + gjk.vz / 2, gjk.distance, FeatureIds.CLOSEST, out);
     }
 
     /**

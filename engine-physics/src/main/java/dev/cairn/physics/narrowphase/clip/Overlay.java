@@ -1,7 +1,7 @@
 package dev.cairn.physics.narrowphase.clip;
 
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
 
 /**
@@ -64,7 +64,7 @@ public final class Overlay {
     }
 
     private double slack(int name) {
-        return last != 0 && Names.holds(last, name) ? slackBefore : slack;
+        return last != 0 && FeatureIds.holds(last, name) ? slackBefore : slack;
     }
 
     /** A corner by its point on the incident shape. */
@@ -94,8 +94,8 @@ public final class Overlay {
 
     private int crossingName(int ofRef, int ofInc) {
         return ref.second
-                ? Names.CROSSING | ofInc << 15 | ofRef
-                : Names.CROSSING | ofRef << 15 | ofInc;
+                ? FeatureIds.CROSSING | ofInc << 15 | ofRef
+                : FeatureIds.CROSSING | ofRef << 15 | ofInc;
     }
 
     // Lines -------------------------------------------------------------------------------------

@@ -1,9 +1,9 @@
 package dev.cairn.physics.narrowphase.clip;
 
 import dev.cairn.physics.narrowphase.pair.Axes;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.narrowphase.pair.Spindle;
+import dev.cairn.physics.narrowphase.pair.SolidOfRevolution;
 import dev.cairn.physics.shape.Polyhedron;
 
 import java.util.Arrays;
@@ -58,7 +58,7 @@ public final class Patch {
     /** The shape is the second one. */
     public boolean second;
 
-    /** {@link Names#VERTEX_A} or {@link Names#VERTEX_B}. */
+    /** {@link FeatureIds#VERTEX_A} or {@link FeatureIds#VERTEX_B}. */
     public int kind;
 
     private Pair pair = new Pair();
@@ -67,7 +67,7 @@ public final class Patch {
     public void fill(Pair p, boolean ofB, double dx, double dy, double dz) {
         pair = p;
         second = ofB;
-        kind = ofB ? Names.VERTEX_B : Names.VERTEX_A;
+        kind = ofB ? FeatureIds.VERTEX_B : FeatureIds.VERTEX_A;
         flat = NONE;
         line = false;
         flatter = false;
@@ -82,13 +82,13 @@ public final class Patch {
             z0 = p.r02 * dx + p.r12 * dy + p.r22 * dz;
         }
         if (ofB ? p.roundB : p.roundA) {
-            spindle(ofB ? p.spindleB : p.spindleA, x0, y0, z0);
+            spindle(ofB ? p.solidB : p.solidA, x0, y0, z0);
         } else {
             polyhedron(ofB ? p.b : p.a, x0, y0, z0);
         }
     }
 
-    private void spindle(Spindle s, double dx, double dy, double dz) {
+    private void spindle(SolidOfRevolution s, double dx, double dy, double dz) {
         double across = Math.sqrt(dx * dx + dz * dz);
         double ux = across > 0 ? dx / across : 1;
         double uz = across > 0 ? dz / across : 0;

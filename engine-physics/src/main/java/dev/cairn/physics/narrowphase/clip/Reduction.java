@@ -1,6 +1,6 @@
 package dev.cairn.physics.narrowphase.clip;
 
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 
 import java.util.Arrays;
 
@@ -165,7 +165,7 @@ public final class Reduction {
         }
         int deepest = 0;
         for (int i = 0; i < c.count; i++) {
-            chosen[i] = last != 0 && Names.holds(last, c.feature[i]);
+            chosen[i] = last != 0 && FeatureIds.holds(last, c.feature[i]);
             deepest = c.separation[i] < c.separation[deepest] ? i : deepest;
         }
         chosen[deepest] = true;
@@ -252,7 +252,7 @@ public final class Reduction {
         int found = 0;
         boolean touches = false;
         for (int i = 0; i < count && found <= 4; i++) {
-            if (Names.holds(last, c.feature[index[i]])) {
+            if (FeatureIds.holds(last, c.feature[index[i]])) {
                 if (found < 4) {
                     old[found] = i;
                 }

@@ -5,9 +5,9 @@ import dev.cairn.physics.narrowphase.clip.Patch;
 import dev.cairn.physics.narrowphase.pair.BoxTopology;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.narrowphase.pair.Word;
+import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 
 /**
  * The contact of a capsule and a box once {@link SegmentBox} has their axis, by the rules of {@link
@@ -74,7 +74,7 @@ final class CapsuleOnBox {
         if (separation > margin) {
             return 0;
         }
-        boolean single = cache >>> 62 == Word.EDGES;
+        boolean single = cache >>> 62 == WarmStartKey.EDGES;
         double enough = ContactTolerances.depthError(single, calm, separation);
         int face = face();
         deepest = Double.MAX_VALUE;
@@ -82,9 +82,9 @@ final class CapsuleOnBox {
             last = (int) cache;
             onFace(face, radius, margin, out);
         }
-        long reference = axis.second ? Word.FACE_B : Word.FACE_A;
+        long reference = axis.second ? WarmStartKey.FACE_B : WarmStartKey.FACE_A;
         if (!(Math.abs(deepest - separation) <= enough)) {
-            reference = Word.EDGES;
+            reference = WarmStartKey.EDGES;
             deepest = separation;
             out.pointCount = 0;
             // Midway between the surfaces, which are r from the segment and best from it.
@@ -94,18 +94,18 @@ final class CapsuleOnBox {
                     axis.cy + axis.at * axis.uy - back * axis.y,
                     axis.cz + axis.at * axis.uz - back * axis.z,
                     separation,
-                    Names.CLOSEST,
+                    FeatureIds.CLOSEST,
                     out);
             normal(axis.x, axis.y, axis.z, out);
         }
         out.bound = Math.abs(deepest - separation) + 0x1p-46 * pair.scale;
-        return Word.of(reference, 0, Names.of(out));
+        return WarmStartKey.of(reference, 0, FeatureIds.of(out));
     }
 
     /** The capsule's line nearest to a face, cut by the sides of the face. */
     private void onFace(int face, double radius, double margin, Manifold out) {
         SegmentBox s = axis;
-        int end = axis.second ? Names.VERTEX_A : Names.VERTEX_B;
+        int end = axis.second ? FeatureIds.VERTEX_A : FeatureIds.VERTEX_B;
         from = 0;
         to = 1;
         fromName = end | Patch.END;
@@ -147,13 +147,13 @@ final class CapsuleOnBox {
     }
 
     private double slack(int name) {
-        return last != 0 && Names.holds(last, name) ? slackBefore : slack;
+        return last != 0 && FeatureIds.holds(last, name) ? slackBefore : slack;
     }
 
     private int crossing(int edge, int line) {
         return axis.second
-                ? Names.CROSSING | line << 15 | edge
-                : Names.CROSSING | edge << 15 | line;
+                ? FeatureIds.CROSSING | line << 15 | edge
+                : FeatureIds.CROSSING | edge << 15 | line;
     }
 
     /** A point of the line midway between the surfaces along a face's normal. */

@@ -1,17 +1,17 @@
 package dev.cairn.physics.narrowphase.curved;
 
-import dev.cairn.physics.narrowphase.axis.Refine;
-import dev.cairn.physics.narrowphase.axis.Walk;
+import dev.cairn.physics.narrowphase.axis.AxisRefinement;
+import dev.cairn.physics.narrowphase.axis.AxisAscent;
 import dev.cairn.physics.narrowphase.gjk.Epa;
 import dev.cairn.physics.narrowphase.gjk.Gjk;
 import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.narrowphase.pair.Spindle;
+import dev.cairn.physics.narrowphase.pair.SolidOfRevolution;
 
 /**
  * Axis and signed distance of the cores of a pair of which one at least is a capsule, cylinder or
  * cone: closed forms for points and segments, and for a point against a cylinder or cone; else
- * {@link Gjk} and {@link Epa} for a rough axis and {@link Refine} for the exact one.
+ * {@link Gjk} and {@link Epa} for a rough axis and {@link AxisRefinement} for the exact one.
  *
  * <p>The iterations stop early, for they converge slowly on round surfaces. Their upper bound of
  * the signed distance less the separation along the axis found is {@link #gap}: what the answer may
@@ -47,11 +47,11 @@ final class CurvedAxis {
 
     boolean capped;
 
-    /** What the axis belongs to, see {@link Refine}. */
+    /** What the axis belongs to, see {@link AxisRefinement}. */
     int kindA, kindB;
 
-    private final Refine refine = new Refine();
-    private final Walk walk = new Walk(refine);
+    private final AxisRefinement refine = new AxisRefinement();
+    private final AxisAscent walk = new AxisAscent(refine);
 
     /** Cosine of the angle, 0.3 rad, between axes that count as different ones. */
     private static final double APART = 0.955;
@@ -63,15 +63,15 @@ final class CurvedAxis {
         beyond = false;
         capped = false;
         gap = 0;
-        kindA = Refine.POINT;
-        kindB = Refine.POINT;
-        boolean thin = p.roundA && p.roundB && p.spindleA.isThin() && p.spindleB.isThin();
+        kindA = AxisRefinement.POINT;
+        kindB = AxisRefinement.POINT;
+        boolean thin = p.roundA && p.roundB && p.solidA.isThin() && p.solidB.isThin();
         if (closedForm && thin) {
             segments(p);
             return;
         }
-        boolean pointA = p.roundA && p.spindleA.isPoint() && p.roundB;
-        boolean pointB = p.roundB && p.spindleB.isPoint() && p.roundA;
+        boolean pointA = p.roundA && p.solidA.isPoint() && p.roundB;
+        boolean pointB = p.roundB && p.solidB.isPoint() && p.roundA;
         if (closedForm && (pointA || pointB)) {
             pointAgainst(p, pointB);
             return;
@@ -151,7 +151,7 @@ final class CurvedAxis {
      * the points that are nearest. Without discs the rough axis tells which corners touch.
      */
     private void settle(Pair p) {
-        boolean discs = (p.roundA && !p.spindleA.isThin()) || (p.roundB && !p.spindleB.isThin());
+        boolean discs = (p.roundA && !p.solidA.isThin()) || (p.roundB && !p.solidB.isThin());
         if (!discs) {
             return;
         }
@@ -168,10 +168,10 @@ final class CurvedAxis {
      * the other touches with another corner. So what is in between is refined as well.
      */
     private void betweenFlats(Pair p) {
-        if (p.roundA && !p.spindleA.isThin()) {
+        if (p.roundA && !p.solidA.isThin()) {
             betterTowards(p, 0, 1, 0);
         }
-        if (p.roundB && !p.spindleB.isThin()) {
+        if (p.roundB && !p.solidB.isThin()) {
             betterTowards(p, p.r01, p.r11, p.r21);
         }
     }
@@ -237,9 +237,9 @@ final class CurvedAxis {
         separation = Axes.NEVER;
         better(p, 0, p.dy < 0 ? -1 : 1, 0, false);
         better(p, 0, p.dy < 0 ? 1 : -1, 0, false);
-        Spindle a = p.spindleA;
+        SolidOfRevolution a = p.solidA;
         better(p, a.sideAcross * ux, a.sideAlong, a.sideAcross * uz, false);
-        Spindle b = p.spindleB;
+        SolidOfRevolution b = p.solidB;
         double along = p.r11 < 0 ? b.sideAlong : -b.sideAlong;
         better(p, b.sideAcross * ux, along, b.sideAcross * uz, false);
         gap = slack;
@@ -254,8 +254,8 @@ final class CurvedAxis {
 
     /** At right angles to both segments, which touch; to one, or any, when there is no other. */
     private void acrossBoth(Pair p) {
-        boolean lineA = !p.spindleA.isPoint();
-        boolean lineB = !p.spindleB.isPoint();
+        boolean lineA = !p.solidA.isPoint();
+        boolean lineB = !p.solidB.isPoint();
         double ux = lineB ? p.r01 : 0;
         double uy = lineB ? p.r11 : 1;
         double uz = lineB ? p.r21 : 0;
@@ -287,8 +287,8 @@ final class CurvedAxis {
      * inside both. All of these are tried, so that nearly parallel ones keep their digits.
      */
     private void segments(Pair p) {
-        double h = p.spindleA.high;
-        double k = p.spindleB.high;
+        double h = p.solidA.high;
+        double k = p.solidB.high;
         double vx = p.r01 * k;
         double vy = p.r11 * k;
         double vz = p.r21 * k;
@@ -297,7 +297,7 @@ final class CurvedAxis {
             double bx = p.dx + sign * vx;
             double by = p.dy + sign * vy;
             double bz = p.dz + sign * vz;
-            candidate(bx, by - Math.max(-h, Math.min(h, by)), bz, inside(by, h), Refine.POINT);
+            candidate(bx, by - Math.max(-h, Math.min(h, by)), bz, inside(by, h), AxisRefinement.POINT);
             double wx = p.dx;
             double wy = p.dy - sign * h;
             double wz = p.dz;
@@ -307,14 +307,14 @@ final class CurvedAxis {
             double y = wy + t * p.r11;
             double z = wz + t * p.r21;
             int kind = inside(along, k);
-            if (kind == Refine.LINE) {
+            if (kind == AxisRefinement.LINE) {
                 // What rounding left along the segment would count by its length near touching.
                 double rest = x * p.r01 + y * p.r11 + z * p.r21;
                 x -= rest * p.r01;
                 y -= rest * p.r11;
                 z -= rest * p.r21;
             }
-            candidate(x, y, z, Refine.POINT, kind);
+            candidate(x, y, z, AxisRefinement.POINT, kind);
         }
         // Inside both: the difference is along the common perpendicular, u x v with u = y.
         double cx = p.r21;
@@ -325,7 +325,7 @@ final class CurvedAxis {
             double s = p.dy + t * p.r11;
             if (Math.abs(t) <= k && Math.abs(s) <= h) {
                 double f = (p.dx * cx + p.dz * cz) / square;
-                candidate(f * cx, 0, f * cz, Refine.LINE, Refine.LINE);
+                candidate(f * cx, 0, f * cz, AxisRefinement.LINE, AxisRefinement.LINE);
             }
         }
         double most = Math.max(Math.abs(bestX), Math.max(Math.abs(bestY), Math.abs(bestZ)));
@@ -343,7 +343,7 @@ final class CurvedAxis {
     }
 
     private static int inside(double along, double half) {
-        return Math.abs(along) < half ? Refine.LINE : Refine.POINT;
+        return Math.abs(along) < half ? AxisRefinement.LINE : AxisRefinement.POINT;
     }
 
     private void candidate(double x, double y, double z, int ofA, int ofB) {
@@ -360,7 +360,7 @@ final class CurvedAxis {
 
     /** A ball's centre against a cylinder or cone: a point and a trapezium in a plane. */
     private void pointAgainst(Pair p, boolean ofB) {
-        Spindle s = ofB ? p.spindleA : p.spindleB;
+        SolidOfRevolution s = ofB ? p.solidA : p.solidB;
         double y = ofB ? p.dy : -(p.r01 * p.dx + p.r11 * p.dy + p.r21 * p.dz);
         px = ofB ? p.dx : -(p.r00 * p.dx + p.r10 * p.dy + p.r20 * p.dz);
         pz = ofB ? p.dz : -(p.r02 * p.dx + p.r12 * p.dy + p.r22 * p.dz);

@@ -1,6 +1,6 @@
 package dev.cairn.physics.narrowphase.curved;
 
-import dev.cairn.physics.narrowphase.axis.Refine;
+import dev.cairn.physics.narrowphase.axis.AxisRefinement;
 import dev.cairn.physics.narrowphase.clip.ContactPoints;
 import dev.cairn.physics.narrowphase.clip.Overlay;
 import dev.cairn.physics.narrowphase.clip.Patch;
@@ -8,9 +8,9 @@ import dev.cairn.physics.narrowphase.clip.Reduction;
 import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.narrowphase.pair.Word;
+import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 
 /**
  * The manifold of a pair with a capsule, cylinder or cone, once {@link CurvedAxis} has its axis:
@@ -53,21 +53,21 @@ final class CurvedContact {
         patchA.fill(pair, false, nx, ny, nz);
         patchB.fill(pair, true, -nx, -ny, -nz);
         long reference = reference(before, calm);
-        if (reference == Word.FACE_A) {
+        if (reference == WarmStartKey.FACE_A) {
             flats(patchA, patchB, margin, calm, last, out);
-        } else if (reference == Word.FACE_B) {
+        } else if (reference == WarmStartKey.FACE_B) {
             flats(patchB, patchA, margin, calm, last, out);
         } else {
             lines(margin, calm, out);
         }
-        double enough = ContactTolerances.depthError(before == Word.EDGES, calm, separation);
+        double enough = ContactTolerances.depthError(before == WarmStartKey.EDGES, calm, separation);
         if (out.pointCount == 0 || Math.abs(out.deepest() - separation) > enough) {
             single(out);
-            reference = Word.EDGES;
+            reference = WarmStartKey.EDGES;
         }
         out.bound = Math.abs(out.deepest() - separation) + axis.gap + 0x1p-46 * pair.scale;
         // Lines count as a reference of nobody: word 0 with names.
-        return reference << 62 | (Names.of(out) & 0xFFFFFFFFL);
+        return reference << 62 | (FeatureIds.of(out) & 0xFFFFFFFFL);
     }
 
     /** Whose flat the separations are measured from; 0 for nobody's. */
@@ -91,11 +91,11 @@ final class CurvedContact {
         }
         // A face is preferred to a disc, then what was the reference before.
         double bias =
-                before == Word.FACE_B ? -calm : before == Word.FACE_A ? calm : 0x1p-40 * pair.scale;
+                before == WarmStartKey.FACE_B ? -calm : before == WarmStartKey.FACE_A ? calm : 0x1p-40 * pair.scale;
         if (patchA.flat != patchB.flat && a != Axes.NEVER && b != Axes.NEVER) {
             bias = patchA.flat == Patch.FACE ? calm : -calm;
         }
-        return b > a + bias ? Word.FACE_B : Word.FACE_A;
+        return b > a + bias ? WarmStartKey.FACE_B : WarmStartKey.FACE_A;
     }
 
     private double along(double x, double y, double z) {
@@ -185,8 +185,8 @@ final class CurvedContact {
         double z;
         boolean ofA =
                 axis.kindA > axis.kindB
-                        || (axis.kindA == axis.kindB && pair.roundA && pair.spindleA.isPoint());
-        if (axis.kindA == Refine.LINE && axis.kindB == Refine.LINE) {
+                        || (axis.kindA == axis.kindB && pair.roundA && pair.solidA.isPoint());
+        if (axis.kindA == AxisRefinement.LINE && axis.kindB == AxisRefinement.LINE) {
             crossing();
             x = crossX;
             y = crossY;
@@ -205,7 +205,7 @@ final class CurvedContact {
             z = pair.pz - reach * nz;
         }
         points.setAxis(nx, ny, nz);
-        points.single(x, y, z, separation, Names.CLOSEST, out);
+        points.single(x, y, z, separation, FeatureIds.CLOSEST, out);
     }
 
     private double crossX, crossY, crossZ;

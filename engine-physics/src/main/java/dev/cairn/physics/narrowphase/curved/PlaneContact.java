@@ -5,7 +5,7 @@ import dev.cairn.physics.narrowphase.clip.Overlay;
 import dev.cairn.physics.narrowphase.clip.Patch;
 import dev.cairn.physics.narrowphase.clip.Reduction;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
 
 /**
@@ -68,14 +68,14 @@ final class PlaneContact {
         points.setAxis(-nx, -ny, -nz);
         if (!patch.line && patch.flat == Patch.NONE) {
             double reach = pair.radiusA + separation / 2;
-            points.single(-reach * nx, -reach * ny, -reach * nz, separation, Names.CLOSEST, out);
+            points.single(-reach * nx, -reach * ny, -reach * nz, separation, FeatureIds.CLOSEST, out);
         } else {
             plane.ox = -height * nx;
             plane.oy = -height * ny;
             plane.oz = -height * nz;
-            patch.kind = second ? Names.VERTEX_B : Names.VERTEX_A;
-            patch.nameP = patch.kind | (patch.nameP & ~Names.VERTEX_B);
-            patch.nameQ = patch.kind | (patch.nameQ & ~Names.VERTEX_B);
+            patch.kind = second ? FeatureIds.VERTEX_B : FeatureIds.VERTEX_A;
+            patch.nameP = patch.kind | (patch.nameP & ~FeatureIds.VERTEX_B);
+            patch.nameQ = patch.kind | (patch.nameQ & ~FeatureIds.VERTEX_B);
             overlay.begin(pair, plane, patch, nx, ny, nz, last);
             if (patch.flat == Patch.DISC && patch.flatter) {
                 overlay.discOnPlane();
@@ -98,7 +98,7 @@ final class PlaneContact {
             deepest = Math.min(deepest, out.separation[i]);
         }
         out.bound = Math.abs(deepest - separation) + 0x1p-48 * (pair.scale + Math.abs(height));
-        return 1L << 62 | (Names.of(out) & 0xFFFFFFFFL);
+        return 1L << 62 | (FeatureIds.of(out) & 0xFFFFFFFFL);
     }
 
     /** One point below the lowest one of the solid, as if the solid were the first shape. */
@@ -111,7 +111,7 @@ final class PlaneContact {
                 pair.vertexAY(v) - reach * ny,
                 pair.vertexAZ(v) - reach * nz,
                 separation,
-                Names.CLOSEST,
+                FeatureIds.CLOSEST,
                 out);
     }
 }

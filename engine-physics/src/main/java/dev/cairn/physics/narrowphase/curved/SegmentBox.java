@@ -1,6 +1,6 @@
 package dev.cairn.physics.narrowphase.curved;
 
-import dev.cairn.physics.narrowphase.axis.Refine;
+import dev.cairn.physics.narrowphase.axis.AxisRefinement;
 import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.shape.Box;
@@ -133,8 +133,8 @@ final class SegmentBox {
         x = alongX ? (cx < 0 ? -1 : 1) : 0;
         y = alongY ? (cy < 0 ? -1 : 1) : 0;
         z = (alongX || alongY) ? 0 : (cz < 0 ? -1 : 1);
-        ofBox = Refine.FLAT;
-        ofSegment = Refine.POINT;
+        ofBox = AxisRefinement.FLAT;
+        ofSegment = AxisRefinement.POINT;
         at = x * ux + y * uy + z * uz > 0 ? -h : h;
     }
 
@@ -151,8 +151,8 @@ final class SegmentBox {
             return;
         }
         best = most;
-        ofBox = Refine.LINE;
-        ofSegment = Refine.LINE;
+        ofBox = AxisRefinement.LINE;
+        ofSegment = AxisRefinement.LINE;
         x = 0;
         y = 0;
         z = 0;
@@ -232,7 +232,7 @@ final class SegmentBox {
         wx = beyond(cx + s * ux, bx);
         wy = beyond(cy + s * uy, by);
         wz = beyond(cz + s * uz, bz);
-        take(s, Refine.POINT, above);
+        take(s, AxisRefinement.POINT, above);
     }
 
     /** The places where a coordinate comes to lie within or beyond cut the range. */
@@ -283,7 +283,7 @@ final class SegmentBox {
             // Again, for h times what rounding leaves along the segment is lost.
             move((wx * vx + wy * vy + wz * vz) / square, vx, vy, vz);
         }
-        take(s - Math.max(-room, Math.min(room, back)), Refine.LINE, above);
+        take(s - Math.max(-room, Math.min(room, back)), AxisRefinement.LINE, above);
     }
 
     private void move(double back, double vx, double vy, double vz) {
@@ -317,7 +317,7 @@ final class SegmentBox {
         y = ny;
         z = nz;
         int beside = (wx != 0 ? 1 : 0) + (wy != 0 ? 1 : 0) + (wz != 0 ? 1 : 0);
-        ofBox = beside == 1 ? Refine.FLAT : beside == 2 ? Refine.LINE : Refine.POINT;
-        ofSegment = beside == 1 ? Refine.POINT : segmentKind;
+        ofBox = beside == 1 ? AxisRefinement.FLAT : beside == 2 ? AxisRefinement.LINE : AxisRefinement.POINT;
+        ofSegment = beside == 1 ? AxisRefinement.POINT : segmentKind;
     }
 }

@@ -1,8 +1,8 @@
 package dev.cairn.physics.narrowphase.curved;
 
-import dev.cairn.physics.narrowphase.axis.Refine;
+import dev.cairn.physics.narrowphase.axis.AxisRefinement;
 import dev.cairn.physics.narrowphase.pair.Axes;
-import dev.cairn.physics.narrowphase.pair.Inside;
+import dev.cairn.physics.narrowphase.pair.Containment;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
@@ -120,7 +120,7 @@ final class SegmentHull {
         }
         if (best > CLEAR * scale && !hull.isRough(face)) {
             double at = x * ux + y * uy + z * uz > 0 ? -h : h;
-            if (Inside.face(hull, face, cx + at * ux, cy + at * uy, cz + at * uz) >= 0) {
+            if (Containment.face(hull, face, cx + at * ux, cy + at * uy, cz + at * uz) >= 0) {
                 return true;
             }
         }
@@ -166,8 +166,8 @@ final class SegmentHull {
         x = hull.normalX(face);
         y = hull.normalY(face);
         z = hull.normalZ(face);
-        ofHull = Refine.FLAT;
-        ofSegment = Refine.POINT;
+        ofHull = AxisRefinement.FLAT;
+        ofSegment = AxisRefinement.POINT;
         return face;
     }
 
@@ -230,8 +230,8 @@ final class SegmentHull {
         ex = hx;
         ey = hy;
         ez = hz;
-        wayOfHull = hx == 0 && hy == 0 && hz == 0 ? Refine.POINT : Refine.LINE;
-        wayOfSegment = Math.abs(t) < h ? Refine.LINE : Refine.POINT;
+        wayOfHull = hx == 0 && hy == 0 && hz == 0 ? AxisRefinement.POINT : AxisRefinement.LINE;
+        wayOfSegment = Math.abs(t) < h ? AxisRefinement.LINE : AxisRefinement.POINT;
     }
 
     /**
@@ -269,8 +269,8 @@ final class SegmentHull {
 
     /** The direction of the shortest way; false when the lines are parallel. */
     private boolean direct() {
-        boolean edge = wayOfHull == Refine.LINE;
-        boolean line = wayOfSegment == Refine.LINE;
+        boolean edge = wayOfHull == AxisRefinement.LINE;
+        boolean line = wayOfSegment == AxisRefinement.LINE;
         // What rounding left along an edge or the segment would count by its length.
         double nx = wx;
         double ny = wy;

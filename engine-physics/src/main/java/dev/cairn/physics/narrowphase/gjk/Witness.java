@@ -1,7 +1,7 @@
 package dev.cairn.physics.narrowphase.gjk;
 
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.narrowphase.pair.Spindle;
+import dev.cairn.physics.narrowphase.pair.SolidOfRevolution;
 import dev.cairn.physics.shape.Polyhedron;
 
 /**
@@ -78,14 +78,14 @@ public final class Witness {
     /** Keeps a point of A's core if it is better than the last. */
     private void weighPoint(double px, double py, double pz) {
         Pair p = pair;
-        double ofA = p.roundA ? beyond(p.spindleA, px, py, pz) : beyond(p.a, px, py, pz);
+        double ofA = p.roundA ? beyond(p.solidA, px, py, pz) : beyond(p.a, px, py, pz);
         double bx = px + cores * nx - p.dx;
         double by = py + cores * ny - p.dy;
         double bz = pz + cores * nz - p.dz;
         double lx = p.r00 * bx + p.r10 * by + p.r20 * bz;
         double ly = p.r01 * bx + p.r11 * by + p.r21 * bz;
         double lz = p.r02 * bx + p.r12 * by + p.r22 * bz;
-        double ofB = p.roundB ? beyond(p.spindleB, lx, ly, lz) : beyond(p.b, lx, ly, lz);
+        double ofB = p.roundB ? beyond(p.solidB, lx, ly, lz) : beyond(p.b, lx, ly, lz);
         double worse = Math.max(ofA, ofB);
         if (worse < least) {
             least = worse;
@@ -105,7 +105,7 @@ public final class Witness {
         return most;
     }
 
-    private static double beyond(Spindle s, double x, double y, double z) {
+    private static double beyond(SolidOfRevolution s, double x, double y, double z) {
         double across = Math.sqrt(x * x + z * z) - s.lowRadius;
         double side = across * s.sideAcross + (y - s.low) * s.sideAlong;
         return Math.max(side, Math.max(y - s.high, s.low - y));
@@ -124,8 +124,8 @@ public final class Witness {
             p.dx = dx - back * nx;
             p.dy = dy - back * ny;
             p.dz = dz - back * nz;
-            p.spindleA.restart();
-            p.spindleB.restart();
+            p.solidA.restart();
+            p.solidB.restart();
             gjk.run(p, nx, ny, nz, Double.MAX_VALUE);
             found = !gjk.overlap;
             e *= MORE;

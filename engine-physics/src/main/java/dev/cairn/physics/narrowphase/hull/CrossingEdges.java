@@ -1,7 +1,7 @@
 package dev.cairn.physics.narrowphase.hull;
 
 import dev.cairn.physics.narrowphase.pair.Axes;
-import dev.cairn.physics.narrowphase.pair.Inside;
+import dev.cairn.physics.narrowphase.pair.Containment;
 import dev.cairn.physics.narrowphase.pair.Pair;
 
 /**
@@ -14,13 +14,13 @@ final class CrossingEdges {
 
     private final Pair pair;
     private final Axes axes;
-    private final Inside inside;
+    private final Containment inside;
     private int edgeA, edgeB;
 
     /** In A's frame: where they begin, and where they lead. */
     private double ax, ay, az, bx, by, bz, ux, uy, uz, vx, vy, vz;
 
-    CrossingEdges(Pair pair, Axes axes, Inside inside) {
+    CrossingEdges(Pair pair, Axes axes, Containment inside) {
         this.pair = pair;
         this.axes = axes;
         this.inside = inside;
@@ -94,7 +94,7 @@ final class CrossingEdges {
         double beside = Math.sqrt(Math.max(0, square - high * high));
         // Distances from the sides of the parallelogram: |u x v| / |v| and / |u|.
         double r = Math.sqrt(det) * Math.min(alongU / Math.sqrt(vv), alongV / Math.sqrt(uu));
-        double upper = -Math.max(0, Inside.depth(p, -s, r, high, beside));
+        double upper = -Math.max(0, Containment.depth(p, -s, r, high, beside));
         if (upper - s > enough) {
             double inA = inside.within(p.a, bx + g * vx, by + g * vy, bz + g * vz);
             upper = Math.min(upper, -inA);

@@ -3,9 +3,9 @@ package dev.cairn.physics.narrowphase.hull;
 import dev.cairn.physics.narrowphase.gjk.Polytope;
 
 /**
- * What {@code NarrowPhase} keeps of a pair with a hull between ticks, beside the {@code Word}: the
+ * What {@code NarrowPhase} keeps of a pair with a hull between ticks, beside the {@code WarmStartKey}: the
  * polytope that the last search ended with (vertices by their numbers and faces by their corners,
- * no place), two edges that separated best though a face held the contact, and a {@link Proof}.
+ * no place), two edges that separated best though a face held the contact, and a {@link DistanceCertificate}.
  * What was left at another pose costs time, never correctness; what other shapes left has to be
  * forgotten.
  */
@@ -13,7 +13,7 @@ public final class PairMemory {
     private PairMemory() {}
 
     /** Numbers to a pair. */
-    public static final int SIZE = Polytope.SIZE + 1 + Proof.SIZE;
+    public static final int SIZE = Polytope.SIZE + 1 + DistanceCertificate.SIZE;
 
     /** Where the edges and the proof are. */
     public static final int CROSSING = Polytope.SIZE, PROOF = CROSSING + 1;
@@ -27,6 +27,6 @@ public final class PairMemory {
     public static void forget(long[] memory, int at) {
         Polytope.forget(memory, at);
         memory[at + CROSSING] = 0;
-        Proof.forget(memory, at + PROOF);
+        DistanceCertificate.forget(memory, at + PROOF);
     }
 }

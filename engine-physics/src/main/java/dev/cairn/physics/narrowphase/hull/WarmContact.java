@@ -4,11 +4,11 @@ import dev.cairn.physics.narrowphase.clip.Clipper;
 import dev.cairn.physics.narrowphase.clip.ContactPoints;
 import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
-import dev.cairn.physics.narrowphase.pair.Inside;
+import dev.cairn.physics.narrowphase.pair.Containment;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.narrowphase.pair.Word;
+import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.shape.Polyhedron;
 
 /**
@@ -31,7 +31,7 @@ import dev.cairn.physics.shape.Polyhedron;
  *
  * and the depth is at least L. It is also at least as deep as a point of B is inside A, away from
  * all faces, for D holds b - A. Two edges that cross are such a face of D: a parallelogram. When
- * both bounds are so near each other that each decision of {@link Polyhedra} would be the same with
+ * both bounds are so near each other that each decision of {@link HullPairs} would be the same with
  * either, its answer is the same without any search. Else the search runs.
  */
 final class WarmContact {
@@ -44,12 +44,12 @@ final class WarmContact {
     private final Pair pair;
     private final Axes axes;
     private final ContactPoints points;
-    private final PolyhedronAxis search;
-    private final Inside inside = new Inside();
+    private final HullAxis search;
+    private final Containment inside = new Containment();
     private final CrossingEdges cross;
 
     /** What is known from an earlier pose. */
-    final Proof proof = new Proof();
+    final DistanceCertificate proof = new DistanceCertificate();
 
     /** See {@code Safeguard}. */
     boolean secondBound = true;
@@ -90,7 +90,7 @@ final class WarmContact {
     /** The deepest corner that was clipped. */
     private int deepest;
 
-    WarmContact(Pair pair, Axes axes, ContactPoints points, PolyhedronAxis search) {
+    WarmContact(Pair pair, Axes axes, ContactPoints points, HullAxis search) {
         this.pair = pair;
         this.axes = axes;
         this.points = points;
@@ -120,7 +120,7 @@ final class WarmContact {
      */
     long collide(double margin, long cache, long crossing, Manifold out) {
         forget();
-        boolean byEdges = cache >>> 62 == Word.EDGES;
+        boolean byEdges = cache >>> 62 == WarmStartKey.EDGES;
         if (secondBound
                 && proof.tells(ContactTolerances.HYSTERESIS * pair.inner)
                 && (byEdges || crossing != 0)) {
@@ -161,15 +161,15 @@ final class WarmContact {
     /** Tries the features of the last tick. */
     private long last(double margin, long cache, Manifold out) {
         long kind = cache >>> 62;
-        int face = Word.faceOf(cache);
-        int hint = Word.hint(cache);
-        if (kind == Word.FACE_A && face < pair.a.faceCount() && hint < pair.b.vertexCount()) {
+        int face = WarmStartKey.faceOf(cache);
+        int hint = WarmStartKey.hint(cache);
+        if (kind == WarmStartKey.FACE_A && face < pair.a.faceCount() && hint < pair.b.vertexCount()) {
             return onA(face, hint, margin, cache, out);
         }
-        if (kind == Word.FACE_B && face < pair.b.faceCount() && hint < pair.a.vertexCount()) {
+        if (kind == WarmStartKey.FACE_B && face < pair.b.faceCount() && hint < pair.a.vertexCount()) {
             return onB(face, hint, margin, cache, out);
         }
-        if (kind == Word.EDGES && face < pair.a.edgeCount() && hint < pair.b.edgeCount()) {
+        if (kind == WarmStartKey.EDGES && face < pair.a.edgeCount() && hint < pair.b.edgeCount()) {
             if (proofOnly) {
                 return provenEdges(face, hint, margin, out);
             }
@@ -222,11 +222,11 @@ final class WarmContact {
 
     private long face(
             boolean flip, int at, int v, double s, double margin, long cache, Manifold out) {
-        long kind = flip ? Word.FACE_B : Word.FACE_A;
+        long kind = flip ? WarmStartKey.FACE_B : WarmStartKey.FACE_A;
         separation = s;
         if (s > margin) {
             done = true;
-            return Word.withHint(Word.of(kind, at, (int) cache), v);
+            return WarmStartKey.withHint(WarmStartKey.of(kind, at, (int) cache), v);
         }
         double calm = ContactTolerances.HYSTERESIS * pair.inner;
         face = at;
@@ -252,18 +252,18 @@ final class WarmContact {
         if (!proven) {
             upper = secondBound ? upper(flip, at, s, least, calm) : s;
         }
-        if (!proven && secondBound && !Proof.settles(s, s, least, upper, upper, calm)) {
+        if (!proven && secondBound && !DistanceCertificate.settles(s, s, least, upper, upper, calm)) {
             return other(flip, least - s <= calm, margin, cache, out);
         }
         done = true;
-        out.bound = Proof.wrong(low, least, upper) + 0x1p-48 * pair.scale;
-        return Word.withHint(Word.of(kind, at, Names.of(out)), v);
+        out.bound = DistanceCertificate.wrong(low, least, upper) + 0x1p-48 * pair.scale;
+        return WarmStartKey.withHint(WarmStartKey.of(kind, at, FeatureIds.of(out)), v);
     }
 
     /** An upper bound of the signed distance from all that may give one; tries until it settles. */
     private double upper(boolean flip, int at, double s, double least, double calm) {
         double best = Math.min(proof.high, upper(flip, at));
-        if (least - s <= calm && !Proof.settles(s, s, least, best, best, calm)) {
+        if (least - s <= calm && !DistanceCertificate.settles(s, s, least, best, best, calm)) {
             Clipper c = points.clipper;
             Polyhedron reference = flip ? pair.b : pair.a;
             best =
@@ -271,7 +271,7 @@ final class WarmContact {
                             best,
                             -inside.within(reference, c.x[deepest], c.y[deepest], c.z[deepest]));
         }
-        if (least - s <= calm && !Proof.settles(s, s, least, best, best, calm)) {
+        if (least - s <= calm && !DistanceCertificate.settles(s, s, least, best, best, calm)) {
             best = Math.min(best, search.upper());
         }
         return best;
@@ -284,11 +284,11 @@ final class WarmContact {
     private long other(boolean flip, boolean deep, double margin, long cache, Manifold out) {
         int name = points.clipper.feature[deepest];
         int id = name & 0x3FFF_FFFF;
-        if (name >>> 30 == Names.CROSSING >>> 30) {
+        if (name >>> 30 == FeatureIds.CROSSING >>> 30) {
             edges(id >>> 15, id & 0x7FFF);
             clipped = certain;
             onB = flip;
-        } else if (!second && (name >>> 30 == Names.VERTEX_B >>> 30) == flip) {
+        } else if (!second && (name >>> 30 == FeatureIds.VERTEX_B >>> 30) == flip) {
             second = true;
             out.pointCount = 0;
             return flip
@@ -328,11 +328,11 @@ final class WarmContact {
         double part = 1.0 / c.count;
         double low = c.separation[deepest];
         double rise = s * part - low;
-        double edge = Inside.face(reference, face, c.x[deepest], c.y[deepest], c.z[deepest]);
+        double edge = Containment.face(reference, face, c.x[deepest], c.y[deepest], c.z[deepest]);
         double slope =
                 c.count == 1
                         ? 0
-                        : Inside.face(reference, face, x * part, y * part, z * part) - edge;
+                        : Containment.face(reference, face, x * part, y * part, z * part) - edge;
         // A point between the deepest corner and the middle: how far inside it is at least grows
         // evenly.
         double from = edge >= 0 ? 0 : -edge / slope;
@@ -355,7 +355,7 @@ final class WarmContact {
         double need = -low * (Math.sqrt(1 + steep * steep) - steep) * 1.0625;
         double at = slope > 0 ? Math.max(from, Math.min(1, (need - edge) / slope)) : from;
         double d = -(low + at * rise);
-        return -Math.max(0, Inside.depth(p, d, Math.max(0, edge + at * slope), high, beside));
+        return -Math.max(0, Containment.depth(p, d, Math.max(0, edge + at * slope), high, beside));
     }
 
     /** The point of two edges where the proof tells that it is the answer still. */
@@ -379,8 +379,8 @@ final class WarmContact {
         }
         done = true;
         proven = true;
-        out.bound = Proof.wrong(proof.low, s, proof.high) + 0x1p-48 * pair.scale;
-        return Word.withHint(Word.of(Word.EDGES, 0, Names.of(out)) | (long) ea << 47, eb);
+        out.bound = DistanceCertificate.wrong(proof.low, s, proof.high) + 0x1p-48 * pair.scale;
+        return WarmStartKey.withHint(WarmStartKey.of(WarmStartKey.EDGES, 0, FeatureIds.of(out)) | (long) ea << 47, eb);
     }
 
     /** The best face is another direction and separates by much less. */

@@ -7,7 +7,7 @@ import dev.cairn.physics.shape.Shape;
 
 /**
  * Two shapes in the frame of the first: its centre of mass is the origin, its axes are the axes. A
- * shape is a core (a polyhedron or a {@link Spindle}) and a radius around it. {@code r} turns B's
+ * shape is a core (a polyhedron or a {@link SolidOfRevolution}) and a radius around it. {@code r} turns B's
  * axes into A's, {@code d} is B's centre in A's frame, {@code w} turns A's axes into the world's.
  */
 public final class Pair {
@@ -19,7 +19,7 @@ public final class Pair {
     public boolean roundA, roundB;
 
     /** The cores of round shapes. */
-    public final Spindle spindleA = new Spindle(), spindleB = new Spindle();
+    public final SolidOfRevolution solidA = new SolidOfRevolution(), solidB = new SolidOfRevolution();
 
     public double radiusA, radiusB;
     public double r00, r01, r02, r10, r11, r12, r20, r21, r22;
@@ -64,10 +64,10 @@ public final class Pair {
             double wz) {
         a = polyhedron(shapeA);
         b = polyhedron(shapeB);
-        roundA = a == NONE && spindleA.set(shapeA);
-        roundB = b == NONE && spindleB.set(shapeB);
-        radiusA = roundA ? spindleA.round : 0;
-        radiusB = roundB ? spindleB.round : 0;
+        roundA = a == NONE && solidA.set(shapeA);
+        roundB = b == NONE && solidB.set(shapeB);
+        radiusA = roundA ? solidA.round : 0;
+        radiusB = roundB ? solidB.round : 0;
         inner = Math.min(shapeA.innerRadius(), shapeB.innerRadius());
         small = 2 * Math.min(shapeA.outerRadius(), shapeB.outerRadius());
         world(ax, ay, az, aw);
@@ -127,7 +127,7 @@ public final class Pair {
      * one.
      */
     public int supportA(double x, double y, double z, int hint) {
-        return roundA ? spindleA.support(x, y, z) : a.support(x, y, z, hint);
+        return roundA ? solidA.support(x, y, z) : a.support(x, y, z, hint);
     }
 
     /** The vertex of B's core farthest in a direction of A's frame. */
@@ -135,26 +135,26 @@ public final class Pair {
         double bx = r00 * x + r10 * y + r20 * z;
         double by = r01 * x + r11 * y + r21 * z;
         double bz = r02 * x + r12 * y + r22 * z;
-        return roundB ? spindleB.support(bx, by, bz) : b.support(bx, by, bz, hint);
+        return roundB ? solidB.support(bx, by, bz) : b.support(bx, by, bz, hint);
     }
 
     public double vertexAX(int vertex) {
-        return roundA ? spindleA.x(vertex) : a.vertexX(vertex);
+        return roundA ? solidA.x(vertex) : a.vertexX(vertex);
     }
 
     public double vertexAY(int vertex) {
-        return roundA ? spindleA.y(vertex) : a.vertexY(vertex);
+        return roundA ? solidA.y(vertex) : a.vertexY(vertex);
     }
 
     public double vertexAZ(int vertex) {
-        return roundA ? spindleA.z(vertex) : a.vertexZ(vertex);
+        return roundA ? solidA.z(vertex) : a.vertexZ(vertex);
     }
 
     /** Puts a vertex of B's core, in A's frame, into {@link #px}, {@link #py}, {@link #pz}. */
     public void vertexB(int vertex) {
-        double x = roundB ? spindleB.x(vertex) : b.vertexX(vertex);
-        double y = roundB ? spindleB.y(vertex) : b.vertexY(vertex);
-        double z = roundB ? spindleB.z(vertex) : b.vertexZ(vertex);
+        double x = roundB ? solidB.x(vertex) : b.vertexX(vertex);
+        double y = roundB ? solidB.y(vertex) : b.vertexY(vertex);
+        double z = roundB ? solidB.z(vertex) : b.vertexZ(vertex);
         px = r00 * x + r01 * y + r02 * z + dx;
         py = r10 * x + r11 * y + r12 * z + dy;
         pz = r20 * x + r21 * y + r22 * z + dz;
@@ -162,8 +162,8 @@ public final class Pair {
 
     /** How far the ends of B's core are from its centre at most. */
     public double reach() {
-        double end = Math.max(Math.abs(spindleB.low), Math.abs(spindleB.high));
-        return end + Math.max(spindleB.lowRadius, spindleB.highRadius);
+        double end = Math.max(Math.abs(solidB.low), Math.abs(solidB.high));
+        return end + Math.max(solidB.lowRadius, solidB.highRadius);
     }
 
     /** How far B's core reaches along a direction of A's frame, from B's centre. */
@@ -172,7 +172,7 @@ public final class Pair {
         double by = r01 * x + r11 * y + r21 * z;
         double bz = r02 * x + r12 * y + r22 * z;
         if (roundB) {
-            return spindleB.reach(bx, by, bz);
+            return solidB.reach(bx, by, bz);
         }
         int v = b.support(bx, by, bz);
         return b.vertexX(v) * bx + b.vertexY(v) * by + b.vertexZ(v) * bz;
@@ -181,7 +181,7 @@ public final class Pair {
     /** How far A's core reaches along a direction. */
     public double reachA(double x, double y, double z) {
         if (roundA) {
-            return spindleA.reach(x, y, z);
+            return solidA.reach(x, y, z);
         }
         int v = a.support(x, y, z);
         return a.vertexX(v) * x + a.vertexY(v) * y + a.vertexZ(v) * z;
@@ -192,7 +192,7 @@ public final class Pair {
      * block takes the side towards the other centre, in a mirror image as well.
      */
     public int endA(double x, double y, double z) {
-        return roundA ? spindleA.support(x, y, z) : a.support(x, y, z, dx, dy, dz);
+        return roundA ? solidA.support(x, y, z) : a.support(x, y, z, dx, dy, dz);
     }
 
     /** The same for B, along a direction of A's frame. */
@@ -201,7 +201,7 @@ public final class Pair {
         double by = r01 * x + r11 * y + r21 * z;
         double bz = r02 * x + r12 * y + r22 * z;
         if (roundB) {
-            return spindleB.support(bx, by, bz);
+            return solidB.support(bx, by, bz);
         }
         if (bx != 0 && by != 0 && bz != 0) {
             return b.support(bx, by, bz);

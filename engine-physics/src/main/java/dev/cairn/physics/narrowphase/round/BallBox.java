@@ -1,7 +1,7 @@
 package dev.cairn.physics.narrowphase.round;
 
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
@@ -112,7 +112,7 @@ public final class BallBox {
             out.normalY = w10 * x + w11 * y + w12 * z;
             out.normalZ = w20 * x + w21 * y + w22 * z;
             out.separation[0] = separation;
-            out.feature[0] = Names.CLOSEST;
+            out.feature[0] = FeatureIds.CLOSEST;
             double far = Math.max(Math.abs(dx), Math.max(Math.abs(dy), Math.abs(dz)));
             out.bound = 0x1p-47 * (box.outerRadius() + ball.radius() + far);
         }

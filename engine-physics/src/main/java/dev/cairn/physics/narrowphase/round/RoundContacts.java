@@ -22,8 +22,8 @@ import static dev.cairn.physics.narrowphase.wide.RoundBatch.TOUCHING;
 
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
-import dev.cairn.physics.narrowphase.pair.Word;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
@@ -37,7 +37,7 @@ import dev.cairn.physics.shape.Sphere;
  * <p>Allocates nothing; one instance per worker.
  */
 public final class RoundContacts {
-    static final long SINGLE = 3L << 62 | Names.hash(Names.CLOSEST);
+    static final long SINGLE = 3L << 62 | FeatureIds.hash(FeatureIds.CLOSEST);
 
     /** The word of the last contact. */
     private long word;
@@ -54,7 +54,7 @@ public final class RoundContacts {
     /** The last pair was two capsules that touch, nearly parallel and level. */
     private boolean lines;
 
-    private final CapsuleLines sideBySide = new CapsuleLines();
+    private final ParallelCapsules sideBySide = new ParallelCapsules();
 
     /** Creates the scratch of one worker. */
     public RoundContacts() {}
@@ -232,7 +232,7 @@ public final class RoundContacts {
         out.pointY[0] = onA * axisY + reach * ny;
         out.pointZ[0] = onA * axisZ + reach * nz;
         out.separation[0] = separation;
-        out.feature[0] = Names.CLOSEST;
+        out.feature[0] = FeatureIds.CLOSEST;
         word = SINGLE;
     }
 
@@ -282,7 +282,7 @@ public final class RoundContacts {
         double length = Math.sqrt(x * x + y * y + z * z);
         double separation = length - radiusA - radiusB;
         double inner = Math.min(radiusA, radiusB);
-        boolean before = cache >>> 62 == Word.EDGES;
+        boolean before = cache >>> 62 == WarmStartKey.EDGES;
         double calm = ContactTolerances.HYSTERESIS * inner;
         double enough = ContactTolerances.depthError(before, calm, separation);
         double rounding = out.bound;
@@ -290,7 +290,7 @@ public final class RoundContacts {
         double wrong = Math.abs(sideBySide.deepest - separation);
         if (out.pointCount > 0 && wrong <= enough) {
             out.bound = wrong + rounding;
-            word = Names.of(out) & 0xFFFFFFFFL;
+            word = FeatureIds.of(out) & 0xFFFFFFFFL;
         } else {
             single(length, separation, radiusA, out);
         }

@@ -18,7 +18,7 @@ import static dev.cairn.physics.narrowphase.wide.RoundBatch.TURN_A;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.TURN_B;
 
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
 
 /**
@@ -144,7 +144,7 @@ public final class RoundPairs {
             out.pointY[0] = t[POINT + CAPACITY + i];
             out.pointZ[0] = t[POINT + 2 * CAPACITY + i];
             out.separation[0] = t[SEPARATION + i];
-            out.feature[0] = Names.CLOSEST;
+            out.feature[0] = FeatureIds.CLOSEST;
         }
         return true;
     }

@@ -111,7 +111,7 @@ public final class BoxBatch {
      * -1, or how no, one or two sides cut the incident face straight, together with both faces:
      * {@link #entry}. The four points are then in place of the corners.
      */
-    public static final int STRAIGHT = 90 * CAPACITY;
+    public static final int ALIGNED = 90 * CAPACITY;
 
     /** Ways to cut straight: none, or one of 16 of a first side and one of 5 of a second. */
     public static final int WAYS = 81;
@@ -138,7 +138,7 @@ public final class BoxBatch {
     static final int FIRST_LOW = 96 * CAPACITY;
 
     /** The points, as {@link #CORNER}. */
-    static final int STRAIGHT_POINT = 97 * CAPACITY;
+    static final int ALIGNED_POINT = 97 * CAPACITY;
 
     /** 1 when a corner that was cut off would have stayed as a point of the last tick. */
     static final int SOFT = 113 * CAPACITY;

@@ -29,7 +29,7 @@ import jdk.incubator.vector.VectorSpecies;
 
 /**
  * Two edges that cross, a pair to a lane, after the axes of edges: the operations on each number
- * are those of {@code narrowphase.BoxCrossing}.
+ * are those of {@code narrowphase.BoxEdgeContact}.
  */
 final class BoxCrossingWide {
     private static final VectorSpecies<Double> S = DoubleVector.SPECIES_PREFERRED;

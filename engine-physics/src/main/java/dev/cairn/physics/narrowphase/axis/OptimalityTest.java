@@ -14,7 +14,7 @@ import dev.cairn.physics.narrowphase.pair.Pair;
  * of B and of A: none leads uphill when zero is among them. Of shapes that overlap the length bends
  * s upwards, so their parts have to meet by more than that can make up for.
  */
-final class Meeting {
+final class OptimalityTest {
     /** Of the pair's scale: touching parts that miss each other by this are taken to meet. */
     private static final double SLACK = 0x1p-46;
 
@@ -27,16 +27,16 @@ final class Meeting {
     /** Across the axis, from what touches of A to what touches of B. */
     double missX, missY, missZ;
 
-    private final Touching touchA, touchB;
+    private final SupportFeature touchA, touchB;
     private double inset, nx, ny, nz;
 
-    Meeting(Features sideA, Features sideB) {
-        touchA = new Touching(sideA, false);
-        touchB = new Touching(sideB, true);
+    OptimalityTest(CandidateFeatures sideA, CandidateFeatures sideB) {
+        touchA = new SupportFeature(sideA, false);
+        touchB = new SupportFeature(sideB, true);
     }
 
     /** Whether the parts meet along the axis found; they are at places among the features. */
-    boolean at(Refine r, Pair pair, int placeA, int placeB) {
+    boolean at(AxisRefinement r, Pair pair, int placeA, int placeB) {
         double slack = SLACK * pair.scale;
         inset = Math.max(0, -INSET * r.separation);
         touchA.of(pair);
@@ -47,25 +47,25 @@ final class Meeting {
         missX = 0;
         missY = 0;
         missZ = 0;
-        if (r.kindA == Refine.ROUGH) {
+        if (r.kindA == AxisRefinement.ROUGH) {
             return false;
         }
-        boolean flat = r.kindA == Refine.FLAT || r.kindB == Refine.FLAT;
-        if (!flat && r.kindA == Refine.LINE) {
+        boolean flat = r.kindA == AxisRefinement.FLAT || r.kindB == AxisRefinement.FLAT;
+        if (!flat && r.kindA == AxisRefinement.LINE) {
             touchA.segment(placeA, nx, ny, nz);
         }
-        if (!flat && r.kindB == Refine.LINE) {
+        if (!flat && r.kindB == AxisRefinement.LINE) {
             touchB.segment(placeB, -nx, -ny, -nz);
         }
-        if (r.kindA == Refine.LINE && r.kindB == Refine.LINE) {
+        if (r.kindA == AxisRefinement.LINE && r.kindB == AxisRefinement.LINE) {
             linesMiss();
-        } else if (r.kindA == Refine.FLAT || (!flat && r.kindA == Refine.LINE)) {
+        } else if (r.kindA == AxisRefinement.FLAT || (!flat && r.kindA == AxisRefinement.LINE)) {
             touchB.touch(-nx, -ny, -nz);
-            touchA.miss(r.kindA == Refine.FLAT, placeA, touchB, inset);
+            touchA.miss(r.kindA == AxisRefinement.FLAT, placeA, touchB, inset);
             add(touchA, 1);
-        } else if (r.kindB == Refine.FLAT || r.kindB == Refine.LINE) {
+        } else if (r.kindB == AxisRefinement.FLAT || r.kindB == AxisRefinement.LINE) {
             touchA.touch(nx, ny, nz);
-            touchB.miss(r.kindB == Refine.FLAT, placeB, touchA, inset);
+            touchB.miss(r.kindB == AxisRefinement.FLAT, placeB, touchA, inset);
             add(touchB, -1);
         } else {
             touchA.touch(nx, ny, nz);
@@ -93,7 +93,7 @@ final class Meeting {
         return miss <= slack * slack;
     }
 
-    private void add(Touching side, double sign) {
+    private void add(SupportFeature side, double sign) {
         missX += sign * side.missX;
         missY += sign * side.missY;
         missZ += sign * side.missZ;
@@ -101,8 +101,8 @@ final class Meeting {
 
     /** With w from the middle of A's to that of B's: t = (w x v) . n / (u x v) . n. */
     private void linesMiss() {
-        Touching a = touchA;
-        Touching b = touchB;
+        SupportFeature a = touchA;
+        SupportFeature b = touchB;
         double det = triple(a.alongX, a.alongY, a.alongZ, b.alongX, b.alongY, b.alongZ);
         double wx = b.midX - a.midX;
         double wy = b.midY - a.midY;

@@ -13,7 +13,7 @@ import dev.cairn.physics.shape.Shape;
  * <p>Support points are numbered as they come, so that {@code Gjk} and {@code Epa} know them again
  * as they know vertices; equal points have equal numbers.
  */
-public final class Spindle {
+public final class SolidOfRevolution {
     /** More than one run of GJK and one of EPA can ask for. */
     private static final int MOST = 512;
 

@@ -6,10 +6,10 @@ import dev.cairn.physics.narrowphase.gjk.Gjk;
 import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.narrowphase.pair.Safeguard;
-import dev.cairn.physics.narrowphase.pair.Word;
+import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
 
@@ -18,7 +18,7 @@ import dev.cairn.physics.shape.Shape;
  * and {@link Epa}, or, where the features of the last tick will do, by {@link WarmContact}; then a
  * face contact or a point.
  */
-public final class Polyhedra {
+public final class HullPairs {
     public static final long[] NOTHING = {};
 
     private static final double NONE = Double.POSITIVE_INFINITY;
@@ -29,7 +29,7 @@ public final class Polyhedra {
     private final Axes axes;
     private final ContactPoints points;
     private final WarmContact warm;
-    private final PolyhedronAxis search;
+    private final HullAxis search;
 
     private boolean calmFace = true, depthOfPoints = true;
 
@@ -48,14 +48,14 @@ public final class Polyhedra {
     /** See {@code NarrowPhase.leftOut}. */
     public double leftOut;
 
-    public Polyhedra(
+    public HullPairs(
             boolean specialised, Pair pair, Gjk gjk, Epa epa, Axes axes, ContactPoints points) {
         this.specialised = specialised;
         this.pair = pair;
         this.gjk = gjk;
         this.axes = axes;
         this.points = points;
-        this.search = new PolyhedronAxis(pair, gjk, epa, axes, points, specialised);
+        this.search = new HullAxis(pair, gjk, epa, axes, points, specialised);
         this.warm = new WarmContact(pair, axes, points, search);
     }
 
@@ -74,11 +74,11 @@ public final class Polyhedra {
     }
 
     /** What to pass to the next {@link #distance}. */
-    public long distanceWord() {
+    public long distanceKey() {
         return search.word;
     }
 
-    /** Whether the last pair took what was proven at another pose, see {@link Proof}. */
+    /** Whether the last pair took what was proven at another pose, see {@link DistanceCertificate}. */
     public boolean proven() {
         return warm.proven;
     }
@@ -146,24 +146,24 @@ public final class Polyhedra {
         if (!hulls || word == 0) {
             return word;
         }
-        if (word >>> 62 != Word.EDGES) {
-            return Word.withHint(word, points.incidentVertex);
+        if (word >>> 62 != WarmStartKey.EDGES) {
+            return WarmStartKey.withHint(word, points.incidentVertex);
         }
-        boolean crossing = out.feature[0] >>> 30 == Names.CROSSING >>> 30;
+        boolean crossing = out.feature[0] >>> 30 == FeatureIds.CROSSING >>> 30;
         return crossing
-                ? Word.withHint(word | (long) axes.edgeA << 47, axes.edgeB)
-                : word | Word.NO_EDGE << 47;
+                ? WarmStartKey.withHint(word | (long) axes.edgeA << 47, axes.edgeB)
+                : word | WarmStartKey.NO_EDGE << 47;
     }
 
-    /** Keeps what is known of the present pose, see {@link Proof}. */
+    /** Keeps what is known of the present pose, see {@link DistanceCertificate}. */
     private void keep(long[] memory, int at, double low, double high, double faces) {
         boolean onB = faces != NONE && rivalOnB;
         int face = faces == NONE ? 0 : onB ? axes.faceB : axes.faceA;
-        Proof.keep(pair, memory, at + PairMemory.PROOF, low, high, faces, face, onB);
+        DistanceCertificate.keep(pair, memory, at + PairMemory.PROOF, low, high, faces, face, onB);
     }
 
     private double leftOut(long word) {
-        return word >>> 62 == Word.EDGES ? Double.NaN : points.clipper.leftOut;
+        return word >>> 62 == WarmStartKey.EDGES ? Double.NaN : points.clipper.leftOut;
     }
 
     private long manifold(double margin, long cache, Manifold out) {
@@ -177,19 +177,19 @@ public final class Polyhedra {
             return 0;
         }
         if (best > margin) {
-            return word(axes.separationB > axes.separationA ? Word.FACE_B : Word.FACE_A, 0);
+            return word(axes.separationB > axes.separationA ? WarmStartKey.FACE_B : WarmStartKey.FACE_A, 0);
         }
         long before = cache >>> 62;
         boolean flip = chooseFace(cache, ContactTolerances.HYSTERESIS * pair.inner);
         rivalOnB = flip;
-        if (depthOfPoints && crosses(flip, best, before == Word.EDGES)) {
+        if (depthOfPoints && crosses(flip, best, before == WarmStartKey.EDGES)) {
             out.pointCount = 0;
             out.patch = 0;
             pointContact(margin, best, out);
             if (out.pointCount > 0) {
                 rival = faces;
                 out.bound = Math.abs(best - out.deepest()) + gap + rounding();
-                return word(Word.EDGES, Names.of(out));
+                return word(WarmStartKey.EDGES, FeatureIds.of(out));
             }
             warm.clipped = false;
         }
@@ -205,21 +205,21 @@ public final class Polyhedra {
                 points.face(flip, margin, calm, (int) cache, out);
             }
         }
-        long kind = flip ? Word.FACE_B : Word.FACE_A;
+        long kind = flip ? WarmStartKey.FACE_B : WarmStartKey.FACE_A;
         if (out.pointCount == 0
-                || (depthOfPoints && strays(out, flip, best, before == Word.EDGES))) {
-            kind = Word.EDGES;
+                || (depthOfPoints && strays(out, flip, best, before == WarmStartKey.EDGES))) {
+            kind = WarmStartKey.EDGES;
             out.pointCount = 0;
             out.patch = 0;
             pointContact(margin, best, out);
         }
         if (out.pointCount == 0) {
-            return word(flip ? Word.FACE_B : Word.FACE_A, 0);
+            return word(flip ? WarmStartKey.FACE_B : WarmStartKey.FACE_A, 0);
         }
-        rival = kind == Word.EDGES ? NONE : faces;
+        rival = kind == WarmStartKey.EDGES ? NONE : faces;
         leftOut = leftOut(kind << 62);
         out.bound = Math.abs(best - out.deepest()) + gap + rounding();
-        return word(kind, Names.of(out));
+        return word(kind, FeatureIds.of(out));
     }
 
     /**
@@ -230,7 +230,7 @@ public final class Polyhedra {
         long before = cache >>> 62;
         int last = (int) (cache >>> 47) & 0x7FFF;
         double enough = Math.max(axes.separationA, axes.separationB) - calm;
-        if (calmFace && before == Word.FACE_A && last != axes.faceA && last < pair.a.faceCount()) {
+        if (calmFace && before == WarmStartKey.FACE_A && last != axes.faceA && last < pair.a.faceCount()) {
             double s = separationA(last, cache);
             if (s >= enough) {
                 axes.faceA = last;
@@ -238,7 +238,7 @@ public final class Polyhedra {
                 axes.vertexOfB = pair.end;
             }
         }
-        if (calmFace && before == Word.FACE_B && last != axes.faceB && last < pair.b.faceCount()) {
+        if (calmFace && before == WarmStartKey.FACE_B && last != axes.faceB && last < pair.b.faceCount()) {
             double s = separationB(last, cache);
             if (s >= enough) {
                 axes.faceB = last;
@@ -247,34 +247,34 @@ public final class Polyhedra {
             }
         }
         double bias =
-                before == Word.FACE_A ? calm : before == Word.FACE_B ? -calm : 0x1p-40 * pair.scale;
+                before == WarmStartKey.FACE_A ? calm : before == WarmStartKey.FACE_B ? -calm : 0x1p-40 * pair.scale;
         return axes.separationB > axes.separationA + bias;
     }
 
     private double separationA(int face, long cache) {
-        int near = Word.hint(cache);
+        int near = WarmStartKey.hint(cache);
         boolean known = warm.certain && near < pair.b.vertexCount();
         return known ? pair.faceSeparationA(face, near) : pair.faceSeparationA(face);
     }
 
     private double separationB(int face, long cache) {
-        int near = Word.hint(cache);
+        int near = WarmStartKey.hint(cache);
         boolean known = warm.certain && near < pair.a.vertexCount();
         return known ? pair.faceSeparationB(face, near) : pair.faceSeparationB(face);
     }
 
     private long word(long kind, int names) {
-        long i = kind == Word.FACE_A ? axes.faceA : kind == Word.FACE_B ? axes.faceB : 0;
-        return Word.of(kind, i, names);
+        long i = kind == WarmStartKey.FACE_A ? axes.faceA : kind == WarmStartKey.FACE_B ? axes.faceB : 0;
+        return WarmStartKey.of(kind, i, names);
     }
 
     /** The face that separated or carried the pair last time separates it now. */
     private boolean stillApart(long cache, double margin) {
         long kind = cache >>> 62;
         int face = (int) (cache >>> 47) & 0x7FFF;
-        if (kind == Word.FACE_A && face < pair.a.faceCount()) {
+        if (kind == WarmStartKey.FACE_A && face < pair.a.faceCount()) {
             leftOut = pair.faceSeparationA(face);
-        } else if (kind == Word.FACE_B && face < pair.b.faceCount()) {
+        } else if (kind == WarmStartKey.FACE_B && face < pair.b.faceCount()) {
             leftOut = pair.faceSeparationB(face);
         }
         boolean apart = leftOut > margin;
@@ -344,7 +344,7 @@ public final class Polyhedra {
                 pair.py - half * points.axisY,
                 pair.pz - half * points.axisZ,
                 best,
-                Names.VERTEX_B | v,
+                FeatureIds.VERTEX_B | v,
                 out);
     }
 }

@@ -5,8 +5,8 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.WAYS;
 
 import dev.cairn.physics.narrowphase.pair.BoxTopology;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
-import dev.cairn.physics.narrowphase.pair.Word;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 
 import java.util.Arrays;
@@ -17,7 +17,7 @@ import java.util.Arrays;
  * table of all {@linkplain BoxBatch#entry pairs of faces and ways}. Filled by cutting loops of
  * names as {@code Clipper} does.
  */
-final class StraightNames {
+final class AlignedFeatureIds {
     private static final int FACES = 72;
 
     /** Four to an entry, ascending as unsigned numbers. */
@@ -26,7 +26,7 @@ final class StraightNames {
     /** Where each of the four stands in the columns: two bits, the first one lowest. */
     private static final byte[] ORDER = new byte[FACES * WAYS];
 
-    /** The face and the four names, see {@link Word}. */
+    /** The face and the four names, see {@link WarmStartKey}. */
     private static final long[] WORD = new long[FACES * WAYS];
 
     static {
@@ -45,7 +45,7 @@ final class StraightNames {
         }
     }
 
-    private StraightNames() {}
+    private AlignedFeatureIds() {}
 
     private static void fill(int entry, boolean flip, int face, Loop loop) {
         long[] sorted = new long[4];
@@ -60,8 +60,8 @@ final class StraightNames {
             names.feature[k] = NAME[4 * entry + k];
             ORDER[entry] |= (byte) ((sorted[k] & 3) << (2 * k));
         }
-        long kind = flip ? Word.FACE_B : Word.FACE_A;
-        WORD[entry] = Word.of(kind, face, Names.of(names));
+        long kind = flip ? WarmStartKey.FACE_B : WarmStartKey.FACE_A;
+        WORD[entry] = WarmStartKey.of(kind, face, FeatureIds.of(names));
     }
 
     /** The name of a point, 0 to 3 in order. */
@@ -78,13 +78,13 @@ final class StraightNames {
      * Whether the names of the last tick were these four. No other name of a pair of boxes has one
      * of their bytes, so it was none of the corners that were cut off.
      *
-     * @param last see {@link Names}
+     * @param last see {@link FeatureIds}
      */
     static boolean rests(int entry, int last) {
         return (int) WORD[entry] == last;
     }
 
-    /** The face and the four names, see {@link Word}. */
+    /** The face and the four names, see {@link WarmStartKey}. */
     static long word(int entry) {
         return WORD[entry];
     }
@@ -102,11 +102,11 @@ final class StraightNames {
         void begin(boolean flipped, int face, int incident) {
             flip = flipped;
             begin = face;
-            int kind = flip ? Names.VERTEX_A : Names.VERTEX_B;
+            int kind = flip ? FeatureIds.VERTEX_A : FeatureIds.VERTEX_B;
             for (int k = 0; k < 4; k++) {
                 name[k] = kind | BoxTopology.slotVertex(incident + k);
                 side[k] = BoxTopology.slotEdge(incident + k);
-                place[k] = BoxCuts.SLOT_CORNER[incident + k];
+                place[k] = BoxClipper.SLOT_CORNER[incident + k];
             }
         }
 
@@ -126,7 +126,7 @@ final class StraightNames {
 
         /** Cuts two neighbours off; the loop then begins at the last corner that stays. */
         private void cutTwo(int places, int sideNumber) {
-            int slot = BoxCuts.SIDE_SLOT[begin + sideNumber];
+            int slot = BoxClipper.SIDE_SLOT[begin + sideNumber];
             int stays = 0;
             while ((places >> place[stays] & 1) != 0
                     || (places >> place[(stays + 1) & 3] & 1) == 0) {
@@ -137,8 +137,8 @@ final class StraightNames {
             int back = (stays + 3) & 3;
             int[] names = {
                 name[stays],
-                BoxCuts.name(flip, side[stays], slot, begin),
-                BoxCuts.name(flip, side[enters], slot, begin),
+                BoxClipper.name(flip, side[stays], slot, begin),
+                BoxClipper.name(flip, side[enters], slot, begin),
                 name[back]
             };
             side = new int[] {side[stays], ~slot, side[enters], side[back]};

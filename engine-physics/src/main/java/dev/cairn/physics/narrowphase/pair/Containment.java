@@ -3,7 +3,7 @@ package dev.cairn.physics.narrowphase.pair;
 import dev.cairn.physics.shape.Polyhedron;
 
 /** How far points are inside polyhedra, and how deep a pair is because of that. */
-public final class Inside {
+public final class Containment {
     /** The face that the point of the last {@link #within} is nearest to. */
     public int nearest;
 

@@ -1,13 +1,13 @@
 package dev.cairn.physics.narrowphase.wide;
 
 /**
- * Pairs of boxes in neighbouring rows that may have hardly moved, for {@link KeptWide}: one array,
+ * Pairs of boxes in neighbouring rows that may have hardly moved, for {@link RecycledWide}: one array,
  * cut into columns, as in {@link BoxBatch}. Place {@code p} is row {@code first + p} with {@code
  * first} a multiple of {@link #ROWS}, so that what is kept of the rows, which lies in groups of so
  * many, is read as it lies. Let the reference be the box whose face carries the contact, the
  * incident box the other one. One per worker.
  */
-public final class KeptBatch {
+public final class RecycledBatch {
     /** Rows in a group: as many as the largest vector has lanes. */
     public static final int ROWS = 8;
 
@@ -78,7 +78,7 @@ public final class KeptBatch {
     public final double[] data = new double[61 * CAPACITY];
 
     /** A batch of zeros. */
-    public KeptBatch() {}
+    public RecycledBatch() {}
 
     /**
      * Fills the columns from {@link #MARGIN} on. Only where {@link BoxAxes#wide}.
@@ -90,6 +90,6 @@ public final class KeptBatch {
      * @param fraction of the inner radius that the margin has at least
      */
     public void run(int count, double[] kept, int at, double reach, double fraction) {
-        KeptWide.run(data, count, kept, at, reach, fraction);
+        RecycledWide.run(data, count, kept, at, reach, fraction);
     }
 }

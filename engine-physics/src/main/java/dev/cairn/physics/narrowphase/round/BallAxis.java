@@ -11,7 +11,7 @@ import dev.cairn.physics.shape.Shape;
  * Outside, the nearest point of the polyhedron; inside, its nearest face, which is exact for a
  * point, so no ball ever meets the expanding polytope.
  */
-public final class RoundQuery {
+public final class BallAxis {
     /** Up to this many faces all are tried before GJK: one inner product each. */
     private static final int FEW_FACES = 64;
 

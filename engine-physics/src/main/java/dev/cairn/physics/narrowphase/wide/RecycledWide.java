@@ -1,30 +1,30 @@
 package dev.cairn.physics.narrowphase.wide;
 
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.AHEAD;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.ANCHOR;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.ARC_A;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.ARC_B;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.AXIS;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.CENTRE;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.GAP;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.INNER;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.KEPT;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.LIMIT;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.MARGIN;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.NORMAL;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.OFFSET;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.PLANE;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.ROWS;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.SEPARATION;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.SIGN;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.SPIN;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.STAYS;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.TURN;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.TURN_I;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.TURN_R;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.WORLD;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.AHEAD;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.ANCHOR;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.ARC_A;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.ARC_B;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.AXIS;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.CAPACITY;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.CENTRE;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.GAP;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.INNER;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.KEPT;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.LIMIT;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.MARGIN;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.NORMAL;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.OFFSET;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.PLANE;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.POINT;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.ROWS;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.SEPARATION;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.SIGN;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.SPIN;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.STAYS;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.TURN;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.TURN_I;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.TURN_R;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.WORLD;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
@@ -32,14 +32,14 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The kernels of {@link KeptBatch}, a row to a lane. Their twin is {@code contact.Recycler}, with
+ * The kernels of {@link RecycledBatch}, a row to a lane. Their twin is {@code contact.Recycler}, with
  * the same operations on each number.
  */
-final class KeptWide {
+final class RecycledWide {
     private static final VectorSpecies<Double> S = DoubleVector.SPECIES_PREFERRED;
     private static final int LANES = S.length();
 
-    private KeptWide() {}
+    private RecycledWide() {}
 
     static void run(double[] t, int count, double[] kept, int at, double reach, double fraction) {
         margins(t, count, reach, fraction);

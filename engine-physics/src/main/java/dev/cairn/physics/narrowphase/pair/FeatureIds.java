@@ -6,11 +6,11 @@ package dev.cairn.physics.narrowphase.pair;
  * other names; two names of hulls share one in some case of 255, which costs calmness, never
  * correctness.
  */
-public final class Names {
+public final class FeatureIds {
     /** Kinds of feature ids: a vertex of A or of B, two edges that cross, or any other point. */
     public static final int VERTEX_A = 0, VERTEX_B = 1 << 30, CROSSING = 2 << 30, CLOSEST = 3 << 30;
 
-    private Names() {}
+    private FeatureIds() {}
 
     public static int of(Manifold m) {
         int names = 0;

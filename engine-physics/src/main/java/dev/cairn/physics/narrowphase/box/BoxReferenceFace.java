@@ -19,14 +19,14 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_EDGE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
 
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
-import dev.cairn.physics.narrowphase.pair.Word;
+import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 
 /**
  * Chooses, pair by pair of a batch, whether two boxes are apart, and else which face is the
  * reference, by the rules of {@code NarrowPhase}. The same in lanes, for the usual pairs: {@link
  * dev.cairn.physics.narrowphase.wide.BoxAxes#choose}.
  */
-final class BoxChoice {
+final class BoxReferenceFace {
     /** Columns of the batch. */
     private final double[] t;
 
@@ -53,11 +53,11 @@ final class BoxChoice {
 
     private double separationA, separationB;
 
-    final BoxCrossing crossing;
+    final BoxEdgeContact crossing;
 
-    BoxChoice(double[] columns) {
+    BoxReferenceFace(double[] columns) {
         t = columns;
-        crossing = new BoxCrossing(columns);
+        crossing = new BoxEdgeContact(columns);
     }
 
     private void load(int i) {
@@ -77,12 +77,12 @@ final class BoxChoice {
         }
         leftOut[i] = separationA;
         if (separationA > distance) {
-            word[i] = Word.of(Word.FACE_A, faceA, 0);
+            word[i] = WarmStartKey.of(WarmStartKey.FACE_A, faceA, 0);
             return true;
         }
         leftOut[i] = separationB;
         if (separationB > distance) {
-            word[i] = Word.of(Word.FACE_B, faceB, 0);
+            word[i] = WarmStartKey.of(WarmStartKey.FACE_B, faceB, 0);
             return true;
         }
         return false;
@@ -96,7 +96,7 @@ final class BoxChoice {
         if (best[i] > t[MARGIN + i]) {
             onFace[i] = false;
             boolean onB = separationB > separationA;
-            word[i] = onB ? Word.of(Word.FACE_B, faceB, 0) : Word.of(Word.FACE_A, faceA, 0);
+            word[i] = onB ? WarmStartKey.of(WarmStartKey.FACE_B, faceB, 0) : WarmStartKey.of(WarmStartKey.FACE_A, faceA, 0);
             return;
         }
         onFace[i] = true;
@@ -109,7 +109,7 @@ final class BoxChoice {
         crosses[i] = best[i] - separation[i] > better(i);
     }
 
-    /** Decides between edges and face by their directions, as {@code Polyhedra} does. */
+    /** Decides between edges and face by their directions, as {@code HullPairs} does. */
     void crosses(int i, boolean wide) {
         if (wide) {
             crosses[i] =
@@ -128,21 +128,21 @@ final class BoxChoice {
         return Math.abs(least - best[i]) > better(i);
     }
 
-    /** How much truer a point contact must be, as in {@code Polyhedra}. */
+    /** How much truer a point contact must be, as in {@code HullPairs}. */
     private double better(int i) {
         return ContactTolerances.depthError(
-                word[i] >>> 62 == Word.EDGES, ContactTolerances.HYSTERESIS * t[INNER + i], best[i]);
+                word[i] >>> 62 == WarmStartKey.EDGES, ContactTolerances.HYSTERESIS * t[INNER + i], best[i]);
     }
 
     /** The face that separated or carried the pair last time separates it now. */
     private boolean stillApart(int i, long cache, double distance) {
         long before = cache >>> 62;
         int face = (int) (cache >>> 47) & 0x7FFF;
-        if (before == Word.FACE_A && face < 6) {
+        if (before == WarmStartKey.FACE_A && face < 6) {
             leftOut[i] = face == faceA ? separationA : alongA(i, face);
             return leftOut[i] > distance;
         }
-        if (before == Word.FACE_B && face < 6) {
+        if (before == WarmStartKey.FACE_B && face < 6) {
             leftOut[i] = face == faceB ? separationB : alongB(i, face);
             return leftOut[i] > distance;
         }
@@ -183,22 +183,22 @@ final class BoxChoice {
     private boolean chooseFace(int i, long cache, double calm) {
         long before = cache >>> 62;
         int last = (int) (cache >>> 47) & 0x7FFF;
-        if (before == Word.FACE_A && last != faceA && last < 6) {
+        if (before == WarmStartKey.FACE_A && last != faceA && last < 6) {
             double s = alongA(i, last);
             if (s >= Math.max(separationA, separationB) - calm) {
                 faceA = last;
                 separationA = s;
             }
         }
-        if (before == Word.FACE_B && last != faceB && last < 6) {
+        if (before == WarmStartKey.FACE_B && last != faceB && last < 6) {
             double s = alongB(i, last);
             if (s >= Math.max(separationA, separationB) - calm) {
                 faceB = last;
                 separationB = s;
             }
         }
-        double bias = before == Word.FACE_A ? calm : -calm;
-        if (before != Word.FACE_A && before != Word.FACE_B) {
+        double bias = before == WarmStartKey.FACE_A ? calm : -calm;
+        if (before != WarmStartKey.FACE_A && before != WarmStartKey.FACE_B) {
             double far = Math.max(Math.abs(t[CENTRE + i]), Math.abs(t[CENTRE + CAPACITY + i]));
             far = Math.max(far, Math.abs(t[CENTRE + 2 * CAPACITY + i]));
             bias = 0x1p-40 * (outerRadius(HALF_A + i) + outerRadius(HALF_B + i) + far);

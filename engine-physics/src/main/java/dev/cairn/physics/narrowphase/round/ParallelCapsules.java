@@ -2,13 +2,13 @@ package dev.cairn.physics.narrowphase.round;
 
 import dev.cairn.physics.narrowphase.clip.Patch;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 
 /**
  * Two capsules side by side: both ends of the part that their lines share, by the rules of {@link
  * CurvedContact}, in world axes.
  */
-final class CapsuleLines {
+final class ParallelCapsules {
     /** Of a line: what two of them must share. */
     private static final double SHARED = 0x1p-10;
 
@@ -88,9 +88,9 @@ final class CapsuleLines {
     /** The end of A, or of B, that a point is at. */
     private static int name(double s, double t) {
         if (s == 0 || s == 1) {
-            return Names.VERTEX_A | (s == 0 ? Patch.END : Patch.END + 1);
+            return FeatureIds.VERTEX_A | (s == 0 ? Patch.END : Patch.END + 1);
         }
-        return Names.VERTEX_B | (t <= 0.5 ? Patch.END : Patch.END + 1);
+        return FeatureIds.VERTEX_B | (t <= 0.5 ? Patch.END : Patch.END + 1);
     }
 
     /** Inserts a point in order of its name. */

@@ -29,8 +29,8 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_FACES;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SOFT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT_POINT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED_POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.WAYS;
 
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
@@ -54,11 +54,11 @@ import jdk.incubator.vector.VectorSpecies;
  * and r corners 1 and 2, or 2 and 1, so that the first side cuts the edges pq and rw, and the
  * second one pr and qw.
  */
-final class BoxStraightWide {
+final class BoxAlignedWide {
     private static final VectorSpecies<Double> S = DoubleVector.SPECIES_PREFERRED;
     private static final int LANES = S.length();
 
-    static final int P = STRAIGHT_POINT;
+    static final int P = ALIGNED_POINT;
     static final int Q = P + POINT;
     static final int R = Q + POINT;
     static final int W = R + POINT;
@@ -78,7 +78,7 @@ final class BoxStraightWide {
      */
     private static final double STRAYS = 1.498 * ContactTolerances.HYSTERESIS;
 
-    private BoxStraightWide() {}
+    private BoxAlignedWide() {}
 
     /**
      * Fills STRAIGHT, separations, DEEPEST, BOUND; returns a bit for each proven pair, and 32 bits
@@ -133,7 +133,7 @@ final class BoxStraightWide {
         signU.mul(halfU).intoArray(t, BETWEEN + i);
         signV.mul(halfV).intoArray(t, BETWEEN + CAPACITY + i);
         // Opposite sides do not cut straight.
-        zero.blend(-1, highU.and(lowU).or(highV.and(lowV))).intoArray(t, STRAIGHT + i);
+        zero.blend(-1, highU.and(lowU).or(highV.and(lowV))).intoArray(t, ALIGNED + i);
     }
 
     /** How far the corners are beyond the first side. */
@@ -223,9 +223,9 @@ final class BoxStraightWide {
                 two.or(cuts.not())
                         .not()
                         .or(
-                                DoubleVector.fromArray(S, t, STRAIGHT + i)
+                                DoubleVector.fromArray(S, t, ALIGNED + i)
                                         .compare(VectorOperators.LT, 0));
-        way.blend(-1, missed).intoArray(t, STRAIGHT + i);
+        way.blend(-1, missed).intoArray(t, ALIGNED + i);
     }
 
     /** Along one axis, moves the corners that the first side cuts off along their edges. */
@@ -258,7 +258,7 @@ final class BoxStraightWide {
     /** Puts the points of the pairs of some lanes in the place of their corners. */
     static void place(double[] t, int i) {
         VectorMask<Double> fits =
-                DoubleVector.fromArray(S, t, STRAIGHT + i).compare(VectorOperators.GE, 0);
+                DoubleVector.fromArray(S, t, ALIGNED + i).compare(VectorOperators.GE, 0);
         for (int p = i; p < 4 * POINT; p += POINT) {
             for (int k = p; k < p + 3 * CAPACITY; k += CAPACITY) {
                 DoubleVector.fromArray(S, t, CORNER + k)
@@ -270,7 +270,7 @@ final class BoxStraightWide {
 
     /** Separations, and points midway between the surfaces. */
     private static void separations(double[] t, int i) {
-        DoubleVector way = DoubleVector.fromArray(S, t, STRAIGHT + i);
+        DoubleVector way = DoubleVector.fromArray(S, t, ALIGNED + i);
         DoubleVector sign = DoubleVector.fromArray(S, t, SIGN + i);
         DoubleVector height = DoubleVector.fromArray(S, t, HALF + i);
         DoubleVector margin = DoubleVector.fromArray(S, t, MARGIN + i);
@@ -311,7 +311,7 @@ final class BoxStraightWide {
                 .mul(WAYS)
                 .add(way)
                 .blend(-1, fits.not())
-                .intoArray(t, STRAIGHT + i);
+                .intoArray(t, ALIGNED + i);
     }
 
     /**
@@ -331,7 +331,7 @@ final class BoxStraightWide {
      */
     private static long proof(double[] t, int i) {
         VectorMask<Double> fits =
-                DoubleVector.fromArray(S, t, STRAIGHT + i).compare(VectorOperators.GE, 0);
+                DoubleVector.fromArray(S, t, ALIGNED + i).compare(VectorOperators.GE, 0);
         DoubleVector margin = DoubleVector.fromArray(S, t, MARGIN + i);
         DoubleVector highest = DoubleVector.fromArray(S, t, HIGHEST + i);
         DoubleVector deepest = DoubleVector.fromArray(S, t, DEEPEST + i);

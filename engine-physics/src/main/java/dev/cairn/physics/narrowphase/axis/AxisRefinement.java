@@ -22,7 +22,7 @@ import java.util.Arrays;
  * these near the rough axis are tried. Each is judged by its true separation, which bounds the
  * signed distance from below whatever led to it, so the largest is the answer.
  */
-public final class Refine {
+public final class AxisRefinement {
     private static final int STEPS = 32;
 
     /** Cosine of 0.02 rad: a rim this much across the axis may bend the separation sharply. */
@@ -60,11 +60,11 @@ public final class Refine {
     private final int[] bestA = new int[2 * ROUGH + 1], bestB = new int[2 * ROUGH + 1];
     private final int[] atA = new int[2 * ROUGH + 1], atB = new int[2 * ROUGH + 1];
     private int nowA, nowB;
-    private final Features sideA = new Features(false), sideB = new Features(true);
+    private final CandidateFeatures sideA = new CandidateFeatures(false), sideB = new CandidateFeatures(true);
     private final RimStart start = new RimStart();
 
     /** See {@link #settled}. */
-    final Meeting meeting = new Meeting(sideA, sideB);
+    final OptimalityTest meeting = new OptimalityTest(sideA, sideB);
 
     private Pair pair = new Pair();
     private double nx, ny, nz;
@@ -101,18 +101,18 @@ public final class Refine {
             }
             nowA = i;
             for (int j = 0; j < sideB.points; j++) {
-                circle(sideA, i, Features.MOST + j, sideB, LINE, POINT);
+                circle(sideA, i, CandidateFeatures.MOST + j, sideB, LINE, POINT);
             }
         }
         for (int j = 0; j < sideB.lines; j++) {
             nowB = j;
             for (int i = 0; i < sideA.points; i++) {
-                circle(sideB, j, Features.MOST + i, sideA, POINT, LINE);
+                circle(sideB, j, CandidateFeatures.MOST + i, sideA, POINT, LINE);
             }
         }
         for (int i = 0; i < sideA.points; i++) {
             for (int j = 0; j < sideB.points; j++) {
-                free(Features.MOST + i, Features.MOST + j);
+                free(CandidateFeatures.MOST + i, CandidateFeatures.MOST + j);
             }
         }
         choose();
@@ -164,7 +164,7 @@ public final class Refine {
     }
 
     /**
-     * Whether the axis found is the best of all near ones, see {@link Meeting}, which then tells
+     * Whether the axis found is the best of all near ones, see {@link OptimalityTest}, which then tells
      * the way to a better one.
      */
     boolean settled() {
@@ -219,7 +219,7 @@ public final class Refine {
      * the rim's own axis nearly lies on the circle the reach bends sharply there, so that is a
      * second place to start from.
      */
-    private void circle(Features own, int line, int point, Features other, int ofA, int ofB) {
+    private void circle(CandidateFeatures own, int line, int point, CandidateFeatures other, int ofA, int ofB) {
         climb(own, line, point, other, startX, startY, startZ, ofA, ofB);
         if (other.radius[point] > 0) {
             double dot = startX * other.ax + startY * other.ay + startZ * other.az;
@@ -233,10 +233,10 @@ public final class Refine {
 
     /** Newton along a circle from the place of it that is nearest to a direction. */
     private void climb(
-            Features own,
+            CandidateFeatures own,
             int line,
             int point,
-            Features other,
+            CandidateFeatures other,
             double fromX,
             double fromY,
             double fromZ,
@@ -439,7 +439,7 @@ public final class Refine {
         huv = 0;
         hvv = 0;
         for (int k = 0; k < 2; k++) {
-            Features side = k == 0 ? sideA : sideB;
+            CandidateFeatures side = k == 0 ? sideA : sideB;
             double radius = k == 0 ? side.radius[i] : side.radius[j];
             if (radius == 0) {
                 continue;

@@ -2,14 +2,14 @@ package dev.cairn.physics.narrowphase.axis;
 
 import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.narrowphase.pair.Spindle;
+import dev.cairn.physics.narrowphase.pair.SolidOfRevolution;
 import dev.cairn.physics.shape.Polyhedron;
 
 /**
  * What one shape of a pair may touch with near a direction: flats, lines (circles of normals), and
  * vertices or rims. Everything in A's frame and turned towards B.
  */
-final class Features {
+final class CandidateFeatures {
     static final int MOST = 16;
     private static final int EDGES = 3;
 
@@ -55,7 +55,7 @@ final class Features {
     private Pair pair = new Pair();
     private boolean wide;
 
-    Features(boolean ofB) {
+    CandidateFeatures(boolean ofB) {
         flip = ofB;
     }
 
@@ -78,7 +78,7 @@ final class Features {
             z = p.r02 * dx + p.r12 * dy + p.r22 * dz;
         }
         if (flip ? p.roundB : p.roundA) {
-            spindle(flip ? p.spindleB : p.spindleA, y);
+            spindle(flip ? p.solidB : p.solidA, y);
         } else {
             polyhedron(flip ? p.b : p.a, x, y, z);
             if (wide) {
@@ -87,7 +87,7 @@ final class Features {
         }
     }
 
-    private void spindle(Spindle c, double along) {
+    private void spindle(SolidOfRevolution c, double along) {
         ax = flip ? pair.r01 : 0;
         ay = flip ? pair.r11 : 1;
         az = flip ? pair.r21 : 0;

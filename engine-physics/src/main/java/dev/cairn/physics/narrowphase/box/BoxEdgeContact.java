@@ -16,21 +16,21 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
 import dev.cairn.physics.narrowphase.pair.BoxTopology;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 
 /**
  * Two edges of a pair in a batch that cross: the axis from the columns of the fifteen axes, and the
  * point midway between the edges, with the operations of {@code Axes} and {@code ContactPoints},
  * hence their bits.
  */
-final class BoxCrossing {
+final class BoxEdgeContact {
     /** Columns of the batch. */
     private final double[] t;
 
     /** The unit axis from A to B, in A's frame, of the pair at hand. */
     private double axisX, axisY, axisZ;
 
-    BoxCrossing(double[] columns) {
+    BoxEdgeContact(double[] columns) {
         t = columns;
     }
 
@@ -201,6 +201,6 @@ final class BoxCrossing {
     }
 
     private static int name(int va, int vb, int k, int l) {
-        return Names.CROSSING | BoxTopology.edge(3 * va + k) << 15 | BoxTopology.edge(3 * vb + l);
+        return FeatureIds.CROSSING | BoxTopology.edge(3 * va + k) << 15 | BoxTopology.edge(3 * vb + l);
     }
 }

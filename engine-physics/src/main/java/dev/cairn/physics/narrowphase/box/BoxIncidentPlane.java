@@ -7,8 +7,8 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
 
 /** {@code IncidentPlane} for a pair of a batch of boxes, with the same operations. */
-final class BoxPlane {
-    private BoxPlane() {}
+final class BoxIncidentPlane {
+    private BoxIncidentPlane() {}
 
     /**
      * How far above a point of the reference box's frame the plane of the incident face is.

@@ -3,19 +3,19 @@ package dev.cairn.physics.narrowphase.axis;
 import dev.cairn.physics.narrowphase.pair.Pair;
 
 /**
- * From an axis that {@link Refine} found on to a better one near it, where what touches along it
- * does not meet ({@link Meeting}): from axis n with separation s towards |s| n + w, w leading
+ * From an axis that {@link AxisRefinement} found on to a better one near it, where what touches along it
+ * does not meet ({@link OptimalityTest}): from axis n with separation s towards |s| n + w, w leading
  * across n from A's touching part to B's.
  */
-public final class Walk {
+public final class AxisAscent {
     /** How often what is nearer is looked for. */
     private static final int STEPS = 4;
 
-    private final Refine refine;
+    private final AxisRefinement refine;
     private double axisX, axisY, axisZ, separation;
     private int kindA, kindB;
 
-    public Walk(Refine refine) {
+    public AxisAscent(AxisRefinement refine) {
         this.refine = refine;
     }
 

@@ -1,7 +1,7 @@
 package dev.cairn.physics.narrowphase.hull;
 
-import dev.cairn.physics.narrowphase.axis.Refine;
-import dev.cairn.physics.narrowphase.axis.Walk;
+import dev.cairn.physics.narrowphase.axis.AxisRefinement;
+import dev.cairn.physics.narrowphase.axis.AxisAscent;
 import dev.cairn.physics.narrowphase.clip.ContactPoints;
 import dev.cairn.physics.narrowphase.gjk.Epa;
 import dev.cairn.physics.narrowphase.gjk.Gjk;
@@ -16,7 +16,7 @@ import dev.cairn.physics.shape.Shape;
  * The axis and the signed distance of two polyhedra: by the fifteen axes of boxes, or by {@link
  * Gjk} and {@link Epa}, snapped to true features.
  */
-public final class PolyhedronAxis {
+public final class HullAxis {
     /** Cosine of the angle, 1e-6 rad, between axes that are one up to rounding. */
     private static final double SAME_AXIS = 1 - 0x1p-41;
 
@@ -55,12 +55,12 @@ public final class PolyhedronAxis {
     private final Axes axes;
     private final ContactPoints points;
     private final boolean fifteen;
-    private final Refine refine = new Refine();
-    private final Walk walk = new Walk(refine);
+    private final AxisRefinement refine = new AxisRefinement();
+    private final AxisAscent walk = new AxisAscent(refine);
     private final NearestFeatures nearest = new NearestFeatures();
     private final double[] tried = new double[3 * 16];
 
-    public PolyhedronAxis(
+    public HullAxis(
             Pair pair, Gjk gjk, Epa epa, Axes axes, ContactPoints points, boolean fifteen) {
         this.pair = pair;
         this.gjk = gjk;

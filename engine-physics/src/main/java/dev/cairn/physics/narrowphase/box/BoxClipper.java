@@ -12,13 +12,13 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
 
 import dev.cairn.physics.narrowphase.clip.Clipper;
 import dev.cairn.physics.narrowphase.clip.Reduction;
 import dev.cairn.physics.narrowphase.pair.BoxTopology;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 
 /**
@@ -26,7 +26,7 @@ import dev.cairn.physics.narrowphase.wide.BoxBatch;
  * points there in their place. The operations on each number are those of {@link Clipper}, the
  * names are its names.
  */
-final class BoxCuts {
+final class BoxClipper {
     /** Corners a polygon can have while it is cut: four and two more for each of four sides. */
     private static final int MOST = 16;
 
@@ -98,7 +98,7 @@ final class BoxCuts {
     /** Of pairs that are not cut straight, up to four points: names, and separations. */
     final int[] name = new int[4 * BoxBatch.CAPACITY];
 
-    /** The same of each pair as a word, see {@link Names}. */
+    /** The same of each pair as a word, see {@link FeatureIds}. */
     final int[] names = new int[BoxBatch.CAPACITY];
 
     final double[] separation = new double[4 * BoxBatch.CAPACITY];
@@ -125,7 +125,7 @@ final class BoxCuts {
         boolean positive = t[SIGN + i] > 0;
         int incident = 4 * (int) t[INCIDENT + i];
         int begin = 8 * (int) t[AXIS + i] + (positive ? 4 : 0);
-        if (t[STRAIGHT + i] >= 0) {
+        if (t[ALIGNED + i] >= 0) {
             deepest = t[DEEPEST + i];
             return 4;
         }
@@ -173,7 +173,7 @@ final class BoxCuts {
     /** All four corners stay, in order of their names. */
     private int whole(double[] t, int i, boolean positive, int incident, double margin) {
         int hash = 0;
-        int kind = flip ? Names.VERTEX_A : Names.VERTEX_B;
+        int kind = flip ? FeatureIds.VERTEX_A : FeatureIds.VERTEX_B;
         double limit = t[HALF + i];
         double least = Double.MAX_VALUE;
         int kept = 0;
@@ -188,7 +188,7 @@ final class BoxCuts {
             }
             least = s < least ? s : least;
             name[4 * i + kept] = kind | CORNER_VERTEX[incident + k];
-            hash |= Names.hash(name[4 * i + kept]) << (8 * kept);
+            hash |= FeatureIds.hash(name[4 * i + kept]) << (8 * kept);
             separation[4 * i + kept++] = s;
             t[to] = positive ? height - s / 2 : height + s / 2;
             if (to != from) {
@@ -204,12 +204,12 @@ final class BoxCuts {
 
     static int crossing(boolean flip, int incidentEdge, int edge) {
         return flip
-                ? Names.CROSSING | incidentEdge << 15 | edge
-                : Names.CROSSING | edge << 15 | incidentEdge;
+                ? FeatureIds.CROSSING | incidentEdge << 15 | edge
+                : FeatureIds.CROSSING | edge << 15 | incidentEdge;
     }
 
     private void load(double[] t, int i, int incident) {
-        int kind = flip ? Names.VERTEX_A : Names.VERTEX_B;
+        int kind = flip ? FeatureIds.VERTEX_A : FeatureIds.VERTEX_B;
         count = 4;
         made = 4;
         order = 0x3210;
@@ -225,7 +225,7 @@ final class BoxCuts {
     }
 
     private double slack(int vertex) {
-        return Names.holds(last, vertex) ? later : first;
+        return FeatureIds.holds(last, vertex) ? later : first;
     }
 
     /**
@@ -347,7 +347,7 @@ final class BoxCuts {
         double x = (vertex & 1) == 0 ? -t[half] : t[half];
         double y = (vertex & 2) == 0 ? -t[half + CAPACITY] : t[half + CAPACITY];
         double z = (vertex & 4) == 0 ? -t[half + 2 * CAPACITY] : t[half + 2 * CAPACITY];
-        double above = BoxPlane.above(t, i, flip, incident >> 2, axis, normal, x, y, z);
+        double above = BoxIncidentPlane.above(t, i, flip, incident >> 2, axis, normal, x, y, z);
         double height = axis == 0 ? x : axis == 1 ? y : z;
         n[k] = height + above * normal;
         u[k] = axis == 0 ? y : x;
@@ -363,7 +363,7 @@ final class BoxCuts {
         if (cutSide >= 0) {
             return crossing(flip, cutSide, BoxTopology.slotEdge(slot));
         }
-        int kind = flip ? Names.VERTEX_B : Names.VERTEX_A;
+        int kind = flip ? FeatureIds.VERTEX_B : FeatureIds.VERTEX_A;
         int after = slot == begin + 3 ? begin : slot + 1;
         return kind | BoxTopology.slotVertex(after == ~cutSide ? after : slot);
     }
@@ -451,7 +451,7 @@ final class BoxCuts {
             t[to + CAPACITY] = u[k];
             t[to + 2 * CAPACITY] = v[k];
             name[4 * i + p] = feature[k];
-            hash |= Names.hash(feature[k]) << (8 * p);
+            hash |= FeatureIds.hash(feature[k]) << (8 * p);
             separation[4 * i + p] = s;
         }
         names[i] = hash;

@@ -1,14 +1,14 @@
 package dev.cairn.physics.narrowphase.axis;
 
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.narrowphase.pair.Spindle;
+import dev.cairn.physics.narrowphase.pair.SolidOfRevolution;
 import dev.cairn.physics.shape.Polyhedron;
 
 /**
  * The part of one shape of a pair that touches along an axis: a point, a segment, a face or a disc;
  * and how far a point of the other is beside it. In A's frame.
  */
-final class Touching {
+final class SupportFeature {
     private static final double ROUNDING = 0x1p-48;
 
     /** A touching point, from A's centre, see {@link #touch}. */
@@ -20,11 +20,11 @@ final class Touching {
     /** From the flat or line to the other's touching point, see {@link #miss}. */
     double missX, missY, missZ;
 
-    private final Features side;
+    private final CandidateFeatures side;
     private final boolean flip;
     private Pair pair = new Pair();
 
-    Touching(Features side, boolean ofB) {
+    SupportFeature(CandidateFeatures side, boolean ofB) {
         this.side = side;
         flip = ofB;
     }
@@ -33,8 +33,8 @@ final class Touching {
         pair = p;
     }
 
-    private Spindle spindle() {
-        return flip ? pair.spindleB : pair.spindleA;
+    private SolidOfRevolution spindle() {
+        return flip ? pair.solidB : pair.solidA;
     }
 
     /** Finds a point that the shape reaches with along a unit direction, outwards. */
@@ -50,7 +50,7 @@ final class Touching {
             tz = flip ? pair.pz : h.vertexZ(v);
             return;
         }
-        Spindle c = spindle();
+        SolidOfRevolution c = spindle();
         double along = x * side.ax + y * side.ay + z * side.az;
         double rho = across(x, y, z);
         boolean top = c.high * along + c.highRadius * rho >= c.low * along + c.lowRadius * rho;
@@ -91,7 +91,7 @@ final class Touching {
             reach = side.half[line];
             return;
         }
-        Spindle c = spindle();
+        SolidOfRevolution c = spindle();
         double along = x * side.ax + y * side.ay + z * side.az;
         double rho = across(x, y, z);
         rimPoint(x, y, z, along, rho, c.low, c.lowRadius);
@@ -135,7 +135,7 @@ final class Touching {
      * How far the other shape's touching point is beside a flat, or beyond a line's ends, that are
      * drawn in by an inset.
      */
-    void miss(boolean flat, int place, Touching other, double inset) {
+    void miss(boolean flat, int place, SupportFeature other, double inset) {
         double x = other.tx;
         double y = other.ty;
         double z = other.tz;
@@ -170,7 +170,7 @@ final class Touching {
     }
 
     private void missDisc(int flat, double x, double y, double z, double inset) {
-        Spindle c = spindle();
+        SolidOfRevolution c = spindle();
         double dot =
                 side.flatX[flat] * side.ax
                         + side.flatY[flat] * side.ay

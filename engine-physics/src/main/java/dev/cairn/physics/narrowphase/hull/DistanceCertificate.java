@@ -18,7 +18,7 @@ import dev.cairn.physics.narrowphase.pair.Pair;
  * that this leaves, it needs no other proof. Moves count from the pose of the proof; they do not
  * add up.
  */
-public final class Proof {
+public final class DistanceCertificate {
     /** Numbers in which a proof is kept. Zeros are a pose that no pair is near. */
     static final int SIZE = 11;
 

@@ -5,7 +5,7 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OFFSET;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
 
 import dev.cairn.physics.narrowphase.pair.Manifold;
 
@@ -13,22 +13,22 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
  * Reads the four points of a pair in a batch that was cut straight. Without loops, so that indices
  * are checked once.
  */
-final class StraightPoints {
-    private StraightPoints() {}
+final class AlignedPoints {
+    private AlignedPoints() {}
 
     /** Whether the four names are those of the last tick, from {@code first} on in an order. */
     static boolean named(double[] t, int i, int[] names, int first, int order) {
-        int entry = (int) t[STRAIGHT + i];
-        return names[first] == StraightNames.name(entry, order & 3)
-                && names[first + 1] == StraightNames.name(entry, order >> 2 & 3)
-                && names[first + 2] == StraightNames.name(entry, order >> 4 & 3)
-                && names[first + 3] == StraightNames.name(entry, order >> 6 & 3);
+        int entry = (int) t[ALIGNED + i];
+        return names[first] == AlignedFeatureIds.name(entry, order & 3)
+                && names[first + 1] == AlignedFeatureIds.name(entry, order >> 2 & 3)
+                && names[first + 2] == AlignedFeatureIds.name(entry, order >> 4 & 3)
+                && names[first + 3] == AlignedFeatureIds.name(entry, order >> 6 & 3);
     }
 
     /** Writes names, points and separations; returns the word. */
     static long copy(double[] t, int i, Manifold out) {
-        int entry = (int) t[STRAIGHT + i];
-        int order = StraightNames.order(entry);
+        int entry = (int) t[ALIGNED + i];
+        int order = AlignedFeatureIds.order(entry);
         int a = at(order, i);
         int b = at(order >> 2, i);
         int c = at(order >> 4, i);
@@ -55,11 +55,11 @@ final class StraightPoints {
         four(out.pointZ, az, bz, cz, dz);
         four(out.separation, as, bs, cs, ds);
         int[] name = out.feature;
-        name[3] = StraightNames.name(entry, 3);
-        name[0] = StraightNames.name(entry, 0);
-        name[1] = StraightNames.name(entry, 1);
-        name[2] = StraightNames.name(entry, 2);
-        return StraightNames.word(entry);
+        name[3] = AlignedFeatureIds.name(entry, 3);
+        name[0] = AlignedFeatureIds.name(entry, 0);
+        name[1] = AlignedFeatureIds.name(entry, 1);
+        name[2] = AlignedFeatureIds.name(entry, 2);
+        return AlignedFeatureIds.word(entry);
     }
 
     private static int at(int place, int i) {
@@ -87,13 +87,13 @@ final class StraightPoints {
         normal[n] = t[NORMAL + i];
         normal[n + 1] = t[NORMAL + CAPACITY + i];
         normal[n + 2] = t[NORMAL + 2 * CAPACITY + i];
-        int entry = (int) t[STRAIGHT + i];
-        int order = StraightNames.order(entry);
+        int entry = (int) t[ALIGNED + i];
+        int order = AlignedFeatureIds.order(entry);
         separation[first] = write(t, i, at(order >> (places << 1 & 6), i), anchors, at);
         separation[first + 1] = write(t, i, at(order >> (places >> 1 & 6), i), anchors, at + 6);
         separation[first + 2] = write(t, i, at(order >> (places >> 3 & 6), i), anchors, at + 12);
         separation[first + 3] = write(t, i, at(order >> (places >> 5 & 6), i), anchors, at + 18);
-        return StraightNames.word(entry);
+        return AlignedFeatureIds.word(entry);
     }
 
     private static double write(double[] t, int i, int from, double[] anchors, int at) {

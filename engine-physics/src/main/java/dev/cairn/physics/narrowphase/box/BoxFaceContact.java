@@ -12,14 +12,14 @@ import dev.cairn.physics.narrowphase.clip.Reduction;
 import dev.cairn.physics.narrowphase.pair.BoxTopology;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.pair.Names;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
 
 /**
  * The face contact of two boxes: what {@code ContactPoints.face} and {@link Clipper} do, for
  * rectangles whose sides are parallel to the axes. The operations on each number are the same, so
  * the points are the same bits and the names the same names.
  */
-final class BoxFaces {
+final class BoxFaceContact {
     /** Corners a polygon can have while it is cut: four and two more for each of four sides. */
     private static final int MOST = 16;
 
@@ -126,7 +126,7 @@ final class BoxFaces {
         double dy = t[CENTRE + CAPACITY + i];
         double dz = t[CENTRE + 2 * CAPACITY + i];
         double[] m = turn;
-        int kind = flip ? Names.VERTEX_A : Names.VERTEX_B;
+        int kind = flip ? FeatureIds.VERTEX_A : FeatureIds.VERTEX_B;
         count = 4;
         for (int k = 0; k < 4; k++) {
             int v = BoxTopology.slotVertex(begin + k);
@@ -174,12 +174,12 @@ final class BoxFaces {
             slack[k] = slack(feature[k]);
         }
         for (int k = 4 * face; k < 4 * face + 4 && count > 0; k++) {
-            cut(BoxCuts.CUT_ORDER[k], 4 * face);
+            cut(BoxClipper.CUT_ORDER[k], 4 * face);
         }
     }
 
     private double slack(int name) {
-        return last != 0 && Names.holds(last, name) ? later : first;
+        return last != 0 && FeatureIds.holds(last, name) ? later : first;
     }
 
     /** As {@link Clipper}'s. */
@@ -261,7 +261,7 @@ final class BoxFaces {
         double px = (vertex & 1) == 0 ? -half[0] : half[0];
         double py = (vertex & 2) == 0 ? -half[1] : half[1];
         double pz = (vertex & 4) == 0 ? -half[2] : half[2];
-        double above = BoxPlane.above(columns, pair, flip, incidentFace, axis, normal, px, py, pz);
+        double above = BoxIncidentPlane.above(columns, pair, flip, incidentFace, axis, normal, px, py, pz);
         emit(
                 axis == 0 ? px + above * normal : px,
                 axis == 1 ? py + above * normal : py,
@@ -273,12 +273,12 @@ final class BoxFaces {
 
     private int name(int cutSide, int slot, int begin) {
         if (cutSide >= 0) {
-            return BoxCuts.crossing(
+            return BoxClipper.crossing(
                     flip,
                     BoxTopology.slotEdge(4 * incidentFace + cutSide),
                     BoxTopology.slotEdge(slot));
         }
-        int kind = flip ? Names.VERTEX_B : Names.VERTEX_A;
+        int kind = flip ? FeatureIds.VERTEX_B : FeatureIds.VERTEX_A;
         int after = slot == begin + 3 ? begin : slot + 1;
         return kind | BoxTopology.slotVertex(after == ~cutSide ? after : slot);
     }
