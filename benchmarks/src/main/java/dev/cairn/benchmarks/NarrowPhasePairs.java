@@ -1,9 +1,9 @@
 package dev.cairn.benchmarks;
 
 import dev.cairn.benchmarks.narrowphase.PairSet;
-import dev.cairn.physics.narrowphase.BoxContacts;
-import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
+import dev.cairn.physics.narrowphase.box.BoxContacts;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 
 import org.openjdk.jmh.annotations.Benchmark;
@@ -162,7 +162,7 @@ public class NarrowPhasePairs {
         double sum = 0;
         for (int i = 0; i < PairSet.SIZE; i++) {
             sum += s.set.distance(i, s.narrowPhase, s.words[i]);
-            s.words[i] = s.narrowPhase.distanceWord();
+            s.words[i] = s.narrowPhase.distanceKey();
         }
         return sum;
     }

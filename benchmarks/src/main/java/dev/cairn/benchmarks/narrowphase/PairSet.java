@@ -1,10 +1,10 @@
 package dev.cairn.benchmarks.narrowphase;
 
 import dev.cairn.benchmarks.peer.PairCalls;
-import dev.cairn.physics.narrowphase.BoxContacts;
-import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
-import dev.cairn.physics.narrowphase.PairMemory;
+import dev.cairn.physics.narrowphase.box.BoxContacts;
+import dev.cairn.physics.narrowphase.hull.PairMemory;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;

@@ -1,9 +1,9 @@
 package dev.cairn.benchmarks.narrowphase;
 
 import dev.cairn.benchmarks.peer.PairCalls;
-import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.NarrowPhase.Method;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.wide.BoxAxes;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
 
@@ -168,7 +168,7 @@ public final class PairTimes {
             long begin = THREADS.getCurrentThreadCpuTime();
             for (int i = 0; i < PairSet.SIZE; i++) {
                 sum += set.distance(i, n, warm ? words[i] : 0);
-                words[i] = n.distanceWord();
+                words[i] = n.distanceKey();
             }
             long nanos = THREADS.getCurrentThreadCpuTime() - begin;
             fastest.add(nanos);

@@ -1,9 +1,9 @@
 package dev.cairn.benchmarks.narrowphase;
 
-import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.NarrowPhase.Method;
-import dev.cairn.physics.narrowphase.Safeguard;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.pair.Safeguard;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;

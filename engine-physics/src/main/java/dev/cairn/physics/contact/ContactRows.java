@@ -7,7 +7,7 @@ import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Sleepers;
-import dev.cairn.physics.narrowphase.PairMemory;
+import dev.cairn.physics.narrowphase.hull.PairMemory;
 
 import java.util.Arrays;
 

@@ -5,14 +5,14 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.narrowphase.BoxContacts;
-import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
-import dev.cairn.physics.narrowphase.PairMemory;
-import dev.cairn.physics.narrowphase.RoundContacts;
+import dev.cairn.physics.narrowphase.box.BoxContacts;
+import dev.cairn.physics.narrowphase.hull.PairMemory;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.round.RoundContacts;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
-import dev.cairn.physics.narrowphase.wide.KeptBatch;
+import dev.cairn.physics.narrowphase.wide.RecycledBatch;
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Moved;
@@ -211,7 +211,7 @@ public final class ManifoldStage {
         BoxContacts batch = own.boxes;
         int first = ContactStore.POINTS * row;
         if (c.pointCount[row] != 4
-                || !batch.sameStraight(i, c.feature, first, c.order[row])
+                || !batch.sameAligned(i, c.feature, first, c.order[row])
                 || recycler.stays(row, false, batch.leftOut(i), own.margin[i])) {
             return false;
         }
@@ -249,16 +249,16 @@ public final class ManifoldStage {
     private int renewWide(int begin, int count, Scratch own) {
         ContactStore c = contacts;
         int[] order = kinds.order();
-        int first = order[begin] & -KeptBatch.ROWS;
+        int first = order[begin] & -RecycledBatch.ROWS;
         int places = order[begin + count - 1] - first + 1;
         int keeps = 0;
         for (int i = begin; i < begin + count; i++) {
             keeps += c.keeps[order[i]] ? 1 : 0;
         }
-        if (keeps < KEPT_FOR_LANES || places > KeptBatch.CAPACITY) {
+        if (keeps < KEPT_FOR_LANES || places > RecycledBatch.CAPACITY) {
             return renewOnes(begin, count, own);
         }
-        KeptBatch kept = own.kept;
+        RecycledBatch kept = own.kept;
         for (int i = begin; i < begin + count; i++) {
             int row = order[i];
             if (c.keeps[row]) {
@@ -393,7 +393,7 @@ public final class ManifoldStage {
     private static final class Scratch {
         final NarrowPhase narrowPhase = new NarrowPhase();
         final BoxContacts boxes = new BoxContacts(narrowPhase);
-        final KeptBatch kept = new KeptBatch();
+        final RecycledBatch kept = new RecycledBatch();
         final RoundContacts round = new RoundContacts();
         final RoundRows.Scratch roundRows = new RoundRows.Scratch();
         final int[] row = new int[BOXES_PER_BLOCK];

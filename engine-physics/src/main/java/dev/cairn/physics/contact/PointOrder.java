@@ -1,7 +1,7 @@
 package dev.cairn.physics.contact;
 
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.narrowphase.Manifold;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 
 /**
  * The order of a contact's points, in which they are swept and added up: the deepest last, whose

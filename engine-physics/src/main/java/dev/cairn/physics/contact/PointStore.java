@@ -2,7 +2,7 @@ package dev.cairn.physics.contact;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.narrowphase.Manifold;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 
 /**
  * Writes a manifold into its row. A point keeps the impulse of the point of the last tick that has

@@ -1,18 +1,18 @@
 package dev.cairn.physics.contact;
 
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.CENTRE;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.GAP;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.LIMIT;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.PLANE;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.KeptBatch.SPIN;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.CAPACITY;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.CENTRE;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.GAP;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.LIMIT;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.PLANE;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.POINT;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.SPIN;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.narrowphase.Manifold;
-import dev.cairn.physics.narrowphase.Word;
-import dev.cairn.physics.narrowphase.wide.KeptBatch;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.pair.WarmStartKey;
+import dev.cairn.physics.narrowphase.wide.RecycledBatch;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Polyhedron;
@@ -111,7 +111,7 @@ final class Recycler {
         if (c.pointCount[row] == 0) {
             return true;
         }
-        int face = Word.faceOf(c.cache[row]);
+        int face = WarmStartKey.faceOf(c.cache[row]);
         double sign = (face & 1) == 0 ? -1 : 1;
         // The face's outward normal: of a box a column of its rotation matrix.
         double nx;
@@ -204,37 +204,37 @@ final class Recycler {
     }
 
     /** Puts a pair of boxes that is kept into a batch; see {@link #renew}. */
-    void put(KeptBatch batch, int place, int row, BoundsStage bounds) {
+    void put(RecycledBatch batch, int place, int row, BoundsStage bounds) {
         double[] t = batch.data;
         int a = c.bodyA[row];
         int b = c.bodyB[row];
         double[] ahead = bounds.ahead;
         int one = BoundsStage.AHEAD * a;
         int other = BoundsStage.AHEAD * b;
-        t[KeptBatch.AHEAD + place] = ahead[other] - ahead[one];
-        t[KeptBatch.AHEAD + CAPACITY + place] = ahead[other + 1] - ahead[one + 1];
-        t[KeptBatch.AHEAD + 2 * CAPACITY + place] = ahead[other + 2] - ahead[one + 2];
-        t[KeptBatch.ARC_A + place] = ahead[one + 3];
-        t[KeptBatch.ARC_B + place] = ahead[other + 3];
-        t[KeptBatch.INNER + place] = Math.min(s.innerRadius[a], s.innerRadius[b]);
+        t[RecycledBatch.AHEAD + place] = ahead[other] - ahead[one];
+        t[RecycledBatch.AHEAD + CAPACITY + place] = ahead[other + 1] - ahead[one + 1];
+        t[RecycledBatch.AHEAD + 2 * CAPACITY + place] = ahead[other + 2] - ahead[one + 2];
+        t[RecycledBatch.ARC_A + place] = ahead[one + 3];
+        t[RecycledBatch.ARC_B + place] = ahead[other + 3];
+        t[RecycledBatch.INNER + place] = Math.min(s.innerRadius[a], s.innerRadius[b]);
         long word = c.cache[row];
-        boolean flip = Word.onFaceOfB(word);
+        boolean flip = WarmStartKey.onFaceOfB(word);
         int r = flip ? b : a;
         int i = flip ? a : b;
-        t[KeptBatch.TURN_R + place] = s.orientationX[r];
-        t[KeptBatch.TURN_R + CAPACITY + place] = s.orientationY[r];
-        t[KeptBatch.TURN_R + 2 * CAPACITY + place] = s.orientationZ[r];
-        t[KeptBatch.TURN_R + 3 * CAPACITY + place] = s.orientationW[r];
-        t[KeptBatch.TURN_I + place] = s.orientationX[i];
-        t[KeptBatch.TURN_I + CAPACITY + place] = s.orientationY[i];
-        t[KeptBatch.TURN_I + 2 * CAPACITY + place] = s.orientationZ[i];
-        t[KeptBatch.TURN_I + 3 * CAPACITY + place] = s.orientationW[i];
-        t[KeptBatch.OFFSET + place] = s.apartX(r, i);
-        t[KeptBatch.OFFSET + CAPACITY + place] = s.apartY(r, i);
-        t[KeptBatch.OFFSET + 2 * CAPACITY + place] = s.apartZ(r, i);
-        int face = Word.faceOf(word);
-        t[KeptBatch.AXIS + place] = face >> 1;
-        t[KeptBatch.SIGN + place] = (face & 1) == 0 ? -1 : 1;
+        t[RecycledBatch.TURN_R + place] = s.orientationX[r];
+        t[RecycledBatch.TURN_R + CAPACITY + place] = s.orientationY[r];
+        t[RecycledBatch.TURN_R + 2 * CAPACITY + place] = s.orientationZ[r];
+        t[RecycledBatch.TURN_R + 3 * CAPACITY + place] = s.orientationW[r];
+        t[RecycledBatch.TURN_I + place] = s.orientationX[i];
+        t[RecycledBatch.TURN_I + CAPACITY + place] = s.orientationY[i];
+        t[RecycledBatch.TURN_I + 2 * CAPACITY + place] = s.orientationZ[i];
+        t[RecycledBatch.TURN_I + 3 * CAPACITY + place] = s.orientationW[i];
+        t[RecycledBatch.OFFSET + place] = s.apartX(r, i);
+        t[RecycledBatch.OFFSET + CAPACITY + place] = s.apartY(r, i);
+        t[RecycledBatch.OFFSET + 2 * CAPACITY + place] = s.apartZ(r, i);
+        int face = WarmStartKey.faceOf(word);
+        t[RecycledBatch.AXIS + place] = face >> 1;
+        t[RecycledBatch.SIGN + place] = (face & 1) == 0 ? -1 : 1;
     }
 
     /**
@@ -242,9 +242,9 @@ final class Recycler {
      *
      * @return false when the pair must be collided
      */
-    boolean take(KeptBatch batch, int place, int row) {
+    boolean take(RecycledBatch batch, int place, int row) {
         double[] t = batch.data;
-        if (t[KeptBatch.STAYS + place] == 0) {
+        if (t[RecycledBatch.STAYS + place] == 0) {
             return false;
         }
         int count = c.pointCount[row];
@@ -255,9 +255,9 @@ final class Recycler {
         double sign = flip ? -1 : 1;
         double[] head = c.head;
         int h = ContactStore.head(row);
-        head[h] = sign * t[KeptBatch.NORMAL + place];
-        head[h + 1] = sign * t[KeptBatch.NORMAL + CAPACITY + place];
-        head[h + 2] = sign * t[KeptBatch.NORMAL + 2 * CAPACITY + place];
+        head[h] = sign * t[RecycledBatch.NORMAL + place];
+        head[h + 1] = sign * t[RecycledBatch.NORMAL + CAPACITY + place];
+        head[h + 2] = sign * t[RecycledBatch.NORMAL + 2 * CAPACITY + place];
         int first = ContactStore.POINTS * row;
         int o = ContactStore.anchor(first);
         double farthest;
@@ -268,30 +268,30 @@ final class Recycler {
         }
         double[] separation = c.separation;
         for (int p = 0; p < count; p++) {
-            double s = t[KeptBatch.SEPARATION + p * CAPACITY + place];
+            double s = t[RecycledBatch.SEPARATION + p * CAPACITY + place];
             separation[first + p] = s;
         }
-        return farthest <= t[KeptBatch.MARGIN + place];
+        return farthest <= t[RecycledBatch.MARGIN + place];
     }
 
     private static double anchors(double[] t, int place, int count, double[] to, int i, int r) {
-        double most = t[KeptBatch.SEPARATION + place];
-        point(t, KeptBatch.ANCHOR + place, to, i, r);
+        double most = t[RecycledBatch.SEPARATION + place];
+        point(t, RecycledBatch.ANCHOR + place, to, i, r);
         if (count == 1) {
             return most;
         }
-        most = Math.max(most, t[KeptBatch.SEPARATION + CAPACITY + place]);
-        point(t, KeptBatch.ANCHOR + 6 * CAPACITY + place, to, i + 6, r + 6);
+        most = Math.max(most, t[RecycledBatch.SEPARATION + CAPACITY + place]);
+        point(t, RecycledBatch.ANCHOR + 6 * CAPACITY + place, to, i + 6, r + 6);
         if (count == 2) {
             return most;
         }
-        most = Math.max(most, t[KeptBatch.SEPARATION + 2 * CAPACITY + place]);
-        point(t, KeptBatch.ANCHOR + 12 * CAPACITY + place, to, i + 12, r + 12);
+        most = Math.max(most, t[RecycledBatch.SEPARATION + 2 * CAPACITY + place]);
+        point(t, RecycledBatch.ANCHOR + 12 * CAPACITY + place, to, i + 12, r + 12);
         if (count == 3) {
             return most;
         }
-        point(t, KeptBatch.ANCHOR + 18 * CAPACITY + place, to, i + 18, r + 18);
-        return Math.max(most, t[KeptBatch.SEPARATION + 3 * CAPACITY + place]);
+        point(t, RecycledBatch.ANCHOR + 18 * CAPACITY + place, to, i + 18, r + 18);
+        return Math.max(most, t[RecycledBatch.SEPARATION + 3 * CAPACITY + place]);
     }
 
     private static void point(double[] t, int from, double[] to, int i, int r) {
@@ -305,7 +305,7 @@ final class Recycler {
 
     /** The reference is B. */
     private boolean flip(int row) {
-        return Word.onFaceOfB(c.cache[row]);
+        return WarmStartKey.onFaceOfB(c.cache[row]);
     }
 
     /**
@@ -351,7 +351,7 @@ final class Recycler {
         k[at + N * CENTRE] = ex + rw * tx + (rz * ty - ry * tz);
         k[at + N * (CENTRE + 1)] = ey + rw * ty + (rx * tz - rz * tx);
         k[at + N * (CENTRE + 2)] = ez + rw * tz + (ry * tx - rx * ty);
-        k[at + N * PLANE] = offset(s.shape[r], Word.faceOf(c.cache[row]));
+        k[at + N * PLANE] = offset(s.shape[r], WarmStartKey.faceOf(c.cache[row]));
         k[at + N * SPIN] = 4 * s.outerRadius[i] * s.outerRadius[i];
         k[at + N * LIMIT] = apart ? Double.MAX_VALUE : allowed * allowed;
         k[at + N * GAP] = gap;

@@ -2,8 +2,8 @@ package dev.cairn.physics.contact;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.narrowphase.Manifold;
-import dev.cairn.physics.narrowphase.RoundPairs;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.round.RoundPairs;
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
 
 /**

@@ -1,14 +1,28 @@
 package dev.cairn.physics.narrowphase;
 
-import dev.cairn.physics.narrowphase.wide.BoxBatch;
+import dev.cairn.physics.narrowphase.clip.ContactPoints;
+import dev.cairn.physics.narrowphase.curved.CurvedPairs;
+import dev.cairn.physics.narrowphase.gjk.Epa;
+import dev.cairn.physics.narrowphase.gjk.Gjk;
+import dev.cairn.physics.narrowphase.gjk.Witness;
+import dev.cairn.physics.narrowphase.hull.HullPairs;
+import dev.cairn.physics.narrowphase.pair.Axes;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Pair;
+import dev.cairn.physics.narrowphase.pair.Safeguard;
+import dev.cairn.physics.narrowphase.round.BallBox;
+import dev.cairn.physics.narrowphase.round.RoundContacts;
+import dev.cairn.physics.narrowphase.round.BallAxis;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 
 /**
  * Collides pairs of convex shapes: axis by {@link Gjk} and {@link Epa} (or {@link Axes#boxes}),
- * snapped to true features, then a manifold by {@link Clipper}. One instance per worker: it owns
+ * snapped to true features, then a manifold by {@code Clipper}. One instance per worker: it owns
  * all scratch memory and is not thread-safe. Allocates nothing, except when a face has more sides
  * than any before.
  */
@@ -21,32 +35,24 @@ public final class NarrowPhase {
         SPECIALISED
     }
 
-    static final long FACE_A = 1;
-    static final long FACE_B = 2;
-    static final long EDGES = 3;
-
-    /** In place of an edge of A: no two edges cross. */
-    static final long NO_EDGE = 0x7FFF;
-
-    /**
-     * Of the smaller inner radius: what one kind of contact must be better by to replace another.
-     */
-    static final double CALM = BoxBatch.CALM;
-
     private final Method method;
     private final Pair pair = new Pair();
     private final Gjk gjk = new Gjk();
     private final Epa epa = new Epa();
     private final Axes axes = new Axes();
     private final ContactPoints points = new ContactPoints(pair, axes, gjk);
-    private final Polyhedra polyhedra;
-    private final RoundQuery round = new RoundQuery();
+    private final HullPairs polyhedra;
+    private final BallAxis round = new BallAxis();
     private final RoundContacts rounds = new RoundContacts();
     private final BallBox ballBox = new BallBox();
     private final CurvedPairs curved;
     private final Witness witness = new Witness();
+
+    /** An orientation that a moved shape's own turn was multiplied into. */
+    private double tx, ty, tz, tw;
+
     private boolean curvedLast;
-    private long[] memory = Polyhedra.NOTHING;
+    private long[] memory = HullPairs.NOTHING;
     private int memoryAt;
 
     /** Creates the scratch of one worker that uses the fast paths. */
@@ -61,8 +67,8 @@ public final class NarrowPhase {
      */
     public NarrowPhase(Method method) {
         this.method = method;
-        this.polyhedra = new Polyhedra(method == Method.SPECIALISED, pair, gjk, epa, axes, points);
-        this.curved = new CurvedPairs(this, pair, gjk, epa, points, method == Method.SPECIALISED);
+        this.polyhedra = new HullPairs(method == Method.SPECIALISED, pair, gjk, epa, axes, points);
+        this.curved = new CurvedPairs(pair, gjk, epa, points, method == Method.SPECIALISED);
     }
 
     /**
@@ -91,7 +97,10 @@ public final class NarrowPhase {
      */
     public NarrowPhase(Method method, Safeguard without) {
         this(method);
-        without.leaveOut(gjk, epa, axes, polyhedra);
+        gjk.leaveOut(without);
+        epa.leaveOut(without);
+        axes.leaveOut(without);
+        polyhedra.leaveOut(without);
     }
 
     /**
@@ -150,7 +159,7 @@ public final class NarrowPhase {
     /**
      * Hands the next {@link #collide} what an earlier one for the pair left beside the word.
      *
-     * @param pairs a {@link PairMemory}, zeros at first; rewritten
+     * @param pairs a {@code PairMemory}, zeros at first; rewritten
      * @param at where the pair's begins
      */
     public void remember(long[] pairs, int at) {
@@ -198,7 +207,7 @@ public final class NarrowPhase {
             long cache,
             Manifold out) {
         long[] kept = memory;
-        memory = Polyhedra.NOTHING;
+        memory = HullPairs.NOTHING;
         if (method == Method.SPECIALISED && RoundContacts.fits(a) && RoundContacts.fits(b)) {
             boolean done =
                     rounds.collide(
@@ -214,6 +223,18 @@ public final class NarrowPhase {
                         a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz, margin, out)) {
             exact();
             return 0;
+        }
+        if (a instanceof Moved m) {
+            turn(qAx, qAy, qAz, qAw, m);
+            return collide(
+                    m.inner(), b, tx, ty, tz, tw, qBx, qBy, qBz, qBw, dx, dy, dz, margin, cache,
+                    out);
+        }
+        if (b instanceof Moved m) {
+            turn(qBx, qBy, qBz, qBw, m);
+            return collide(
+                    a, m.inner(), qAx, qAy, qAz, qAw, tx, ty, tz, tw, dx, dy, dz, margin, cache,
+                    out);
         }
         if (!(plain(a) && plain(b))) {
             curvedLast = true;
@@ -233,9 +254,9 @@ public final class NarrowPhase {
         return word;
     }
 
-    /** Whether the last pair of hulls took what was proven at another pose, see {@link Proof}. */
+    /** Whether the last pair of hulls took what was proven at another pose, see {@code DistanceCertificate}. */
     boolean proven() {
-        return polyhedra.warm.proven;
+        return polyhedra.proven();
     }
 
     /**
@@ -302,7 +323,7 @@ public final class NarrowPhase {
      * @param dx centre of mass of B minus that of A, world axes, m
      * @param dy see {@code dx}
      * @param dz see {@code dx}
-     * @param cache {@link #distanceWord} after the last call; 0 if there is none. A stale or random
+     * @param cache {@link #distanceKey} after the last call; 0 if there is none. A stale or random
      *     word costs time, never correctness
      * @return m
      */
@@ -321,6 +342,14 @@ public final class NarrowPhase {
             double dy,
             double dz,
             long cache) {
+        if (a instanceof Moved m) {
+            turn(qAx, qAy, qAz, qAw, m);
+            return distance(m.inner(), b, tx, ty, tz, tw, qBx, qBy, qBz, qBw, dx, dy, dz);
+        }
+        if (b instanceof Moved m) {
+            turn(qBx, qBy, qBz, qBw, m);
+            return distance(a, m.inner(), qAx, qAy, qAz, qAw, tx, ty, tz, tw, dx, dy, dz);
+        }
         if (!(plain(a) && plain(b))) {
             curvedLast = true;
             return curved.distance(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
@@ -339,8 +368,8 @@ public final class NarrowPhase {
      *
      * @return what to pass to the next call for the pair; 0 when there is nothing to pass
      */
-    public long distanceWord() {
-        return polyhedra.distanceWord();
+    public long distanceKey() {
+        return polyhedra.distanceKey();
     }
 
     /**
@@ -384,13 +413,24 @@ public final class NarrowPhase {
             return d;
         }
         witness.find(pair, points.axisX, points.axisY, points.axisZ, d);
-        points.single(witness.x, witness.y, witness.z, d, ContactPoints.CLOSEST, out);
+        points.single(witness.x, witness.y, witness.z, d, FeatureIds.CLOSEST, out);
         return d;
     }
 
     /** Final classes, so this is up to three comparisons, most often one. */
     private static boolean plain(Shape shape) {
         return shape instanceof Box || shape instanceof ConvexHull || shape instanceof Sphere;
+    }
+
+    private void turn(double qx, double qy, double qz, double qw, Moved m) {
+        double mx = m.rotationX();
+        double my = m.rotationY();
+        double mz = m.rotationZ();
+        double mw = m.rotationW();
+        tx = qw * mx + qx * mw + qy * mz - qz * my;
+        ty = qw * my - qx * mz + qy * mw + qz * mx;
+        tz = qw * mz + qx * my - qy * mx + qz * mw;
+        tw = qw * mw - qx * mx - qy * my - qz * mz;
     }
 
     private void begin(
@@ -439,7 +479,7 @@ public final class NarrowPhase {
                     by + along * points.axisY,
                     bz + along * points.axisZ,
                     separation,
-                    ContactPoints.CLOSEST,
+                    FeatureIds.CLOSEST,
                     out);
             out.bound = 0x1p-48 * pair.scale;
         }

@@ -1,7 +1,7 @@
 package dev.cairn.physics.query;
 
-import dev.cairn.physics.narrowphase.Manifold;
 import dev.cairn.physics.narrowphase.NarrowPhase;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Sphere;
 
 /**

@@ -3,6 +3,13 @@ package dev.cairn.physics.narrowphase;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.narrowphase.clip.ContactPoints;
+import dev.cairn.physics.narrowphase.gjk.Epa;
+import dev.cairn.physics.narrowphase.gjk.Gjk;
+import dev.cairn.physics.narrowphase.hull.HullAxis;
+import dev.cairn.physics.narrowphase.pair.Axes;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.query.ShapeQueries;
 import dev.cairn.physics.shape.Box;
@@ -402,7 +409,7 @@ class G01To09Test {
         Gjk gjk = new Gjk();
         Axes axes = new Axes();
         ContactPoints points = new ContactPoints(p, axes, gjk);
-        PolyhedronAxis search = new PolyhedronAxis(p, gjk, new Epa(), axes, points, false);
+        HullAxis search = new HullAxis(p, gjk, new Epa(), axes, points, false);
         NarrowPhase general = new NarrowPhase(NarrowPhase.Method.GENERAL);
         NarrowPhase special = new NarrowPhase();
         double nan = Double.NaN;

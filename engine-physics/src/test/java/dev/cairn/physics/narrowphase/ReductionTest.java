@@ -3,6 +3,10 @@ package dev.cairn.physics.narrowphase;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.narrowphase.clip.Clipper;
+import dev.cairn.physics.narrowphase.clip.Reduction;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Polyhedron;

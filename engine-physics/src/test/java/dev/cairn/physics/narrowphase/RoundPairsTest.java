@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.round.RoundContacts;
+import dev.cairn.physics.narrowphase.round.RoundPairs;
 import dev.cairn.physics.narrowphase.wide.BoxAxes;
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
 import dev.cairn.physics.shape.Capsule;

@@ -1,5 +1,6 @@
 package dev.cairn.physics.narrowphase;
 
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Shape;

@@ -4,6 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.narrowphase.hull.PairMemory;
+import dev.cairn.physics.narrowphase.hull.DistanceCertificate;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Vector3d;
@@ -153,7 +157,7 @@ class WarmHullsTest {
                                 s.qb.w, s.d.x, s.d.y, s.d.z, word);
                 assertEquals(truth, found, 1e-13 * s.size(), "seed 80, pair " + i + " " + tick);
                 assertEquals(0, cold.axisX() - hot.axisX(), 1e-6, "seed 80, pair " + i);
-                word = tick == 4 ? r.nextLong() : hot.distanceWord();
+                word = tick == 4 ? r.nextLong() : hot.distanceKey();
                 s.qb.rotateXYZ(.02, .01, -.01).normalize();
             }
         }
@@ -205,7 +209,7 @@ class WarmHullsTest {
             for (int tick = 0; tick < 24; tick++) {
                 String where = "seed 82, pair " + i + ", tick " + tick;
                 long[] without = memory.clone();
-                Proof.forget(without, AT + PairMemory.PROOF);
+                DistanceCertificate.forget(without, AT + PairMemory.PROOF);
                 long before = word;
                 word = check(s, .02 * inner, word, where);
                 ticks++;
@@ -215,7 +219,7 @@ class WarmHullsTest {
                     long next = s.collide(other, .02 * inner, before, alone);
                     // Edges may stay where the faces beside them, which are weighed anew without
                     // the proof, would carry as well.
-                    if (next != word && word >>> 62 == NarrowPhase.EDGES) {
+                    if (next != word && word >>> 62 == WarmStartKey.EDGES) {
                         others++;
                     } else {
                         assertEquals(next, word, where);

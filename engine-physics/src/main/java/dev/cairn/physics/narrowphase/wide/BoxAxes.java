@@ -97,7 +97,7 @@ public final class BoxAxes {
     }
 
     /**
-     * Clips what no, one or two sides cut straight: fills {@link BoxBatch#STRAIGHT} and, where that
+     * Clips what no, one or two sides cut straight: fills {@link BoxBatch#ALIGNED} and, where that
      * is not negative, puts points in the place of the corners.
      *
      * @param batch after {@link #corners}
@@ -107,8 +107,8 @@ public final class BoxAxes {
      *     are only right when no corner that was cut off was a point of the last tick: for the
      *     others STRAIGHT must be set to -1 before {@link #world}
      */
-    public static long cutStraight(BoxBatch batch, int count) {
-        return BoxStraightWide.run(batch.data, count);
+    public static long clipAligned(BoxBatch batch, int count) {
+        return BoxAlignedWide.run(batch.data, count);
     }
 
     /**

@@ -9,18 +9,6 @@ public final class BoxBatch {
     /** Pairs in a batch; a multiple of every number of lanes. */
     public static final int CAPACITY = 32;
 
-    /**
-     * Of the smaller inner radius: by how much a face may be worse than the best one and stay the
-     * reference.
-     */
-    public static final double CALM = 1e-3;
-
-    /** Of the smaller inner radius: corners nearer to a side plane count as on it. */
-    public static final double ON_PLANE = 1e-5;
-
-    /** The same for corners that were points of the last tick. */
-    public static final double STILL_ON_PLANE = 1e-3;
-
     /** Orientation of A, world from body, unit quaternion: columns x, y, z, w. */
     public static final int TURN_A = 0;
 
@@ -123,7 +111,7 @@ public final class BoxBatch {
      * -1, or how no, one or two sides cut the incident face straight, together with both faces:
      * {@link #entry}. The four points are then in place of the corners.
      */
-    public static final int STRAIGHT = 90 * CAPACITY;
+    public static final int ALIGNED = 90 * CAPACITY;
 
     /** Ways to cut straight: none, or one of 16 of a first side and one of 5 of a second. */
     public static final int WAYS = 81;
@@ -150,13 +138,10 @@ public final class BoxBatch {
     static final int FIRST_LOW = 96 * CAPACITY;
 
     /** The points, as {@link #CORNER}. */
-    static final int STRAIGHT_POINT = 97 * CAPACITY;
+    static final int ALIGNED_POINT = 97 * CAPACITY;
 
     /** 1 when a corner that was cut off would have stayed as a point of the last tick. */
     static final int SOFT = 113 * CAPACITY;
-
-    /** In half lengths from the middle of an edge: edges cross up to there. */
-    public static final double CROSSING_END = 1 + 2e-9;
 
     /** The unit axis of the edges that separate best, from A to B, in A's frame: x, y, z. */
     static final int CROSSING_AXIS = 114 * CAPACITY;

@@ -20,6 +20,8 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SQUARE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
 
+import dev.cairn.physics.narrowphase.pair.ContactTolerances;
+
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
@@ -27,7 +29,7 @@ import jdk.incubator.vector.VectorSpecies;
 
 /**
  * Two edges that cross, a pair to a lane, after the axes of edges: the operations on each number
- * are those of {@code narrowphase.BoxCrossing}.
+ * are those of {@code narrowphase.BoxEdgeContact}.
  */
 final class BoxCrossingWide {
     private static final VectorSpecies<Double> S = DoubleVector.SPECIES_PREFERRED;
@@ -231,8 +233,8 @@ final class BoxCrossingWide {
         DoubleVector g = ur.mul(uv).sub(vr.mul(uu)).div(det);
         VectorMask<Double> meet =
                 f.abs()
-                        .compare(VectorOperators.LE, BoxBatch.CROSSING_END)
-                        .and(g.abs().compare(VectorOperators.LE, BoxBatch.CROSSING_END))
+                        .compare(VectorOperators.LE, ContactTolerances.CROSSING_END)
+                        .and(g.abs().compare(VectorOperators.LE, ContactTolerances.CROSSING_END))
                         .and(pair.compare(VectorOperators.GE, 0))
                         .and(
                                 DoubleVector.fromArray(S, t, SEPARATION_EDGE + i)

@@ -25,9 +25,11 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_FACES;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT_POINT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED_POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
+
+import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
@@ -37,7 +39,7 @@ import jdk.incubator.vector.VectorSpecies;
 /**
  * What has no branches in the face contacts of a batch of boxes, a pair to a lane: before clipping,
  * the corners of the incident faces; after it, the points in world axes. Its twin without the
- * Vector API is {@code narrowphase.BoxFaces}, with the same operations on each number.
+ * Vector API is {@code narrowphase.BoxFaceContact}, with the same operations on each number.
  */
 final class BoxFacesWide {
     private static final VectorSpecies<Double> S = DoubleVector.SPECIES_PREFERRED;
@@ -60,7 +62,8 @@ final class BoxFacesWide {
             DoubleVector margin = DoubleVector.fromArray(S, t, MARGIN + i);
             VectorMask<Double> beforeA = last.compare(VectorOperators.EQ, faceA.add(KIND));
             VectorMask<Double> beforeB = last.compare(VectorOperators.EQ, faceB.add(2.0 * KIND));
-            DoubleVector calm = DoubleVector.fromArray(S, t, INNER + i).mul(BoxBatch.CALM);
+            DoubleVector calm =
+                    DoubleVector.fromArray(S, t, INNER + i).mul(ContactTolerances.HYSTERESIS);
             VectorMask<Double> flip =
                     onB.compare(VectorOperators.GT, onA.add(calm.neg().blend(calm, beforeA)));
             DoubleVector face = faceA.blend(faceB, flip);
@@ -316,13 +319,13 @@ final class BoxFacesWide {
     private static void points(double[] t, int end) {
         for (int i = 0; i < end; i += LANES) {
             boolean straight =
-                    DoubleVector.fromArray(S, t, STRAIGHT + i)
+                    DoubleVector.fromArray(S, t, ALIGNED + i)
                             .compare(VectorOperators.GE, 0)
                             .allTrue();
             if (!straight) {
-                BoxStraightWide.place(t, i);
+                BoxAlignedWide.place(t, i);
             }
-            int from = i + (straight ? STRAIGHT_POINT : CORNER);
+            int from = i + (straight ? ALIGNED_POINT : CORNER);
             point(t, i, from, CORNER + i);
             point(t, i, from + POINT, CORNER + POINT + i);
             point(t, i, from + 2 * POINT, CORNER + 2 * POINT + i);

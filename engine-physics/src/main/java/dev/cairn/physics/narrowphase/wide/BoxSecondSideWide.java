@@ -19,11 +19,13 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_ON_U;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SOFT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.STRAIGHT;
-import static dev.cairn.physics.narrowphase.wide.BoxStraightWide.P;
-import static dev.cairn.physics.narrowphase.wide.BoxStraightWide.Q;
-import static dev.cairn.physics.narrowphase.wide.BoxStraightWide.R;
-import static dev.cairn.physics.narrowphase.wide.BoxStraightWide.W;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
+import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.P;
+import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.Q;
+import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.R;
+import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.W;
+
+import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
@@ -31,7 +33,7 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The second of two sides that cut a box's face straight, see {@link BoxStraightWide}: a pair to a
+ * The second of two sides that cut a box's face straight, see {@link BoxAlignedWide}: a pair to a
  * lane.
  */
 final class BoxSecondSideWide {
@@ -59,8 +61,8 @@ final class BoxSecondSideWide {
         DoubleVector sr = DoubleVector.fromArray(S, t, R + v).mul(sign).sub(limit);
         DoubleVector sw = DoubleVector.fromArray(S, t, W + v).mul(sign).sub(limit);
         DoubleVector inner = DoubleVector.fromArray(S, t, INNER + i);
-        DoubleVector near = inner.mul(BoxBatch.ON_PLANE);
-        DoubleVector still = inner.mul(BoxBatch.STILL_ON_PLANE);
+        DoubleVector near = inner.mul(ContactTolerances.ON_PLANE);
+        DoubleVector still = inner.mul(ContactTolerances.STILL_ON_PLANE);
         DoubleVector within = still.neg();
         VectorMask<Double> low = sp.compare(VectorOperators.GT, near);
         VectorMask<Double> outQ = sq.compare(VectorOperators.GT, near);
@@ -84,14 +86,14 @@ final class BoxSecondSideWide {
         begin.div(begin.sub(sr.blend(sp, low))).intoArray(t, CUT + i);
         begin = sq.blend(sw, low);
         begin.div(begin.sub(sw.blend(sq, low))).intoArray(t, CUT + CAPACITY + i);
-        DoubleVector way = DoubleVector.fromArray(S, t, STRAIGHT + i);
+        DoubleVector way = DoubleVector.fromArray(S, t, ALIGNED + i);
         VectorMask<Double> missed = fits.not().and(cuts).or(way.compare(VectorOperators.LT, 0));
         DoubleVector zero = DoubleVector.zero(S);
         way.add(zero.blend(1, cuts))
                 .add(zero.blend(2, sign.compare(VectorOperators.LT, 0)))
                 .add(zero.blend(1, low.and(cuts)))
                 .blend(-1, missed)
-                .intoArray(t, STRAIGHT + i);
+                .intoArray(t, ALIGNED + i);
         zero.blend(-1, cuts.andNot(low)).blend(1, low.and(cuts)).intoArray(t, SECOND_ON_U + i);
     }
 
@@ -125,7 +127,7 @@ final class BoxSecondSideWide {
         w.blend(qw, high).intoArray(t, at + 3 * POINT);
     }
 
-    /** The plane of the incident face in the face's frame, as {@code narrowphase.BoxPlane}'s. */
+    /** The plane of the incident face in the face's frame, as {@code narrowphase.BoxIncidentPlane}'s. */
     private static void plane(double[] t, int i) {
         DoubleVector axis = DoubleVector.fromArray(S, t, AXIS + i);
         VectorMask<Double> isX = axis.compare(VectorOperators.EQ, 0);

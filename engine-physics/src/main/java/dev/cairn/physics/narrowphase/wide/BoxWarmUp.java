@@ -68,8 +68,8 @@ public final class BoxWarmUp {
     private static void run() {
         BoxBatch batch = new BoxBatch();
         RoundBatch pairs = new RoundBatch();
-        KeptBatch kept = new KeptBatch();
-        double[] numbers = new double[KeptBatch.KEPT * KeptBatch.CAPACITY];
+        RecycledBatch kept = new RecycledBatch();
+        double[] numbers = new double[RecycledBatch.KEPT * RecycledBatch.CAPACITY];
         Random random = new Random(1);
         long scalar = Long.MAX_VALUE;
         long axes = Long.MAX_VALUE;
@@ -91,7 +91,7 @@ public final class BoxWarmUp {
             long fourth = System.nanoTime();
             BoxAxes.choose(batch, BoxBatch.CAPACITY);
             BoxAxes.corners(batch, BoxBatch.CAPACITY);
-            BoxAxes.cutStraight(batch, BoxBatch.CAPACITY);
+            BoxAxes.clipAligned(batch, BoxBatch.CAPACITY);
             BoxAxes.crossings(batch, -1);
             BoxAxes.world(batch, BoxBatch.CAPACITY);
             long end = System.nanoTime();
@@ -109,12 +109,12 @@ public final class BoxWarmUp {
                     RoundBatch.TURN_B,
                     4 * RoundBatch.CAPACITY);
             pairs.run(RoundBatch.CAPACITY, true, true, 1, 1);
-            kept.run(KeptBatch.CAPACITY, numbers, 0, 1, 1);
+            kept.run(RecycledBatch.CAPACITY, numbers, 0, 1, 1);
             long sixth = System.nanoTime();
             others = Math.min(others, sixth - fifth);
-            int places = 1 + round % KeptBatch.CAPACITY;
-            int first = random.nextInt((KeptBatch.CAPACITY - places) / KeptBatch.ROWS + 1);
-            kept.run(places, numbers, first * KeptBatch.ROWS * KeptBatch.KEPT, 1, 1);
+            int places = 1 + round % RecycledBatch.CAPACITY;
+            int first = random.nextInt((RecycledBatch.CAPACITY - places) / RecycledBatch.ROWS + 1);
+            kept.run(places, numbers, first * RecycledBatch.ROWS * RecycledBatch.KEPT, 1, 1);
             pairs.run(1 + round % RoundBatch.CAPACITY, round % 2 == 0, round % 4 < 2, 1, 1);
             scalar = Math.min(scalar, second - start);
             axes = Math.min(axes, third - second);

@@ -51,7 +51,7 @@ public final class RoundBatch {
     /** The point, relative to A's centre, world, m: columns x, y, z; and its separation, m. */
     public static final int POINT = 35 * CAPACITY, SEPARATION = 38 * CAPACITY;
 
-    /** What {@link dev.cairn.physics.narrowphase.Manifold#bound} is a fixed part of, m. */
+    /** What {@link dev.cairn.physics.narrowphase.pair.Manifold#bound} is a fixed part of, m. */
     public static final int SCALE = 39 * CAPACITY;
 
     /** Points up to this far apart are contacts, m. */

@@ -1,0 +1,68 @@
+package dev.cairn.physics.narrowphase.axis;
+
+import dev.cairn.physics.narrowphase.pair.Pair;
+
+/**
+ * From an axis that {@link AxisRefinement} found on to a better one near it, where what touches along it
+ * does not meet ({@link OptimalityTest}): from axis n with separation s towards |s| n + w, w leading
+ * across n from A's touching part to B's.
+ */
+public final class AxisAscent {
+    /** How often what is nearer is looked for. */
+    private static final int STEPS = 4;
+
+    private final AxisRefinement refine;
+    private double axisX, axisY, axisZ, separation;
+    private int kindA, kindB;
+
+    public AxisAscent(AxisRefinement refine) {
+        this.refine = refine;
+    }
+
+    /**
+     * Goes on from what was refined last, and leaves the best there; whether it is known to be the
+     * best of all near ones.
+     */
+    public boolean on(Pair p) {
+        for (int i = 0; i < STEPS; i++) {
+            if (refine.settled()) {
+                return true;
+            }
+            keep();
+            double away = Math.abs(separation);
+            double x = away * axisX + refine.meeting.missX;
+            double y = away * axisY + refine.meeting.missY;
+            double z = away * axisZ + refine.meeting.missZ;
+            double length = Math.sqrt(x * x + y * y + z * z);
+            if (length > 0) {
+                refine.run(p, x / length, y / length, z / length, true);
+            }
+            if (!(refine.separation > separation)) {
+                refine.run(p, axisX, axisY, axisZ, true);
+            }
+            if (!(refine.separation > separation)) {
+                restore();
+                return false;
+            }
+        }
+        return false;
+    }
+
+    private void keep() {
+        axisX = refine.axisX;
+        axisY = refine.axisY;
+        axisZ = refine.axisZ;
+        separation = refine.separation;
+        kindA = refine.kindA;
+        kindB = refine.kindB;
+    }
+
+    private void restore() {
+        refine.axisX = axisX;
+        refine.axisY = axisY;
+        refine.axisZ = axisZ;
+        refine.separation = separation;
+        refine.kindA = kindA;
+        refine.kindB = kindB;
+    }
+}

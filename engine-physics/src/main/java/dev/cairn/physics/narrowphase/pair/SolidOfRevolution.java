@@ -1,0 +1,119 @@
+package dev.cairn.physics.narrowphase.pair;
+
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Cone;
+import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.Shape;
+
+/**
+ * The core of a round shape: two discs at right angles to the y axis and all between them, relative
+ * to the centre of mass. A disc may be a point, and both may be the same: a ball's core is a point,
+ * a capsule's a segment, a cone has a disc and a point.
+ *
+ * <p>Support points are numbered as they come, so that {@code Gjk} and {@code Epa} know them again
+ * as they know vertices; equal points have equal numbers.
+ */
+public final class SolidOfRevolution {
+    /** More than one run of GJK and one of EPA can ask for. */
+    private static final int MOST = 512;
+
+    /** Heights of the discs along y, and their radii, m. */
+    public double low, high, lowRadius, highRadius;
+
+    /** Radius around the core. */
+    public double round;
+
+    /** Along the outward normals of the side: its y component, and the one across. */
+    public double sideAlong, sideAcross;
+
+    private final double[] x = new double[MOST], y = new double[MOST], z = new double[MOST];
+    private int count;
+
+    /** Takes over a ball, capsule, cylinder or cone; false for other shapes. */
+    boolean set(Shape shape) {
+        count = 0;
+        round = 0;
+        lowRadius = 0;
+        highRadius = 0;
+        if (shape instanceof Capsule capsule) {
+            high = capsule.halfLength();
+            low = -high;
+            round = capsule.radius();
+        } else if (shape instanceof Cylinder cylinder) {
+            high = cylinder.halfHeight();
+            low = -high;
+            lowRadius = cylinder.radius();
+            highRadius = lowRadius;
+        } else if (shape instanceof Cone cone) {
+            high = cone.apexAbove();
+            low = -cone.baseBelow();
+            lowRadius = cone.radius();
+        } else {
+            high = 0;
+            low = 0;
+            round = shape.outerRadius();
+        }
+        double rise = high - low;
+        double taper = lowRadius - highRadius;
+        double length = Math.sqrt(rise * rise + taper * taper);
+        sideAlong = length > 0 ? taper / length : 0;
+        sideAcross = length > 0 ? rise / length : 1;
+        return true;
+    }
+
+    /** A ball's core. */
+    public boolean isPoint() {
+        return low == high;
+    }
+
+    /** A point or a segment: without discs. */
+    public boolean isThin() {
+        return lowRadius == 0 && highRadius == 0;
+    }
+
+    /** How far the core reaches along a direction of its frame. */
+    double reach(double dx, double dy, double dz) {
+        double across = Math.sqrt(dx * dx + dz * dz);
+        return Math.max(high * dy + highRadius * across, low * dy + lowRadius * across);
+    }
+
+    /** The number of the point of the core that is farthest in a direction; ties go to the top. */
+    int support(double dx, double dy, double dz) {
+        double across = Math.sqrt(dx * dx + dz * dz);
+        boolean top = high * dy + highRadius * across >= low * dy + lowRadius * across;
+        double radius = top ? highRadius : lowRadius;
+        // Exactly along the axis the centre of the disc is a support point as good as any.
+        double scale = across > 0 ? radius / across : 0;
+        return number(dx * scale, top ? high : low, dz * scale);
+    }
+
+    private int number(double px, double py, double pz) {
+        for (int i = count - 1; i >= 0; i--) {
+            if (x[i] == px && y[i] == py && z[i] == pz) {
+                return i;
+            }
+        }
+        int at = count < MOST ? count++ : MOST - 1;
+        x[at] = px;
+        y[at] = py;
+        z[at] = pz;
+        return at;
+    }
+
+    double x(int point) {
+        return x[point];
+    }
+
+    double y(int point) {
+        return y[point];
+    }
+
+    double z(int point) {
+        return z[point];
+    }
+
+    /** Forgets the numbers. */
+    public void restart() {
+        count = 0;
+    }
+}
