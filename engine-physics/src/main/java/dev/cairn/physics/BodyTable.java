@@ -247,6 +247,7 @@ final class BodyTable {
             double[] inverse,
             double[] com) {
         BodyStore b = bodies;
+        b.clear(s);
         b.kind[s] = body.fixed ? BodyStore.STATIC : BodyStore.DYNAMIC;
         b.entity[s] = entity;
         b.shape[s] = shape;
@@ -263,7 +264,6 @@ final class BodyTable {
         b.angularVelocityX[s] = body.fixed ? 0 : body.wx;
         b.angularVelocityY[s] = body.fixed ? 0 : body.wy;
         b.angularVelocityZ[s] = body.fixed ? 0 : body.wz;
-        clearForces(s);
         b.inverseMass[s] = body.fixed ? 0 : 1 / mass.mass();
         b.inertiaXX[s] = mass.ixx();
         b.inertiaYY[s] = mass.iyy();
@@ -288,11 +288,7 @@ final class BodyTable {
         b.angularDamping[s] = body.angularDamping;
         b.speedLimit[s] = body.speedLimit;
         access.restrain(s, body.locks);
-        b.inertiaScale[s] = 0;
         b.effort[s] = -1;
-        b.idleTicks[s] = 0;
-        b.pressed[s] = 0;
-        b.pressing[s] = 0;
     }
 
     private void ensureSlots(int capacity) {

@@ -7,7 +7,6 @@ import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Sleepers;
-import dev.cairn.physics.narrowphase.PairMemory;
 
 import java.util.Arrays;
 
@@ -105,17 +104,19 @@ public final class ContactRows {
         int listed = all ? 0 : at;
         int end = all ? 0 : c.activeCount;
         int read = listed;
+        int first = kept;
         for (int row = kept; row < c.count; row++) {
             boolean active = read < end && c.active[read] == row;
             read += active ? 1 : 0;
             if (!parted[row]) {
-                move(c, row, kept);
                 if (active) {
-                    c.active[listed++] = kept;
+                    c.active[listed++] = kept + row - first;
                 }
-                kept++;
                 continue;
             }
+            c.move(first, kept, row - first);
+            kept += row - first;
+            first = row + 1;
             parted[row] = false;
             broadPhase.forget(c.bodyA[row], c.bodyB[row]);
             if (c.touching[row] != 0) {
@@ -126,7 +127,8 @@ public final class ContactRows {
                 sleepers.wake(c.bodyB[row]);
             }
         }
-        c.count = kept;
+        c.move(first, kept, c.count - first);
+        c.count = kept + c.count - first;
         c.activeCount = listed;
     }
 
@@ -183,54 +185,6 @@ public final class ContactRows {
         c.activeCount = count;
     }
 
-    /** Moves all: the narrow phase does not write the rows of bodies asleep anew. */
-    private static void move(ContactStore c, int from, int to) {
-        if (from == to) {
-            return;
-        }
-        c.bodyA[to] = c.bodyA[from];
-        c.bodyB[to] = c.bodyB[from];
-        c.pointCount[to] = c.pointCount[from];
-        c.order[to] = c.order[from];
-        c.patch[to] = c.patch[from];
-        System.arraycopy(
-                c.head, ContactStore.head(from), c.head, ContactStore.head(to), ContactStore.HEAD);
-        c.restitution[to] = c.restitution[from];
-        if (c.rolls) {
-            c.rollingArm[to] = c.rollingArm[from];
-            System.arraycopy(c.rollingImpulse, 3 * from, c.rollingImpulse, 3 * to, 3);
-        }
-        c.touching[to] = c.touching[from];
-        c.cache[to] = c.cache[from];
-        c.keeps[to] = c.keeps[from];
-        if (c.keeps[from]) {
-            int source = ContactStore.keptAt(from);
-            int target = ContactStore.keptAt(to);
-            for (int n = 0; n < ContactStore.KEPT; n++) {
-                c.kept[target + ContactStore.KEPT_ROWS * n] =
-                        c.kept[source + ContactStore.KEPT_ROWS * n];
-            }
-        }
-        if (c.memory.length > 0) {
-            int n = PairMemory.SIZE;
-            System.arraycopy(c.memory, n * from, c.memory, n * to, n);
-        }
-        int m = ContactStore.POINTS;
-        System.arraycopy(
-                c.anchors,
-                ContactStore.anchor(m * from),
-                c.anchors,
-                ContactStore.anchor(m * to),
-                ContactStore.ANCHORS * c.pointCount[from]);
-        for (int p = 0; p < c.pointCount[from]; p++) {
-            c.feature[m * to + p] = c.feature[m * from + p];
-            c.normalImpulse[m * to + p] = c.normalImpulse[m * from + p];
-            c.preload[m * to + p] = c.preload[m * from + p];
-            c.separation[m * to + p] = c.separation[m * from + p];
-            c.totalNormalImpulse[m * to + p] = c.totalNormalImpulse[m * from + p];
-        }
-    }
-
     private void append(ContactStore c, BroadPhase pairs) {
         int added = pairs.newPairCount();
         if (added == 0) {
@@ -243,28 +197,19 @@ public final class ContactRows {
                             + Integer.MAX_VALUE / (2 * ContactStore.POINTS)
                             + " rows are possible");
         }
-        c.ensureCapacity(c.count + added);
+        int row = c.count;
+        c.append(added);
         long[] keys = pairs.newPairs();
-        for (int i = 0; i < added; i++) {
+        for (int i = 0; i < added; i++, row++) {
             int a = (int) (keys[i] >>> 32);
             int b = (int) keys[i];
-            int row = c.count++;
-            c.active[c.activeCount++] = row;
             c.bodyA[row] = a;
             c.bodyB[row] = b;
-            c.pointCount[row] = 0;
             c.setFriction(row, Math.sqrt(bodies.friction[a] * bodies.friction[b]));
             c.restitution[row] = Math.max(bodies.restitution[a], bodies.restitution[b]);
             if (c.rolls) {
                 c.rollingArm[row] = Math.max(bodies.rollingArm[a], bodies.rollingArm[b]);
             }
-            c.touching[row] = 0;
-            c.cache[row] = 0;
-            c.keeps[row] = false;
-            if (PairMemory.SIZE * row < c.memory.length) {
-                PairMemory.forget(c.memory, PairMemory.SIZE * row);
-            }
-            c.forgetFriction(row);
         }
     }
 

@@ -104,8 +104,8 @@ public final class ManifoldStage {
         boxBlocks = Blocks.count(round, BOXES_PER_BLOCK);
         roundBlocks = Blocks.count(others - round, ROUND_PER_BLOCK);
         int rest = Blocks.count(rows.activeCount - others, OTHERS_PER_BLOCK);
-        if (rest > 0 && rows.memory.length < PairMemory.SIZE * rows.count) {
-            rows.memory = Arrays.copyOf(rows.memory, PairMemory.SIZE * rows.cache.length);
+        if (rest > 0) {
+            rows.beginMemory(PairMemory.SIZE);
         }
         jobs.run(job, boxBlocks + roundBlocks + rest);
     }

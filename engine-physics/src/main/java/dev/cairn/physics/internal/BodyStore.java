@@ -170,62 +170,80 @@ public final class BodyStore {
             return;
         }
         int n = Math.max(capacity, Math.max(16, kind.length + (kind.length >> 1)));
-        kind = Arrays.copyOf(kind, n);
-        entity = Arrays.copyOf(entity, n);
-        shape = Arrays.copyOf(shape, n);
-        positionX = Arrays.copyOf(positionX, n);
-        positionY = Arrays.copyOf(positionY, n);
-        positionZ = Arrays.copyOf(positionZ, n);
-        positionLow = Arrays.copyOf(positionLow, 3 * n);
-        orientationX = Arrays.copyOf(orientationX, n);
-        orientationY = Arrays.copyOf(orientationY, n);
-        orientationZ = Arrays.copyOf(orientationZ, n);
-        orientationW = Arrays.copyOf(orientationW, n);
-        velocityX = Arrays.copyOf(velocityX, n);
-        velocityY = Arrays.copyOf(velocityY, n);
-        velocityZ = Arrays.copyOf(velocityZ, n);
-        angularVelocityX = Arrays.copyOf(angularVelocityX, n);
-        angularVelocityY = Arrays.copyOf(angularVelocityY, n);
-        angularVelocityZ = Arrays.copyOf(angularVelocityZ, n);
-        forceX = Arrays.copyOf(forceX, n);
-        forceY = Arrays.copyOf(forceY, n);
-        forceZ = Arrays.copyOf(forceZ, n);
-        torqueX = Arrays.copyOf(torqueX, n);
-        torqueY = Arrays.copyOf(torqueY, n);
-        torqueZ = Arrays.copyOf(torqueZ, n);
-        inverseMass = Arrays.copyOf(inverseMass, n);
-        inertiaXX = Arrays.copyOf(inertiaXX, n);
-        inertiaYY = Arrays.copyOf(inertiaYY, n);
-        inertiaZZ = Arrays.copyOf(inertiaZZ, n);
-        inertiaXY = Arrays.copyOf(inertiaXY, n);
-        inertiaXZ = Arrays.copyOf(inertiaXZ, n);
-        inertiaYZ = Arrays.copyOf(inertiaYZ, n);
-        inverseInertiaXX = Arrays.copyOf(inverseInertiaXX, n);
-        inverseInertiaYY = Arrays.copyOf(inverseInertiaYY, n);
-        inverseInertiaZZ = Arrays.copyOf(inverseInertiaZZ, n);
-        inverseInertiaXY = Arrays.copyOf(inverseInertiaXY, n);
-        inverseInertiaXZ = Arrays.copyOf(inverseInertiaXZ, n);
-        inverseInertiaYZ = Arrays.copyOf(inverseInertiaYZ, n);
-        friction = Arrays.copyOf(friction, n);
-        restitution = Arrays.copyOf(restitution, n);
-        rollingArm = Arrays.copyOf(rollingArm, n);
-        innerRadius = Arrays.copyOf(innerRadius, n);
-        outerRadius = Arrays.copyOf(outerRadius, n);
-        inertiaScale = Arrays.copyOf(inertiaScale, n);
-        restTicks = Arrays.copyOf(restTicks, n);
-        unrest = Arrays.copyOf(unrest, n);
-        lastVelocity = Arrays.copyOf(lastVelocity, 6 * n);
-        pressed = Arrays.copyOf(pressed, n);
-        pressing = Arrays.copyOf(pressing, n);
-        effort = Arrays.copyOf(effort, n);
-        idleTicks = Arrays.copyOf(idleTicks, n);
-        restraint = Arrays.copyOf(restraint, n);
-        linearDamping = Arrays.copyOf(linearDamping, n);
-        angularDamping = Arrays.copyOf(angularDamping, n);
-        speedLimit = Arrays.copyOf(speedLimit, n);
         int old = gravityScale.length;
-        gravityScale = Arrays.copyOf(gravityScale, n);
+        columns(new Columns.Growth(n));
         Arrays.fill(gravityScale, old, n, 1.0);
+    }
+
+    /**
+     * Declares the columns.
+     *
+     * @param c what is done to them
+     */
+    public void columns(Columns c) {
+        kind = c.column("kind", kind);
+        entity = c.column("entity", entity);
+        shape = c.column("shape", shape);
+        positionX = c.column("positionX", positionX);
+        positionY = c.column("positionY", positionY);
+        positionZ = c.column("positionZ", positionZ);
+        positionLow = c.column("positionLow", positionLow, 3);
+        orientationX = c.column("orientationX", orientationX);
+        orientationY = c.column("orientationY", orientationY);
+        orientationZ = c.column("orientationZ", orientationZ);
+        orientationW = c.column("orientationW", orientationW);
+        velocityX = c.column("velocityX", velocityX);
+        velocityY = c.column("velocityY", velocityY);
+        velocityZ = c.column("velocityZ", velocityZ);
+        angularVelocityX = c.column("angularVelocityX", angularVelocityX);
+        angularVelocityY = c.column("angularVelocityY", angularVelocityY);
+        angularVelocityZ = c.column("angularVelocityZ", angularVelocityZ);
+        forceX = c.column("forceX", forceX);
+        forceY = c.column("forceY", forceY);
+        forceZ = c.column("forceZ", forceZ);
+        torqueX = c.column("torqueX", torqueX);
+        torqueY = c.column("torqueY", torqueY);
+        torqueZ = c.column("torqueZ", torqueZ);
+        inverseMass = c.column("inverseMass", inverseMass);
+        inertiaXX = c.column("inertiaXX", inertiaXX);
+        inertiaYY = c.column("inertiaYY", inertiaYY);
+        inertiaZZ = c.column("inertiaZZ", inertiaZZ);
+        inertiaXY = c.column("inertiaXY", inertiaXY);
+        inertiaXZ = c.column("inertiaXZ", inertiaXZ);
+        inertiaYZ = c.column("inertiaYZ", inertiaYZ);
+        inverseInertiaXX = c.column("inverseInertiaXX", inverseInertiaXX);
+        inverseInertiaYY = c.column("inverseInertiaYY", inverseInertiaYY);
+        inverseInertiaZZ = c.column("inverseInertiaZZ", inverseInertiaZZ);
+        inverseInertiaXY = c.column("inverseInertiaXY", inverseInertiaXY);
+        inverseInertiaXZ = c.column("inverseInertiaXZ", inverseInertiaXZ);
+        inverseInertiaYZ = c.column("inverseInertiaYZ", inverseInertiaYZ);
+        friction = c.column("friction", friction);
+        restitution = c.column("restitution", restitution);
+        rollingArm = c.column("rollingArm", rollingArm);
+        innerRadius = c.column("innerRadius", innerRadius);
+        outerRadius = c.column("outerRadius", outerRadius);
+        inertiaScale = c.column("inertiaScale", inertiaScale);
+        restTicks = c.column("restTicks", restTicks);
+        unrest = c.column("unrest", unrest);
+        lastVelocity = c.column("lastVelocity", lastVelocity, 6);
+        pressed = c.column("pressed", pressed);
+        pressing = c.column("pressing", pressing);
+        effort = c.column("effort", effort);
+        idleTicks = c.column("idleTicks", idleTicks);
+        restraint = c.column("restraint", restraint);
+        linearDamping = c.column("linearDamping", linearDamping);
+        angularDamping = c.column("angularDamping", angularDamping);
+        speedLimit = c.column("speedLimit", speedLimit);
+        gravityScale = c.column("gravityScale", gravityScale);
+    }
+
+    /**
+     * Empties a slot for another body.
+     *
+     * @param slot whose
+     */
+    public void clear(int slot) {
+        columns(new Columns.Clear().rows(slot, slot + 1));
     }
 
     /**

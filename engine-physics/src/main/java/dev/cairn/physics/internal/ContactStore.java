@@ -1,7 +1,5 @@
 package dev.cairn.physics.internal;
 
-import java.util.Arrays;
-
 /**
  * All contacts of this tick as a structure of arrays; a contact is a row in {@code [0, count)}, one
  * row per pair of bodies whose fat bounds overlap. Rows without points ({@code pointCount == 0})
@@ -105,11 +103,12 @@ public final class ContactStore {
     /** The narrow phase's warm-start word; 0 if there is none. */
     public long[] cache = {};
 
-    /**
-     * What the narrow phase remembers of pairs with a hull, {@code PairMemory.SIZE} numbers a row;
-     * empty while there are no such pairs.
-     */
+    /** What the narrow phase remembers of pairs with a hull; empty until {@link #beginMemory}. */
     public long[] memory = {};
+
+    private int remembered;
+    private final Columns.Move move = new Columns.Move();
+    private final Columns.Clear clear = new Columns.Clear();
 
     /** Whether {@link #kept} holds something of a row. */
     public boolean[] keeps = {};
@@ -394,8 +393,19 @@ public final class ContactStore {
     public void beginRolling() {
         if (!rolls) {
             rolls = true;
-            rollingArm = new double[bodyA.length];
-            rollingImpulse = new double[3 * bodyA.length];
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
+    /**
+     * Makes room for what the narrow phase remembers of pairs; between phases only.
+     *
+     * @param numbers to a row, above 0; the same in each call
+     */
+    public void beginMemory(int numbers) {
+        if (remembered == 0) {
+            remembered = numbers;
+            columns(new Columns.Growth(bodyA.length));
         }
     }
 
@@ -439,29 +449,65 @@ public final class ContactStore {
             return;
         }
         int n = Math.max(capacity, Math.max(64, bodyA.length + (bodyA.length >> 1)));
-        memory = Arrays.copyOf(memory, memory.length / Math.max(1, bodyA.length) * n);
-        int m = n * POINTS;
-        active = Arrays.copyOf(active, n);
-        bodyA = Arrays.copyOf(bodyA, n);
-        bodyB = Arrays.copyOf(bodyB, n);
-        pointCount = Arrays.copyOf(pointCount, n);
-        order = Arrays.copyOf(order, n);
-        patch = Arrays.copyOf(patch, n);
-        head = Arrays.copyOf(head, head(n));
-        restitution = Arrays.copyOf(restitution, n);
+        columns(new Columns.Growth(n));
+    }
+
+    /**
+     * Declares the columns.
+     *
+     * @param c what is done to them
+     */
+    public void columns(Columns c) {
+        active = c.room("active", active);
+        bodyA = c.column("bodyA", bodyA);
+        bodyB = c.column("bodyB", bodyB);
+        pointCount = c.column("pointCount", pointCount);
+        order = c.column("order", order);
+        patch = c.column("patch", patch);
+        head = c.column("head", head, START, HEAD);
+        restitution = c.column("restitution", restitution);
         if (rolls) {
-            rollingArm = Arrays.copyOf(rollingArm, n);
-            rollingImpulse = Arrays.copyOf(rollingImpulse, 3 * n);
+            rollingArm = c.column("rollingArm", rollingArm);
+            rollingImpulse = c.column("rollingImpulse", rollingImpulse, 3);
         }
-        touching = Arrays.copyOf(touching, n);
-        cache = Arrays.copyOf(cache, n);
-        keeps = Arrays.copyOf(keeps, n);
-        kept = Arrays.copyOf(kept, keptAt(n + KEPT_ROWS));
-        anchors = Arrays.copyOf(anchors, anchor(m));
-        separation = Arrays.copyOf(separation, m);
-        feature = Arrays.copyOf(feature, m);
-        normalImpulse = Arrays.copyOf(normalImpulse, m);
-        preload = Arrays.copyOf(preload, m);
-        totalNormalImpulse = Arrays.copyOf(totalNormalImpulse, m);
+        touching = c.column("touching", touching);
+        cache = c.column("cache", cache);
+        if (remembered > 0) {
+            memory = c.column("memory", memory, remembered);
+        }
+        kept = c.grouped("kept", kept, START, KEPT, KEPT_ROWS, keeps);
+        keeps = c.column("keeps", keeps);
+        anchors = c.column("anchors", anchors, START, ANCHORS * POINTS);
+        separation = c.column("separation", separation, POINTS);
+        feature = c.column("feature", feature, POINTS);
+        normalImpulse = c.column("normalImpulse", normalImpulse, POINTS);
+        preload = c.column("preload", preload, POINTS);
+        totalNormalImpulse = c.column("totalNormalImpulse", totalNormalImpulse, POINTS);
+    }
+
+    /**
+     * Moves rows that follow one another to lower places.
+     *
+     * @param from the first one
+     * @param to where it shall be, at most {@code from}
+     * @param number how many
+     */
+    public void move(int from, int to, int number) {
+        if (from != to && number > 0) {
+            columns(move.rows(from, to, number));
+        }
+    }
+
+    /**
+     * Adds empty rows at the end; they are active.
+     *
+     * @param number how many
+     */
+    public void append(int number) {
+        ensureCapacity(count + number);
+        columns(clear.rows(count, count + number));
+        for (int i = 0; i < number; i++) {
+            active[activeCount++] = count++;
+        }
     }
 }
