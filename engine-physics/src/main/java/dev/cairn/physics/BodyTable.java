@@ -67,9 +67,15 @@ final class BodyTable {
     private boolean closed;
 
     BodyTable(PhysicsSettings settings, ContactStore contacts) {
-        bounds = new BoundsStage(settings);
+        bounds =
+                new BoundsStage(
+                        settings.speculativeTime(),
+                        settings.speculativeFraction(),
+                        settings.boundsMargin(),
+                        settings.boundsTime());
         this.contacts = contacts;
-        sleepers = new Sleepers(settings, bodies, contacts);
+        sleepers =
+                new Sleepers(settings.sleeping(), settings.sleepSeconds(), bodies, contacts);
     }
 
     void bind(World ecs) {

@@ -55,7 +55,7 @@ public final class PhysicsSystem implements WorldSystem {
         table = new BodyTable(settings, contacts);
         rows = new ContactRows(table.bodies, table.sleepers);
         wakes = new WakeStage(table.sleepers, table.bodies, contacts);
-        manifolds = new ManifoldStage(settings);
+        manifolds = new ManifoldStage(table.bounds);
         solver = new ContactSolver(settings.solver());
         publisher = new Publisher(table);
         view = new ContactView(table, contacts);
@@ -98,7 +98,7 @@ public final class PhysicsSystem implements WorldSystem {
         wakes.refresh(table.bounds, table.broadPhase);
         table.freeGone();
         profile.end(StepStage.ROWS);
-        manifolds.run(table.bodies, contacts, table.bounds, tick.stepSeconds(), tick.jobs());
+        manifolds.run(table.bodies, contacts, tick.stepSeconds(), tick.jobs());
         profile.end(StepStage.POINTS);
         wakes.run(table.bounds, table.broadPhase, manifolds, tick.stepSeconds(), tick.jobs());
         table.refreshLists();

@@ -1,7 +1,6 @@
 package dev.cairn.benchmarks.narrowphase;
 
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.internal.BodyStore;
@@ -27,8 +26,8 @@ public final class StageSet implements AutoCloseable {
     private final PairSet[] sets = new PairSet[SETS];
     private final BodyStore bodies = new BodyStore();
     private final ContactStore rows = new ContactStore();
-    private final BoundsStage bounds = new BoundsStage(PhysicsSettings.DEFAULT);
-    private final ManifoldStage stage = new ManifoldStage(PhysicsSettings.DEFAULT);
+    private final BoundsStage bounds = new BoundsStage(1, 0.02, 0.1, 4);
+    private final ManifoldStage stage = new ManifoldStage(bounds);
     private final Jobs jobs = Jobs.of(1);
 
     /**
@@ -93,7 +92,7 @@ public final class StageSet implements AutoCloseable {
 
     /** Collides all rows. */
     public void run() {
-        stage.run(bodies, rows, bounds, STEP_SECONDS, jobs);
+        stage.run(bodies, rows, STEP_SECONDS, jobs);
     }
 
     /**

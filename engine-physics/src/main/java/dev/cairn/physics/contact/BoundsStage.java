@@ -3,7 +3,6 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 
@@ -28,7 +27,10 @@ public final class BoundsStage {
     private static final byte LEFT = 1;
     private static final byte INVALID = 2;
 
-    private final PhysicsSettings settings;
+    /** Of the narrow phase's margin: ticks of relative motion, and share of the inner radius. */
+    final double speculativeTime, speculativeFraction;
+
+    private final double boundsMargin, boundsTime;
     private final BlockJob job = this::block;
 
     /** Numbers of a body in {@link #ahead}. */
@@ -59,10 +61,20 @@ public final class BoundsStage {
     /**
      * A stage without bodies.
      *
-     * @param settings the margin rules
+     * @param speculativeTime ticks of motion that the needed box holds
+     * @param speculativeFraction and share of the inner radius
+     * @param boundsMargin share of the outer radius by which a box is fattened
+     * @param boundsTime and ticks of motion
      */
-    public BoundsStage(PhysicsSettings settings) {
-        this.settings = settings;
+    public BoundsStage(
+            double speculativeTime,
+            double speculativeFraction,
+            double boundsMargin,
+            double boundsTime) {
+        this.speculativeTime = speculativeTime;
+        this.speculativeFraction = speculativeFraction;
+        this.boundsMargin = boundsMargin;
+        this.boundsTime = boundsTime;
     }
 
     /**
@@ -249,7 +261,7 @@ public final class BoundsStage {
         if (!valid) {
             return INVALID;
         }
-        double reach = step * settings.speculativeTime();
+        double reach = step * speculativeTime;
         double inner = b.innerRadius[s];
         double arc = Math.min(spin * outer * reach, outer - inner);
         setAhead(s, vx, vy, vz, arc);
@@ -260,8 +272,8 @@ public final class BoundsStage {
                 b.orientationW[s],
                 box,
                 6 * s);
-        double pad = arc + settings.speculativeFraction() * inner;
-        double margin = settings.boundsMargin() * outer;
+        double pad = arc + speculativeFraction * inner;
+        double margin = boundsMargin * outer;
         boolean inside = broadPhase.contains(s);
         inside &= axis(s, 0, b.positionX[s], vx, reach, pad, margin);
         inside &= axis(s, 1, b.positionY[s], vy, reach, pad, margin);
@@ -280,7 +292,7 @@ public final class BoundsStage {
         double swept = v * reach;
         double min = box[low] + centre - pad + Math.min(swept, 0);
         double max = box[high] + centre + pad + Math.max(swept, 0);
-        double lead = v * (step * settings.boundsTime());
+        double lead = v * (step * boundsTime);
         double fatMin = min - margin + Math.min(lead, 0);
         double fatMax = max + margin + Math.max(lead, 0);
         box[low] = fatMin;

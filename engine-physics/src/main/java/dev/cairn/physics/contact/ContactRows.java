@@ -122,7 +122,7 @@ public final class ContactRows {
             if (c.touching[row] != 0) {
                 events.addEnded(c.bodyA[row], c.bodyB[row]);
             }
-            if (c.pointCount[row] > 0) {
+            if (c.isSolved(row)) {
                 sleepers.wake(c.bodyA[row]);
                 sleepers.wake(c.bodyB[row]);
             }
@@ -155,7 +155,7 @@ public final class ContactRows {
         for (int row = 0; sleepers.asleepCount() > 0 && row < c.count; row++) {
             int a = c.bodyA[row];
             int b = c.bodyB[row];
-            if (c.pointCount[row] > 0 && (broadPhase.moved(a) || broadPhase.moved(b))) {
+            if (c.isSolved(row) && (broadPhase.moved(a) || broadPhase.moved(b))) {
                 sleepers.wake(a);
                 sleepers.wake(b);
             }

@@ -3,7 +3,6 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.BoxContacts;
@@ -45,7 +44,6 @@ public final class ManifoldStage {
     /** Other pairs cost from some hundred nanoseconds to some microseconds. */
     private static final int OTHERS_PER_BLOCK = 32;
 
-    private final PhysicsSettings settings;
     private final BlockJob job = this::block;
     private final PairKinds kinds = new PairKinds();
     private final PointStore points = new PointStore();
@@ -55,18 +53,17 @@ public final class ManifoldStage {
 
     private BodyStore bodies = new BodyStore();
     private ContactStore contacts = new ContactStore();
-    private BoundsStage bounds;
+    private final BoundsStage bounds;
     private double reach;
     private int boxBlocks, roundBlocks;
 
     /**
      * A stage.
      *
-     * @param settings the margin rule
+     * @param bounds the margin rule, and where the bodies may go within the tick
      */
-    public ManifoldStage(PhysicsSettings settings) {
-        this.settings = settings;
-        this.bounds = new BoundsStage(settings);
+    public ManifoldStage(BoundsStage bounds) {
+        this.bounds = bounds;
     }
 
     /**
@@ -74,20 +71,13 @@ public final class ManifoldStage {
      *
      * @param bodyStore poses at the start of the tick
      * @param rows the rows, whose points are written
-     * @param motion where the bodies may go within the tick
      * @param stepSeconds length of the tick, s
      * @param jobs runs the blocks
      */
-    public void run(
-            BodyStore bodyStore,
-            ContactStore rows,
-            BoundsStage motion,
-            double stepSeconds,
-            Jobs jobs) {
+    public void run(BodyStore bodyStore, ContactStore rows, double stepSeconds, Jobs jobs) {
         bodies = bodyStore;
         contacts = rows;
-        bounds = motion;
-        reach = stepSeconds * settings.speculativeTime();
+        reach = stepSeconds * bounds.speculativeTime;
         if (scratch.length < jobs.workers()) {
             int old = scratch.length;
             scratch = Arrays.copyOf(scratch, jobs.workers());
@@ -97,7 +87,7 @@ public final class ManifoldStage {
         }
         points.use(bodyStore, rows);
         recycler.use(bodyStore, rows, stepSeconds);
-        roundRows.use(bodyStore, rows, motion, reach, settings.speculativeFraction());
+        roundRows.use(bodyStore, rows, bounds, reach, bounds.speculativeFraction);
         kinds.sort(bodyStore, rows, jobs);
         int round = kinds.begin(PairKinds.ROUND);
         int others = kinds.begin(PairKinds.OTHERS);
@@ -264,7 +254,7 @@ public final class ManifoldStage {
                 recycler.put(kept, row - first, row, bounds);
             }
         }
-        kept.run(places, c.kept, ContactStore.keptAt(first), reach, settings.speculativeFraction());
+        kept.run(places, c.kept, ContactStore.keptAt(first), reach, bounds.speculativeFraction);
         int moved = 0;
         for (int i = begin; i < begin + count; i++) {
             int row = order[i];
@@ -380,7 +370,7 @@ public final class ManifoldStage {
         return reach * Math.sqrt(vx * vx + vy * vy + vz * vz)
                 + ahead[i + 3]
                 + ahead[j + 3]
-                + settings.speculativeFraction() * smaller;
+                + bounds.speculativeFraction * smaller;
     }
 
     /** What one worker needs. */

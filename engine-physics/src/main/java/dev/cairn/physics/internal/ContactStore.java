@@ -2,8 +2,8 @@ package dev.cairn.physics.internal;
 
 /**
  * All contacts of this tick as a structure of arrays; a contact is a row in {@code [0, count)}, one
- * row per pair of bodies whose fat bounds overlap. Rows without points ({@code pointCount == 0})
- * take no part in the solve.
+ * row per pair of bodies whose fat bounds overlap. Only some of them
+ * are solved, see {@link #isSolved}.
  *
  * <p>Points are stored four to a row: point {@code p} of row {@code c} is at {@code 4 * c + p}. The
  * normal is a unit vector in world axes from body A to body B. Anchors are the contact point,
@@ -429,6 +429,16 @@ public final class ContactStore {
         anchors[i + 3] = bx;
         anchors[i + 4] = by;
         anchors[i + 5] = bz;
+    }
+
+    /**
+     * Whether a row is solved: its surfaces are within the margin of each other.
+     *
+     * @param row of the contact
+     * @return false for a pair that is only near
+     */
+    public boolean isSolved(int row) {
+        return pointCount[row] > 0;
     }
 
     /** Makes every row take part. */

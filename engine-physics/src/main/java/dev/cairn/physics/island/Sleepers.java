@@ -1,7 +1,6 @@
 package dev.cairn.physics.island;
 
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 
@@ -26,7 +25,7 @@ public final class Sleepers {
     private final BodyStore bodies;
     private final ContactStore contacts;
     private final boolean enabled;
-    private final Quiet quiet;
+    private final RestDetector quiet;
     private final Islands islands = new Islands();
 
     /** Name of the island that a body sleeps in, and the next body of it in a ring. */
@@ -64,15 +63,17 @@ public final class Sleepers {
     /**
      * Nobody sleeps yet.
      *
-     * @param settings whether bodies sleep, and when
+     * @param enabled whether bodies sleep
+     * @param sleepSeconds time of quiet before, s
      * @param bodies whose kinds change
      * @param contacts whose active rows are the links
      */
-    public Sleepers(PhysicsSettings settings, BodyStore bodies, ContactStore contacts) {
+    public Sleepers(
+            boolean enabled, double sleepSeconds, BodyStore bodies, ContactStore contacts) {
         this.bodies = bodies;
         this.contacts = contacts;
-        enabled = settings.sleeping();
-        quiet = new Quiet(settings.sleepSeconds());
+        this.enabled = enabled;
+        quiet = new RestDetector(sleepSeconds);
     }
 
     /**

@@ -35,8 +35,8 @@ class RecycledContactsTest {
 
     private final BodyStore bodies = new BodyStore();
     private final ContactStore rows = new ContactStore();
-    private final BoundsStage bounds = new BoundsStage(PhysicsSettings.DEFAULT);
-    private final ManifoldStage stage = new ManifoldStage(PhysicsSettings.DEFAULT);
+    private final BoundsStage bounds = new BoundsStage(1, 0.02, 0.1, 4);
+    private final ManifoldStage stage = new ManifoldStage(bounds);
     private final Jobs jobs = Jobs.of(1);
 
     RecycledContactsTest() {
@@ -76,7 +76,7 @@ class RecycledContactsTest {
         bodies.positionX[1] = s.d.x;
         bodies.positionY[1] = s.d.y;
         bodies.positionZ[1] = s.d.z;
-        stage.run(bodies, rows, bounds, STEP, jobs);
+        stage.run(bodies, rows, STEP, jobs);
     }
 
     private void turn(int slot, Quaterniond q) {

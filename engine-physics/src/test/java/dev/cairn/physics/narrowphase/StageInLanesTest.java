@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.internal.BodyStore;
@@ -37,8 +36,8 @@ class StageInLanesTest {
     private static final class Lots {
         final BodyStore bodies = new BodyStore();
         final ContactStore rows = new ContactStore();
-        final BoundsStage bounds = new BoundsStage(PhysicsSettings.DEFAULT);
-        final ManifoldStage stage = new ManifoldStage(PhysicsSettings.DEFAULT);
+        final BoundsStage bounds = new BoundsStage(1, 0.02, 0.1, 4);
+        final ManifoldStage stage = new ManifoldStage(bounds);
         final int lot;
 
         Lots(Scene[] scenes, int lot) {
@@ -83,7 +82,7 @@ class StageInLanesTest {
                 for (int i = 0; i < rows.activeCount; i++) {
                     rows.active[i] = begin + i;
                 }
-                stage.run(bodies, rows, bounds, STEP, jobs);
+                stage.run(bodies, rows, STEP, jobs);
             }
         }
     }
