@@ -6,6 +6,7 @@ import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.shape.MassProperties;
@@ -27,6 +28,7 @@ import java.util.List;
  */
 final class BodyTable {
     final BodyStore bodies = new BodyStore();
+    final ColliderStore colliders = new ColliderStore(bodies);
     final BroadPhase broadPhase = new BroadPhase();
     final BoundsStage bounds;
     final ContactStore contacts;
@@ -69,6 +71,7 @@ final class BodyTable {
     BodyTable(PhysicsSettings settings, ContactStore contacts) {
         bounds =
                 new BoundsStage(
+                        colliders,
                         settings.speculativeTime(),
                         settings.speculativeFraction(),
                         settings.boundsMargin(),
@@ -283,10 +286,11 @@ final class BodyTable {
         b.inverseInertiaXY[s] = inverse[3];
         b.inverseInertiaXZ[s] = inverse[4];
         b.inverseInertiaYZ[s] = inverse[5];
-        b.friction[s] = body.material.friction();
-        b.restitution[s] = body.material.restitution();
-        b.rollingArm[s] = body.material.rollingArm();
-        if (b.rollingArm[s] > 0) {
+        int collider = colliders.attach(s, shape);
+        colliders.friction[collider] = body.material.friction();
+        colliders.restitution[collider] = body.material.restitution();
+        colliders.rollingArm[collider] = body.material.rollingArm();
+        if (body.material.rollingArm() > 0) {
             contacts.beginRolling();
         }
         b.gravityScale[s] = body.gravityScale;
@@ -299,6 +303,7 @@ final class BodyTable {
 
     private void ensureSlots(int capacity) {
         bodies.ensureCapacity(capacity);
+        colliders.ensureCapacity(capacity);
         broadPhase.ensureSlots(capacity);
         bounds.ensureSlots(capacity);
         sleepers.ensureSlots(capacity);
@@ -387,7 +392,9 @@ final class BodyTable {
     private void leave(int slot) {
         sleepers.wake(slot);
         listsStale = true;
-        broadPhase.remove(slot);
+        for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            broadPhase.remove(c);
+        }
         bodies.kind[slot] = BodyStore.FREE;
         if (goneCount == gone.length) {
             gone = Arrays.copyOf(gone, 2 * goneCount);
@@ -402,6 +409,7 @@ final class BodyTable {
             if (freeCount == free.length) {
                 free = Arrays.copyOf(free, 2 * freeCount);
             }
+            colliders.detach(gone[i]);
             free[freeCount++] = gone[i];
         }
         goneCount = 0;
@@ -435,7 +443,7 @@ final class BodyTable {
     private void placeFixed() {
         for (int i = 0; i < unplacedCount; i++) {
             if (bodies.kind[unplaced[i]] == BodyStore.STATIC) {
-                bounds.placeFixed(bodies, broadPhase, unplaced[i]);
+                bounds.placeFixed(broadPhase, unplaced[i]);
             }
         }
         unplacedCount = 0;

@@ -5,11 +5,13 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.Poses;
 
 import java.util.Arrays;
 
 /**
- * Where each body may be within this tick: needed boxes, fat boxes for those that left theirs, and
+ * Where each collider may be within this tick: needed boxes, fat boxes for those that left theirs, and
  * the reach that the narrow phase's margin is made of. Finds bodies whose motion can no longer be
  * computed with.
  *
@@ -33,13 +35,13 @@ public final class BoundsStage {
     private final double boundsMargin, boundsTime;
     private final BlockJob job = this::block;
 
-    /** Numbers of a body in {@link #ahead}. */
+    /** Numbers of a collider in {@link #ahead}. */
     static final int AHEAD = 4;
 
     /**
-     * Of each body, one after the other: velocity at the end of the tick if nothing is in the way,
-     * m/s, world x, y and z; and how far turning may carry a surface out within the reach of time,
-     * m. All 0 for fixed bodies.
+     * Of each collider, one after the other: velocity at the end of the tick if nothing is in the
+     * way, m/s, world x, y and z; and how far turning may carry a surface out within the reach of
+     * time, m. All 0 for those of fixed bodies.
      */
     double[] ahead = {};
 
@@ -49,7 +51,8 @@ public final class BoundsStage {
     private int[] invalid = new int[16];
     private int invalidCount;
 
-    private BodyStore bodies = new BodyStore();
+    private final BodyStore bodies;
+    private final ColliderStore colliders;
     private BroadPhase broadPhase = new BroadPhase();
     private int[] slots = {};
     private int slotCount;
@@ -61,16 +64,20 @@ public final class BoundsStage {
     /**
      * A stage without bodies.
      *
+     * @param colliders whose boxes these are
      * @param speculativeTime ticks of motion that the needed box holds
      * @param speculativeFraction and share of the inner radius
      * @param boundsMargin share of the outer radius by which a box is fattened
      * @param boundsTime and ticks of motion
      */
     public BoundsStage(
+            ColliderStore colliders,
             double speculativeTime,
             double speculativeFraction,
             double boundsMargin,
             double boundsTime) {
+        this.colliders = colliders;
+        bodies = colliders.bodies;
         this.speculativeTime = speculativeTime;
         this.speculativeFraction = speculativeFraction;
         this.boundsMargin = boundsMargin;
@@ -80,7 +87,7 @@ public final class BoundsStage {
     /**
      * Grows the columns; between phases only.
      *
-     * @param capacity number of slots of bodies
+     * @param capacity number of slots of colliders
      */
     public void ensureSlots(int capacity) {
         if (capacity <= state.length) {
@@ -96,7 +103,6 @@ public final class BoundsStage {
     /**
      * Runs over the dynamic bodies and places those in the broad phase that left their fat box.
      *
-     * @param store the bodies
      * @param target the trees
      * @param dynamicSlots slots of the dynamic bodies, ascending
      * @param dynamicCount how many there are
@@ -107,7 +113,6 @@ public final class BoundsStage {
      * @param jobs runs the blocks
      */
     public void run(
-            BodyStore store,
             BroadPhase target,
             int[] dynamicSlots,
             int dynamicCount,
@@ -116,7 +121,6 @@ public final class BoundsStage {
             double gz,
             double stepSeconds,
             Jobs jobs) {
-        bodies = store;
         broadPhase = target;
         slots = dynamicSlots;
         slotCount = dynamicCount;
@@ -137,43 +141,48 @@ public final class BoundsStage {
     /**
      * Places a fixed body.
      *
-     * @param store the bodies
      * @param target the trees
      * @param slot of the body
      */
-    public void placeFixed(BodyStore store, BroadPhase target, int slot) {
-        store.shape[slot].bounds(
-                store.orientationX[slot],
-                store.orientationY[slot],
-                store.orientationZ[slot],
-                store.orientationW[slot],
+    public void placeFixed(BroadPhase target, int slot) {
+        Poses p = colliders.poses;
+        for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            tightBox(c);
+            int at = 6 * c;
+            box[at] += p.positionX[c];
+            box[at + 1] += p.positionY[c];
+            box[at + 2] += p.positionZ[c];
+            box[at + 3] += p.positionX[c];
+            box[at + 4] += p.positionY[c];
+            box[at + 5] += p.positionZ[c];
+            setAhead(c, 0, 0, 0, 0);
+            target.place(c, true, box, at);
+        }
+    }
+
+    /** About the collider's centre. */
+    private void tightBox(int c) {
+        Poses p = colliders.poses;
+        colliders.shape[c].bounds(
+                p.orientationX[c],
+                p.orientationY[c],
+                p.orientationZ[c],
+                p.orientationW[c],
                 box,
-                6 * slot);
-        int at = 6 * slot;
-        box[at] += store.positionX[slot];
-        box[at + 1] += store.positionY[slot];
-        box[at + 2] += store.positionZ[slot];
-        box[at + 3] += store.positionX[slot];
-        box[at + 4] += store.positionY[slot];
-        box[at + 5] += store.positionZ[slot];
-        setAhead(slot, 0, 0, 0, 0);
-        target.place(slot, true, box, at);
+                6 * c);
     }
 
     /**
      * Brings one body up to date that was woken after {@link #run}, by the same rule and with what
      * that call was given.
      *
-     * @param store the bodies
      * @param target the trees
      * @param slot of a dynamic body at rest
      */
-    public void refresh(BodyStore store, BroadPhase target, int slot) {
-        bodies = store;
+    public void refresh(BroadPhase target, int slot) {
         broadPhase = target;
-        if (look(slot) == LEFT) {
-            target.place(slot, false, box, 6 * slot);
-        }
+        look(slot);
+        place(slot);
     }
 
     /**
@@ -183,11 +192,13 @@ public final class BoundsStage {
      * @param slot of the body
      */
     public void rest(int slot) {
-        setAhead(slot, step * gravityX, step * gravityY, step * gravityZ, 0);
+        for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            setAhead(c, step * gravityX, step * gravityY, step * gravityZ, 0);
+        }
     }
 
-    private void setAhead(int slot, double x, double y, double z, double arc) {
-        int at = AHEAD * slot;
+    private void setAhead(int collider, double x, double y, double z, double arc) {
+        int at = AHEAD * collider;
         ahead[at] = x;
         ahead[at + 1] = y;
         ahead[at + 2] = z;
@@ -218,9 +229,8 @@ public final class BoundsStage {
         int end = Blocks.end(block, BODIES_PER_BLOCK, slotCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             int slot = slots[i];
-            if (state[slot] == LEFT) {
-                broadPhase.place(slot, false, box, 6 * slot);
-            } else if (state[slot] == INVALID) {
+            place(slot);
+            if (state[bodies.collider[slot]] == INVALID) {
                 if (invalidCount == invalid.length) {
                     invalid = Arrays.copyOf(invalid, 2 * invalidCount);
                 }
@@ -229,19 +239,25 @@ public final class BoundsStage {
         }
     }
 
+    private void place(int slot) {
+        for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            if (state[c] == LEFT) {
+                broadPhase.place(c, false, box, 6 * c);
+            }
+        }
+    }
+
     private void block(int block, int worker) {
         int end = Blocks.end(block, BODIES_PER_BLOCK, slotCount);
         int changes = 0;
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
-            int slot = slots[i];
-            byte result = look(slot);
-            state[slot] = result;
-            changes += result;
+            changes += look(slots[i]);
         }
         blockChanges[block] = changes;
     }
 
-    private byte look(int s) {
+    /** Returns 0 if the body's colliders stay in their fat boxes. */
+    private int look(int s) {
         BodyStore b = bodies;
         double inverseMass = b.inverseMass[s];
         double vx = b.velocityX[s] + step * (gravityX + b.forceX[s] * inverseMass);
@@ -258,26 +274,28 @@ public final class BoundsStage {
                         && Math.abs(b.positionX[s]) <= LIMIT
                         && Math.abs(b.positionY[s]) <= LIMIT
                         && Math.abs(b.positionZ[s]) <= LIMIT;
-        if (!valid) {
-            return INVALID;
+        int changes = 0;
+        for (int c = b.collider[s]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            state[c] = valid ? look(c, vx, vy, vz, spin) : INVALID;
+            changes += state[c];
         }
+        return changes;
+    }
+
+    private byte look(int c, double vx, double vy, double vz, double spin) {
+        Poses p = colliders.poses;
         double reach = step * speculativeTime;
-        double inner = b.innerRadius[s];
+        double inner = colliders.innerRadius[c];
+        double outer = colliders.outerRadius[c];
         double arc = Math.min(spin * outer * reach, outer - inner);
-        setAhead(s, vx, vy, vz, arc);
-        b.shape[s].bounds(
-                b.orientationX[s],
-                b.orientationY[s],
-                b.orientationZ[s],
-                b.orientationW[s],
-                box,
-                6 * s);
+        setAhead(c, vx, vy, vz, arc);
+        tightBox(c);
         double pad = arc + speculativeFraction * inner;
         double margin = boundsMargin * outer;
-        boolean inside = broadPhase.contains(s);
-        inside &= axis(s, 0, b.positionX[s], vx, reach, pad, margin);
-        inside &= axis(s, 1, b.positionY[s], vy, reach, pad, margin);
-        inside &= axis(s, 2, b.positionZ[s], vz, reach, pad, margin);
+        boolean inside = broadPhase.contains(c);
+        inside &= axis(c, 0, p.positionX[c], vx, reach, pad, margin);
+        inside &= axis(c, 1, p.positionY[c], vy, reach, pad, margin);
+        inside &= axis(c, 2, p.positionZ[c], vz, reach, pad, margin);
         return inside ? STAYS : LEFT;
     }
 
@@ -286,8 +304,8 @@ public final class BoundsStage {
      * one and is not far larger.
      */
     private boolean axis(
-            int s, int axis, double centre, double v, double reach, double pad, double margin) {
-        int low = 6 * s + axis;
+            int c, int axis, double centre, double v, double reach, double pad, double margin) {
+        int low = 6 * c + axis;
         int high = low + 3;
         double swept = v * reach;
         double min = box[low] + centre - pad + Math.min(swept, 0);

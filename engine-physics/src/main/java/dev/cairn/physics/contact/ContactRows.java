@@ -5,6 +5,7 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Sleepers;
 
@@ -27,6 +28,7 @@ public final class ContactRows {
     private ContactStore contacts = new ContactStore();
 
     private final BodyStore bodies;
+    private final ColliderStore colliders;
     private final Sleepers sleepers;
     private int candidates;
     private boolean every;
@@ -34,11 +36,12 @@ public final class ContactRows {
     /**
      * Without rows.
      *
-     * @param bodies kinds, and frictions and restitutions of new rows
+     * @param colliders frictions and restitutions of new rows
      * @param sleepers wakes who loses a contact
      */
-    public ContactRows(BodyStore bodies, Sleepers sleepers) {
-        this.bodies = bodies;
+    public ContactRows(ColliderStore colliders, Sleepers sleepers) {
+        this.colliders = colliders;
+        bodies = colliders.bodies;
         this.sleepers = sleepers;
     }
 
@@ -74,7 +77,7 @@ public final class ContactRows {
     /** Whether a box changed that is not of an awake body: rows that are not active matter, too. */
     private boolean othersMoved() {
         for (int i = 0; i < broadPhase.movedCount(); i++) {
-            if (bodies.kind[broadPhase.movedSlot(i)] != BodyStore.DYNAMIC) {
+            if (bodies.kind[colliders.body[broadPhase.movedSlot(i)]] != BodyStore.DYNAMIC) {
                 return true;
             }
         }
@@ -118,7 +121,7 @@ public final class ContactRows {
             kept += row - first;
             first = row + 1;
             parted[row] = false;
-            broadPhase.forget(c.bodyA[row], c.bodyB[row]);
+            broadPhase.forget(c.colliderA[row], c.colliderB[row]);
             if (c.touching[row] != 0) {
                 events.addEnded(c.bodyA[row], c.bodyB[row]);
             }
@@ -139,8 +142,8 @@ public final class ContactRows {
         int count = 0;
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = every ? i : c.active[i];
-            int a = c.bodyA[row];
-            int b = c.bodyB[row];
+            int a = c.colliderA[row];
+            int b = c.colliderB[row];
             boolean apart =
                     (broadPhase.moved(a) || broadPhase.moved(b)) && !broadPhase.overlap(a, b);
             parted[row] = apart;
@@ -153,11 +156,11 @@ public final class ContactRows {
     private void wakeMoved() {
         ContactStore c = contacts;
         for (int row = 0; sleepers.asleepCount() > 0 && row < c.count; row++) {
-            int a = c.bodyA[row];
-            int b = c.bodyB[row];
-            if (c.isSolved(row) && (broadPhase.moved(a) || broadPhase.moved(b))) {
-                sleepers.wake(a);
-                sleepers.wake(b);
+            if (c.isSolved(row)
+                    && (broadPhase.moved(c.colliderA[row])
+                            || broadPhase.moved(c.colliderB[row]))) {
+                sleepers.wake(c.bodyA[row]);
+                sleepers.wake(c.bodyB[row]);
             }
         }
     }
@@ -173,12 +176,10 @@ public final class ContactRows {
         byte[] kind = bodies.kind;
         int count = 0;
         for (int row = 0; row < c.count; row++) {
-            int a = c.bodyA[row];
-            int b = c.bodyB[row];
-            if (kind[a] == BodyStore.DYNAMIC
-                    || kind[b] == BodyStore.DYNAMIC
-                    || pairs.moved(a)
-                    || pairs.moved(b)) {
+            if (kind[c.bodyA[row]] == BodyStore.DYNAMIC
+                    || kind[c.bodyB[row]] == BodyStore.DYNAMIC
+                    || pairs.moved(c.colliderA[row])
+                    || pairs.moved(c.colliderB[row])) {
                 c.active[count++] = row;
             }
         }
@@ -193,7 +194,7 @@ public final class ContactRows {
         if (c.count + (long) added > Integer.MAX_VALUE / (2L * ContactStore.POINTS)) {
             throw new IllegalStateException(
                     (c.count + (long) added)
-                            + " pairs of bodies are near each other; at most "
+                            + " pairs of shapes are near each other; at most "
                             + Integer.MAX_VALUE / (2 * ContactStore.POINTS)
                             + " rows are possible");
         }
@@ -203,12 +204,11 @@ public final class ContactRows {
         for (int i = 0; i < added; i++, row++) {
             int a = (int) (keys[i] >>> 32);
             int b = (int) keys[i];
-            c.bodyA[row] = a;
-            c.bodyB[row] = b;
-            c.setFriction(row, Math.sqrt(bodies.friction[a] * bodies.friction[b]));
-            c.restitution[row] = Math.max(bodies.restitution[a], bodies.restitution[b]);
+            c.join(row, colliders, a, b);
+            c.setFriction(row, Math.sqrt(colliders.friction[a] * colliders.friction[b]));
+            c.restitution[row] = Math.max(colliders.restitution[a], colliders.restitution[b]);
             if (c.rolls) {
-                c.rollingArm[row] = Math.max(bodies.rollingArm[a], bodies.rollingArm[b]);
+                c.rollingArm[row] = Math.max(colliders.rollingArm[a], colliders.rollingArm[b]);
             }
         }
     }

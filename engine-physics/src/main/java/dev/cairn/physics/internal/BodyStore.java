@@ -12,7 +12,7 @@ import java.util.Arrays;
  * of mass. Simulation thread, and blocks of its stages, only; the fields are public because the
  * kernels of the step are loops over them.
  */
-public final class BodyStore {
+public final class BodyStore extends Poses {
     /** Makes an empty store. */
     public BodyStore() {}
 
@@ -41,31 +41,19 @@ public final class BodyStore {
     /** ECS entity of the body. */
     public long[] entity = new long[0];
 
+    /** The first of the body's colliders, the others follow by {@link ColliderStore#next}. */
+    public int[] collider = {};
+
     /**
      * Collision shape; its geometry is relative to the centre of mass. {@code null} in a free slot.
      */
     public Shape[] shape = new Shape[0];
-
-    /** Centre of mass, world, m. */
-    public double[] positionX = {}, positionY = {}, positionZ = {};
-
-    /**
-     * What the position lacks, m, 3 to a slot: the centre is at position and this together. 0
-     * nearer to the origin than {@link #FAR}; kept by {@link #move}.
-     */
-    public double[] positionLow = {};
-
-    /** Whether a position has ever lacked something. */
-    public boolean isFar;
 
     /**
      * Outer radii from the origin beyond which the rounding of a position, 2^-53 of it, is more
      * than 2^-41 of the body, and is kept.
      */
     public static final double FAR = 4096;
-
-    /** Unit quaternion worldFromBody. */
-    public double[] orientationX = {}, orientationY = {}, orientationZ = {}, orientationW = {};
 
     /** Velocity of the centre of mass, world, m/s. */
     public double[] velocityX = {}, velocityY = {}, velocityZ = {};
@@ -100,16 +88,7 @@ public final class BodyStore {
             inverseInertiaXZ = {},
             inverseInertiaYZ = {};
 
-    /** Coulomb coefficient. */
-    public double[] friction = {};
-
-    /** Newton's coefficient of restitution, 0..1. */
-    public double[] restitution = {};
-
-    /** Arm of rolling friction, m. */
-    public double[] rollingArm = {};
-
-    /** Radii of the shape's inner and outer ball about the centre of mass, m. */
+    /** Radii of the balls about the centre of mass that are inside the body, and around it, m. */
     public double[] innerRadius = {}, outerRadius = {};
 
     /**
@@ -180,18 +159,13 @@ public final class BodyStore {
      *
      * @param c what is done to them
      */
+    @Override
     public void columns(Columns c) {
+        super.columns(c);
         kind = c.column("kind", kind);
+        collider = c.column("collider", collider);
         entity = c.column("entity", entity);
         shape = c.column("shape", shape);
-        positionX = c.column("positionX", positionX);
-        positionY = c.column("positionY", positionY);
-        positionZ = c.column("positionZ", positionZ);
-        positionLow = c.column("positionLow", positionLow, 3);
-        orientationX = c.column("orientationX", orientationX);
-        orientationY = c.column("orientationY", orientationY);
-        orientationZ = c.column("orientationZ", orientationZ);
-        orientationW = c.column("orientationW", orientationW);
         velocityX = c.column("velocityX", velocityX);
         velocityY = c.column("velocityY", velocityY);
         velocityZ = c.column("velocityZ", velocityZ);
@@ -217,9 +191,6 @@ public final class BodyStore {
         inverseInertiaXY = c.column("inverseInertiaXY", inverseInertiaXY);
         inverseInertiaXZ = c.column("inverseInertiaXZ", inverseInertiaXZ);
         inverseInertiaYZ = c.column("inverseInertiaYZ", inverseInertiaYZ);
-        friction = c.column("friction", friction);
-        restitution = c.column("restitution", restitution);
-        rollingArm = c.column("rollingArm", rollingArm);
         innerRadius = c.column("innerRadius", innerRadius);
         outerRadius = c.column("outerRadius", outerRadius);
         inertiaScale = c.column("inertiaScale", inertiaScale);
@@ -330,46 +301,5 @@ public final class BodyStore {
         double sum = a + b;
         double part = sum - a;
         return (a - (sum - part)) + (b - part);
-    }
-
-    /**
-     * From one centre to another.
-     *
-     * @param a slot
-     * @param b slot
-     * @return world x, m
-     */
-    public double apartX(int a, int b) {
-        double d = positionX[b] - positionX[a];
-        return isFar ? apart(d, 3 * a, 3 * b) : d;
-    }
-
-    /**
-     * From one centre to another.
-     *
-     * @param a slot
-     * @param b slot
-     * @return world y, m
-     */
-    public double apartY(int a, int b) {
-        double d = positionY[b] - positionY[a];
-        return isFar ? apart(d, 3 * a + 1, 3 * b + 1) : d;
-    }
-
-    /**
-     * From one centre to another.
-     *
-     * @param a slot
-     * @param b slot
-     * @return world z, m
-     */
-    public double apartZ(int a, int b) {
-        double d = positionZ[b] - positionZ[a];
-        return isFar ? apart(d, 3 * a + 2, 3 * b + 2) : d;
-    }
-
-    private double apart(double d, int i, int j) {
-        double low = positionLow[j] - positionLow[i];
-        return low == 0 ? d : d + low;
     }
 }

@@ -7,6 +7,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.wide.BoxAxes;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
@@ -35,9 +36,10 @@ class StageInLanesTest {
     /** Rows with their own bodies. */
     private static final class Lots {
         final BodyStore bodies = new BodyStore();
+        final ColliderStore colliders = new ColliderStore(bodies);
         final ContactStore rows = new ContactStore();
-        final BoundsStage bounds = new BoundsStage(1, 0.02, 0.1, 4);
-        final ManifoldStage stage = new ManifoldStage(bounds);
+        final BoundsStage bounds = new BoundsStage(colliders, 1, 0.02, 0.1, 4);
+        final ManifoldStage stage = new ManifoldStage(colliders, bounds);
         final int lot;
 
         Lots(Scene[] scenes, int lot) {
@@ -48,17 +50,10 @@ class StageInLanesTest {
             rows.ensureCapacity(ROWS);
             rows.count = ROWS;
             for (int row = 0; row < ROWS; row++) {
-                rows.bodyA[row] = 2 * row;
-                rows.bodyB[row] = 2 * row + 1;
-                shape(2 * row, scenes[row].a);
-                shape(2 * row + 1, scenes[row].b);
+                colliders.attach(2 * row, scenes[row].a);
+                colliders.attach(2 * row + 1, scenes[row].b);
+                rows.join(row, colliders, 2 * row, 2 * row + 1);
             }
-        }
-
-        void shape(int slot, Shape shape) {
-            bodies.shape[slot] = shape;
-            bodies.innerRadius[slot] = shape.innerRadius();
-            bodies.outerRadius[slot] = shape.outerRadius();
         }
 
         void turn(int slot, Quaterniond q) {
@@ -82,7 +77,7 @@ class StageInLanesTest {
                 for (int i = 0; i < rows.activeCount; i++) {
                     rows.active[i] = begin + i;
                 }
-                stage.run(bodies, rows, STEP, jobs);
+                stage.run(rows, STEP, jobs);
             }
         }
     }
