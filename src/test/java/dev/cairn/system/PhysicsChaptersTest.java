@@ -16,7 +16,9 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
 
-/** The packages of the physics are chapters: each knows the ones before it, and none in a circle. */
+/**
+ * The packages of the physics are chapters: each knows the ones before it, and none in a circle.
+ */
 @AnalyzeClasses(
         packages = "dev.cairn.physics",
         importOptions = ImportOption.DoNotIncludeTests.class)
@@ -84,18 +86,16 @@ final class PhysicsChaptersTest {
     static void packagesAreSmall(JavaClasses all) {
         Map<String, Set<String>> files =
                 all.stream()
-                        .filter(type -> !type.getSimpleName().startsWith("Single")
-                                || type.getSimpleName().startsWith("SingleContact"))
+                        .filter(type ->
+                                !type.getSimpleName().startsWith("Single")
+                                        || type.getSimpleName().startsWith("SingleContact"))
                         .collect(
                                 Collectors.groupingBy(
                                         JavaClass::getPackageName,
                                         Collectors.mapping(
                                                 PhysicsChaptersTest::file, Collectors.toSet())));
-        files.forEach(
-                (name, of) ->
-                        assertTrue(
-                                of.size() <= MOST_FILES,
-                                () -> name + " holds " + of.size() + " files"));
+        files.forEach((name, of) ->
+                assertTrue(of.size() <= MOST_FILES, () -> name + " holds " + of.size() + " files"));
     }
 
     private static String file(JavaClass type) {

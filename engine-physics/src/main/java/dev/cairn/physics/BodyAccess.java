@@ -45,7 +45,7 @@ final class BodyAccess {
     }
 
     Shape shape(int s) {
-        return bodies.shape[s];
+        return table.colliders.shape[bodies.collider[s]];
     }
 
     Material material(int s) {

@@ -6,6 +6,7 @@ import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.shape.MassProperties;
@@ -27,6 +28,7 @@ import java.util.List;
  */
 final class BodyTable {
     final BodyStore bodies = new BodyStore();
+    final ColliderStore colliders = new ColliderStore(bodies);
     final BroadPhase broadPhase = new BroadPhase();
     final BoundsStage bounds;
     final ContactStore contacts;
@@ -67,9 +69,9 @@ final class BodyTable {
     private boolean closed;
 
     BodyTable(PhysicsSettings settings, ContactStore contacts) {
-        bounds = new BoundsStage(settings.tuning());
+        bounds = new BoundsStage(colliders, settings.tuning());
         this.contacts = contacts;
-        sleepers = new Sleepers(settings.tuning(), settings.sleeping(), bodies, contacts);
+        sleepers = new Sleepers(settings.sleeping(), settings.sleepSeconds(), bodies, contacts);
     }
 
     void bind(World ecs) {
@@ -247,6 +249,7 @@ final class BodyTable {
             double[] inverse,
             double[] com) {
         BodyStore b = bodies;
+        b.clear(s);
         b.kind[s] = body.fixed ? BodyStore.STATIC : BodyStore.DYNAMIC;
         b.entity[s] = entity;
         b.shape[s] = shape;
@@ -263,7 +266,6 @@ final class BodyTable {
         b.angularVelocityX[s] = body.fixed ? 0 : body.wx;
         b.angularVelocityY[s] = body.fixed ? 0 : body.wy;
         b.angularVelocityZ[s] = body.fixed ? 0 : body.wz;
-        clearForces(s);
         b.inverseMass[s] = body.fixed ? 0 : 1 / mass.mass();
         b.inertiaXX[s] = mass.ixx();
         b.inertiaYY[s] = mass.iyy();
@@ -277,10 +279,11 @@ final class BodyTable {
         b.inverseInertiaXY[s] = inverse[3];
         b.inverseInertiaXZ[s] = inverse[4];
         b.inverseInertiaYZ[s] = inverse[5];
-        b.friction[s] = body.material.friction();
-        b.restitution[s] = body.material.restitution();
-        b.rollingArm[s] = body.material.rollingArm();
-        if (b.rollingArm[s] > 0) {
+        int collider = colliders.attach(s, shape);
+        colliders.friction[collider] = body.material.friction();
+        colliders.restitution[collider] = body.material.restitution();
+        colliders.rollingArm[collider] = body.material.rollingArm();
+        if (body.material.rollingArm() > 0) {
             contacts.beginRolling();
         }
         b.gravityScale[s] = body.gravityScale;
@@ -288,13 +291,11 @@ final class BodyTable {
         b.angularDamping[s] = body.angularDamping;
         b.speedLimit[s] = body.speedLimit;
         access.restrain(s, body.locks);
-        b.inertiaScale[s] = 0;
-        b.pressed[s] = 0;
-        b.pressing[s] = 0;
     }
 
     private void ensureSlots(int capacity) {
         bodies.ensureCapacity(capacity);
+        colliders.ensureCapacity(capacity);
         broadPhase.ensureSlots(capacity);
         bounds.ensureSlots(capacity);
         sleepers.ensureSlots(capacity);
@@ -383,7 +384,9 @@ final class BodyTable {
     private void leave(int slot) {
         sleepers.wake(slot);
         listsStale = true;
-        broadPhase.remove(slot);
+        for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            broadPhase.remove(c);
+        }
         bodies.kind[slot] = BodyStore.FREE;
         if (goneCount == gone.length) {
             gone = Arrays.copyOf(gone, 2 * goneCount);
@@ -398,6 +401,7 @@ final class BodyTable {
             if (freeCount == free.length) {
                 free = Arrays.copyOf(free, 2 * freeCount);
             }
+            colliders.detach(gone[i]);
             free[freeCount++] = gone[i];
         }
         goneCount = 0;
@@ -431,7 +435,7 @@ final class BodyTable {
     private void placeFixed() {
         for (int i = 0; i < unplacedCount; i++) {
             if (bodies.kind[unplaced[i]] == BodyStore.STATIC) {
-                bounds.placeFixed(bodies, broadPhase, unplaced[i]);
+                bounds.placeFixed(broadPhase, unplaced[i]);
             }
         }
         unplacedCount = 0;

@@ -56,7 +56,7 @@ final class ContactView implements Contacts {
             }
             count = 0;
             for (int row = 0; row < rows.count; row++) {
-                if (rows.pointCount[row] > 0) {
+                if (rows.isSolved(row)) {
                     rowOf[count++] = row;
                 }
             }

@@ -1,6 +1,7 @@
 package dev.cairn.physics;
 
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Islands;
 
@@ -130,14 +131,25 @@ public final class DebugData {
             velocities[3 * n] = b.velocityX[s];
             velocities[3 * n + 1] = b.velocityY[s];
             velocities[3 * n + 2] = b.velocityZ[s];
-            if (table.broadPhase.contains(s)) {
-                System.arraycopy(fat, 6 * s, boxes, 6 * n, 6);
-            } else {
-                Arrays.fill(boxes, 6 * n, 6 * n + 6, 0);
+            Arrays.fill(boxes, 6 * n, 6 * n + 6, 0);
+            for (int c = b.collider[s]; c != ColliderStore.NONE; c = table.colliders.next[c]) {
+                if (table.broadPhase.contains(c)) {
+                    join(fat, 6 * c, 6 * n, c == b.collider[s]);
+                }
             }
             n++;
         }
         bodyCount = n;
+    }
+
+    /** The box around two boxes, or the first one. */
+    private void join(double[] fat, int from, int to, boolean first) {
+        for (int i = 0; i < 3; i++) {
+            double low = fat[from + i];
+            double high = fat[from + i + 3];
+            boxes[to + i] = first ? low : Math.min(low, boxes[to + i]);
+            boxes[to + i + 3] = first ? high : Math.max(high, boxes[to + i + 3]);
+        }
     }
 
     private void fillIslands(BodyTable table, ContactStore rows) {

@@ -53,9 +53,9 @@ public final class PhysicsSystem implements WorldSystem {
         this.gravityY = gravityY;
         this.gravityZ = gravityZ;
         table = new BodyTable(settings, contacts);
-        rows = new ContactRows(table.bodies, table.sleepers);
+        rows = new ContactRows(table.colliders, table.sleepers);
         wakes = new WakeStage(table.sleepers, table.bodies, contacts);
-        manifolds = new ManifoldStage(settings.tuning());
+        manifolds = new ManifoldStage(table.colliders, table.bounds);
         solver = new ContactSolver(settings.tuning());
         publisher = new Publisher(table);
         view = new ContactView(table, contacts);
@@ -98,7 +98,7 @@ public final class PhysicsSystem implements WorldSystem {
         wakes.refresh(table.bounds, table.broadPhase);
         table.freeGone();
         profile.end(StepStage.ROWS);
-        manifolds.run(table.bodies, contacts, table.bounds, tick.stepSeconds(), tick.jobs());
+        manifolds.run(contacts, tick.stepSeconds(), tick.jobs());
         profile.end(StepStage.POINTS);
         wakes.run(table.bounds, table.broadPhase, manifolds, tick.stepSeconds(), tick.jobs());
         table.refreshLists();
@@ -161,7 +161,6 @@ public final class PhysicsSystem implements WorldSystem {
     /** Boxes follow their bodies; a body that cannot be computed with stays where it is. */
     private void moveBounds(Tick tick) {
         table.bounds.run(
-                table.bodies,
                 table.broadPhase,
                 table.dynamic,
                 table.dynamicCount,
@@ -174,7 +173,7 @@ public final class PhysicsSystem implements WorldSystem {
             int slot = table.bounds.invalidSlot(i);
             table.quarantine(slot);
             ContactRows.clearImpulses(contacts, slot);
-            table.bounds.placeFixed(table.bodies, table.broadPhase, slot);
+            table.bounds.placeFixed(table.broadPhase, slot);
         }
     }
 

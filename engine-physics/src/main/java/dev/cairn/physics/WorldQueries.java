@@ -6,6 +6,8 @@ import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.RayWalk;
 import dev.cairn.physics.broadphase.TreeWalk;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.query.Closest;
 import dev.cairn.physics.query.Hit;
 import dev.cairn.physics.query.Placement;
@@ -30,7 +32,7 @@ import java.util.function.Predicate;
 public final class WorldQueries {
     private static final int NONE = AabbTree.NONE;
 
-    /** The dynamic tree, the static tree, bodies without end, bodies that went astray. */
+    /** The dynamic tree, the static tree, colliders without end, those that went astray. */
     private static final int SOURCES = 4;
 
     private static final int TREES = 2;
@@ -47,7 +49,7 @@ public final class WorldQueries {
     private final Closest closest = new Closest(), nearest = new Closest();
     private final double[] box = new double[6], tight = new double[6];
 
-    /** Bodies that the trees do not know where they are: new, moved by the user, or hit. */
+    /** Colliders that the trees do not know where they are: new, moved by the user, or hit. */
     private int[] astray = new int[16];
 
     private int astrayCount;
@@ -168,14 +170,14 @@ public final class WorldQueries {
             if (source < TREES) {
                 rayWalk.start(tree(), box, x / length, y / length, z / length);
             }
-            for (int slot = next(rayWalk, limit); slot != NONE; slot = next(rayWalk, limit)) {
-                if (!isWanted(slot) || !meets(slot, dx, dy, dz, limit)) {
+            for (int c = next(rayWalk, limit); c != NONE; c = next(rayWalk, limit)) {
+                if (!isWanted(c) || !meets(c, dx, dy, dz, limit)) {
                     continue;
                 }
                 double distance = hit.distance();
-                if (winner == NONE || distance < limit || (distance == limit && slot < winner)) {
+                if (winner == NONE || distance < limit || (distance == limit && c < winner)) {
                     limit = distance;
-                    winner = slot;
+                    winner = c;
                     best.set(hit);
                 }
             }
@@ -184,11 +186,11 @@ public final class WorldQueries {
             return null;
         }
         out.set(best);
-        return table.refs[winner];
+        return table.refs[table.colliders.body[winner]];
     }
 
-    private boolean meets(int slot, double dx, double dy, double dz, double limit) {
-        aim(slot);
+    private boolean meets(int collider, double dx, double dy, double dz, double limit) {
+        aim(collider);
         return mover == null
                 ? shapes.rayCast(target, originX, originY, originZ, dx, dy, dz, limit, hit)
                 : shapes.shapeCast(mover, dx, dy, dz, limit, target, hit);
@@ -217,17 +219,17 @@ public final class WorldQueries {
                 boxWalk.start(tree(), box);
             }
             // What overlaps is entered at 0, however deep it is.
-            for (int slot = next(boxWalk, Math.max(limit, 0));
-                    slot != NONE;
-                    slot = next(boxWalk, Math.max(limit, 0))) {
-                if (!isWanted(slot)) {
+            for (int c = next(boxWalk, Math.max(limit, 0));
+                    c != NONE;
+                    c = next(boxWalk, Math.max(limit, 0))) {
+                if (!isWanted(c)) {
                     continue;
                 }
-                aim(slot);
+                aim(c);
                 double distance = shapes.closest(shape, target, closest);
-                if (distance < limit || (distance == limit && (winner == NONE || slot < winner))) {
+                if (distance < limit || (distance == limit && (winner == NONE || c < winner))) {
                     limit = distance;
-                    winner = slot;
+                    winner = c;
                     nearest.set(closest);
                 }
             }
@@ -236,7 +238,7 @@ public final class WorldQueries {
             return null;
         }
         out.set(nearest);
-        return table.refs[winner];
+        return table.refs[table.colliders.body[winner]];
     }
 
     /**
@@ -256,11 +258,11 @@ public final class WorldQueries {
             if (source < TREES) {
                 boxWalk.start(tree(), box);
             }
-            for (int slot = next(boxWalk, 0); slot != NONE; slot = next(boxWalk, 0)) {
-                if (isWanted(slot)) {
-                    aim(slot);
+            for (int c = next(boxWalk, 0); c != NONE; c = next(boxWalk, 0)) {
+                if (isWanted(c)) {
+                    aim(c);
                     if (shapes.overlaps(shape, target)) {
-                        note(slot);
+                        note(table.colliders.body[c]);
                     }
                 }
             }
@@ -290,7 +292,7 @@ public final class WorldQueries {
         return source == 0 ? table.broadPhase.dynamicTree() : table.broadPhase.staticTree();
     }
 
-    /** The next candidate of the trees, of the bodies without end, or of those that went astray. */
+    /** The next collider of the trees, of those without end, or of those that went astray. */
     private int next(TreeWalk walk, double limit) {
         if (source < TREES) {
             return walk.next(limit);
@@ -305,25 +307,25 @@ public final class WorldQueries {
         return list[place++];
     }
 
-    private boolean isWanted(int slot) {
-        BodyRef body = table.refs[slot];
+    private boolean isWanted(int collider) {
+        BodyRef body = table.refs[table.colliders.body[collider]];
         return body.isAlive() && (filter == null || filter.test(body));
     }
 
-    private void aim(int s) {
-        BodyStore b = table.bodies;
+    private void aim(int c) {
+        Poses p = table.colliders.poses;
         target.setCentre(
-                b.shape[s],
-                b.positionX[s],
-                b.positionY[s],
-                b.positionZ[s],
-                b.orientationX[s],
-                b.orientationY[s],
-                b.orientationZ[s],
-                b.orientationW[s]);
+                table.colliders.shape[c],
+                p.positionX[c],
+                p.positionY[c],
+                p.positionZ[c],
+                p.orientationX[c],
+                p.orientationY[c],
+                p.orientationZ[c],
+                p.orientationW[c]);
     }
 
-    /** Looks for bodies that are not within their fat box, once after each change of places. */
+    /** Looks for colliders that are not within their fat box, once after each change of places. */
     private void begin() {
         world.requireBetweenSteps("a query");
         if (places == table.places) {
@@ -332,34 +334,39 @@ public final class WorldQueries {
         places = table.places;
         astrayCount = 0;
         for (int i = 0; i < table.unplacedCount; i++) {
-            stray(table.unplaced[i]);
+            stray(table.unplaced[i], false);
         }
         byte[] kind = table.bodies.kind;
         for (int slot = 0; slot < table.bodies.slotCount; slot++) {
-            if ((kind[slot] == BodyStore.DYNAMIC || kind[slot] == BodyStore.ASLEEP)
-                    && !inFatBox(slot)) {
-                stray(slot);
+            if (kind[slot] == BodyStore.DYNAMIC || kind[slot] == BodyStore.ASLEEP) {
+                stray(slot, true);
             }
         }
     }
 
-    private void stray(int slot) {
-        if (astrayCount == astray.length) {
-            astray = Arrays.copyOf(astray, 2 * astrayCount);
+    /** Notes the colliders of a body, or those that are not within their boxes. */
+    private void stray(int slot, boolean outside) {
+        ColliderStore k = table.colliders;
+        for (int c = k.bodies.collider[slot]; c != NONE; c = k.next[c]) {
+            if (outside && inFatBox(c)) {
+                continue;
+            }
+            if (astrayCount == astray.length) {
+                astray = Arrays.copyOf(astray, 2 * astrayCount);
+            }
+            astray[astrayCount++] = c;
         }
-        astray[astrayCount++] = slot;
     }
 
-    private boolean inFatBox(int slot) {
-        if (!table.broadPhase.contains(slot)) {
+    private boolean inFatBox(int c) {
+        if (!table.broadPhase.contains(c)) {
             return false;
         }
-        aim(slot);
+        aim(c);
         target.bounds(tight);
         double[] fat = table.broadPhase.fatBoxes();
         for (int axis = 0; axis < 3; axis++) {
-            if (!(fat[6 * slot + axis] <= tight[axis]
-                    && tight[axis + 3] <= fat[6 * slot + axis + 3])) {
+            if (!(fat[6 * c + axis] <= tight[axis] && tight[axis + 3] <= fat[6 * c + axis + 3])) {
                 return false;
             }
         }

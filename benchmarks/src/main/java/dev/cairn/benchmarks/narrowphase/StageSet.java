@@ -1,12 +1,11 @@
 package dev.cairn.benchmarks.narrowphase;
 
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.shape.Shape;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -26,9 +25,10 @@ public final class StageSet implements AutoCloseable {
 
     private final PairSet[] sets = new PairSet[SETS];
     private final BodyStore bodies = new BodyStore();
+    private final ColliderStore colliders = new ColliderStore(bodies);
     private final ContactStore rows = new ContactStore();
-    private final BoundsStage bounds = new BoundsStage(PhysicsSettings.DEFAULT);
-    private final ManifoldStage stage = new ManifoldStage(PhysicsSettings.DEFAULT);
+    private final BoundsStage bounds = new BoundsStage(colliders, 1, 0.02, 0.1, 4);
+    private final ManifoldStage stage = new ManifoldStage(colliders, bounds);
     private final Jobs jobs = Jobs.of(1);
 
     /**
@@ -47,22 +47,15 @@ public final class StageSet implements AutoCloseable {
             sets[s] = new PairSet(kind, s + 1);
             for (int i = 0; i < PairSet.SIZE; i++) {
                 int row = s * PairSet.SIZE + i;
-                rows.bodyA[row] = 2 * row;
-                rows.bodyB[row] = 2 * row + 1;
-                body(2 * row, sets[s].a[i]);
-                body(2 * row + 1, sets[s].b[i]);
+                colliders.attach(2 * row, sets[s].a[i]);
+                colliders.attach(2 * row + 1, sets[s].b[i]);
+                rows.join(row, colliders, 2 * row, 2 * row + 1);
                 turn(2 * row, sets[s].turnA[i]);
                 // Moving bodies do not expect to be at the same place in the next tick.
                 bodies.velocityX[2 * row + 1] = 0.5;
             }
         }
         move(0);
-    }
-
-    private void body(int slot, Shape shape) {
-        bodies.shape[slot] = shape;
-        bodies.innerRadius[slot] = shape.innerRadius();
-        bodies.outerRadius[slot] = shape.outerRadius();
     }
 
     private void turn(int slot, Quaterniond q) {
@@ -93,7 +86,7 @@ public final class StageSet implements AutoCloseable {
 
     /** Collides all rows. */
     public void run() {
-        stage.run(bodies, rows, bounds, STEP_SECONDS, jobs);
+        stage.run(rows, STEP_SECONDS, jobs);
     }
 
     /**

@@ -7,11 +7,11 @@ import dev.cairn.core.job.Jobs;
 import java.util.Arrays;
 
 /**
- * Fat boxes of all bodies in two trees, static and dynamic, and the set of their overlapping pairs.
- * Fixed bodies without end (half-spaces) are in a short list beside the trees. See the package's
- * essay.
+ * Fat boxes of all colliders in two trees, static and dynamic, and the set of their overlapping
+ * pairs. Fixed colliders without end (half-spaces) are in a short list beside the trees. See the
+ * package's essay.
  *
- * <p>A tick: {@link #place} for every body that is new or left its box, {@link #findPairs}, the
+ * <p>A tick: {@link #place} for every collider that is new or left its box, {@link #findPairs}, the
  * owner reads {@link #newPairs}, drops the rows whose boxes no longer {@link #overlap} by {@link
  * #forget}, and calls {@link #endTick}.
  *
@@ -22,7 +22,7 @@ public final class BroadPhase {
     /** Moved proxies of a block: small enough to balance, large enough to hide the dispatch. */
     private static final int PROXIES_PER_BLOCK = 32;
 
-    /** First capacity of a block's buffer; a pile's body meets about ten others. */
+    /** First capacity of a block's buffer; a pile's collider meets about ten others. */
     private static final int FIRST_CAPACITY = 256;
 
     private static final byte OUT = 0;
@@ -57,13 +57,13 @@ public final class BroadPhase {
     private long[] newPairs = new long[64];
     private int newPairCount;
 
-    /** Without bodies. */
+    /** Without colliders. */
     public BroadPhase() {}
 
     /**
      * Grows the columns; between phases only.
      *
-     * @param slots number of slots of bodies
+     * @param slots number of slots of colliders
      */
     public void ensureSlots(int slots) {
         if (slots <= leaf.length) {
@@ -79,7 +79,7 @@ public final class BroadPhase {
     /**
      * Whether a slot has a box.
      *
-     * @param slot of a body
+     * @param slot of a collider
      * @return true between place and remove
      */
     public boolean contains(int slot) {
@@ -98,7 +98,7 @@ public final class BroadPhase {
     /**
      * Gives a slot a fat box, its first or another one, and marks it as moved.
      *
-     * @param slot of a body
+     * @param slot of a collider
      * @param isStatic whether it goes to the static tree
      * @param box array that holds the box
      * @param offset where the box begins in it
@@ -134,7 +134,7 @@ public final class BroadPhase {
      * Takes a slot's box out. Its pairs no longer {@link #overlap}; it counts as moved, so that
      * their owner looks.
      *
-     * @param slot of a body
+     * @param slot of a collider
      */
     public void remove(int slot) {
         if (where[slot] == OUT) {
@@ -203,7 +203,7 @@ public final class BroadPhase {
     /**
      * Whether a slot's box changed in this tick.
      *
-     * @param slot of a body
+     * @param slot of a collider
      * @return true between place or remove, and endTick
      */
     public boolean moved(int slot) {
@@ -280,7 +280,7 @@ public final class BroadPhase {
         }
         if (total > Integer.MAX_VALUE - 8) {
             throw new IllegalStateException(
-                    total + " new pairs of bodies in one tick; at most 2147483639 are possible");
+                    total + " new pairs of shapes in one tick; at most 2147483639 are possible");
         }
         if (newPairs.length < total) {
             newPairs = new long[(int) Math.min(Integer.MAX_VALUE - 8, total + (total >> 2))];
@@ -296,8 +296,8 @@ public final class BroadPhase {
     }
 
     /**
-     * A body's pairs are told in the order of slots: the tree's shape follows from the rounding of
-     * boxes, and would make another order of the same scene elsewhere.
+     * A collider's pairs are told in the order of slots: the tree's shape follows from the rounding
+     * of boxes, and would make another order of the same scene elsewhere.
      */
     private void queryBlock(int block, int worker) {
         if (secondPass && !again[block]) {
@@ -360,7 +360,7 @@ public final class BroadPhase {
         return count;
     }
 
-    /** A moving body reports its pairs with what is everywhere; no tree is needed for a few. */
+    /** A moving collider reports its pairs with what is everywhere; no tree is needed for a few. */
     private int queryEndless(int slot, long[] out, int count) {
         int total = count;
         for (int i = 0; i < endlessCount; i++) {
@@ -442,7 +442,7 @@ public final class BroadPhase {
     }
 
     /**
-     * The tree of bodies that never move.
+     * The tree of colliders that never move.
      *
      * @return the tree; read only
      */
@@ -451,7 +451,7 @@ public final class BroadPhase {
     }
 
     /**
-     * Fixed bodies without end, in the order that they came; in no tree.
+     * Fixed colliders without end, in the order that they came; in no tree.
      *
      * @return an array; only the first {@link #endlessCount} count; read only
      */
@@ -460,7 +460,7 @@ public final class BroadPhase {
     }
 
     /**
-     * How many fixed bodies without end there are.
+     * How many fixed colliders without end there are.
      *
      * @return at least 0
      */
@@ -469,7 +469,7 @@ public final class BroadPhase {
     }
 
     /**
-     * The tree of bodies that move.
+     * The tree of colliders that move.
      *
      * @return the tree; read only
      */

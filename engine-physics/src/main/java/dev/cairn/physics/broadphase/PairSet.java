@@ -1,8 +1,8 @@
 package dev.cairn.physics.broadphase;
 
 /**
- * A set of unordered pairs of slots: open addressing with linear probing, no tombstones. Asked for
- * membership only; it is never iterated, so its layout cannot reach any result.
+ * A set of unordered pairs of colliders: open addressing with linear probing, no tombstones. Asked
+ * for membership only; it is never iterated, so its layout cannot reach any result.
  *
  * <p>One thread changes it; any number may ask between changes. Allocates only when it grows.
  */
@@ -113,7 +113,7 @@ public final class PairSet {
         long[] old = keys;
         if (old.length >= 1 << 30) {
             throw new IllegalStateException(
-                    size + " pairs of bodies overlap; at most " + (1 << 29) + " are possible");
+                    size + " pairs of shapes overlap; at most " + (1 << 29) + " are possible");
         }
         keys = new long[2 * old.length];
         shift--;

@@ -5,15 +5,17 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 
 import java.util.Arrays;
 
 /**
- * Where each body may be within this tick: needed boxes, fat boxes for those that left theirs, and
- * the reach that the narrow phase's margin is made of. Finds bodies whose motion can no longer be
- * computed with.
+ * Where each collider may be within this tick: needed boxes, fat boxes for those that left theirs,
+ * and the reach that the narrow phase's margin is made of. Finds bodies whose motion can no longer
+ * be computed with.
  *
  * <p>Simulation thread; allocates only when the number of bodies grows.
  */
@@ -29,16 +31,19 @@ public final class BoundsStage {
     private static final byte LEFT = 1;
     private static final byte INVALID = 2;
 
-    private final Tuning settings;
+    /** Of the narrow phase's margin: ticks of relative motion, and share of the inner radius. */
+    final double speculativeTime, speculativeFraction;
+
+    private final double boundsMargin, boundsTime;
     private final BlockJob job = this::block;
 
-    /** Numbers of a body in {@link #ahead}. */
+    /** Numbers of a collider in {@link #ahead}. */
     static final int AHEAD = 4;
 
     /**
-     * Of each body, one after the other: velocity at the end of the tick if nothing is in the way,
-     * m/s, world x, y and z; and how far turning may carry a surface out within the reach of time,
-     * m. All 0 for fixed bodies.
+     * Of each collider, one after the other: velocity at the end of the tick if nothing is in the
+     * way, m/s, world x, y and z; and how far turning may carry a surface out within the reach of
+     * time, m. All 0 for those of fixed bodies.
      */
     double[] ahead = {};
 
@@ -48,7 +53,8 @@ public final class BoundsStage {
     private int[] invalid = new int[16];
     private int invalidCount;
 
-    private BodyStore bodies = new BodyStore();
+    private final BodyStore bodies;
+    private final ColliderStore colliders;
     private BroadPhase broadPhase = new BroadPhase();
     private int[] slots = {};
     private int slotCount;
@@ -60,16 +66,22 @@ public final class BoundsStage {
     /**
      * A stage without bodies.
      *
+     * @param colliders whose boxes these are
      * @param settings the margin rules
      */
-    public BoundsStage(Tuning settings) {
-        this.settings = settings;
+    public BoundsStage(ColliderStore colliders, Tuning settings) {
+        this.colliders = colliders;
+        bodies = colliders.bodies;
+        speculativeTime = settings.get(Tunable.SPECULATIVE_TICKS);
+        speculativeFraction = settings.get(Tunable.SPECULATIVE_FRACTION);
+        boundsMargin = settings.get(Tunable.BOUNDS_MARGIN);
+        boundsTime = settings.get(Tunable.BOUNDS_TICKS);
     }
 
     /**
      * Grows the columns; between phases only.
      *
-     * @param capacity number of slots of bodies
+     * @param capacity number of slots of colliders
      */
     public void ensureSlots(int capacity) {
         if (capacity <= state.length) {
@@ -85,7 +97,6 @@ public final class BoundsStage {
     /**
      * Runs over the dynamic bodies and places those in the broad phase that left their fat box.
      *
-     * @param store the bodies
      * @param target the trees
      * @param dynamicSlots slots of the dynamic bodies, ascending
      * @param dynamicCount how many there are
@@ -96,7 +107,6 @@ public final class BoundsStage {
      * @param jobs runs the blocks
      */
     public void run(
-            BodyStore store,
             BroadPhase target,
             int[] dynamicSlots,
             int dynamicCount,
@@ -105,7 +115,6 @@ public final class BoundsStage {
             double gz,
             double stepSeconds,
             Jobs jobs) {
-        bodies = store;
         broadPhase = target;
         slots = dynamicSlots;
         slotCount = dynamicCount;
@@ -126,43 +135,48 @@ public final class BoundsStage {
     /**
      * Places a fixed body.
      *
-     * @param store the bodies
      * @param target the trees
      * @param slot of the body
      */
-    public void placeFixed(BodyStore store, BroadPhase target, int slot) {
-        store.shape[slot].bounds(
-                store.orientationX[slot],
-                store.orientationY[slot],
-                store.orientationZ[slot],
-                store.orientationW[slot],
+    public void placeFixed(BroadPhase target, int slot) {
+        Poses p = colliders.poses;
+        for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            tightBox(c);
+            int at = 6 * c;
+            box[at] += p.positionX[c];
+            box[at + 1] += p.positionY[c];
+            box[at + 2] += p.positionZ[c];
+            box[at + 3] += p.positionX[c];
+            box[at + 4] += p.positionY[c];
+            box[at + 5] += p.positionZ[c];
+            setAhead(c, 0, 0, 0, 0);
+            target.place(c, true, box, at);
+        }
+    }
+
+    /** About the collider's centre. */
+    private void tightBox(int c) {
+        Poses p = colliders.poses;
+        colliders.shape[c].bounds(
+                p.orientationX[c],
+                p.orientationY[c],
+                p.orientationZ[c],
+                p.orientationW[c],
                 box,
-                6 * slot);
-        int at = 6 * slot;
-        box[at] += store.positionX[slot];
-        box[at + 1] += store.positionY[slot];
-        box[at + 2] += store.positionZ[slot];
-        box[at + 3] += store.positionX[slot];
-        box[at + 4] += store.positionY[slot];
-        box[at + 5] += store.positionZ[slot];
-        setAhead(slot, 0, 0, 0, 0);
-        target.place(slot, true, box, at);
+                6 * c);
     }
 
     /**
      * Brings one body up to date that was woken after {@link #run}, by the same rule and with what
      * that call was given.
      *
-     * @param store the bodies
      * @param target the trees
      * @param slot of a dynamic body at rest
      */
-    public void refresh(BodyStore store, BroadPhase target, int slot) {
-        bodies = store;
+    public void refresh(BroadPhase target, int slot) {
         broadPhase = target;
-        if (look(slot) == LEFT) {
-            target.place(slot, false, box, 6 * slot);
-        }
+        look(slot);
+        place(slot);
     }
 
     /**
@@ -172,11 +186,13 @@ public final class BoundsStage {
      * @param slot of the body
      */
     public void rest(int slot) {
-        setAhead(slot, step * gravityX, step * gravityY, step * gravityZ, 0);
+        for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            setAhead(c, step * gravityX, step * gravityY, step * gravityZ, 0);
+        }
     }
 
-    private void setAhead(int slot, double x, double y, double z, double arc) {
-        int at = AHEAD * slot;
+    private void setAhead(int collider, double x, double y, double z, double arc) {
+        int at = AHEAD * collider;
         ahead[at] = x;
         ahead[at + 1] = y;
         ahead[at + 2] = z;
@@ -207,9 +223,8 @@ public final class BoundsStage {
         int end = Blocks.end(block, BODIES_PER_BLOCK, slotCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             int slot = slots[i];
-            if (state[slot] == LEFT) {
-                broadPhase.place(slot, false, box, 6 * slot);
-            } else if (state[slot] == INVALID) {
+            place(slot);
+            if (state[bodies.collider[slot]] == INVALID) {
                 if (invalidCount == invalid.length) {
                     invalid = Arrays.copyOf(invalid, 2 * invalidCount);
                 }
@@ -218,19 +233,25 @@ public final class BoundsStage {
         }
     }
 
+    private void place(int slot) {
+        for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            if (state[c] == LEFT) {
+                broadPhase.place(c, false, box, 6 * c);
+            }
+        }
+    }
+
     private void block(int block, int worker) {
         int end = Blocks.end(block, BODIES_PER_BLOCK, slotCount);
         int changes = 0;
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
-            int slot = slots[i];
-            byte result = look(slot);
-            state[slot] = result;
-            changes += result;
+            changes += look(slots[i]);
         }
         blockChanges[block] = changes;
     }
 
-    private byte look(int s) {
+    /** Returns 0 if the body's colliders stay in their fat boxes. */
+    private int look(int s) {
         BodyStore b = bodies;
         double inverseMass = b.inverseMass[s];
         double vx = b.velocityX[s] + step * (gravityX + b.forceX[s] * inverseMass);
@@ -247,26 +268,28 @@ public final class BoundsStage {
                         && Math.abs(b.positionX[s]) <= LIMIT
                         && Math.abs(b.positionY[s]) <= LIMIT
                         && Math.abs(b.positionZ[s]) <= LIMIT;
-        if (!valid) {
-            return INVALID;
+        int changes = 0;
+        for (int c = b.collider[s]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            state[c] = valid ? look(c, vx, vy, vz, spin) : INVALID;
+            changes += state[c];
         }
-        double reach = step * settings.get(Tunable.SPECULATIVE_TICKS);
-        double inner = b.innerRadius[s];
+        return changes;
+    }
+
+    private byte look(int c, double vx, double vy, double vz, double spin) {
+        Poses p = colliders.poses;
+        double reach = step * speculativeTime;
+        double inner = colliders.innerRadius[c];
+        double outer = colliders.outerRadius[c];
         double arc = Math.min(spin * outer * reach, outer - inner);
-        setAhead(s, vx, vy, vz, arc);
-        b.shape[s].bounds(
-                b.orientationX[s],
-                b.orientationY[s],
-                b.orientationZ[s],
-                b.orientationW[s],
-                box,
-                6 * s);
-        double pad = arc + settings.get(Tunable.SPECULATIVE_FRACTION) * inner;
-        double margin = settings.get(Tunable.BOUNDS_MARGIN) * outer;
-        boolean inside = broadPhase.contains(s);
-        inside &= axis(s, 0, b.positionX[s], vx, reach, pad, margin);
-        inside &= axis(s, 1, b.positionY[s], vy, reach, pad, margin);
-        inside &= axis(s, 2, b.positionZ[s], vz, reach, pad, margin);
+        setAhead(c, vx, vy, vz, arc);
+        tightBox(c);
+        double pad = arc + speculativeFraction * inner;
+        double margin = boundsMargin * outer;
+        boolean inside = broadPhase.contains(c);
+        inside &= axis(c, 0, p.positionX[c], vx, reach, pad, margin);
+        inside &= axis(c, 1, p.positionY[c], vy, reach, pad, margin);
+        inside &= axis(c, 2, p.positionZ[c], vz, reach, pad, margin);
         return inside ? STAYS : LEFT;
     }
 
@@ -275,13 +298,13 @@ public final class BoundsStage {
      * one and is not far larger.
      */
     private boolean axis(
-            int s, int axis, double centre, double v, double reach, double pad, double margin) {
-        int low = 6 * s + axis;
+            int c, int axis, double centre, double v, double reach, double pad, double margin) {
+        int low = 6 * c + axis;
         int high = low + 3;
         double swept = v * reach;
         double min = box[low] + centre - pad + Math.min(swept, 0);
         double max = box[high] + centre + pad + Math.max(swept, 0);
-        double lead = v * (step * settings.get(Tunable.BOUNDS_TICKS));
+        double lead = v * (step * boundsTime);
         double fatMin = min - margin + Math.min(lead, 0);
         double fatMax = max + margin + Math.max(lead, 0);
         box[low] = fatMin;

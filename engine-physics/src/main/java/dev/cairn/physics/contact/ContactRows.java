@@ -5,9 +5,9 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Sleepers;
-import dev.cairn.physics.narrowphase.hull.PairMemory;
 
 import java.util.Arrays;
 
@@ -28,6 +28,7 @@ public final class ContactRows {
     private ContactStore contacts = new ContactStore();
 
     private final BodyStore bodies;
+    private final ColliderStore colliders;
     private final Sleepers sleepers;
     private int candidates;
     private boolean every;
@@ -35,11 +36,12 @@ public final class ContactRows {
     /**
      * Without rows.
      *
-     * @param bodies kinds, and frictions and restitutions of new rows
+     * @param colliders frictions and restitutions of new rows
      * @param sleepers wakes who loses a contact
      */
-    public ContactRows(BodyStore bodies, Sleepers sleepers) {
-        this.bodies = bodies;
+    public ContactRows(ColliderStore colliders, Sleepers sleepers) {
+        this.colliders = colliders;
+        bodies = colliders.bodies;
         this.sleepers = sleepers;
     }
 
@@ -75,7 +77,7 @@ public final class ContactRows {
     /** Whether a box changed that is not of an awake body: rows that are not active matter, too. */
     private boolean othersMoved() {
         for (int i = 0; i < broadPhase.movedCount(); i++) {
-            if (bodies.kind[broadPhase.movedSlot(i)] != BodyStore.DYNAMIC) {
+            if (bodies.kind[colliders.body[broadPhase.movedSlot(i)]] != BodyStore.DYNAMIC) {
                 return true;
             }
         }
@@ -105,28 +107,31 @@ public final class ContactRows {
         int listed = all ? 0 : at;
         int end = all ? 0 : c.activeCount;
         int read = listed;
+        int first = kept;
         for (int row = kept; row < c.count; row++) {
             boolean active = read < end && c.active[read] == row;
             read += active ? 1 : 0;
             if (!parted[row]) {
-                move(c, row, kept);
                 if (active) {
-                    c.active[listed++] = kept;
+                    c.active[listed++] = kept + row - first;
                 }
-                kept++;
                 continue;
             }
+            c.move(first, kept, row - first);
+            kept += row - first;
+            first = row + 1;
             parted[row] = false;
-            broadPhase.forget(c.bodyA[row], c.bodyB[row]);
+            broadPhase.forget(c.colliderA[row], c.colliderB[row]);
             if (c.touching[row] != 0) {
                 events.addEnded(c.bodyA[row], c.bodyB[row]);
             }
-            if (c.pointCount[row] > 0) {
+            if (c.isSolved(row)) {
                 sleepers.wake(c.bodyA[row]);
                 sleepers.wake(c.bodyB[row]);
             }
         }
-        c.count = kept;
+        c.move(first, kept, c.count - first);
+        c.count = kept + c.count - first;
         c.activeCount = listed;
     }
 
@@ -137,8 +142,8 @@ public final class ContactRows {
         int count = 0;
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = every ? i : c.active[i];
-            int a = c.bodyA[row];
-            int b = c.bodyB[row];
+            int a = c.colliderA[row];
+            int b = c.colliderB[row];
             boolean apart =
                     (broadPhase.moved(a) || broadPhase.moved(b)) && !broadPhase.overlap(a, b);
             parted[row] = apart;
@@ -151,11 +156,10 @@ public final class ContactRows {
     private void wakeMoved() {
         ContactStore c = contacts;
         for (int row = 0; sleepers.asleepCount() > 0 && row < c.count; row++) {
-            int a = c.bodyA[row];
-            int b = c.bodyB[row];
-            if (c.pointCount[row] > 0 && (broadPhase.moved(a) || broadPhase.moved(b))) {
-                sleepers.wake(a);
-                sleepers.wake(b);
+            if (c.isSolved(row)
+                    && (broadPhase.moved(c.colliderA[row]) || broadPhase.moved(c.colliderB[row]))) {
+                sleepers.wake(c.bodyA[row]);
+                sleepers.wake(c.bodyB[row]);
             }
         }
     }
@@ -171,64 +175,14 @@ public final class ContactRows {
         byte[] kind = bodies.kind;
         int count = 0;
         for (int row = 0; row < c.count; row++) {
-            int a = c.bodyA[row];
-            int b = c.bodyB[row];
-            if (kind[a] == BodyStore.DYNAMIC
-                    || kind[b] == BodyStore.DYNAMIC
-                    || pairs.moved(a)
-                    || pairs.moved(b)) {
+            if (kind[c.bodyA[row]] == BodyStore.DYNAMIC
+                    || kind[c.bodyB[row]] == BodyStore.DYNAMIC
+                    || pairs.moved(c.colliderA[row])
+                    || pairs.moved(c.colliderB[row])) {
                 c.active[count++] = row;
             }
         }
         c.activeCount = count;
-    }
-
-    /** Moves all: the narrow phase does not write the rows of bodies asleep anew. */
-    private static void move(ContactStore c, int from, int to) {
-        if (from == to) {
-            return;
-        }
-        c.bodyA[to] = c.bodyA[from];
-        c.bodyB[to] = c.bodyB[from];
-        c.pointCount[to] = c.pointCount[from];
-        c.order[to] = c.order[from];
-        c.patch[to] = c.patch[from];
-        System.arraycopy(
-                c.head, ContactStore.head(from), c.head, ContactStore.head(to), ContactStore.HEAD);
-        c.restitution[to] = c.restitution[from];
-        if (c.rolls) {
-            c.rollingArm[to] = c.rollingArm[from];
-            System.arraycopy(c.rollingImpulse, 3 * from, c.rollingImpulse, 3 * to, 3);
-        }
-        c.touching[to] = c.touching[from];
-        c.cache[to] = c.cache[from];
-        c.keeps[to] = c.keeps[from];
-        if (c.keeps[from]) {
-            int source = ContactStore.keptAt(from);
-            int target = ContactStore.keptAt(to);
-            for (int n = 0; n < ContactStore.KEPT; n++) {
-                c.kept[target + ContactStore.KEPT_ROWS * n] =
-                        c.kept[source + ContactStore.KEPT_ROWS * n];
-            }
-        }
-        if (c.memory.length > 0) {
-            int n = PairMemory.SIZE;
-            System.arraycopy(c.memory, n * from, c.memory, n * to, n);
-        }
-        int m = ContactStore.POINTS;
-        System.arraycopy(
-                c.anchors,
-                ContactStore.anchor(m * from),
-                c.anchors,
-                ContactStore.anchor(m * to),
-                ContactStore.ANCHORS * c.pointCount[from]);
-        for (int p = 0; p < c.pointCount[from]; p++) {
-            c.feature[m * to + p] = c.feature[m * from + p];
-            c.normalImpulse[m * to + p] = c.normalImpulse[m * from + p];
-            c.preload[m * to + p] = c.preload[m * from + p];
-            c.separation[m * to + p] = c.separation[m * from + p];
-            c.totalNormalImpulse[m * to + p] = c.totalNormalImpulse[m * from + p];
-        }
     }
 
     private void append(ContactStore c, BroadPhase pairs) {
@@ -239,32 +193,22 @@ public final class ContactRows {
         if (c.count + (long) added > Integer.MAX_VALUE / (2L * ContactStore.POINTS)) {
             throw new IllegalStateException(
                     (c.count + (long) added)
-                            + " pairs of bodies are near each other; at most "
+                            + " pairs of shapes are near each other; at most "
                             + Integer.MAX_VALUE / (2 * ContactStore.POINTS)
                             + " rows are possible");
         }
-        c.ensureCapacity(c.count + added);
+        int row = c.count;
+        c.append(added);
         long[] keys = pairs.newPairs();
-        for (int i = 0; i < added; i++) {
+        for (int i = 0; i < added; i++, row++) {
             int a = (int) (keys[i] >>> 32);
             int b = (int) keys[i];
-            int row = c.count++;
-            c.active[c.activeCount++] = row;
-            c.bodyA[row] = a;
-            c.bodyB[row] = b;
-            c.pointCount[row] = 0;
-            c.setFriction(row, Math.sqrt(bodies.friction[a] * bodies.friction[b]));
-            c.restitution[row] = Math.max(bodies.restitution[a], bodies.restitution[b]);
+            c.join(row, colliders, a, b);
+            c.setFriction(row, Math.sqrt(colliders.friction[a] * colliders.friction[b]));
+            c.restitution[row] = Math.max(colliders.restitution[a], colliders.restitution[b]);
             if (c.rolls) {
-                c.rollingArm[row] = Math.max(bodies.rollingArm[a], bodies.rollingArm[b]);
+                c.rollingArm[row] = Math.max(colliders.rollingArm[a], colliders.rollingArm[b]);
             }
-            c.touching[row] = 0;
-            c.cache[row] = 0;
-            c.keeps[row] = false;
-            if (PairMemory.SIZE * row < c.memory.length) {
-                PairMemory.forget(c.memory, PairMemory.SIZE * row);
-            }
-            c.forgetFriction(row);
         }
     }
 

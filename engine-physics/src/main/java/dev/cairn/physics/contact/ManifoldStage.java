@@ -3,8 +3,9 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.box.BoxContacts;
 import dev.cairn.physics.narrowphase.hull.PairMemory;
@@ -16,8 +17,6 @@ import dev.cairn.physics.narrowphase.wide.RecycledBatch;
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Moved;
-import dev.cairn.physics.tuning.Tunable;
-import dev.cairn.physics.tuning.Tuning;
 
 import java.util.Arrays;
 
@@ -46,49 +45,44 @@ public final class ManifoldStage {
     /** Other pairs cost from some hundred nanoseconds to some microseconds. */
     private static final int OTHERS_PER_BLOCK = 32;
 
-    private final Tuning settings;
     private final BlockJob job = this::block;
-    private final PairKinds kinds = new PairKinds();
-    private final PointStore points = new PointStore();
-    private final Recycler recycler = new Recycler();
-    private final RoundRows roundRows = new RoundRows(kinds, points);
+    private final PairKinds kinds;
+    private final PointStore points;
+    private final Recycler recycler;
+    private final RoundRows roundRows;
     private Scratch[] scratch = {};
 
-    private BodyStore bodies = new BodyStore();
+    private final ColliderStore colliders;
     private ContactStore contacts = new ContactStore();
-    private BoundsStage bounds;
+    private final BoundsStage bounds;
     private double reach;
     private int boxBlocks, roundBlocks;
 
     /**
      * A stage.
      *
-     * @param settings the margin rule
+     * @param colliders with their poses at the start of the tick
+     * @param bounds the margin rule, and where the bodies may go within the tick
      */
-    public ManifoldStage(Tuning settings) {
-        this.settings = settings;
-        this.bounds = new BoundsStage(settings);
+    public ManifoldStage(ColliderStore colliders, BoundsStage bounds) {
+        this.colliders = colliders;
+        kinds = new PairKinds(colliders);
+        points = new PointStore(colliders);
+        recycler = new Recycler(colliders);
+        roundRows = new RoundRows(colliders, kinds, points);
+        this.bounds = bounds;
     }
 
     /**
      * Collides all active rows.
      *
-     * @param bodyStore poses at the start of the tick
      * @param rows the rows, whose points are written
-     * @param motion where the bodies may go within the tick
      * @param stepSeconds length of the tick, s
      * @param jobs runs the blocks
      */
-    public void run(
-            BodyStore bodyStore,
-            ContactStore rows,
-            BoundsStage motion,
-            double stepSeconds,
-            Jobs jobs) {
-        bodies = bodyStore;
+    public void run(ContactStore rows, double stepSeconds, Jobs jobs) {
         contacts = rows;
-        bounds = motion;
-        reach = stepSeconds * settings.get(Tunable.SPECULATIVE_TICKS);
+        reach = stepSeconds * bounds.speculativeTime;
         if (scratch.length < jobs.workers()) {
             int old = scratch.length;
             scratch = Arrays.copyOf(scratch, jobs.workers());
@@ -96,17 +90,17 @@ public final class ManifoldStage {
                 scratch[w] = new Scratch();
             }
         }
-        points.use(bodyStore, rows);
-        recycler.use(bodyStore, rows, stepSeconds);
-        roundRows.use(bodyStore, rows, motion, reach, settings.get(Tunable.SPECULATIVE_FRACTION));
-        kinds.sort(bodyStore, rows, jobs);
+        points.use(rows);
+        recycler.use(rows, stepSeconds);
+        roundRows.use(rows, bounds, reach, bounds.speculativeFraction);
+        kinds.sort(rows, jobs);
         int round = kinds.begin(PairKinds.ROUND);
         int others = kinds.begin(PairKinds.OTHERS);
         boxBlocks = Blocks.count(round, BOXES_PER_BLOCK);
         roundBlocks = Blocks.count(others - round, ROUND_PER_BLOCK);
         int rest = Blocks.count(rows.activeCount - others, OTHERS_PER_BLOCK);
-        if (rest > 0 && rows.memory.length < PairMemory.SIZE * rows.count) {
-            rows.memory = Arrays.copyOf(rows.memory, PairMemory.SIZE * rows.cache.length);
+        if (rest > 0) {
+            rows.beginMemory(PairMemory.SIZE);
         }
         jobs.run(job, boxBlocks + roundBlocks + rest);
     }
@@ -151,17 +145,17 @@ public final class ManifoldStage {
     }
 
     private void roundOnes(int begin, int end, Scratch own) {
-        BodyStore s = bodies;
+        Poses s = colliders.poses;
         ContactStore c = contacts;
         int[] order = kinds.order();
         for (int i = begin; i < end; i++) {
             int row = order[i];
-            int a = c.bodyA[row];
-            int b = c.bodyB[row];
+            int a = c.colliderA[row];
+            int b = c.colliderB[row];
             boolean done =
                     own.round.collide(
-                            s.shape[a],
-                            s.shape[b],
+                            colliders.shape[a],
+                            colliders.shape[b],
                             s.orientationX[a],
                             s.orientationY[a],
                             s.orientationZ[a],
@@ -193,9 +187,8 @@ public final class ManifoldStage {
         for (int i = 0; i < moved; i++) {
             int row = own.row[i];
             if (!same(i, row, own)) {
-                BodyStore s = bodies;
-                Box a = (Box) s.shape[contacts.bodyA[row]];
-                Box b = (Box) s.shape[contacts.bodyB[row]];
+                Box a = (Box) colliders.shape[contacts.colliderA[row]];
+                Box b = (Box) colliders.shape[contacts.colliderB[row]];
                 contacts.cache[row] = batch.take(i, a, b, own.manifold);
                 points.store(row, own.manifold, own.points);
                 recycler.keep(row, own.manifold, batch.leftOut(i), own.margin[i]);
@@ -237,7 +230,7 @@ public final class ManifoldStage {
         int moved = 0;
         for (int i = begin; i < begin + count; i++) {
             int row = order[i];
-            double margin = margin(c.bodyA[row], c.bodyB[row]);
+            double margin = margin(c.colliderA[row], c.colliderB[row]);
             if (!recycler.renew(row, margin)) {
                 put(moved++, row, margin, own);
             }
@@ -265,33 +258,28 @@ public final class ManifoldStage {
                 recycler.put(kept, row - first, row, bounds);
             }
         }
-        kept.run(
-                places,
-                c.kept,
-                ContactStore.keptAt(first),
-                reach,
-                settings.get(Tunable.SPECULATIVE_FRACTION));
+        kept.run(places, c.kept, ContactStore.keptAt(first), reach, bounds.speculativeFraction);
         int moved = 0;
         for (int i = begin; i < begin + count; i++) {
             int row = order[i];
             if (!c.keeps[row] || !recycler.take(kept, row - first, row)) {
-                put(moved++, row, margin(c.bodyA[row], c.bodyB[row]), own);
+                put(moved++, row, margin(c.colliderA[row], c.colliderB[row]), own);
             }
         }
         return moved;
     }
 
     private void put(int i, int row, double margin, Scratch own) {
-        BodyStore s = bodies;
+        Poses s = colliders.poses;
         ContactStore c = contacts;
-        int a = c.bodyA[row];
-        int b = c.bodyB[row];
+        int a = c.colliderA[row];
+        int b = c.colliderB[row];
         own.row[i] = row;
         own.margin[i] = margin;
         own.boxes.put(
                 i,
-                (Box) s.shape[a],
-                (Box) s.shape[b],
+                (Box) colliders.shape[a],
+                (Box) colliders.shape[b],
                 s.orientationX[a],
                 s.orientationY[a],
                 s.orientationZ[a],
@@ -303,18 +291,18 @@ public final class ManifoldStage {
                 s.apartX(a, b),
                 s.apartY(a, b),
                 s.apartZ(a, b),
-                Math.min(s.innerRadius[a], s.innerRadius[b]),
+                Math.min(colliders.innerRadius[a], colliders.innerRadius[b]),
                 margin,
                 c.cache[row]);
     }
 
     private void collide(int row, Scratch own) {
-        BodyStore s = bodies;
+        Poses s = colliders.poses;
         ContactStore c = contacts;
-        int a = c.bodyA[row];
-        int b = c.bodyB[row];
+        int a = c.colliderA[row];
+        int b = c.colliderB[row];
         double margin = margin(a, b);
-        boolean flat = Recycler.fits(s.shape[a]) && Recycler.fits(s.shape[b]);
+        boolean flat = Recycler.fits(colliders.shape[a]) && Recycler.fits(colliders.shape[b]);
         if (flat && recycler.renew(row, margin)) {
             return;
         }
@@ -331,8 +319,8 @@ public final class ManifoldStage {
         }
         c.cache[row] =
                 own.narrowPhase.collide(
-                        s.shape[a],
-                        s.shape[b],
+                        colliders.shape[a],
+                        colliders.shape[b],
                         s.orientationX[a],
                         s.orientationY[a],
                         s.orientationZ[a],
@@ -354,25 +342,26 @@ public final class ManifoldStage {
     }
 
     /**
-     * Whether the balls around two bodies are further apart than the margin. In a heap every other
-     * pair with a round side is: its boxes overlap at their corners. A moved shape may be without a
-     * round side, and then remembers what separates it.
+     * Whether the balls around two colliders are further apart than the margin. In a heap every
+     * other pair with a round side is: its boxes overlap at their corners. A moved shape may be
+     * without a round side, and then remembers what separates it.
      */
     private boolean isFar(int a, int b, double margin) {
-        BodyStore s = bodies;
-        if (s.shape[a] instanceof Moved || s.shape[b] instanceof Moved) {
+        Poses s = colliders.poses;
+        if (colliders.shape[a] instanceof Moved || colliders.shape[b] instanceof Moved) {
             return false;
         }
         double x = s.apartX(a, b);
         double y = s.apartY(a, b);
         double z = s.apartZ(a, b);
-        double reaches = (s.outerRadius[a] + s.outerRadius[b] + margin) * (1 + 0x1p-40);
+        double reaches =
+                (colliders.outerRadius[a] + colliders.outerRadius[b] + margin) * (1 + 0x1p-40);
         return x * x + y * y + z * z > reaches * reaches;
     }
 
     /** The speculative margin of a pair; see the package's essay. */
     private double margin(int a, int b) {
-        return margin(a, b, Math.min(bodies.innerRadius[a], bodies.innerRadius[b]));
+        return margin(a, b, Math.min(colliders.innerRadius[a], colliders.innerRadius[b]));
     }
 
     /** With the smaller inner radius. */
@@ -386,7 +375,7 @@ public final class ManifoldStage {
         return reach * Math.sqrt(vx * vx + vy * vy + vz * vz)
                 + ahead[i + 3]
                 + ahead[j + 3]
-                + settings.get(Tunable.SPECULATIVE_FRACTION) * smaller;
+                + bounds.speculativeFraction * smaller;
     }
 
     /** What one worker needs. */

@@ -3,7 +3,7 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.box.BoxContacts;
 import dev.cairn.physics.shape.Box;
@@ -33,7 +33,7 @@ final class PairKinds {
     /** All the rest: one after another. */
     static final int OTHERS = 5;
 
-    /** Kinds of bodies. */
+    /** Kinds of colliders. */
     private static final byte BOX = 0, BALL = 1, CAPSULE = 2, OTHER = 3;
 
     /** The kind of a pair, by four times the kind of A plus that of B. */
@@ -42,7 +42,7 @@ final class PairKinds {
         ROUND + 3, OTHERS, OTHERS, OTHERS, OTHERS, OTHERS
     };
 
-    /** Numbers for each body in {@link #sizes}. */
+    /** Numbers for each collider in {@link #sizes}. */
     static final int SIZES = 4;
 
     private static final int KINDS = 6;
@@ -60,24 +60,28 @@ final class PairKinds {
     private final BlockJob writeJob = this::writeBlock;
     private final int[] begin = new int[KINDS + 1];
 
-    /** Of each body the shape when it was last looked at, and its kind. */
+    /** Of each collider the shape when it was last looked at, and its kind. */
     private @Nullable Shape[] seen = {};
 
-    private byte[] kindOfBody = {};
+    private byte[] kindOfCollider = {};
 
-    /** Of each body of the first two kinds: half extents, or radius and half length, m. */
+    /** Of each collider of the first two kinds: half extents, or radius and half length, m. */
     private double[] size = {};
 
     private byte[] kind = {};
     private int[] sorted = {};
     private int[] cursor = {};
     private int[] order = {};
-    private BodyStore bodies = new BodyStore();
+    private final ColliderStore colliders;
     private ContactStore contacts = new ContactStore();
 
+    /** Of some colliders. */
+    PairKinds(ColliderStore colliders) {
+        this.colliders = colliders;
+    }
+
     /** Sorts the active rows. */
-    void sort(BodyStore bodyStore, ContactStore rows, Jobs jobs) {
-        bodies = bodyStore;
+    void sort(ContactStore rows, Jobs jobs) {
         contacts = rows;
         int blocks = Blocks.count(rows.activeCount, ROWS_PER_BLOCK);
         if (kind.length < rows.activeCount) {
@@ -85,13 +89,13 @@ final class PairKinds {
             sorted = new int[rows.active.length];
             cursor = new int[KINDS * Blocks.count(kind.length, ROWS_PER_BLOCK)];
         }
-        if (seen.length < bodyStore.slotCount) {
-            seen = Arrays.copyOf(seen, bodyStore.shape.length);
-            kindOfBody = Arrays.copyOf(kindOfBody, seen.length);
+        if (seen.length < colliders.slotCount) {
+            seen = Arrays.copyOf(seen, colliders.shape.length);
+            kindOfCollider = Arrays.copyOf(kindOfCollider, seen.length);
             size = Arrays.copyOf(size, SIZES * seen.length);
         }
         Arrays.fill(cursor, 0, KINDS * blocks, 0);
-        jobs.run(shapeJob, Blocks.count(bodyStore.slotCount, SLOTS_PER_BLOCK));
+        jobs.run(shapeJob, Blocks.count(colliders.slotCount, SLOTS_PER_BLOCK));
         jobs.run(countJob, blocks);
         int sum = 0;
         boolean mixed = false;
@@ -118,7 +122,7 @@ final class PairKinds {
     }
 
     /**
-     * Sizes of the bodies, {@link #SIZES} numbers each: half extents of a box, radius and half
+     * Sizes of the colliders, {@link #SIZES} numbers each: half extents of a box, radius and half
      * length of a capsule, radius and 0 of a ball, m.
      */
     double[] sizes() {
@@ -132,12 +136,12 @@ final class PairKinds {
 
     /** A shape that is another one than before gets its kind; the shapes' own memory is far. */
     private void shapeBlock(int block, int worker) {
-        int end = Blocks.end(block, SLOTS_PER_BLOCK, bodies.slotCount);
+        int end = Blocks.end(block, SLOTS_PER_BLOCK, colliders.slotCount);
         for (int slot = Blocks.begin(block, SLOTS_PER_BLOCK); slot < end; slot++) {
-            Shape shape = bodies.shape[slot];
+            Shape shape = colliders.shape[slot];
             if (shape != seen[slot]) {
                 seen[slot] = shape;
-                kindOfBody[slot] = kindOf(shape);
+                kindOfCollider[slot] = kindOf(shape);
                 measure(shape, SIZES * slot);
             }
         }
@@ -169,8 +173,8 @@ final class PairKinds {
         long counts = 0;
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = contacts.active[i];
-            int a = kindOfBody[contacts.bodyA[row]];
-            int b = kindOfBody[contacts.bodyB[row]];
+            int a = kindOfCollider[contacts.colliderA[row]];
+            int b = kindOfCollider[contacts.colliderB[row]];
             byte of = OF_PAIR[4 * a + b];
             kind[i] = of;
             counts += 1L << (COUNT_BITS * of);

@@ -1,7 +1,8 @@
 package dev.cairn.physics.contact;
 
-import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 
 /**
@@ -15,12 +16,16 @@ final class PointStore {
      */
     private static final double NEAR = 0.1;
 
-    private BodyStore bodies = new BodyStore();
+    private final ColliderStore colliders;
     private ContactStore contacts = new ContactStore();
 
+    /** Of some colliders. */
+    PointStore(ColliderStore colliders) {
+        this.colliders = colliders;
+    }
+
     /** Chooses the columns. */
-    void use(BodyStore bodyStore, ContactStore rows) {
-        bodies = bodyStore;
+    void use(ContactStore rows) {
         contacts = rows;
     }
 
@@ -54,9 +59,9 @@ final class PointStore {
 
     private void place(int row, Manifold m) {
         ContactStore c = contacts;
-        BodyStore s = bodies;
-        int a = c.bodyA[row];
-        int b = c.bodyB[row];
+        Poses s = colliders.poses;
+        int a = c.colliderA[row];
+        int b = c.colliderB[row];
         double dx = s.apartX(a, b);
         double dy = s.apartY(a, b);
         double dz = s.apartZ(a, b);
@@ -103,8 +108,8 @@ final class PointStore {
             double near =
                     NEAR
                             * Math.min(
-                                    bodies.innerRadius[c.bodyA[row]],
-                                    bodies.innerRadius[c.bodyB[row]]);
+                                    colliders.innerRadius[c.colliderA[row]],
+                                    colliders.innerRadius[c.colliderB[row]]);
             for (int p = 0; p < points; p++) {
                 if (own.unmatched[p]) {
                     persists |= inheritNearest(m, own, first, p, before, near * near);

@@ -9,7 +9,9 @@ import static dev.cairn.physics.narrowphase.wide.RecycledBatch.POINT;
 import static dev.cairn.physics.narrowphase.wide.RecycledBatch.SPIN;
 
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.narrowphase.wide.RecycledBatch;
@@ -45,13 +47,21 @@ final class Recycler {
     /** Between the numbers of a row in {@link ContactStore#kept}. */
     private static final int N = ContactStore.KEPT_ROWS;
 
-    private BodyStore s = new BodyStore();
+    private final ColliderStore colliders;
+    private final BodyStore bodies;
+    private final Poses s;
     private ContactStore c = new ContactStore();
     private double stepSquared;
 
+    /** Of some colliders. */
+    Recycler(ColliderStore colliders) {
+        this.colliders = colliders;
+        bodies = colliders.bodies;
+        s = colliders.poses;
+    }
+
     /** Chooses the columns. */
-    void use(BodyStore bodyStore, ContactStore rows, double stepSeconds) {
-        s = bodyStore;
+    void use(ContactStore rows, double stepSeconds) {
         c = rows;
         stepSquared = stepSeconds * stepSeconds;
     }
@@ -77,8 +87,8 @@ final class Recycler {
             return false;
         }
         boolean flip = flip(row);
-        int r = flip ? c.bodyB[row] : c.bodyA[row];
-        int i = flip ? c.bodyA[row] : c.bodyB[row];
+        int r = flip ? c.colliderB[row] : c.colliderA[row];
+        int i = flip ? c.colliderA[row] : c.colliderB[row];
         double rx = s.orientationX[r];
         double ry = s.orientationY[r];
         double rz = s.orientationZ[r];
@@ -117,7 +127,7 @@ final class Recycler {
         double nx;
         double ny;
         double nz;
-        if (s.shape[r] instanceof ConvexHull hull) {
+        if (colliders.shape[r] instanceof ConvexHull hull) {
             Polyhedron h = hull.polyhedron();
             double x = h.normalX(face);
             double y = h.normalY(face);
@@ -206,8 +216,8 @@ final class Recycler {
     /** Puts a pair of boxes that is kept into a batch; see {@link #renew}. */
     void put(RecycledBatch batch, int place, int row, BoundsStage bounds) {
         double[] t = batch.data;
-        int a = c.bodyA[row];
-        int b = c.bodyB[row];
+        int a = c.colliderA[row];
+        int b = c.colliderB[row];
         double[] ahead = bounds.ahead;
         int one = BoundsStage.AHEAD * a;
         int other = BoundsStage.AHEAD * b;
@@ -216,7 +226,8 @@ final class Recycler {
         t[RecycledBatch.AHEAD + 2 * CAPACITY + place] = ahead[other + 2] - ahead[one + 2];
         t[RecycledBatch.ARC_A + place] = ahead[one + 3];
         t[RecycledBatch.ARC_B + place] = ahead[other + 3];
-        t[RecycledBatch.INNER + place] = Math.min(s.innerRadius[a], s.innerRadius[b]);
+        t[RecycledBatch.INNER + place] =
+                Math.min(colliders.innerRadius[a], colliders.innerRadius[b]);
         long word = c.cache[row];
         boolean flip = WarmStartKey.onFaceOfB(word);
         int r = flip ? b : a;
@@ -321,8 +332,8 @@ final class Recycler {
         if (!stays(row, apart, gap, margin)) {
             return;
         }
-        int a = c.bodyA[row];
-        int b = c.bodyB[row];
+        int a = c.colliderA[row];
+        int b = c.colliderB[row];
         double allowed = allowed(a, b, apart, gap, margin);
         c.keeps[row] = true;
         boolean flip = flip(row);
@@ -351,8 +362,8 @@ final class Recycler {
         k[at + N * CENTRE] = ex + rw * tx + (rz * ty - ry * tz);
         k[at + N * (CENTRE + 1)] = ey + rw * ty + (rx * tz - rz * tx);
         k[at + N * (CENTRE + 2)] = ez + rw * tz + (ry * tx - rx * ty);
-        k[at + N * PLANE] = offset(s.shape[r], WarmStartKey.faceOf(c.cache[row]));
-        k[at + N * SPIN] = 4 * s.outerRadius[i] * s.outerRadius[i];
+        k[at + N * PLANE] = offset(colliders.shape[r], WarmStartKey.faceOf(c.cache[row]));
+        k[at + N * SPIN] = 4 * colliders.outerRadius[i] * colliders.outerRadius[i];
         k[at + N * LIMIT] = apart ? Double.MAX_VALUE : allowed * allowed;
         k[at + N * GAP] = gap;
         keepPoints(m, flip, at + N * POINT, ix, iy, iz, iw, ex, ey, ez);
@@ -366,17 +377,19 @@ final class Recycler {
         if (Double.isNaN(gap)) {
             return false;
         }
+        double allowed = allowed(c.colliderA[row], c.colliderB[row], apart, gap, margin);
         int a = c.bodyA[row];
         int b = c.bodyB[row];
-        double allowed = allowed(a, b, apart, gap, margin);
-        double vx = s.velocityX[b] - s.velocityX[a];
-        double vy = s.velocityY[b] - s.velocityY[a];
-        double vz = s.velocityZ[b] - s.velocityZ[a];
+        double vx = bodies.velocityX[b] - bodies.velocityX[a];
+        double vy = bodies.velocityY[b] - bodies.velocityY[a];
+        double vz = bodies.velocityZ[b] - bodies.velocityZ[a];
         return stepSquared * (vx * vx + vy * vy + vz * vz) < allowed * allowed;
     }
 
     private double allowed(int a, int b, boolean apart, double gap, double margin) {
-        return apart ? gap - margin : SHARE * Math.min(s.innerRadius[a], s.innerRadius[b]);
+        return apart
+                ? gap - margin
+                : SHARE * Math.min(colliders.innerRadius[a], colliders.innerRadius[b]);
     }
 
     /** How far the plane of a face is from the centre of its shape, m. */

@@ -1,7 +1,8 @@
 package dev.cairn.physics.contact;
 
-import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.round.RoundPairs;
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
@@ -14,13 +15,14 @@ import dev.cairn.physics.narrowphase.wide.RoundBatch;
 final class RoundRows {
     private final PairKinds kinds;
     private final PointStore points;
-    private BodyStore s = new BodyStore();
+    private final Poses s;
     private ContactStore c = new ContactStore();
     private double[] ahead = {};
     private double reach, fraction;
 
     /** Of a stage. */
-    RoundRows(PairKinds kinds, PointStore points) {
+    RoundRows(ColliderStore colliders, PairKinds kinds, PointStore points) {
+        s = colliders.poses;
         this.kinds = kinds;
         this.points = points;
     }
@@ -30,13 +32,7 @@ final class RoundRows {
      *
      * @param fraction share of the smaller radius in it
      */
-    void use(
-            BodyStore bodies,
-            ContactStore rows,
-            BoundsStage bounds,
-            double reachSeconds,
-            double fraction) {
-        s = bodies;
+    void use(ContactStore rows, BoundsStage bounds, double reachSeconds, double fraction) {
         c = rows;
         ahead = bounds.ahead;
         reach = reachSeconds;
@@ -60,10 +56,10 @@ final class RoundRows {
         gather(begin, count, own);
         margins(count, own);
         if (capsulesA) {
-            turn(count, own.bodyA, false, own.pairs);
+            turn(count, own.colliderA, false, own.pairs);
         }
         if (capsulesB) {
-            turn(count, own.bodyB, true, own.pairs);
+            turn(count, own.colliderB, true, own.pairs);
         }
         own.pairs.run(count, capsulesA, capsulesB, reach, fraction);
         return others(store(begin, count, own), own);
@@ -71,16 +67,16 @@ final class RoundRows {
 
     private void gather(int begin, int count, Scratch own) {
         int[] order = kinds.order();
-        int[] rowsA = c.bodyA;
-        int[] rowsB = c.bodyB;
+        int[] rowsA = c.colliderA;
+        int[] rowsB = c.colliderB;
         double[] sizes = kinds.sizes();
         RoundPairs pairs = own.pairs;
         for (int i = 0; i < count; i++) {
             int row = order[begin + i];
             int a = rowsA[row];
             int b = rowsB[row];
-            own.bodyA[i] = a;
-            own.bodyB[i] = b;
+            own.colliderA[i] = a;
+            own.colliderB[i] = b;
             int sizeA = PairKinds.SIZES * a;
             int sizeB = PairKinds.SIZES * b;
             pairs.put(
@@ -97,12 +93,12 @@ final class RoundRows {
 
     private void margins(int count, Scratch own) {
         double[] v = ahead;
-        int[] bodyA = own.bodyA;
-        int[] bodyB = own.bodyB;
+        int[] colliderA = own.colliderA;
+        int[] colliderB = own.colliderB;
         RoundPairs pairs = own.pairs;
         for (int i = 0; i < count; i++) {
-            int a = BoundsStage.AHEAD * bodyA[i];
-            int b = BoundsStage.AHEAD * bodyB[i];
+            int a = BoundsStage.AHEAD * colliderA[i];
+            int b = BoundsStage.AHEAD * colliderB[i];
             pairs.ahead(
                     i, v[b] - v[a], v[b + 1] - v[a + 1], v[b + 2] - v[a + 2], v[a + 3], v[b + 3]);
         }
@@ -168,8 +164,8 @@ final class RoundRows {
     /** What one worker needs. */
     static final class Scratch {
         final RoundPairs pairs = new RoundPairs();
-        final int[] bodyA = new int[RoundBatch.CAPACITY];
-        final int[] bodyB = new int[RoundBatch.CAPACITY];
+        final int[] colliderA = new int[RoundBatch.CAPACITY];
+        final int[] colliderB = new int[RoundBatch.CAPACITY];
         final int[] place = new int[RoundBatch.CAPACITY];
         final int[] left = new int[RoundBatch.CAPACITY];
         final Manifold manifold = new Manifold();

@@ -84,7 +84,7 @@ public final class TouchEvents {
                     change[i] = 1;
                     changes++;
                 }
-            } else if (c.pointCount[row] == 0) {
+            } else if (!c.isSolved(row)) {
                 c.touching[row] = 0;
                 change[i] = -1;
                 changes++;

@@ -62,7 +62,7 @@ public final class WakeStage {
             int count = contacts.activeCount;
             contacts.active = late;
             contacts.activeCount = lateCount;
-            manifolds.run(bodies, contacts, bounds, stepSeconds, jobs);
+            manifolds.run(contacts, stepSeconds, jobs);
             contacts.active = all;
             contacts.activeCount = count;
             wakeTouched(late, lateCount);
@@ -77,7 +77,7 @@ public final class WakeStage {
      */
     public void refresh(BoundsStage bounds, BroadPhase broadPhase) {
         for (int i = 0; i < sleepers.freshCount(); i++) {
-            bounds.refresh(bodies, broadPhase, sleepers.fresh(i));
+            bounds.refresh(broadPhase, sleepers.fresh(i));
         }
         sleepers.forgetFresh();
     }
@@ -90,7 +90,7 @@ public final class WakeStage {
             int a = contacts.bodyA[row];
             int b = contacts.bodyB[row];
             if ((kind[a] == BodyStore.ASLEEP || kind[b] == BodyStore.ASLEEP)
-                    && contacts.pointCount[row] > 0) {
+                    && contacts.isSolved(row)) {
                 sleepers.wake(a);
                 sleepers.wake(b);
             }

@@ -12,7 +12,7 @@ import java.util.Arrays;
  * of mass. Simulation thread, and blocks of its stages, only; the fields are public because the
  * kernels of the step are loops over them.
  */
-public final class BodyStore {
+public final class BodyStore extends Poses {
     /** Makes an empty store. */
     public BodyStore() {}
 
@@ -41,31 +41,19 @@ public final class BodyStore {
     /** ECS entity of the body. */
     public long[] entity = new long[0];
 
+    /** The first of the body's colliders, the others follow by {@link ColliderStore#next}. */
+    public int[] collider = {};
+
     /**
      * Collision shape; its geometry is relative to the centre of mass. {@code null} in a free slot.
      */
     public Shape[] shape = new Shape[0];
-
-    /** Centre of mass, world, m. */
-    public double[] positionX = {}, positionY = {}, positionZ = {};
-
-    /**
-     * What the position lacks, m, 3 to a slot: the centre is at position and this together. 0
-     * nearer to the origin than {@link #FAR}; kept by {@link #move}.
-     */
-    public double[] positionLow = {};
-
-    /** Whether a position has ever lacked something. */
-    public boolean isFar;
 
     /**
      * Outer radii from the origin beyond which the rounding of a position, 2^-53 of it, is more
      * than 2^-41 of the body, and is kept.
      */
     public static final double FAR = 4096;
-
-    /** Unit quaternion worldFromBody. */
-    public double[] orientationX = {}, orientationY = {}, orientationZ = {}, orientationW = {};
 
     /** Velocity of the centre of mass, world, m/s. */
     public double[] velocityX = {}, velocityY = {}, velocityZ = {};
@@ -100,16 +88,7 @@ public final class BodyStore {
             inverseInertiaXZ = {},
             inverseInertiaYZ = {};
 
-    /** Coulomb coefficient. */
-    public double[] friction = {};
-
-    /** Newton's coefficient of restitution, 0..1. */
-    public double[] restitution = {};
-
-    /** Arm of rolling friction, m. */
-    public double[] rollingArm = {};
-
-    /** Radii of the shape's inner and outer ball about the centre of mass, m. */
+    /** Radii of the balls about the centre of mass that are inside the body, and around it, m. */
     public double[] innerRadius = {}, outerRadius = {};
 
     /**
@@ -164,60 +143,70 @@ public final class BodyStore {
             return;
         }
         int n = Math.max(capacity, Math.max(16, kind.length + (kind.length >> 1)));
-        kind = Arrays.copyOf(kind, n);
-        entity = Arrays.copyOf(entity, n);
-        shape = Arrays.copyOf(shape, n);
-        positionX = Arrays.copyOf(positionX, n);
-        positionY = Arrays.copyOf(positionY, n);
-        positionZ = Arrays.copyOf(positionZ, n);
-        positionLow = Arrays.copyOf(positionLow, 3 * n);
-        orientationX = Arrays.copyOf(orientationX, n);
-        orientationY = Arrays.copyOf(orientationY, n);
-        orientationZ = Arrays.copyOf(orientationZ, n);
-        orientationW = Arrays.copyOf(orientationW, n);
-        velocityX = Arrays.copyOf(velocityX, n);
-        velocityY = Arrays.copyOf(velocityY, n);
-        velocityZ = Arrays.copyOf(velocityZ, n);
-        angularVelocityX = Arrays.copyOf(angularVelocityX, n);
-        angularVelocityY = Arrays.copyOf(angularVelocityY, n);
-        angularVelocityZ = Arrays.copyOf(angularVelocityZ, n);
-        forceX = Arrays.copyOf(forceX, n);
-        forceY = Arrays.copyOf(forceY, n);
-        forceZ = Arrays.copyOf(forceZ, n);
-        torqueX = Arrays.copyOf(torqueX, n);
-        torqueY = Arrays.copyOf(torqueY, n);
-        torqueZ = Arrays.copyOf(torqueZ, n);
-        inverseMass = Arrays.copyOf(inverseMass, n);
-        inertiaXX = Arrays.copyOf(inertiaXX, n);
-        inertiaYY = Arrays.copyOf(inertiaYY, n);
-        inertiaZZ = Arrays.copyOf(inertiaZZ, n);
-        inertiaXY = Arrays.copyOf(inertiaXY, n);
-        inertiaXZ = Arrays.copyOf(inertiaXZ, n);
-        inertiaYZ = Arrays.copyOf(inertiaYZ, n);
-        inverseInertiaXX = Arrays.copyOf(inverseInertiaXX, n);
-        inverseInertiaYY = Arrays.copyOf(inverseInertiaYY, n);
-        inverseInertiaZZ = Arrays.copyOf(inverseInertiaZZ, n);
-        inverseInertiaXY = Arrays.copyOf(inverseInertiaXY, n);
-        inverseInertiaXZ = Arrays.copyOf(inverseInertiaXZ, n);
-        inverseInertiaYZ = Arrays.copyOf(inverseInertiaYZ, n);
-        friction = Arrays.copyOf(friction, n);
-        restitution = Arrays.copyOf(restitution, n);
-        rollingArm = Arrays.copyOf(rollingArm, n);
-        innerRadius = Arrays.copyOf(innerRadius, n);
-        outerRadius = Arrays.copyOf(outerRadius, n);
-        inertiaScale = Arrays.copyOf(inertiaScale, n);
-        restTicks = Arrays.copyOf(restTicks, n);
-        unrest = Arrays.copyOf(unrest, n);
-        lastVelocity = Arrays.copyOf(lastVelocity, 6 * n);
-        pressed = Arrays.copyOf(pressed, n);
-        pressing = Arrays.copyOf(pressing, n);
-        restraint = Arrays.copyOf(restraint, n);
-        linearDamping = Arrays.copyOf(linearDamping, n);
-        angularDamping = Arrays.copyOf(angularDamping, n);
-        speedLimit = Arrays.copyOf(speedLimit, n);
         int old = gravityScale.length;
-        gravityScale = Arrays.copyOf(gravityScale, n);
+        columns(new Columns.Growth(n));
         Arrays.fill(gravityScale, old, n, 1.0);
+    }
+
+    /**
+     * Declares the columns.
+     *
+     * @param c what is done to them
+     */
+    @Override
+    public void columns(Columns c) {
+        super.columns(c);
+        kind = c.column("kind", kind);
+        collider = c.column("collider", collider);
+        entity = c.column("entity", entity);
+        shape = c.column("shape", shape);
+        velocityX = c.column("velocityX", velocityX);
+        velocityY = c.column("velocityY", velocityY);
+        velocityZ = c.column("velocityZ", velocityZ);
+        angularVelocityX = c.column("angularVelocityX", angularVelocityX);
+        angularVelocityY = c.column("angularVelocityY", angularVelocityY);
+        angularVelocityZ = c.column("angularVelocityZ", angularVelocityZ);
+        forceX = c.column("forceX", forceX);
+        forceY = c.column("forceY", forceY);
+        forceZ = c.column("forceZ", forceZ);
+        torqueX = c.column("torqueX", torqueX);
+        torqueY = c.column("torqueY", torqueY);
+        torqueZ = c.column("torqueZ", torqueZ);
+        inverseMass = c.column("inverseMass", inverseMass);
+        inertiaXX = c.column("inertiaXX", inertiaXX);
+        inertiaYY = c.column("inertiaYY", inertiaYY);
+        inertiaZZ = c.column("inertiaZZ", inertiaZZ);
+        inertiaXY = c.column("inertiaXY", inertiaXY);
+        inertiaXZ = c.column("inertiaXZ", inertiaXZ);
+        inertiaYZ = c.column("inertiaYZ", inertiaYZ);
+        inverseInertiaXX = c.column("inverseInertiaXX", inverseInertiaXX);
+        inverseInertiaYY = c.column("inverseInertiaYY", inverseInertiaYY);
+        inverseInertiaZZ = c.column("inverseInertiaZZ", inverseInertiaZZ);
+        inverseInertiaXY = c.column("inverseInertiaXY", inverseInertiaXY);
+        inverseInertiaXZ = c.column("inverseInertiaXZ", inverseInertiaXZ);
+        inverseInertiaYZ = c.column("inverseInertiaYZ", inverseInertiaYZ);
+        innerRadius = c.column("innerRadius", innerRadius);
+        outerRadius = c.column("outerRadius", outerRadius);
+        inertiaScale = c.column("inertiaScale", inertiaScale);
+        restTicks = c.column("restTicks", restTicks);
+        unrest = c.column("unrest", unrest);
+        lastVelocity = c.column("lastVelocity", lastVelocity, 6);
+        pressed = c.column("pressed", pressed);
+        pressing = c.column("pressing", pressing);
+        restraint = c.column("restraint", restraint);
+        linearDamping = c.column("linearDamping", linearDamping);
+        angularDamping = c.column("angularDamping", angularDamping);
+        speedLimit = c.column("speedLimit", speedLimit);
+        gravityScale = c.column("gravityScale", gravityScale);
+    }
+
+    /**
+     * Empties a slot for another body.
+     *
+     * @param slot whose
+     */
+    public void clear(int slot) {
+        columns(new Columns.Clear().rows(slot, slot + 1));
     }
 
     /**
@@ -304,46 +293,5 @@ public final class BodyStore {
         double sum = a + b;
         double part = sum - a;
         return (a - (sum - part)) + (b - part);
-    }
-
-    /**
-     * From one centre to another.
-     *
-     * @param a slot
-     * @param b slot
-     * @return world x, m
-     */
-    public double apartX(int a, int b) {
-        double d = positionX[b] - positionX[a];
-        return isFar ? apart(d, 3 * a, 3 * b) : d;
-    }
-
-    /**
-     * From one centre to another.
-     *
-     * @param a slot
-     * @param b slot
-     * @return world y, m
-     */
-    public double apartY(int a, int b) {
-        double d = positionY[b] - positionY[a];
-        return isFar ? apart(d, 3 * a + 1, 3 * b + 1) : d;
-    }
-
-    /**
-     * From one centre to another.
-     *
-     * @param a slot
-     * @param b slot
-     * @return world z, m
-     */
-    public double apartZ(int a, int b) {
-        double d = positionZ[b] - positionZ[a];
-        return isFar ? apart(d, 3 * a + 2, 3 * b + 2) : d;
-    }
-
-    private double apart(double d, int i, int j) {
-        double low = positionLow[j] - positionLow[i];
-        return low == 0 ? d : d + low;
     }
 }

@@ -1,47 +1,13 @@
 package dev.cairn.physics.internal;
 
-import java.util.Arrays;
-
 /**
  * All contacts of this tick as a structure of arrays; a contact is a row in {@code [0, count)}, one
- * row per pair of bodies whose fat bounds overlap. Rows without points ({@code pointCount == 0})
- * take no part in the solve.
- *
- * <p>Points are stored four to a row: point {@code p} of row {@code c} is at {@code 4 * c + p}. The
- * normal is a unit vector in world axes from body A to body B. Anchors are the contact point,
- * midway between the surfaces, relative to each body's centre of mass, in world axes at the start
- * of the tick, in metres. Impulses are what warm-starts the next tick.
+ * row per pair of colliders whose fat bounds overlap. Only some of them are solved, see {@link
+ * #isSolved}.
  */
-public final class ContactStore {
+public final class ContactStore extends ContactColumns {
     /** Makes an empty store. */
     public ContactStore() {}
-
-    /** Points per row. */
-    public static final int POINTS = 4;
-
-    /** Numbers per point in {@link #anchors}. */
-    public static final int ANCHORS = 6;
-
-    /** Numbers per row in {@link #head}: normal, then these. */
-    public static final int HEAD = 8;
-
-    /** Of a row's head: the Coulomb coefficient. */
-    public static final int FRICTION = 3;
-
-    /** Of a row's head: the friction impulse. */
-    public static final int RUB = 4;
-
-    /** Of a row's head: the twist impulse. */
-    public static final int TWIST = 7;
-
-    /** Behind the 16 bytes of an array's header this is a whole cache line. */
-    private static final int START = 6;
-
-    /** Numbers per row in {@link #kept}. */
-    public static final int KEPT = 24;
-
-    /** Rows whose numbers in {@link #kept} lie together: the first of each, then the second. */
-    public static final int KEPT_ROWS = 8;
 
     /** Rows in use. */
     public int count;
@@ -55,328 +21,9 @@ public final class ContactStore {
      */
     public int[] active = {};
 
-    /** Slots of the two bodies; at least one of them is dynamic. */
-    public int[] bodyA = {}, bodyB = {};
-
-    /** 0 to 4. */
-    public int[] pointCount = {};
-
-    /**
-     * Which of a row's points, ascending by feature id as an unsigned number, is at each place: two
-     * bits a place, the first one lowest. It stays while the ids do.
-     */
-    public byte[] order = {};
-
-    /**
-     * Mean distance of the patch's area from its middle over that of its points; 0 when the points
-     * are all of the patch.
-     */
-    public double[] patch = {};
-
-    /**
-     * What the solver reads of a row beside its points, in one cache line: the unit normal from A
-     * to B in world axes; the mixed Coulomb coefficient; the friction impulse at the patch centre
-     * in world axes, N s over the last sub-step, and the twist impulse about the normal, N m s over
-     * the last sub-step, both warm start. Row c begins at {@link #head}.
-     */
-    public double[] head = {};
-
-    /**
-     * Whether a material with rolling friction has been here; until then there is nothing in {@link
-     * #rollingArm} and {@link #rollingImpulse}.
-     */
-    public boolean rolls;
-
-    /** Mixed arm of rolling friction, m, at least 0. */
-    public double[] rollingArm = {};
-
-    /**
-     * Rolling impulse on B, world, N m s over the last sub-step, in the contact plane; three
-     * numbers a row; warm start.
-     */
-    public double[] rollingImpulse = {};
-
-    /** Mixed coefficient of restitution, 0..1. */
-    public double[] restitution = {};
-
-    /** 1 while the bodies touch: since they came within reach they have overlapped or pushed. */
-    public byte[] touching = {};
-
-    /** The narrow phase's warm-start word; 0 if there is none. */
-    public long[] cache = {};
-
-    /**
-     * What the narrow phase remembers of pairs with a hull, {@code PairMemory.SIZE} numbers a row;
-     * empty while there are no such pairs.
-     */
-    public long[] memory = {};
-
-    /** Whether {@link #kept} holds something of a row. */
-    public boolean[] keeps = {};
-
-    /**
-     * Relative pose and points when a pair of boxes was last collided; the manifold stage's own.
-     * Number n of a row is at {@code keptAt(row) + KEPT_ROWS * n}, so lanes read rows as they lie.
-     */
-    public double[] kept = {};
-
-    /**
-     * Per point: contact point relative to A's, then to B's centre of mass, world axes, m. Point p
-     * begins at {@link #anchor}: those of a row are three cache lines, where in columns of their
-     * own they would be six.
-     */
-    public double[] anchors = {};
-
-    /**
-     * Per point: signed distance of the surfaces along the normal, m; negative when they overlap.
-     */
-    public double[] separation = {};
-
-    /**
-     * Per point: id of the features that touch; equal ids in successive ticks are the same point.
-     */
-    public int[] feature = {};
-
-    /** Per point: normal impulse of the last sub-step, N s, never negative; warm start. */
-    public double[] normalImpulse = {};
-
-    /**
-     * Per point: the resting load that the solver has learnt, N s over a sub-step, never negative;
-     * carried with the point like {@link #normalImpulse}, 0 for a new one.
-     */
-    public double[] preload = {};
-
-    /**
-     * Per point: sum of the normal impulses over the tick, N s; what users read as the contact's
-     * impulse.
-     */
-    public double[] totalNormalImpulse = {};
-
-    /**
-     * Where a row begins in {@link #head}: at a cache line, if the array does.
-     *
-     * @param row of the contact, or the number of rows for the length
-     * @return index
-     */
-    public static int head(int row) {
-        return START + HEAD * row;
-    }
-
-    /**
-     * Where a point begins in {@link #anchors}; the first of a row at a cache line, as there.
-     *
-     * @param point of the contact, {@link #POINTS} to a row, or the number of points for the length
-     * @return index
-     */
-    public static int anchor(int point) {
-        return START + ANCHORS * point;
-    }
-
-    /**
-     * Where a row begins in {@link #kept}; a group of rows begins at a cache line, as there.
-     *
-     * @param row of the contact
-     * @return index; the row's numbers follow, {@link #KEPT_ROWS} apart
-     */
-    public static int keptAt(int row) {
-        return START + KEPT * (row & -KEPT_ROWS) + (row & (KEPT_ROWS - 1));
-    }
-
-    /**
-     * Unit normal from A to B, world: x.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
-    public double normalX(int row) {
-        return head[head(row)];
-    }
-
-    /**
-     * Unit normal from A to B, world: y.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
-    public double normalY(int row) {
-        return head[head(row) + 1];
-    }
-
-    /**
-     * Unit normal from A to B, world: z.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
-    public double normalZ(int row) {
-        return head[head(row) + 2];
-    }
-
-    /**
-     * Mixed Coulomb coefficient.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
-    public double friction(int row) {
-        return head[head(row) + FRICTION];
-    }
-
-    /**
-     * Friction impulse at the patch centre, world: x, N s over the last sub-step.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
-    public double frictionImpulseX(int row) {
-        return head[head(row) + RUB];
-    }
-
-    /**
-     * Friction impulse at the patch centre, world: y, N s over the last sub-step.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
-    public double frictionImpulseY(int row) {
-        return head[head(row) + RUB + 1];
-    }
-
-    /**
-     * Friction impulse at the patch centre, world: z, N s over the last sub-step.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
-    public double frictionImpulseZ(int row) {
-        return head[head(row) + RUB + 2];
-    }
-
-    /**
-     * Twist impulse about the normal, N m s over the last sub-step.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
-    public double twistImpulse(int row) {
-        return head[head(row) + TWIST];
-    }
-
-    /**
-     * A point from A's centre of mass, world: x, m.
-     *
-     * @param point of the contact, {@link #POINTS} to a row
-     * @return as stored
-     */
-    public double anchorAX(int point) {
-        return anchors[anchor(point)];
-    }
-
-    /**
-     * A point from A's centre of mass, world: y, m.
-     *
-     * @param point of the contact, {@link #POINTS} to a row
-     * @return as stored
-     */
-    public double anchorAY(int point) {
-        return anchors[anchor(point) + 1];
-    }
-
-    /**
-     * A point from A's centre of mass, world: z, m.
-     *
-     * @param point of the contact, {@link #POINTS} to a row
-     * @return as stored
-     */
-    public double anchorAZ(int point) {
-        return anchors[anchor(point) + 2];
-    }
-
-    /**
-     * A point from B's centre of mass, world: x, m.
-     *
-     * @param point of the contact, {@link #POINTS} to a row
-     * @return as stored
-     */
-    public double anchorBX(int point) {
-        return anchors[anchor(point) + 3];
-    }
-
-    /**
-     * A point from B's centre of mass, world: y, m.
-     *
-     * @param point of the contact, {@link #POINTS} to a row
-     * @return as stored
-     */
-    public double anchorBY(int point) {
-        return anchors[anchor(point) + 4];
-    }
-
-    /**
-     * A point from B's centre of mass, world: z, m.
-     *
-     * @param point of the contact, {@link #POINTS} to a row
-     * @return as stored
-     */
-    public double anchorBZ(int point) {
-        return anchors[anchor(point) + 5];
-    }
-
-    /**
-     * Sets the unit normal of a row.
-     *
-     * @param row of the contact
-     * @param x world
-     * @param y world
-     * @param z world
-     */
-    public void setNormal(int row, double x, double y, double z) {
-        int i = head(row);
-        head[i] = x;
-        head[i + 1] = y;
-        head[i + 2] = z;
-    }
-
-    /**
-     * Sets the Coulomb coefficient of a row.
-     *
-     * @param row of the contact
-     * @param coefficient at least 0
-     */
-    public void setFriction(int row, double coefficient) {
-        head[head(row) + FRICTION] = coefficient;
-    }
-
-    /**
-     * Sets the friction impulse of a row, N s, and its twist, N m s.
-     *
-     * @param row of the contact
-     * @param x world
-     * @param y world
-     * @param z world
-     * @param twist about the normal
-     */
-    public void setFrictionImpulse(int row, double x, double y, double z, double twist) {
-        int i = head(row);
-        head[i + RUB] = x;
-        head[i + RUB + 1] = y;
-        head[i + RUB + 2] = z;
-        head[i + TWIST] = twist;
-    }
-
-    /**
-     * Sets the rolling impulse of a row, N m s; only while {@link #rolls}.
-     *
-     * @param row of the contact
-     * @param x world
-     * @param y world
-     * @param z world
-     */
-    public void setRollingImpulse(int row, double x, double y, double z) {
-        rollingImpulse[3 * row] = x;
-        rollingImpulse[3 * row + 1] = y;
-        rollingImpulse[3 * row + 2] = z;
-    }
+    private int remembered;
+    private final Columns.Move move = new Columns.Move();
+    private final Columns.Clear clear = new Columns.Clear();
 
     /**
      * Forgets what a row rubbed and rolled with.
@@ -394,31 +41,30 @@ public final class ContactStore {
     public void beginRolling() {
         if (!rolls) {
             rolls = true;
-            rollingArm = new double[bodyA.length];
-            rollingImpulse = new double[3 * bodyA.length];
+            columns(new Columns.Growth(bodyA.length));
         }
     }
 
     /**
-     * Sets where a point is from A and from B, m.
+     * Makes room for what the narrow phase remembers of pairs; between phases only.
      *
-     * @param point of the contact, {@link #POINTS} to a row
-     * @param ax from A, world x
-     * @param ay from A, world y
-     * @param az from A, world z
-     * @param bx from B, world x
-     * @param by from B, world y
-     * @param bz from B, world z
+     * @param numbers to a row, above 0; the same in each call
      */
-    public void setAnchors(
-            int point, double ax, double ay, double az, double bx, double by, double bz) {
-        int i = anchor(point);
-        anchors[i] = ax;
-        anchors[i + 1] = ay;
-        anchors[i + 2] = az;
-        anchors[i + 3] = bx;
-        anchors[i + 4] = by;
-        anchors[i + 5] = bz;
+    public void beginMemory(int numbers) {
+        if (remembered == 0) {
+            remembered = numbers;
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
+    /**
+     * Whether a row is solved: its surfaces are within the margin of each other.
+     *
+     * @param row of the contact
+     * @return false for a pair that is only near
+     */
+    public boolean isSolved(int row) {
+        return pointCount[row] > 0;
     }
 
     /** Makes every row take part. */
@@ -439,29 +85,82 @@ public final class ContactStore {
             return;
         }
         int n = Math.max(capacity, Math.max(64, bodyA.length + (bodyA.length >> 1)));
-        memory = Arrays.copyOf(memory, memory.length / Math.max(1, bodyA.length) * n);
-        int m = n * POINTS;
-        active = Arrays.copyOf(active, n);
-        bodyA = Arrays.copyOf(bodyA, n);
-        bodyB = Arrays.copyOf(bodyB, n);
-        pointCount = Arrays.copyOf(pointCount, n);
-        order = Arrays.copyOf(order, n);
-        patch = Arrays.copyOf(patch, n);
-        head = Arrays.copyOf(head, head(n));
-        restitution = Arrays.copyOf(restitution, n);
+        columns(new Columns.Growth(n));
+    }
+
+    /**
+     * Declares the columns.
+     *
+     * @param c what is done to them
+     */
+    public void columns(Columns c) {
+        active = c.room("active", active);
+        colliderA = c.column("colliderA", colliderA);
+        colliderB = c.column("colliderB", colliderB);
+        bodyA = c.column("bodyA", bodyA);
+        bodyB = c.column("bodyB", bodyB);
+        pointCount = c.column("pointCount", pointCount);
+        order = c.column("order", order);
+        patch = c.column("patch", patch);
+        head = c.column("head", head, START, HEAD);
+        restitution = c.column("restitution", restitution);
         if (rolls) {
-            rollingArm = Arrays.copyOf(rollingArm, n);
-            rollingImpulse = Arrays.copyOf(rollingImpulse, 3 * n);
+            rollingArm = c.column("rollingArm", rollingArm);
+            rollingImpulse = c.column("rollingImpulse", rollingImpulse, 3);
         }
-        touching = Arrays.copyOf(touching, n);
-        cache = Arrays.copyOf(cache, n);
-        keeps = Arrays.copyOf(keeps, n);
-        kept = Arrays.copyOf(kept, keptAt(n + KEPT_ROWS));
-        anchors = Arrays.copyOf(anchors, anchor(m));
-        separation = Arrays.copyOf(separation, m);
-        feature = Arrays.copyOf(feature, m);
-        normalImpulse = Arrays.copyOf(normalImpulse, m);
-        preload = Arrays.copyOf(preload, m);
-        totalNormalImpulse = Arrays.copyOf(totalNormalImpulse, m);
+        touching = c.column("touching", touching);
+        cache = c.column("cache", cache);
+        if (remembered > 0) {
+            memory = c.column("memory", memory, remembered);
+        }
+        kept = c.grouped("kept", kept, START, KEPT, KEPT_ROWS, keeps);
+        keeps = c.column("keeps", keeps);
+        anchors = c.column("anchors", anchors, START, ANCHORS * POINTS);
+        separation = c.column("separation", separation, POINTS);
+        feature = c.column("feature", feature, POINTS);
+        normalImpulse = c.column("normalImpulse", normalImpulse, POINTS);
+        preload = c.column("preload", preload, POINTS);
+        totalNormalImpulse = c.column("totalNormalImpulse", totalNormalImpulse, POINTS);
+    }
+
+    /**
+     * Moves rows that follow one another to lower places.
+     *
+     * @param from the first one
+     * @param to where it shall be, at most {@code from}
+     * @param number how many
+     */
+    public void move(int from, int to, int number) {
+        if (from != to && number > 0) {
+            columns(move.rows(from, to, number));
+        }
+    }
+
+    /**
+     * Adds empty rows at the end; they are active.
+     *
+     * @param number how many
+     */
+    public void append(int number) {
+        ensureCapacity(count + number);
+        columns(clear.rows(count, count + number));
+        for (int i = 0; i < number; i++) {
+            active[activeCount++] = count++;
+        }
+    }
+
+    /**
+     * Says whose contact a row is.
+     *
+     * @param row of the contact
+     * @param colliders whose bodies are found
+     * @param a the lower collider
+     * @param b the other one
+     */
+    public void join(int row, ColliderStore colliders, int a, int b) {
+        colliderA[row] = a;
+        colliderB[row] = b;
+        bodyA[row] = colliders.body[a];
+        bodyB[row] = colliders.body[b];
     }
 }

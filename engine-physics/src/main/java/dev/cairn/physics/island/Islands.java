@@ -48,7 +48,7 @@ public final class Islands {
         byte[] kind = bodies.kind;
         for (int i = 0; i < contacts.activeCount; i++) {
             int row = contacts.active[i];
-            if (contacts.pointCount[row] == 0) {
+            if (!contacts.isSolved(row)) {
                 continue;
             }
             int a = contacts.bodyA[row];

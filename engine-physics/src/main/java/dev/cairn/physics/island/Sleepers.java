@@ -3,8 +3,6 @@ package dev.cairn.physics.island;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.tuning.Tunable;
-import dev.cairn.physics.tuning.Tuning;
 
 import java.util.Arrays;
 
@@ -27,7 +25,7 @@ public final class Sleepers {
     private final BodyStore bodies;
     private final ContactStore contacts;
     private final boolean enabled;
-    private final Quiet quiet;
+    private final RestDetector quiet;
     private final Islands islands = new Islands();
 
     /** Name of the island that a body sleeps in, and the next body of it in a ring. */
@@ -65,16 +63,16 @@ public final class Sleepers {
     /**
      * Nobody sleeps yet.
      *
-     * @param settings whether bodies sleep, and when
-     * @param enabled whether bodies at rest fall asleep
+     * @param enabled whether bodies sleep
+     * @param sleepSeconds time of quiet before, s
      * @param bodies whose kinds change
      * @param contacts whose active rows are the links
      */
-    public Sleepers(Tuning settings, boolean enabled, BodyStore bodies, ContactStore contacts) {
+    public Sleepers(boolean enabled, double sleepSeconds, BodyStore bodies, ContactStore contacts) {
         this.bodies = bodies;
         this.contacts = contacts;
         this.enabled = enabled;
-        quiet = new Quiet(settings.get(Tunable.SLEEP_SECONDS));
+        quiet = new RestDetector(sleepSeconds);
     }
 
     /**

@@ -5,7 +5,7 @@
  * nobody should be able to tell from what happens next that they had been left out.
  *
  * <pre>
- *   solve ─▶ Quiet: is each body at rest?      ─▶ Islands: who touches whom ─▶ all of an island at rest:
+ *   solve ─▶ RestDetector: is each at rest?     ─▶ Islands: who touches whom ─▶ all of an island at rest:
  *            speed, and what is left to travel     union-find, every 4th tick     Sleepers.sleep
  *   points ─▶ WakeStage: a point between an awake body and one asleep ─▶ Sleepers.wake, whole island,
  *             its rows collide in the same tick, before the solve; again until nothing more wakes

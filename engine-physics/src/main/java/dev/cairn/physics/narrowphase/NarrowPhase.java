@@ -7,13 +7,13 @@ import dev.cairn.physics.narrowphase.gjk.Gjk;
 import dev.cairn.physics.narrowphase.gjk.Witness;
 import dev.cairn.physics.narrowphase.hull.HullPairs;
 import dev.cairn.physics.narrowphase.pair.Axes;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.narrowphase.pair.Safeguard;
+import dev.cairn.physics.narrowphase.round.BallAxis;
 import dev.cairn.physics.narrowphase.round.BallBox;
 import dev.cairn.physics.narrowphase.round.RoundContacts;
-import dev.cairn.physics.narrowphase.round.BallAxis;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Moved;
@@ -254,7 +254,10 @@ public final class NarrowPhase {
         return word;
     }
 
-    /** Whether the last pair of hulls took what was proven at another pose, see {@code DistanceCertificate}. */
+    /**
+     * Whether the last pair of hulls took what was proven at another pose, see {@code
+     * DistanceCertificate}.
+     */
     boolean proven() {
         return polyhedra.proven();
     }

@@ -13,9 +13,9 @@
  * </pre>
  *
  * <p>Pairs with a capsule, cylinder or cone take the same two iterations to a rough axis and then
- * {@link dev.cairn.physics.narrowphase.axis.AxisRefinement} to the exact one: round shapes have features
- * too (flats, lines with a circle of normals, rims), only their normals are found by Newton instead
- * of being listed. Half-spaces are a closed form.
+ * {@link dev.cairn.physics.narrowphase.axis.AxisRefinement} to the exact one: round shapes have
+ * features too (flats, lines with a circle of normals, rims), only their normals are found by
+ * Newton instead of being listed. Half-spaces are a closed form.
  *
  * <p>Invariants: all maths is in double, in the frame of shape A, from the relative offset only, so
  * far from the origin is like at the origin. No length is compared with a constant; every tolerance

@@ -7,6 +7,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
@@ -35,14 +36,17 @@ class RecycledContactsTest {
     private static final int SENTINEL = 0x3FFF_FFFF;
 
     private final BodyStore bodies = new BodyStore();
+    private final ColliderStore colliders = new ColliderStore(bodies);
     private final ContactStore rows = new ContactStore();
-    private final BoundsStage bounds = new BoundsStage(Tuning.DEFAULT);
-    private final ManifoldStage stage = new ManifoldStage(Tuning.DEFAULT);
+    private final BoundsStage bounds = new BoundsStage(colliders, Tuning.DEFAULT);
+    private final ManifoldStage stage = new ManifoldStage(colliders, bounds);
     private final Jobs jobs = Jobs.of(1);
 
     RecycledContactsTest() {
         bodies.ensureCapacity(2);
         bodies.slotCount = 2;
+        colliders.attach(0, Box.cube(1));
+        colliders.attach(1, Box.cube(1));
         bounds.ensureSlots(2);
         rows.ensureCapacity(1);
     }
@@ -55,8 +59,7 @@ class RecycledContactsTest {
     private void begin(Scene s) {
         rows.count = 1;
         rows.activateAll();
-        rows.bodyA[0] = 0;
-        rows.bodyB[0] = 1;
+        rows.join(0, colliders, 0, 1);
         rows.pointCount[0] = 0;
         rows.cache[0] = 0;
         rows.keeps[0] = false;
@@ -66,9 +69,9 @@ class RecycledContactsTest {
     }
 
     private void shape(int slot, Shape shape) {
-        bodies.shape[slot] = shape;
-        bodies.innerRadius[slot] = shape.innerRadius();
-        bodies.outerRadius[slot] = shape.outerRadius();
+        colliders.shape[slot] = shape;
+        colliders.innerRadius[slot] = shape.innerRadius();
+        colliders.outerRadius[slot] = shape.outerRadius();
     }
 
     private void run(Scene s) {
@@ -77,7 +80,7 @@ class RecycledContactsTest {
         bodies.positionX[1] = s.d.x;
         bodies.positionY[1] = s.d.y;
         bodies.positionZ[1] = s.d.z;
-        stage.run(bodies, rows, bounds, STEP, jobs);
+        stage.run(rows, STEP, jobs);
     }
 
     private void turn(int slot, Quaterniond q) {

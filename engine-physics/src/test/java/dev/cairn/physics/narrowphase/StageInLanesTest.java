@@ -7,6 +7,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.narrowphase.wide.BoxAxes;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
@@ -36,9 +37,10 @@ class StageInLanesTest {
     /** Rows with their own bodies. */
     private static final class Lots {
         final BodyStore bodies = new BodyStore();
+        final ColliderStore colliders = new ColliderStore(bodies);
         final ContactStore rows = new ContactStore();
-        final BoundsStage bounds = new BoundsStage(Tuning.DEFAULT);
-        final ManifoldStage stage = new ManifoldStage(Tuning.DEFAULT);
+        final BoundsStage bounds = new BoundsStage(colliders, Tuning.DEFAULT);
+        final ManifoldStage stage = new ManifoldStage(colliders, bounds);
         final int lot;
 
         Lots(Scene[] scenes, int lot) {
@@ -49,17 +51,10 @@ class StageInLanesTest {
             rows.ensureCapacity(ROWS);
             rows.count = ROWS;
             for (int row = 0; row < ROWS; row++) {
-                rows.bodyA[row] = 2 * row;
-                rows.bodyB[row] = 2 * row + 1;
-                shape(2 * row, scenes[row].a);
-                shape(2 * row + 1, scenes[row].b);
+                colliders.attach(2 * row, scenes[row].a);
+                colliders.attach(2 * row + 1, scenes[row].b);
+                rows.join(row, colliders, 2 * row, 2 * row + 1);
             }
-        }
-
-        void shape(int slot, Shape shape) {
-            bodies.shape[slot] = shape;
-            bodies.innerRadius[slot] = shape.innerRadius();
-            bodies.outerRadius[slot] = shape.outerRadius();
         }
 
         void turn(int slot, Quaterniond q) {
@@ -83,7 +78,7 @@ class StageInLanesTest {
                 for (int i = 0; i < rows.activeCount; i++) {
                     rows.active[i] = begin + i;
                 }
-                stage.run(bodies, rows, bounds, STEP, jobs);
+                stage.run(rows, STEP, jobs);
             }
         }
     }

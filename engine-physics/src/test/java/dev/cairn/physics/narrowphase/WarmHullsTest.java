@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.cairn.physics.narrowphase.hull.PairMemory;
 import dev.cairn.physics.narrowphase.hull.DistanceCertificate;
+import dev.cairn.physics.narrowphase.hull.PairMemory;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.shape.Shape;

@@ -23,7 +23,8 @@ import java.util.stream.Stream;
 /**
  * The kernels in single precision compute in single precision: what {@code build/Twins.java} made
  * of a kernel reads doubles, or computes with what it reads, only to round the result at once; it
- * never compares or keeps one. Java would widen a float to a double without a word where a {@code double} was missed.
+ * never compares or keeps one. Java would widen a float to a double without a word where a {@code
+ * double} was missed.
  */
 final class TwinsTest {
     @Test

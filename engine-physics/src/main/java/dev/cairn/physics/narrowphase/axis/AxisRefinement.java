@@ -60,7 +60,8 @@ public final class AxisRefinement {
     private final int[] bestA = new int[2 * ROUGH + 1], bestB = new int[2 * ROUGH + 1];
     private final int[] atA = new int[2 * ROUGH + 1], atB = new int[2 * ROUGH + 1];
     private int nowA, nowB;
-    private final CandidateFeatures sideA = new CandidateFeatures(false), sideB = new CandidateFeatures(true);
+    private final CandidateFeatures sideA = new CandidateFeatures(false),
+            sideB = new CandidateFeatures(true);
     private final RimStart start = new RimStart();
 
     /** See {@link #settled}. */
@@ -164,8 +165,8 @@ public final class AxisRefinement {
     }
 
     /**
-     * Whether the axis found is the best of all near ones, see {@link OptimalityTest}, which then tells
-     * the way to a better one.
+     * Whether the axis found is the best of all near ones, see {@link OptimalityTest}, which then
+     * tells the way to a better one.
      */
     boolean settled() {
         return meeting.at(this, pair, placeA, placeB);
@@ -219,7 +220,8 @@ public final class AxisRefinement {
      * the rim's own axis nearly lies on the circle the reach bends sharply there, so that is a
      * second place to start from.
      */
-    private void circle(CandidateFeatures own, int line, int point, CandidateFeatures other, int ofA, int ofB) {
+    private void circle(
+            CandidateFeatures own, int line, int point, CandidateFeatures other, int ofA, int ofB) {
         climb(own, line, point, other, startX, startY, startZ, ofA, ofB);
         if (other.radius[point] > 0) {
             double dot = startX * other.ax + startY * other.ay + startZ * other.az;

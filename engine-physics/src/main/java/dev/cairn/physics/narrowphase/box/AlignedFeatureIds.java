@@ -4,8 +4,8 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_WAYS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.WAYS;
 
 import dev.cairn.physics.narrowphase.pair.BoxTopology;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 

@@ -1,11 +1,11 @@
 package dev.cairn.physics.narrowphase.box;
 
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OFFSET;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
 
 import dev.cairn.physics.narrowphase.pair.Manifold;
 

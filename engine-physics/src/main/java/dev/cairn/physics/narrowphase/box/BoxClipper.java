@@ -1,5 +1,6 @@
 package dev.cairn.physics.narrowphase.box;
 
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
@@ -12,7 +13,6 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
 
 import dev.cairn.physics.narrowphase.clip.Clipper;
 import dev.cairn.physics.narrowphase.clip.Reduction;

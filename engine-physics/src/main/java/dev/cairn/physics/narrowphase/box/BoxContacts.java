@@ -1,5 +1,6 @@
 package dev.cairn.physics.narrowphase.box;
 
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.BOUND;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
@@ -16,14 +17,13 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.OFFSET;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_EDGE;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_B;
 
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.narrowphase.wide.BoxAxes;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
@@ -286,7 +286,9 @@ public final class BoxContacts {
             copy(i, points, out);
         }
         return WarmStartKey.of(
-                flip ? WarmStartKey.FACE_B : WarmStartKey.FACE_A, face, wide ? cuts.names[i] : FeatureIds.of(out));
+                flip ? WarmStartKey.FACE_B : WarmStartKey.FACE_A,
+                face,
+                wide ? cuts.names[i] : FeatureIds.of(out));
     }
 
     /**

@@ -15,8 +15,8 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
 
 import dev.cairn.physics.narrowphase.pair.BoxTopology;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 
 /**
  * Two edges of a pair in a batch that cross: the axis from the columns of the fifteen axes, and the
@@ -201,6 +201,8 @@ final class BoxEdgeContact {
     }
 
     private static int name(int va, int vb, int k, int l) {
-        return FeatureIds.CROSSING | BoxTopology.edge(3 * va + k) << 15 | BoxTopology.edge(3 * vb + l);
+        return FeatureIds.CROSSING
+                | BoxTopology.edge(3 * va + k) << 15
+                | BoxTopology.edge(3 * vb + l);
     }
 }

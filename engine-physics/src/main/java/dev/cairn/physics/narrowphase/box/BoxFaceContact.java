@@ -11,8 +11,8 @@ import dev.cairn.physics.narrowphase.clip.Clipper;
 import dev.cairn.physics.narrowphase.clip.Reduction;
 import dev.cairn.physics.narrowphase.pair.BoxTopology;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 
 /**
  * The face contact of two boxes: what {@code ContactPoints.face} and {@link Clipper} do, for
@@ -261,7 +261,8 @@ final class BoxFaceContact {
         double px = (vertex & 1) == 0 ? -half[0] : half[0];
         double py = (vertex & 2) == 0 ? -half[1] : half[1];
         double pz = (vertex & 4) == 0 ? -half[2] : half[2];
-        double above = BoxIncidentPlane.above(columns, pair, flip, incidentFace, axis, normal, px, py, pz);
+        double above =
+                BoxIncidentPlane.above(columns, pair, flip, incidentFace, axis, normal, px, py, pz);
         emit(
                 axis == 0 ? px + above * normal : px,
                 axis == 1 ? py + above * normal : py,

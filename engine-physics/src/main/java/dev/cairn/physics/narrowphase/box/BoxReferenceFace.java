@@ -96,7 +96,10 @@ final class BoxReferenceFace {
         if (best[i] > t[MARGIN + i]) {
             onFace[i] = false;
             boolean onB = separationB > separationA;
-            word[i] = onB ? WarmStartKey.of(WarmStartKey.FACE_B, faceB, 0) : WarmStartKey.of(WarmStartKey.FACE_A, faceA, 0);
+            word[i] =
+                    onB
+                            ? WarmStartKey.of(WarmStartKey.FACE_B, faceB, 0)
+                            : WarmStartKey.of(WarmStartKey.FACE_A, faceA, 0);
             return;
         }
         onFace[i] = true;
@@ -131,7 +134,9 @@ final class BoxReferenceFace {
     /** How much truer a point contact must be, as in {@code HullPairs}. */
     private double better(int i) {
         return ContactTolerances.depthError(
-                word[i] >>> 62 == WarmStartKey.EDGES, ContactTolerances.HYSTERESIS * t[INNER + i], best[i]);
+                word[i] >>> 62 == WarmStartKey.EDGES,
+                ContactTolerances.HYSTERESIS * t[INNER + i],
+                best[i]);
     }
 
     /** The face that separated or carried the pair last time separates it now. */

@@ -3,8 +3,8 @@ package dev.cairn.physics.narrowphase.clip;
 import dev.cairn.physics.narrowphase.gjk.Gjk;
 import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.shape.Polyhedron;
 
@@ -209,7 +209,13 @@ public final class ContactPoints {
             z += gjk.weight[i] * pair.vertexAZ(gjk.ia[i]);
         }
         setAxis(gjk.vx / gjk.distance, gjk.vy / gjk.distance, gjk.vz / gjk.distance);
-        single(x + gjk.vx / 2, y + gjk.vy / 2, z + gjk.vz / 2, gjk.distance, FeatureIds.CLOSEST, out);
+        single(
+                x + gjk.vx / 2,
+                y + gjk.vy / 2,
+                z + gjk.vz / 2,
+                gjk.distance,
+                FeatureIds.CLOSEST,
+                out);
     }
 
     /**

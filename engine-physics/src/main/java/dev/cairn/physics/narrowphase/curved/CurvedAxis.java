@@ -1,7 +1,7 @@
 package dev.cairn.physics.narrowphase.curved;
 
-import dev.cairn.physics.narrowphase.axis.AxisRefinement;
 import dev.cairn.physics.narrowphase.axis.AxisAscent;
+import dev.cairn.physics.narrowphase.axis.AxisRefinement;
 import dev.cairn.physics.narrowphase.gjk.Epa;
 import dev.cairn.physics.narrowphase.gjk.Gjk;
 import dev.cairn.physics.narrowphase.pair.Axes;
@@ -297,7 +297,12 @@ final class CurvedAxis {
             double bx = p.dx + sign * vx;
             double by = p.dy + sign * vy;
             double bz = p.dz + sign * vz;
-            candidate(bx, by - Math.max(-h, Math.min(h, by)), bz, inside(by, h), AxisRefinement.POINT);
+            candidate(
+                    bx,
+                    by - Math.max(-h, Math.min(h, by)),
+                    bz,
+                    inside(by, h),
+                    AxisRefinement.POINT);
             double wx = p.dx;
             double wy = p.dy - sign * h;
             double wz = p.dz;

@@ -7,8 +7,8 @@ import dev.cairn.physics.narrowphase.clip.Patch;
 import dev.cairn.physics.narrowphase.clip.Reduction;
 import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 
@@ -60,7 +60,8 @@ final class CurvedContact {
         } else {
             lines(margin, calm, out);
         }
-        double enough = ContactTolerances.depthError(before == WarmStartKey.EDGES, calm, separation);
+        double enough =
+                ContactTolerances.depthError(before == WarmStartKey.EDGES, calm, separation);
         if (out.pointCount == 0 || Math.abs(out.deepest() - separation) > enough) {
             single(out);
             reference = WarmStartKey.EDGES;
@@ -91,7 +92,9 @@ final class CurvedContact {
         }
         // A face is preferred to a disc, then what was the reference before.
         double bias =
-                before == WarmStartKey.FACE_B ? -calm : before == WarmStartKey.FACE_A ? calm : 0x1p-40 * pair.scale;
+                before == WarmStartKey.FACE_B
+                        ? -calm
+                        : before == WarmStartKey.FACE_A ? calm : 0x1p-40 * pair.scale;
         if (patchA.flat != patchB.flat && a != Axes.NEVER && b != Axes.NEVER) {
             bias = patchA.flat == Patch.FACE ? calm : -calm;
         }

@@ -4,8 +4,8 @@ import dev.cairn.physics.narrowphase.clip.ContactPoints;
 import dev.cairn.physics.narrowphase.clip.Overlay;
 import dev.cairn.physics.narrowphase.clip.Patch;
 import dev.cairn.physics.narrowphase.clip.Reduction;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Pair;
 
 /**
@@ -68,7 +68,8 @@ final class PlaneContact {
         points.setAxis(-nx, -ny, -nz);
         if (!patch.line && patch.flat == Patch.NONE) {
             double reach = pair.radiusA + separation / 2;
-            points.single(-reach * nx, -reach * ny, -reach * nz, separation, FeatureIds.CLOSEST, out);
+            points.single(
+                    -reach * nx, -reach * ny, -reach * nz, separation, FeatureIds.CLOSEST, out);
         } else {
             plane.ox = -height * nx;
             plane.oy = -height * ny;

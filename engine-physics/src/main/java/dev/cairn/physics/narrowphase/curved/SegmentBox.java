@@ -317,7 +317,10 @@ final class SegmentBox {
         y = ny;
         z = nz;
         int beside = (wx != 0 ? 1 : 0) + (wy != 0 ? 1 : 0) + (wz != 0 ? 1 : 0);
-        ofBox = beside == 1 ? AxisRefinement.FLAT : beside == 2 ? AxisRefinement.LINE : AxisRefinement.POINT;
+        ofBox =
+                beside == 1
+                        ? AxisRefinement.FLAT
+                        : beside == 2 ? AxisRefinement.LINE : AxisRefinement.POINT;
         ofSegment = beside == 1 ? AxisRefinement.POINT : segmentKind;
     }
 }

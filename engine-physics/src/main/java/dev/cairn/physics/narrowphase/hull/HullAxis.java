@@ -1,7 +1,7 @@
 package dev.cairn.physics.narrowphase.hull;
 
-import dev.cairn.physics.narrowphase.axis.AxisRefinement;
 import dev.cairn.physics.narrowphase.axis.AxisAscent;
+import dev.cairn.physics.narrowphase.axis.AxisRefinement;
 import dev.cairn.physics.narrowphase.clip.ContactPoints;
 import dev.cairn.physics.narrowphase.gjk.Epa;
 import dev.cairn.physics.narrowphase.gjk.Gjk;
@@ -60,8 +60,7 @@ public final class HullAxis {
     private final NearestFeatures nearest = new NearestFeatures();
     private final double[] tried = new double[3 * 16];
 
-    public HullAxis(
-            Pair pair, Gjk gjk, Epa epa, Axes axes, ContactPoints points, boolean fifteen) {
+    public HullAxis(Pair pair, Gjk gjk, Epa epa, Axes axes, ContactPoints points, boolean fifteen) {
         this.pair = pair;
         this.gjk = gjk;
         this.epa = epa;

@@ -5,8 +5,8 @@ import dev.cairn.physics.narrowphase.gjk.Epa;
 import dev.cairn.physics.narrowphase.gjk.Gjk;
 import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.narrowphase.pair.Safeguard;
 import dev.cairn.physics.narrowphase.pair.WarmStartKey;
@@ -78,7 +78,9 @@ public final class HullPairs {
         return search.word;
     }
 
-    /** Whether the last pair took what was proven at another pose, see {@link DistanceCertificate}. */
+    /**
+     * Whether the last pair took what was proven at another pose, see {@link DistanceCertificate}.
+     */
     public boolean proven() {
         return warm.proven;
     }
@@ -177,7 +179,9 @@ public final class HullPairs {
             return 0;
         }
         if (best > margin) {
-            return word(axes.separationB > axes.separationA ? WarmStartKey.FACE_B : WarmStartKey.FACE_A, 0);
+            return word(
+                    axes.separationB > axes.separationA ? WarmStartKey.FACE_B : WarmStartKey.FACE_A,
+                    0);
         }
         long before = cache >>> 62;
         boolean flip = chooseFace(cache, ContactTolerances.HYSTERESIS * pair.inner);
@@ -230,7 +234,10 @@ public final class HullPairs {
         long before = cache >>> 62;
         int last = (int) (cache >>> 47) & 0x7FFF;
         double enough = Math.max(axes.separationA, axes.separationB) - calm;
-        if (calmFace && before == WarmStartKey.FACE_A && last != axes.faceA && last < pair.a.faceCount()) {
+        if (calmFace
+                && before == WarmStartKey.FACE_A
+                && last != axes.faceA
+                && last < pair.a.faceCount()) {
             double s = separationA(last, cache);
             if (s >= enough) {
                 axes.faceA = last;
@@ -238,7 +245,10 @@ public final class HullPairs {
                 axes.vertexOfB = pair.end;
             }
         }
-        if (calmFace && before == WarmStartKey.FACE_B && last != axes.faceB && last < pair.b.faceCount()) {
+        if (calmFace
+                && before == WarmStartKey.FACE_B
+                && last != axes.faceB
+                && last < pair.b.faceCount()) {
             double s = separationB(last, cache);
             if (s >= enough) {
                 axes.faceB = last;
@@ -247,7 +257,9 @@ public final class HullPairs {
             }
         }
         double bias =
-                before == WarmStartKey.FACE_A ? calm : before == WarmStartKey.FACE_B ? -calm : 0x1p-40 * pair.scale;
+                before == WarmStartKey.FACE_A
+                        ? calm
+                        : before == WarmStartKey.FACE_B ? -calm : 0x1p-40 * pair.scale;
         return axes.separationB > axes.separationA + bias;
     }
 
@@ -264,7 +276,10 @@ public final class HullPairs {
     }
 
     private long word(long kind, int names) {
-        long i = kind == WarmStartKey.FACE_A ? axes.faceA : kind == WarmStartKey.FACE_B ? axes.faceB : 0;
+        long i =
+                kind == WarmStartKey.FACE_A
+                        ? axes.faceA
+                        : kind == WarmStartKey.FACE_B ? axes.faceB : 0;
         return WarmStartKey.of(kind, i, names);
     }
 

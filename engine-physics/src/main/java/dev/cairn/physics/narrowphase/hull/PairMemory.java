@@ -3,11 +3,11 @@ package dev.cairn.physics.narrowphase.hull;
 import dev.cairn.physics.narrowphase.gjk.Polytope;
 
 /**
- * What {@code NarrowPhase} keeps of a pair with a hull between ticks, beside the {@code WarmStartKey}: the
- * polytope that the last search ended with (vertices by their numbers and faces by their corners,
- * no place), two edges that separated best though a face held the contact, and a {@link DistanceCertificate}.
- * What was left at another pose costs time, never correctness; what other shapes left has to be
- * forgotten.
+ * What {@code NarrowPhase} keeps of a pair with a hull between ticks, beside the {@code
+ * WarmStartKey}: the polytope that the last search ended with (vertices by their numbers and faces
+ * by their corners, no place), two edges that separated best though a face held the contact, and a
+ * {@link DistanceCertificate}. What was left at another pose costs time, never correctness; what
+ * other shapes left has to be forgotten.
  */
 public final class PairMemory {
     private PairMemory() {}

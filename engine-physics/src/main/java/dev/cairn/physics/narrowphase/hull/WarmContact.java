@@ -5,8 +5,8 @@ import dev.cairn.physics.narrowphase.clip.ContactPoints;
 import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.Containment;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.shape.Polyhedron;
@@ -163,10 +163,14 @@ final class WarmContact {
         long kind = cache >>> 62;
         int face = WarmStartKey.faceOf(cache);
         int hint = WarmStartKey.hint(cache);
-        if (kind == WarmStartKey.FACE_A && face < pair.a.faceCount() && hint < pair.b.vertexCount()) {
+        if (kind == WarmStartKey.FACE_A
+                && face < pair.a.faceCount()
+                && hint < pair.b.vertexCount()) {
             return onA(face, hint, margin, cache, out);
         }
-        if (kind == WarmStartKey.FACE_B && face < pair.b.faceCount() && hint < pair.a.vertexCount()) {
+        if (kind == WarmStartKey.FACE_B
+                && face < pair.b.faceCount()
+                && hint < pair.a.vertexCount()) {
             return onB(face, hint, margin, cache, out);
         }
         if (kind == WarmStartKey.EDGES && face < pair.a.edgeCount() && hint < pair.b.edgeCount()) {
@@ -252,7 +256,9 @@ final class WarmContact {
         if (!proven) {
             upper = secondBound ? upper(flip, at, s, least, calm) : s;
         }
-        if (!proven && secondBound && !DistanceCertificate.settles(s, s, least, upper, upper, calm)) {
+        if (!proven
+                && secondBound
+                && !DistanceCertificate.settles(s, s, least, upper, upper, calm)) {
             return other(flip, least - s <= calm, margin, cache, out);
         }
         done = true;
@@ -380,7 +386,8 @@ final class WarmContact {
         done = true;
         proven = true;
         out.bound = DistanceCertificate.wrong(proof.low, s, proof.high) + 0x1p-48 * pair.scale;
-        return WarmStartKey.withHint(WarmStartKey.of(WarmStartKey.EDGES, 0, FeatureIds.of(out)) | (long) ea << 47, eb);
+        return WarmStartKey.withHint(
+                WarmStartKey.of(WarmStartKey.EDGES, 0, FeatureIds.of(out)) | (long) ea << 47, eb);
     }
 
     /** The best face is another direction and separates by much less. */

@@ -1,8 +1,8 @@
 package dev.cairn.physics.narrowphase.round;
 
 import dev.cairn.physics.narrowphase.clip.Patch;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 
 /**
  * Two capsules side by side: both ends of the part that their lines share, by the rules of {@link

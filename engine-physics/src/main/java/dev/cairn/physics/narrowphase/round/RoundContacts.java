@@ -21,8 +21,8 @@ import static dev.cairn.physics.narrowphase.wide.RoundBatch.SCALE;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.TOUCHING;
 
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Shape;

@@ -17,8 +17,8 @@ import static dev.cairn.physics.narrowphase.wide.RoundBatch.SEPARATION;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.TURN_A;
 import static dev.cairn.physics.narrowphase.wide.RoundBatch.TURN_B;
 
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
 
 /**

@@ -1,5 +1,7 @@
 package dev.cairn.physics.narrowphase.wide;
 
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED_POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALONG;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.BETWEEN;
@@ -29,8 +31,6 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_FACES;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SOFT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED_POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.WAYS;
 
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;

@@ -1,5 +1,7 @@
 package dev.cairn.physics.narrowphase.wide;
 
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED_POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
@@ -25,8 +27,6 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_A;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_B;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_FACES;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED_POINT;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
 
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;

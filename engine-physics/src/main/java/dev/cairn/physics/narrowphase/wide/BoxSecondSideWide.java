@@ -1,5 +1,10 @@
 package dev.cairn.physics.narrowphase.wide;
 
+import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.P;
+import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.Q;
+import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.R;
+import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.W;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.BETWEEN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
@@ -19,11 +24,6 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_ON_U;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
 import static dev.cairn.physics.narrowphase.wide.BoxBatch.SOFT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
-import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.P;
-import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.Q;
-import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.R;
-import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.W;
 
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 
@@ -127,7 +127,10 @@ final class BoxSecondSideWide {
         w.blend(qw, high).intoArray(t, at + 3 * POINT);
     }
 
-    /** The plane of the incident face in the face's frame, as {@code narrowphase.BoxIncidentPlane}'s. */
+    /**
+     * The plane of the incident face in the face's frame, as {@code
+     * narrowphase.BoxIncidentPlane}'s.
+     */
     private static void plane(double[] t, int i) {
         DoubleVector axis = DoubleVector.fromArray(S, t, AXIS + i);
         VectorMask<Double> isX = axis.compare(VectorOperators.EQ, 0);

@@ -32,8 +32,8 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The kernels of {@link RecycledBatch}, a row to a lane. Their twin is {@code contact.Recycler}, with
- * the same operations on each number.
+ * The kernels of {@link RecycledBatch}, a row to a lane. Their twin is {@code contact.Recycler},
+ * with the same operations on each number.
  */
 final class RecycledWide {
     private static final VectorSpecies<Double> S = DoubleVector.SPECIES_PREFERRED;

@@ -12,7 +12,7 @@ import java.util.Arrays;
  *
  * <p>Simulation thread; in blocks; allocates only when slots are added.
  */
-public final class Quiet {
+public final class RestDetector {
     /**
      * Largest speed of a quiet body's surface over {@code sqrt(g r)}: 3.3 mm/s for a cube of 1 m.
      */
@@ -61,7 +61,7 @@ public final class Quiet {
      *
      * @param sleepSeconds time of quiet before sleep, s: two windows
      */
-    public Quiet(double sleepSeconds) {
+    public RestDetector(double sleepSeconds) {
         window = 0.5 * sleepSeconds;
     }
 

@@ -1,0 +1,194 @@
+package dev.cairn.physics.internal;
+
+import java.lang.reflect.Array;
+import java.util.Arrays;
+
+/**
+ * Something that is done to all columns of a store. A store declares each of its arrays in one
+ * place, a method that hands them to one of these and keeps what comes back: so no column can be
+ * grown and not moved, or saved and not restored.
+ */
+public interface Columns {
+    /**
+     * One column.
+     *
+     * @param name of the field
+     * @param array the column
+     * @param start index of row 0
+     * @param stride elements to a row
+     * @param <A> type of the array
+     * @return what the field shall hold
+     */
+    <A> A column(String name, A array, int start, int stride);
+
+    /**
+     * A column with rows that begin at index 0.
+     *
+     * @param name of the field
+     * @param array the column
+     * @param stride elements to a row
+     * @param <A> type of the array
+     * @return what the field shall hold
+     */
+    default <A> A column(String name, A array, int stride) {
+        return column(name, array, 0, stride);
+    }
+
+    /**
+     * A column of one element to a row.
+     *
+     * @param name of the field
+     * @param array the column
+     * @param <A> type of the array
+     * @return what the field shall hold
+     */
+    default <A> A column(String name, A array) {
+        return column(name, array, 0, 1);
+    }
+
+    /**
+     * A column in which groups of rows lie together: element n of row r is at {@code start + stride
+     * * (r & -group) + (r & group - 1) + group * n}.
+     *
+     * @param name of the field
+     * @param array the column
+     * @param start index of row 0
+     * @param stride elements to a row
+     * @param group rows to a group, a power of two
+     * @param holds which rows hold anything; declared later than this column
+     * @return what the field shall hold
+     */
+    double[] grouped(
+            String name, double[] array, int start, int stride, int group, boolean[] holds);
+
+    /**
+     * Room for one element to a row that is no row's own: it is written anew in each tick.
+     *
+     * @param name of the field
+     * @param array the room
+     * @return what the field shall hold
+     */
+    int[] room(String name, int[] array);
+
+    /** Makes room for rows; allocates. */
+    final class Growth implements Columns {
+        private final int rows;
+
+        /**
+         * To a number of rows.
+         *
+         * @param rows that must fit
+         */
+        public Growth(int rows) {
+            this.rows = rows;
+        }
+
+        @Override
+        public <A> A column(String name, A array, int start, int stride) {
+            return longer(array, start + stride * rows);
+        }
+
+        @Override
+        public double[] grouped(
+                String name, double[] array, int start, int stride, int group, boolean[] holds) {
+            return longer(array, start + stride * ((rows + 2 * group - 1) & -group));
+        }
+
+        @Override
+        public int[] room(String name, int[] array) {
+            return longer(array, rows);
+        }
+
+        @SuppressWarnings("unchecked")
+        private static <A> A longer(A array, int length) {
+            int old = Array.getLength(array);
+            if (old >= length) {
+                return array;
+            }
+            Object grown = Array.newInstance(array.getClass().getComponentType(), length);
+            System.arraycopy(array, 0, grown, 0, old);
+            return (A) grown;
+        }
+    }
+
+    /** Moves rows that follow one another to lower places; they may overlap. Reused. */
+    final class Move implements Columns {
+        private int from;
+        private int to;
+        private int count;
+
+        /** Chooses the rows. */
+        Move rows(int first, int target, int number) {
+            from = first;
+            to = target;
+            count = number;
+            return this;
+        }
+
+        @Override
+        public <A> A column(String name, A array, int start, int stride) {
+            System.arraycopy(
+                    array, start + stride * from, array, start + stride * to, stride * count);
+            return array;
+        }
+
+        @Override
+        public double[] grouped(
+                String name, double[] array, int start, int stride, int group, boolean[] holds) {
+            for (int i = 0; i < count; i++) {
+                if (holds[from + i]) {
+                    int source = start + stride * (from + i & -group) + (from + i & group - 1);
+                    int target = start + stride * (to + i & -group) + (to + i & group - 1);
+                    for (int n = 0; n < group * stride; n += group) {
+                        array[target + n] = array[source + n];
+                    }
+                }
+            }
+            return array;
+        }
+
+        @Override
+        public int[] room(String name, int[] array) {
+            return array;
+        }
+    }
+
+    /** Sets rows to 0, false or null. Reused. */
+    final class Clear implements Columns {
+        private int begin;
+        private int end;
+
+        /** Chooses the rows. */
+        Clear rows(int first, int last) {
+            begin = first;
+            end = last;
+            return this;
+        }
+
+        @Override
+        public <A> A column(String name, A array, int start, int stride) {
+            int first = start + stride * begin;
+            int last = start + stride * end;
+            switch (array) {
+                case double[] a -> Arrays.fill(a, first, last, 0);
+                case long[] a -> Arrays.fill(a, first, last, 0);
+                case int[] a -> Arrays.fill(a, first, last, 0);
+                case byte[] a -> Arrays.fill(a, first, last, (byte) 0);
+                case boolean[] a -> Arrays.fill(a, first, last, false);
+                default -> Arrays.fill((Object[]) array, first, last, null);
+            }
+            return array;
+        }
+
+        @Override
+        public double[] grouped(
+                String name, double[] array, int start, int stride, int group, boolean[] holds) {
+            return array; // rows that hold nothing are not read
+        }
+
+        @Override
+        public int[] room(String name, int[] array) {
+            return array;
+        }
+    }
+}

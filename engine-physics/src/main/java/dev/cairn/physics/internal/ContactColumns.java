@@ -1,0 +1,386 @@
+package dev.cairn.physics.internal;
+
+/**
+ * The columns of the contacts, and where in them the numbers of a row or a point are.
+ *
+ * <p>Points are stored four to a row: point {@code p} of row {@code c} is at {@code 4 * c + p}. The
+ * normal is a unit vector in world axes from body A to body B. Anchors are the contact point,
+ * midway between the surfaces, relative to each body's centre of mass, in world axes at the start
+ * of the tick, in metres. Impulses are what warm-starts the next tick.
+ */
+public class ContactColumns {
+    /** No rows. */
+    ContactColumns() {}
+
+    /** Points per row. */
+    public static final int POINTS = 4;
+
+    /** Numbers per point in {@link #anchors}. */
+    public static final int ANCHORS = 6;
+
+    /** Numbers per row in {@link #head}: normal, then these. */
+    public static final int HEAD = 8;
+
+    /** Of a row's head: the Coulomb coefficient. */
+    public static final int FRICTION = 3;
+
+    /** Of a row's head: the friction impulse. */
+    public static final int RUB = 4;
+
+    /** Of a row's head: the twist impulse. */
+    public static final int TWIST = 7;
+
+    /** Behind the 16 bytes of an array's header this is a whole cache line. */
+    static final int START = 6;
+
+    /** Numbers per row in {@link #kept}. */
+    public static final int KEPT = 24;
+
+    /** Rows whose numbers in {@link #kept} lie together: the first of each, then the second. */
+    public static final int KEPT_ROWS = 8;
+
+    /** Slots of the two colliders, the lower one first: a row is of a pair of these. */
+    public int[] colliderA = {}, colliderB = {};
+
+    /** Slots of their bodies; at least one of them is dynamic. */
+    public int[] bodyA = {}, bodyB = {};
+
+    /** 0 to 4. */
+    public int[] pointCount = {};
+
+    /**
+     * Which of a row's points, ascending by feature id as an unsigned number, is at each place: two
+     * bits a place, the first one lowest. It stays while the ids do.
+     */
+    public byte[] order = {};
+
+    /**
+     * Mean distance of the patch's area from its middle over that of its points; 0 when the points
+     * are all of the patch.
+     */
+    public double[] patch = {};
+
+    /**
+     * What the solver reads of a row beside its points, in one cache line: the unit normal from A
+     * to B in world axes; the mixed Coulomb coefficient; the friction impulse at the patch centre
+     * in world axes, N s over the last sub-step, and the twist impulse about the normal, N m s over
+     * the last sub-step, both warm start. Row c begins at {@link #head}.
+     */
+    public double[] head = {};
+
+    /**
+     * Whether a material with rolling friction has been here; until then there is nothing in {@link
+     * #rollingArm} and {@link #rollingImpulse}.
+     */
+    public boolean rolls;
+
+    /** Mixed arm of rolling friction, m, at least 0. */
+    public double[] rollingArm = {};
+
+    /**
+     * Rolling impulse on B, world, N m s over the last sub-step, in the contact plane; three
+     * numbers a row; warm start.
+     */
+    public double[] rollingImpulse = {};
+
+    /** Mixed coefficient of restitution, 0..1. */
+    public double[] restitution = {};
+
+    /** 1 while the bodies touch: since they came within reach they have overlapped or pushed. */
+    public byte[] touching = {};
+
+    /** The narrow phase's warm-start word; 0 if there is none. */
+    public long[] cache = {};
+
+    /** What the narrow phase remembers of pairs with a hull; empty until {@link #beginMemory}. */
+    public long[] memory = {};
+
+    /** Whether {@link #kept} holds something of a row. */
+    public boolean[] keeps = {};
+
+    /**
+     * Relative pose and points when a pair of boxes was last collided; the manifold stage's own.
+     * Number n of a row is at {@code keptAt(row) + KEPT_ROWS * n}, so lanes read rows as they lie.
+     */
+    public double[] kept = {};
+
+    /**
+     * Per point: contact point relative to A's, then to B's centre of mass, world axes, m. Point p
+     * begins at {@link #anchor}: those of a row are three cache lines, where in columns of their
+     * own they would be six.
+     */
+    public double[] anchors = {};
+
+    /**
+     * Per point: signed distance of the surfaces along the normal, m; negative when they overlap.
+     */
+    public double[] separation = {};
+
+    /**
+     * Per point: id of the features that touch; equal ids in successive ticks are the same point.
+     */
+    public int[] feature = {};
+
+    /** Per point: normal impulse of the last sub-step, N s, never negative; warm start. */
+    public double[] normalImpulse = {};
+
+    /**
+     * Per point: the resting load that the solver has learnt, N s over a sub-step, never negative;
+     * carried with the point like {@link #normalImpulse}, 0 for a new one.
+     */
+    public double[] preload = {};
+
+    /**
+     * Per point: sum of the normal impulses over the tick, N s; what users read as the contact's
+     * impulse.
+     */
+    public double[] totalNormalImpulse = {};
+
+    /**
+     * Where a row begins in {@link #head}: at a cache line, if the array does.
+     *
+     * @param row of the contact, or the number of rows for the length
+     * @return index
+     */
+    public static int head(int row) {
+        return START + HEAD * row;
+    }
+
+    /**
+     * Where a point begins in {@link #anchors}; the first of a row at a cache line, as there.
+     *
+     * @param point of the contact, {@link #POINTS} to a row, or the number of points for the length
+     * @return index
+     */
+    public static int anchor(int point) {
+        return START + ANCHORS * point;
+    }
+
+    /**
+     * Where a row begins in {@link #kept}; a group of rows begins at a cache line, as there.
+     *
+     * @param row of the contact
+     * @return index; the row's numbers follow, {@link #KEPT_ROWS} apart
+     */
+    public static int keptAt(int row) {
+        return START + KEPT * (row & -KEPT_ROWS) + (row & (KEPT_ROWS - 1));
+    }
+
+    /**
+     * Unit normal from A to B, world: x.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
+    public double normalX(int row) {
+        return head[head(row)];
+    }
+
+    /**
+     * Unit normal from A to B, world: y.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
+    public double normalY(int row) {
+        return head[head(row) + 1];
+    }
+
+    /**
+     * Unit normal from A to B, world: z.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
+    public double normalZ(int row) {
+        return head[head(row) + 2];
+    }
+
+    /**
+     * Mixed Coulomb coefficient.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
+    public double friction(int row) {
+        return head[head(row) + FRICTION];
+    }
+
+    /**
+     * Friction impulse at the patch centre, world: x, N s over the last sub-step.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
+    public double frictionImpulseX(int row) {
+        return head[head(row) + RUB];
+    }
+
+    /**
+     * Friction impulse at the patch centre, world: y, N s over the last sub-step.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
+    public double frictionImpulseY(int row) {
+        return head[head(row) + RUB + 1];
+    }
+
+    /**
+     * Friction impulse at the patch centre, world: z, N s over the last sub-step.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
+    public double frictionImpulseZ(int row) {
+        return head[head(row) + RUB + 2];
+    }
+
+    /**
+     * Twist impulse about the normal, N m s over the last sub-step.
+     *
+     * @param row of the contact
+     * @return as stored
+     */
+    public double twistImpulse(int row) {
+        return head[head(row) + TWIST];
+    }
+
+    /**
+     * A point from A's centre of mass, world: x, m.
+     *
+     * @param point of the contact, {@link #POINTS} to a row
+     * @return as stored
+     */
+    public double anchorAX(int point) {
+        return anchors[anchor(point)];
+    }
+
+    /**
+     * A point from A's centre of mass, world: y, m.
+     *
+     * @param point of the contact, {@link #POINTS} to a row
+     * @return as stored
+     */
+    public double anchorAY(int point) {
+        return anchors[anchor(point) + 1];
+    }
+
+    /**
+     * A point from A's centre of mass, world: z, m.
+     *
+     * @param point of the contact, {@link #POINTS} to a row
+     * @return as stored
+     */
+    public double anchorAZ(int point) {
+        return anchors[anchor(point) + 2];
+    }
+
+    /**
+     * A point from B's centre of mass, world: x, m.
+     *
+     * @param point of the contact, {@link #POINTS} to a row
+     * @return as stored
+     */
+    public double anchorBX(int point) {
+        return anchors[anchor(point) + 3];
+    }
+
+    /**
+     * A point from B's centre of mass, world: y, m.
+     *
+     * @param point of the contact, {@link #POINTS} to a row
+     * @return as stored
+     */
+    public double anchorBY(int point) {
+        return anchors[anchor(point) + 4];
+    }
+
+    /**
+     * A point from B's centre of mass, world: z, m.
+     *
+     * @param point of the contact, {@link #POINTS} to a row
+     * @return as stored
+     */
+    public double anchorBZ(int point) {
+        return anchors[anchor(point) + 5];
+    }
+
+    /**
+     * Sets the unit normal of a row.
+     *
+     * @param row of the contact
+     * @param x world
+     * @param y world
+     * @param z world
+     */
+    public void setNormal(int row, double x, double y, double z) {
+        int i = head(row);
+        head[i] = x;
+        head[i + 1] = y;
+        head[i + 2] = z;
+    }
+
+    /**
+     * Sets the Coulomb coefficient of a row.
+     *
+     * @param row of the contact
+     * @param coefficient at least 0
+     */
+    public void setFriction(int row, double coefficient) {
+        head[head(row) + FRICTION] = coefficient;
+    }
+
+    /**
+     * Sets the friction impulse of a row, N s, and its twist, N m s.
+     *
+     * @param row of the contact
+     * @param x world
+     * @param y world
+     * @param z world
+     * @param twist about the normal
+     */
+    public void setFrictionImpulse(int row, double x, double y, double z, double twist) {
+        int i = head(row);
+        head[i + RUB] = x;
+        head[i + RUB + 1] = y;
+        head[i + RUB + 2] = z;
+        head[i + TWIST] = twist;
+    }
+
+    /**
+     * Sets the rolling impulse of a row, N m s; only while {@link #rolls}.
+     *
+     * @param row of the contact
+     * @param x world
+     * @param y world
+     * @param z world
+     */
+    public void setRollingImpulse(int row, double x, double y, double z) {
+        rollingImpulse[3 * row] = x;
+        rollingImpulse[3 * row + 1] = y;
+        rollingImpulse[3 * row + 2] = z;
+    }
+
+    /**
+     * Sets where a point is from A and from B, m.
+     *
+     * @param point of the contact, {@link #POINTS} to a row
+     * @param ax from A, world x
+     * @param ay from A, world y
+     * @param az from A, world z
+     * @param bx from B, world x
+     * @param by from B, world y
+     * @param bz from B, world z
+     */
+    public void setAnchors(
+            int point, double ax, double ay, double az, double bx, double by, double bz) {
+        int i = anchor(point);
+        anchors[i] = ax;
+        anchors[i + 1] = ay;
+        anchors[i + 2] = az;
+        anchors[i + 3] = bx;
+        anchors[i + 4] = by;
+        anchors[i + 5] = bz;
+    }
+}
