@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.solver.SolverSettings;
 
 import java.util.Objects;
