@@ -253,8 +253,8 @@ public final class Body {
     }
 
     /**
-     * Adds components to the body's entity, beside {@code Pose}, {@link Velocity} and what
-     * says that there is a body.
+     * Adds components to the body's entity, beside {@code Pose}, {@link Velocity} and what says
+     * that there is a body.
      *
      * @param values components of the user, one of a type
      * @return this

@@ -79,8 +79,7 @@ final class BodyTable {
                         settings.boundsMargin(),
                         settings.boundsTime());
         this.contacts = contacts;
-        sleepers =
-                new Sleepers(settings.sleeping(), settings.sleepSeconds(), bodies, contacts);
+        sleepers = new Sleepers(settings.sleeping(), settings.sleepSeconds(), bodies, contacts);
     }
 
     void bind(World ecs) {

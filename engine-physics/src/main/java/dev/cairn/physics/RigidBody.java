@@ -14,5 +14,6 @@ import java.lang.invoke.MethodHandles;
  */
 record RigidBody(int slot) {
     /** The component key. */
-    static final Component<RigidBody> COMPONENT = Component.of(MethodHandles.lookup(), RigidBody.class);
+    static final Component<RigidBody> COMPONENT =
+            Component.of(MethodHandles.lookup(), RigidBody.class);
 }

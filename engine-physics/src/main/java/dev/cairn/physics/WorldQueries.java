@@ -367,8 +367,7 @@ public final class WorldQueries {
         target.bounds(tight);
         double[] fat = table.broadPhase.fatBoxes();
         for (int axis = 0; axis < 3; axis++) {
-            if (!(fat[6 * c + axis] <= tight[axis]
-                    && tight[axis + 3] <= fat[6 * c + axis + 3])) {
+            if (!(fat[6 * c + axis] <= tight[axis] && tight[axis + 3] <= fat[6 * c + axis + 3])) {
                 return false;
             }
         }

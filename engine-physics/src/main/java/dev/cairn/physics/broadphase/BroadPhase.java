@@ -7,9 +7,9 @@ import dev.cairn.core.job.Jobs;
 import java.util.Arrays;
 
 /**
- * Fat boxes of all colliders in two trees, static and dynamic, and the set of their overlapping pairs.
- * Fixed colliders without end (half-spaces) are in a short list beside the trees. See the package's
- * essay.
+ * Fat boxes of all colliders in two trees, static and dynamic, and the set of their overlapping
+ * pairs. Fixed colliders without end (half-spaces) are in a short list beside the trees. See the
+ * package's essay.
  *
  * <p>A tick: {@link #place} for every collider that is new or left its box, {@link #findPairs}, the
  * owner reads {@link #newPairs}, drops the rows whose boxes no longer {@link #overlap} by {@link
@@ -296,8 +296,8 @@ public final class BroadPhase {
     }
 
     /**
-     * A collider's pairs are told in the order of slots: the tree's shape follows from the rounding of
-     * boxes, and would make another order of the same scene elsewhere.
+     * A collider's pairs are told in the order of slots: the tree's shape follows from the rounding
+     * of boxes, and would make another order of the same scene elsewhere.
      */
     private void queryBlock(int block, int worker) {
         if (secondPass && !again[block]) {

@@ -1,8 +1,8 @@
 package dev.cairn.physics.broadphase;
 
 /**
- * A set of unordered pairs of colliders: open addressing with linear probing, no tombstones. Asked for
- * membership only; it is never iterated, so its layout cannot reach any result.
+ * A set of unordered pairs of colliders: open addressing with linear probing, no tombstones. Asked
+ * for membership only; it is never iterated, so its layout cannot reach any result.
  *
  * <p>One thread changes it; any number may ask between changes. Allocates only when it grows.
  */

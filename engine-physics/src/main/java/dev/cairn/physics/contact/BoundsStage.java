@@ -11,9 +11,9 @@ import dev.cairn.physics.internal.Poses;
 import java.util.Arrays;
 
 /**
- * Where each collider may be within this tick: needed boxes, fat boxes for those that left theirs, and
- * the reach that the narrow phase's margin is made of. Finds bodies whose motion can no longer be
- * computed with.
+ * Where each collider may be within this tick: needed boxes, fat boxes for those that left theirs,
+ * and the reach that the narrow phase's margin is made of. Finds bodies whose motion can no longer
+ * be computed with.
  *
  * <p>Simulation thread; allocates only when the number of bodies grows.
  */

@@ -157,8 +157,7 @@ public final class ContactRows {
         ContactStore c = contacts;
         for (int row = 0; sleepers.asleepCount() > 0 && row < c.count; row++) {
             if (c.isSolved(row)
-                    && (broadPhase.moved(c.colliderA[row])
-                            || broadPhase.moved(c.colliderB[row]))) {
+                    && (broadPhase.moved(c.colliderA[row]) || broadPhase.moved(c.colliderB[row]))) {
                 sleepers.wake(c.bodyA[row]);
                 sleepers.wake(c.bodyB[row]);
             }

@@ -187,7 +187,7 @@ public final class ManifoldStage {
         for (int i = 0; i < moved; i++) {
             int row = own.row[i];
             if (!same(i, row, own)) {
-                        Box a = (Box) colliders.shape[contacts.colliderA[row]];
+                Box a = (Box) colliders.shape[contacts.colliderA[row]];
                 Box b = (Box) colliders.shape[contacts.colliderB[row]];
                 contacts.cache[row] = batch.take(i, a, b, own.manifold);
                 points.store(row, own.manifold, own.points);
@@ -342,9 +342,9 @@ public final class ManifoldStage {
     }
 
     /**
-     * Whether the balls around two colliders are further apart than the margin. In a heap every other
-     * pair with a round side is: its boxes overlap at their corners. A moved shape may be without a
-     * round side, and then remembers what separates it.
+     * Whether the balls around two colliders are further apart than the margin. In a heap every
+     * other pair with a round side is: its boxes overlap at their corners. A moved shape may be
+     * without a round side, and then remembers what separates it.
      */
     private boolean isFar(int a, int b, double margin) {
         Poses s = colliders.poses;
@@ -354,7 +354,8 @@ public final class ManifoldStage {
         double x = s.apartX(a, b);
         double y = s.apartY(a, b);
         double z = s.apartZ(a, b);
-        double reaches = (colliders.outerRadius[a] + colliders.outerRadius[b] + margin) * (1 + 0x1p-40);
+        double reaches =
+                (colliders.outerRadius[a] + colliders.outerRadius[b] + margin) * (1 + 0x1p-40);
         return x * x + y * y + z * z > reaches * reaches;
     }
 

@@ -386,7 +386,9 @@ final class Recycler {
     }
 
     private double allowed(int a, int b, boolean apart, double gap, double margin) {
-        return apart ? gap - margin : SHARE * Math.min(colliders.innerRadius[a], colliders.innerRadius[b]);
+        return apart
+                ? gap - margin
+                : SHARE * Math.min(colliders.innerRadius[a], colliders.innerRadius[b]);
     }
 
     /** How far the plane of a face is from the centre of its shape, m. */

@@ -32,11 +32,7 @@ final class RoundRows {
      *
      * @param fraction share of the smaller radius in it
      */
-    void use(
-            ContactStore rows,
-            BoundsStage bounds,
-            double reachSeconds,
-            double fraction) {
+    void use(ContactStore rows, BoundsStage bounds, double reachSeconds, double fraction) {
         c = rows;
         ahead = bounds.ahead;
         reach = reachSeconds;

@@ -53,18 +53,7 @@ public final class BodyMass {
                             p.iyz() * factor);
         }
         if (!Double.isNaN(ixx)) {
-            p =
-                    new MassProperties(
-                            p.mass(),
-                            p.comX(),
-                            p.comY(),
-                            p.comZ(),
-                            ixx,
-                            iyy,
-                            izz,
-                            0,
-                            0,
-                            0);
+            p = new MassProperties(p.mass(), p.comX(), p.comY(), p.comZ(), ixx, iyy, izz, 0, 0, 0);
         }
         boolean usable =
                 p.mass() > 0

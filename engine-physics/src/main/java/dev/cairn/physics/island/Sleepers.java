@@ -68,8 +68,7 @@ public final class Sleepers {
      * @param bodies whose kinds change
      * @param contacts whose active rows are the links
      */
-    public Sleepers(
-            boolean enabled, double sleepSeconds, BodyStore bodies, ContactStore contacts) {
+    public Sleepers(boolean enabled, double sleepSeconds, BodyStore bodies, ContactStore contacts) {
         this.bodies = bodies;
         this.contacts = contacts;
         this.enabled = enabled;
