@@ -1,5 +1,7 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Quaterniondc;
@@ -251,8 +253,8 @@ public final class Body {
     }
 
     /**
-     * Adds components to the body's entity, beside {@code Pose}, {@link Velocity} and {@link
-     * RigidBody}.
+     * Adds components to the body's entity, beside {@code Pose}, {@link Velocity} and what says
+     * that there is a body.
      *
      * @param values components of the user, one of a type
      * @return this

@@ -3,6 +3,8 @@ package dev.cairn.physics;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Matrix3d;

@@ -5,9 +5,11 @@ import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ContactRows;
+import dev.cairn.physics.internal.BodyMass;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
@@ -104,8 +106,16 @@ final class BodyTable {
                             + (body.name.isEmpty() ? "" : " '" + body.name + "'")
                             + " has no shape; call .shape(..) before adding it");
         }
-        MassProperties mass = massOf(body, shape);
-        double[] inverse = body.fixed ? new double[6] : Inertia.inverse(mass);
+        MassProperties mass =
+                BodyMass.of(
+                        shape,
+                        body.material.density(),
+                        body.fixed,
+                        body.mass,
+                        body.inertiaXX,
+                        body.inertiaYY,
+                        body.inertiaZZ);
+        double[] inverse = body.fixed ? new double[6] : BodyMass.inverseInertia(mass);
         double[] com = new double[3];
         Rotations.rotate(
                 body.qx, body.qy, body.qz, body.qw, mass.comX(), mass.comY(), mass.comZ(), com);
@@ -136,72 +146,6 @@ final class BodyTable {
             addUnplaced(slot);
         }
         return ref;
-    }
-
-    private static MassProperties massOf(Body body, Shape shape) {
-        MassProperties p = shape.massProperties(body.material.density());
-        if (p.mass() == Double.POSITIVE_INFINITY) {
-            if (!body.fixed) {
-                throw new IllegalArgumentException(
-                        shape
-                                + " has infinite mass, so it cannot move; make the body with"
-                                + " Body.fixed()");
-            }
-            return new MassProperties(1, p.comX(), p.comY(), p.comZ(), 1, 1, 1, 0, 0, 0);
-        }
-        if (!Double.isNaN(body.mass)) {
-            double factor = body.mass / p.mass();
-            p =
-                    new MassProperties(
-                            body.mass,
-                            p.comX(),
-                            p.comY(),
-                            p.comZ(),
-                            p.ixx() * factor,
-                            p.iyy() * factor,
-                            p.izz() * factor,
-                            p.ixy() * factor,
-                            p.ixz() * factor,
-                            p.iyz() * factor);
-        }
-        if (!Double.isNaN(body.inertiaXX)) {
-            p =
-                    new MassProperties(
-                            p.mass(),
-                            p.comX(),
-                            p.comY(),
-                            p.comZ(),
-                            body.inertiaXX,
-                            body.inertiaYY,
-                            body.inertiaZZ,
-                            0,
-                            0,
-                            0);
-        }
-        boolean usable =
-                p.mass() > 0
-                        && Double.isFinite(p.mass())
-                        && Double.isFinite(1 / p.mass())
-                        && p.ixx() > 0
-                        && p.iyy() > 0
-                        && p.izz() > 0
-                        && Double.isFinite(p.ixx() + p.iyy() + p.izz());
-        if (!body.fixed && !usable) {
-            throw new IllegalArgumentException(
-                    "mass of "
-                            + shape
-                            + " is "
-                            + p.mass()
-                            + " kg with inertia ("
-                            + p.ixx()
-                            + ", "
-                            + p.iyy()
-                            + ", "
-                            + p.izz()
-                            + ") kg m²; these and their inverses must be finite and greater than 0:"
-                            + " choose another size, density or mass");
-        }
-        return p;
     }
 
     private static void checkReach(String name, double value) {

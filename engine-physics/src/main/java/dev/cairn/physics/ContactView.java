@@ -2,6 +2,7 @@ package dev.cairn.physics;
 
 import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.ContactStore;
 
 import org.joml.Vector3d;

@@ -1,6 +1,7 @@
 package dev.cairn.physics;
 
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.Rotations;
 
 /**
  * What all dynamic bodies of a world have in motion, summed in slot order (so the same bits for any
@@ -55,6 +56,19 @@ public record Kinetics(
             lz += b.positionX[s] * my - b.positionY[s] * mx + v[2];
         }
         return new Kinetics(energy, px, py, pz, lx, ly, lz);
+    }
+
+    /** In gravity (x, y, z), zero at the origin, J. */
+    static double potentialEnergy(BodyStore b, double x, double y, double z) {
+        double sum = 0;
+        for (int s = 0; s < b.slotCount; s++) {
+            if (b.kind[s] == BodyStore.DYNAMIC || b.kind[s] == BodyStore.ASLEEP) {
+                sum -=
+                        (x * b.positionX[s] + y * b.positionY[s] + z * b.positionZ[s])
+                                / b.inverseMass[s];
+            }
+        }
+        return sum;
     }
 
     /** Spin angular momentum in world axes: R I Rᵀ w. */

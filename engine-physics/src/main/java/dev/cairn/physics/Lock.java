@@ -1,5 +1,7 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.internal.Checks;
+
 /**
  * A degree of freedom that a body can be without, in world axes: {@link Body#lock}, {@link
  * BodyRef#setLocks}.

@@ -1,5 +1,7 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.internal.Checks;
+
 /**
  * What a body's surface and substance are like. Immutable; any thread.
  *

@@ -13,6 +13,7 @@ import dev.cairn.physics.contact.WakeStage;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.solver.ContactSolver;
+import dev.cairn.physics.state.BodyIndex;
 
 /**
  * One tick of the physics, as a system of the ECS named {@value #NAME}: reads {@link RigidBody},
@@ -22,9 +23,9 @@ import dev.cairn.physics.solver.ContactSolver;
  * <p>Simulation thread; each stage runs in blocks over the tick's workers. A steady tick allocates
  * nothing.
  */
-public final class PhysicsSystem implements WorldSystem {
+final class PhysicsSystem implements WorldSystem {
     /** The system's name in the schedule. */
-    public static final String NAME = "physics";
+    static final String NAME = "physics";
 
     private static final IntField SLOT = RigidBody.COMPONENT.intField("slot");
 
@@ -43,7 +44,7 @@ public final class PhysicsSystem implements WorldSystem {
     double gravityX;
     double gravityY;
     double gravityZ;
-    private final Roster roster = new Roster(SLOT);
+    private final BodyIndex index = new BodyIndex(SLOT);
     final SleepView sleepView;
     private boolean running;
 
@@ -133,7 +134,7 @@ public final class PhysicsSystem implements WorldSystem {
 
     /** Bodies whose entity is gone leave. */
     private void readRoster(Tick tick) {
-        if (roster.isStale(tick)) {
+        if (index.isStale(tick)) {
             for (int c = 0; c < tick.chunkCount(); c++) {
                 Chunk chunk = tick.chunk(c);
                 int[] slots = chunk.in(SLOT);

@@ -3,7 +3,8 @@ package dev.cairn.physics;
 import dev.cairn.core.ecs.EcsSystem;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.state.Digest;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -226,18 +227,8 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return J
      */
     public double potentialEnergy() {
-        BodyStore b = physics.table.bodies;
-        double sum = 0;
-        for (int s = 0; s < b.slotCount; s++) {
-            if (b.kind[s] == BodyStore.DYNAMIC || b.kind[s] == BodyStore.ASLEEP) {
-                sum -=
-                        (physics.gravityX * b.positionX[s]
-                                        + physics.gravityY * b.positionY[s]
-                                        + physics.gravityZ * b.positionZ[s])
-                                / b.inverseMass[s];
-            }
-        }
-        return sum;
+        return Kinetics.potentialEnergy(
+                physics.table.bodies, physics.gravityX, physics.gravityY, physics.gravityZ);
     }
 
     /**

@@ -8,6 +8,7 @@ import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.Rotations;
 
 import org.jspecify.annotations.Nullable;
 

@@ -2,6 +2,8 @@ package dev.cairn.physics;
 
 import dev.cairn.core.ecs.Component;
 
+import java.lang.invoke.MethodHandles;
+
 /**
  * Marks the entity of a body. {@link PhysicsWorld#add} puts it there; a body lives as long as its
  * entity has it together with {@code Pose} and {@link Velocity}. Entities that are given one by
@@ -10,7 +12,8 @@ import dev.cairn.core.ecs.Component;
  * @param slot row of the body in the working arrays of the physics, at least 0; reused after the
  *     body's end
  */
-public record RigidBody(int slot) {
+record RigidBody(int slot) {
     /** The component key. */
-    public static final Component<RigidBody> COMPONENT = Component.of(RigidBody.class);
+    static final Component<RigidBody> COMPONENT =
+            Component.of(MethodHandles.lookup(), RigidBody.class);
 }

@@ -6,6 +6,7 @@ import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.RayWalk;
 import dev.cairn.physics.broadphase.TreeWalk;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.query.Closest;

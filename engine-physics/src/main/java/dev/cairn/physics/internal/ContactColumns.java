@@ -92,7 +92,10 @@ public class ContactColumns {
     /** The narrow phase's warm-start word; 0 if there is none. */
     public long[] cache = {};
 
-    /** What the narrow phase remembers of pairs with a hull; empty until {@link #beginMemory}. */
+    /**
+     * What the narrow phase remembers of pairs with a hull; empty until {@link
+     * ContactStore#beginMemory}.
+     */
     public long[] memory = {};
 
     /** Whether {@link #kept} holds something of a row. */

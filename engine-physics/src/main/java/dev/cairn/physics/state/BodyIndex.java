@@ -1,4 +1,4 @@
-package dev.cairn.physics;
+package dev.cairn.physics.state;
 
 import dev.cairn.core.ecs.Field;
 import dev.cairn.core.ecs.Tick;
@@ -7,17 +7,27 @@ import dev.cairn.core.ecs.Tick;
  * Whether entities came, went or were given another slot since the physics last looked: asks the
  * chunks, not their rows.
  */
-final class Roster {
+public final class BodyIndex {
     private final Field slot;
     private int chunks = -1;
     private long looked;
 
-    Roster(Field slot) {
+    /**
+     * An index that has not looked yet.
+     *
+     * @param slot the field of the entities that holds a body's slot
+     */
+    public BodyIndex(Field slot) {
         this.slot = slot;
     }
 
-    /** Asks once a tick. */
-    boolean isStale(Tick tick) {
+    /**
+     * Asks once a tick.
+     *
+     * @param tick whose chunks are asked
+     * @return true if all entities must be looked at
+     */
+    public boolean isStale(Tick tick) {
         int count = tick.chunkCount();
         boolean stale = count != chunks;
         for (int c = 0; c < count; c++) {

@@ -1,14 +1,22 @@
-package dev.cairn.physics;
+package dev.cairn.physics.state;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Sleepers;
 
 /** A hash of the state's bits, in slot and row order. */
-final class Digest {
+public final class Digest {
     private Digest() {}
 
-    static long of(BodyStore b, ContactStore c, Sleepers sleepers) {
+    /**
+     * Hashes a state.
+     *
+     * @param b the bodies
+     * @param c the contacts
+     * @param sleepers who sleeps
+     * @return 64 bits
+     */
+    public static long of(BodyStore b, ContactStore c, Sleepers sleepers) {
         long h = 0x6361_6972_6e00_0001L;
         for (int s = 0; s < b.slotCount; s++) {
             h = mix(h, b.kind[s]);

@@ -1,17 +1,26 @@
-package dev.cairn.physics;
+package dev.cairn.physics.internal;
 
 /** Quaternions as users pass them, and the rotation of a vector. */
-final class Rotations {
+public final class Rotations {
     /** How far from 1 the length of a quaternion may be to be taken as rounding. */
-    static final double TOLERANCE = 1e-6;
+    public static final double TOLERANCE = 1e-6;
 
     /** Four units in the last place of 1. */
     private static final double ROUNDING = 0x1p-50;
 
     private Rotations() {}
 
-    /** The factor that makes the quaternion a unit one, if it is one but for rounding. */
-    static double inverseLength(String name, double x, double y, double z, double w) {
+    /**
+     * The factor that makes a quaternion a unit one, if it is one but for rounding.
+     *
+     * @param name of the argument
+     * @param x of the quaternion
+     * @param y of the quaternion
+     * @param z of the quaternion
+     * @param w of the quaternion
+     * @return the factor, 1 if the length is 1 but for the last bits
+     */
+    public static double inverseLength(String name, double x, double y, double z, double w) {
         double length = Math.sqrt(x * x + y * y + z * z + w * w);
         if (!(Math.abs(length - 1) <= TOLERANCE)) {
             throw new IllegalArgumentException(
@@ -35,8 +44,19 @@ final class Rotations {
         return Math.abs(length - 1) <= ROUNDING ? 1 : 1 / length;
     }
 
-    /** Rotates (vx, vy, vz) by the unit quaternion: v + 2 w (q x v) + 2 q x (q x v). */
-    static void rotate(
+    /**
+     * Rotates (vx, vy, vz) by the unit quaternion: v + 2 w (q x v) + 2 q x (q x v).
+     *
+     * @param qx of the quaternion
+     * @param qy of the quaternion
+     * @param qz of the quaternion
+     * @param qw of the quaternion
+     * @param vx of the vector
+     * @param vy of the vector
+     * @param vz of the vector
+     * @param out receives the vector, from index 0 on
+     */
+    public static void rotate(
             double qx,
             double qy,
             double qz,

@@ -1,0 +1,133 @@
+package dev.cairn.physics.internal;
+
+import dev.cairn.physics.shape.MassProperties;
+import dev.cairn.physics.shape.Shape;
+
+/** Mass and inertia of a body, and their inverses. */
+public final class BodyMass {
+    private BodyMass() {}
+
+    /**
+     * Mass, centre and inertia: the shape's, or what the user gave instead.
+     *
+     * @param shape of the body
+     * @param density kg/m³
+     * @param isFixed whether it never moves
+     * @param kilograms mass instead of the shape's, or NaN
+     * @param ixx inertia instead of the shape's about its axes, kg m², or NaN
+     * @param iyy see {@code ixx}
+     * @param izz see {@code ixx}
+     * @return with finite numbers and inverses, unless it is fixed
+     */
+    public static MassProperties of(
+            Shape shape,
+            double density,
+            boolean isFixed,
+            double kilograms,
+            double ixx,
+            double iyy,
+            double izz) {
+        MassProperties p = shape.massProperties(density);
+        if (p.mass() == Double.POSITIVE_INFINITY) {
+            if (!isFixed) {
+                throw new IllegalArgumentException(
+                        shape
+                                + " has infinite mass, so it cannot move; make the body with"
+                                + " Body.fixed()");
+            }
+            return new MassProperties(1, p.comX(), p.comY(), p.comZ(), 1, 1, 1, 0, 0, 0);
+        }
+        if (!Double.isNaN(kilograms)) {
+            double factor = kilograms / p.mass();
+            p =
+                    new MassProperties(
+                            kilograms,
+                            p.comX(),
+                            p.comY(),
+                            p.comZ(),
+                            p.ixx() * factor,
+                            p.iyy() * factor,
+                            p.izz() * factor,
+                            p.ixy() * factor,
+                            p.ixz() * factor,
+                            p.iyz() * factor);
+        }
+        if (!Double.isNaN(ixx)) {
+            p = new MassProperties(p.mass(), p.comX(), p.comY(), p.comZ(), ixx, iyy, izz, 0, 0, 0);
+        }
+        boolean usable =
+                p.mass() > 0
+                        && Double.isFinite(p.mass())
+                        && Double.isFinite(1 / p.mass())
+                        && p.ixx() > 0
+                        && p.iyy() > 0
+                        && p.izz() > 0
+                        && Double.isFinite(p.ixx() + p.iyy() + p.izz());
+        if (!isFixed && !usable) {
+            throw new IllegalArgumentException(
+                    "mass of "
+                            + shape
+                            + " is "
+                            + p.mass()
+                            + " kg with inertia ("
+                            + p.ixx()
+                            + ", "
+                            + p.iyy()
+                            + ", "
+                            + p.izz()
+                            + ") kg m²; these and their inverses must be finite and greater than 0:"
+                            + " choose another size, density or mass");
+        }
+        return p;
+    }
+
+    /**
+     * The inverse's six entries xx, yy, zz, xy, xz, yz. The matrix is scaled by its trace first, so
+     * that neither very small nor very large bodies leave the range of numbers.
+     *
+     * @param p mass properties
+     * @return 1/(kg m²)
+     */
+    public static double[] inverseInertia(MassProperties p) {
+        double scale = p.ixx() + p.iyy() + p.izz();
+        double xx = p.ixx() / scale;
+        double yy = p.iyy() / scale;
+        double zz = p.izz() / scale;
+        double xy = p.ixy() / scale;
+        double xz = p.ixz() / scale;
+        double yz = p.iyz() / scale;
+        double a = yy * zz - yz * yz;
+        double b = xz * yz - xy * zz;
+        double c = xy * yz - xz * yy;
+        double determinant = xx * a + xy * b + xz * c;
+        double f = 1 / (determinant * scale);
+        double[] inverse = {
+            a * f,
+            (xx * zz - xz * xz) * f,
+            (xx * yy - xy * xy) * f,
+            b * f,
+            c * f,
+            (xy * xz - xx * yz) * f
+        };
+        for (double entry : inverse) {
+            if (!(determinant > 0) || !Double.isFinite(entry)) {
+                throw new IllegalArgumentException(
+                        "inertia (xx "
+                                + p.ixx()
+                                + ", yy "
+                                + p.iyy()
+                                + ", zz "
+                                + p.izz()
+                                + ", xy "
+                                + p.ixy()
+                                + ", xz "
+                                + p.ixz()
+                                + ", yz "
+                                + p.iyz()
+                                + ") kg m² has no finite inverse; choose a less thin shape or"
+                                + " another mass");
+            }
+        }
+        return inverse;
+    }
+}

@@ -1,0 +1,117 @@
+package dev.cairn.physics.internal;
+
+import org.jspecify.annotations.Nullable;
+
+/** Argument checks of the façade: each message names the value, its bound and what to do. */
+public final class Checks {
+    private Checks() {}
+
+    /**
+     * Checks that there is a value.
+     *
+     * @param name of the argument
+     * @param value of it
+     * @param <T> its type
+     * @return the value
+     */
+    public static <T> T notNull(String name, @Nullable T value) {
+        if (value == null) {
+            throw new IllegalArgumentException(name + " is null; pass a value");
+        }
+        return value;
+    }
+
+    /**
+     * Checks that a value is finite.
+     *
+     * @param name of the argument
+     * @param value of it
+     * @return the value
+     */
+    public static double finite(String name, double value) {
+        if (!Double.isFinite(value)) {
+            throw new IllegalArgumentException(
+                    name + " is " + value + "; it must be finite (neither NaN nor infinite)");
+        }
+        return value;
+    }
+
+    /**
+     * Checks that a value is finite and above 0.
+     *
+     * @param name of the argument
+     * @param value of it
+     * @return the value
+     */
+    public static double positive(String name, double value) {
+        if (!(value > 0) || value == Double.POSITIVE_INFINITY) {
+            throw new IllegalArgumentException(
+                    name + " is " + value + "; it must be finite and greater than 0");
+        }
+        return value;
+    }
+
+    /**
+     * Checks that a value is finite and at least 0.
+     *
+     * @param name of the argument
+     * @param value of it
+     * @return the value
+     */
+    public static double atLeastZero(String name, double value) {
+        if (!(value >= 0) || value == Double.POSITIVE_INFINITY) {
+            throw new IllegalArgumentException(
+                    name + " is " + value + "; it must be finite and at least 0");
+        }
+        return value;
+    }
+
+    /**
+     * Checks that a value is above 0; it may be infinite.
+     *
+     * @param name of the argument
+     * @param value of it
+     * @return the value
+     */
+    public static double limit(String name, double value) {
+        if (!(value > 0)) {
+            throw new IllegalArgumentException(
+                    name + " is " + value + "; it must be greater than 0, or infinite for none");
+        }
+        return value;
+    }
+
+    /**
+     * Checks that a value is in a range.
+     *
+     * @param name of the argument
+     * @param value of it
+     * @param low the least
+     * @param high the largest
+     * @return the value
+     */
+    public static double between(String name, double value, double low, double high) {
+        if (!(value >= low && value <= high)) {
+            throw new IllegalArgumentException(
+                    name + " is " + value + "; it must be from " + low + " to " + high);
+        }
+        return value;
+    }
+
+    /**
+     * Checks that a value is in a range.
+     *
+     * @param name of the argument
+     * @param value of it
+     * @param low the least
+     * @param high the largest
+     * @return the value
+     */
+    public static int between(String name, int value, int low, int high) {
+        if (value < low || value > high) {
+            throw new IllegalArgumentException(
+                    name + " is " + value + "; it must be from " + low + " to " + high);
+        }
+        return value;
+    }
+}
