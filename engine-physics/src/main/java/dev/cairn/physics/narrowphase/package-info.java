@@ -13,16 +13,16 @@
  * </pre>
  *
  * <p>Pairs with a capsule, cylinder or cone take the same two iterations to a rough axis and then
- * {@link dev.cairn.physics.narrowphase.axis.AxisRefinement} to the exact one: round shapes have features
- * too (flats, lines with a circle of normals, rims), only their normals are found by Newton instead
- * of being listed. Half-spaces are a closed form.
+ * {@link dev.cairn.physics.narrowphase.axis.AxisRefinement} to the exact one: round shapes have
+ * features too (flats, lines with a circle of normals, rims), only their normals are found by
+ * Newton instead of being listed. Half-spaces are a closed form.
  *
  * <p>Invariants: all maths is in double, in the frame of shape A, from the relative offset only, so
  * far from the origin is like at the origin. No length is compared with a constant; every tolerance
  * is a fraction of the pair's size. A {@link dev.cairn.physics.narrowphase.NarrowPhase} owns all
  * scratch of one worker and allocates nothing once it has seen the largest face. The answer is a
- * function of shapes, poses, margin and the warm-start word; the word may choose between answers
- * that are equally right, it never makes a wrong one.
+ * function of shapes, poses, margin and the warm-start key; the key may choose between answers that
+ * are equally right, it never makes a wrong one.
  *
  * <p>Sources: E. G. Gilbert, D. W. Johnson, S. S. Keerthi, "A fast procedure for computing the
  * distance between complex objects in three-dimensional space" (1988); M. Montanari, N. Petrinic,

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Polyhedron;
@@ -83,7 +83,8 @@ class ManifoldTest {
             word = s.collide(n, .02, word, m);
             int[] corners = {0, 1, 4, 5};
             for (int i = 0; i < 4; i++) {
-                assertEquals(FeatureIds.VERTEX_B | corners[i], m.feature[i], "seed 22 tick " + tick);
+                assertEquals(
+                        FeatureIds.VERTEX_B | corners[i], m.feature[i], "seed 22 tick " + tick);
             }
             assertEquals(4, m.pointCount);
         }

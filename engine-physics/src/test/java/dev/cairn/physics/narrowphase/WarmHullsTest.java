@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.cairn.physics.narrowphase.hull.PairMemory;
 import dev.cairn.physics.narrowphase.hull.DistanceCertificate;
+import dev.cairn.physics.narrowphase.hull.PairMemory;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.shape.Shape;
@@ -209,7 +209,7 @@ class WarmHullsTest {
             for (int tick = 0; tick < 24; tick++) {
                 String where = "seed 82, pair " + i + ", tick " + tick;
                 long[] without = memory.clone();
-                DistanceCertificate.forget(without, AT + PairMemory.PROOF);
+                DistanceCertificate.forget(without, AT + PairMemory.CERTIFICATE);
                 long before = word;
                 word = check(s, .02 * inner, word, where);
                 ticks++;

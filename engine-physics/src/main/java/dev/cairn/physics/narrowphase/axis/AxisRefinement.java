@@ -60,11 +60,12 @@ public final class AxisRefinement {
     private final int[] bestA = new int[2 * ROUGH + 1], bestB = new int[2 * ROUGH + 1];
     private final int[] atA = new int[2 * ROUGH + 1], atB = new int[2 * ROUGH + 1];
     private int nowA, nowB;
-    private final CandidateFeatures sideA = new CandidateFeatures(false), sideB = new CandidateFeatures(true);
+    private final CandidateFeatures sideA = new CandidateFeatures(false),
+            sideB = new CandidateFeatures(true);
     private final RimStart start = new RimStart();
 
-    /** See {@link #settled}. */
-    final OptimalityTest meeting = new OptimalityTest(sideA, sideB);
+    /** See {@link #isOptimal}. */
+    final OptimalityTest optimality = new OptimalityTest(sideA, sideB);
 
     private Pair pair = new Pair();
     private double nx, ny, nz;
@@ -164,11 +165,11 @@ public final class AxisRefinement {
     }
 
     /**
-     * Whether the axis found is the best of all near ones, see {@link OptimalityTest}, which then tells
-     * the way to a better one.
+     * Whether the axis found is the best of all near ones, see {@link OptimalityTest}, which then
+     * tells the way to a better one.
      */
-    boolean settled() {
-        return meeting.at(this, pair, placeA, placeB);
+    boolean isOptimal() {
+        return optimality.holds(this, pair, placeA, placeB);
     }
 
     /** Scales to unit length first. */
@@ -219,7 +220,8 @@ public final class AxisRefinement {
      * the rim's own axis nearly lies on the circle the reach bends sharply there, so that is a
      * second place to start from.
      */
-    private void circle(CandidateFeatures own, int line, int point, CandidateFeatures other, int ofA, int ofB) {
+    private void circle(
+            CandidateFeatures own, int line, int point, CandidateFeatures other, int ofA, int ofB) {
         climb(own, line, point, other, startX, startY, startZ, ofA, ofB);
         if (other.radius[point] > 0) {
             double dot = startX * other.ax + startY * other.ay + startZ * other.az;

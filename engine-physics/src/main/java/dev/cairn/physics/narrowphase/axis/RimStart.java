@@ -22,7 +22,13 @@ final class RimStart {
      * @param sign 1 when the line is A's, -1 when it is B's
      * @return false when it is best far away
      */
-    boolean onCircle(CandidateFeatures own, int line, CandidateFeatures other, int rim, double way, double sign) {
+    boolean onCircle(
+            CandidateFeatures own,
+            int line,
+            CandidateFeatures other,
+            int rim,
+            double way,
+            double sign) {
         double ax = own.lineX[line];
         double ay = own.lineY[line];
         double az = own.lineZ[line];

@@ -1,22 +1,11 @@
 package dev.cairn.physics.narrowphase.box;
 
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CROSSING_ENDS;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CROSSING_NORMAL;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CROSSING_POINT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.EDGE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_EDGE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.*;
 
 import dev.cairn.physics.narrowphase.pair.BoxTopology;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 
 /**
  * Two edges of a pair in a batch that cross: the axis from the columns of the fifteen axes, and the
@@ -201,6 +190,8 @@ final class BoxEdgeContact {
     }
 
     private static int name(int va, int vb, int k, int l) {
-        return FeatureIds.CROSSING | BoxTopology.edge(3 * va + k) << 15 | BoxTopology.edge(3 * vb + l);
+        return FeatureIds.CROSSING
+                | BoxTopology.edge(3 * va + k) << 15
+                | BoxTopology.edge(3 * vb + l);
     }
 }

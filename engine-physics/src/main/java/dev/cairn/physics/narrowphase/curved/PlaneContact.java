@@ -4,8 +4,8 @@ import dev.cairn.physics.narrowphase.clip.ContactPoints;
 import dev.cairn.physics.narrowphase.clip.Overlay;
 import dev.cairn.physics.narrowphase.clip.Patch;
 import dev.cairn.physics.narrowphase.clip.Reduction;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Pair;
 
 /**
@@ -57,7 +57,7 @@ final class PlaneContact {
             double separation,
             boolean second,
             double margin,
-            double calm,
+            double hysteresis,
             long cache,
             Manifold out) {
         if (separation > margin) {
@@ -68,7 +68,8 @@ final class PlaneContact {
         points.setAxis(-nx, -ny, -nz);
         if (!patch.line && patch.flat == Patch.NONE) {
             double reach = pair.radiusA + separation / 2;
-            points.single(-reach * nx, -reach * ny, -reach * nz, separation, FeatureIds.CLOSEST, out);
+            points.single(
+                    -reach * nx, -reach * ny, -reach * nz, separation, FeatureIds.CLOSEST, out);
         } else {
             plane.ox = -height * nx;
             plane.oy = -height * ny;
@@ -83,7 +84,7 @@ final class PlaneContact {
                 overlay.restOnPlane();
             }
             overlay.finish(margin);
-            reduction.reduce(overlay.out, nx, ny, nz, 0.01 * calm, calm, last);
+            reduction.reduce(overlay.out, nx, ny, nz, 0.01 * hysteresis, hysteresis, last);
             points.take(overlay.out, nx, ny, nz, out);
             boolean disc = patch.flat == Patch.DISC && patch.flatter;
             out.patch = disc && out.pointCount == Manifold.POINTS ? Patch.DISC_SHARE : 0;

@@ -53,12 +53,7 @@ final class SegmentBox {
     /** The box is the second shape. */
     boolean second;
 
-    /**
-     * Whether a pair is one of a capsule and a box, in either order.
-     *
-     * @param a first shape
-     * @param b second shape
-     */
+    /** Whether a pair is one of a capsule and a box, in either order. */
     static boolean fits(Shape a, Shape b) {
         return a instanceof Box ? b instanceof Capsule : a instanceof Capsule && b instanceof Box;
     }
@@ -317,7 +312,10 @@ final class SegmentBox {
         y = ny;
         z = nz;
         int beside = (wx != 0 ? 1 : 0) + (wy != 0 ? 1 : 0) + (wz != 0 ? 1 : 0);
-        ofBox = beside == 1 ? AxisRefinement.FLAT : beside == 2 ? AxisRefinement.LINE : AxisRefinement.POINT;
+        ofBox =
+                beside == 1
+                        ? AxisRefinement.FLAT
+                        : beside == 2 ? AxisRefinement.LINE : AxisRefinement.POINT;
         ofSegment = beside == 1 ? AxisRefinement.POINT : segmentKind;
     }
 }

@@ -7,8 +7,9 @@ import dev.cairn.physics.shape.Shape;
 
 /**
  * Two shapes in the frame of the first: its centre of mass is the origin, its axes are the axes. A
- * shape is a core (a polyhedron or a {@link SolidOfRevolution}) and a radius around it. {@code r} turns B's
- * axes into A's, {@code d} is B's centre in A's frame, {@code w} turns A's axes into the world's.
+ * shape is a core (a polyhedron or a {@link SolidOfRevolution}) and a radius around it. {@code r}
+ * turns B's axes into A's, {@code d} is B's centre in A's frame, {@code w} turns A's axes into the
+ * world's.
  */
 public final class Pair {
     private static final Polyhedron NONE = Box.cube(1).polyhedron();
@@ -19,7 +20,8 @@ public final class Pair {
     public boolean roundA, roundB;
 
     /** The cores of round shapes. */
-    public final SolidOfRevolution solidA = new SolidOfRevolution(), solidB = new SolidOfRevolution();
+    public final SolidOfRevolution solidA = new SolidOfRevolution(),
+            solidB = new SolidOfRevolution();
 
     public double radiusA, radiusB;
     public double r00, r01, r02, r10, r11, r12, r20, r21, r22;

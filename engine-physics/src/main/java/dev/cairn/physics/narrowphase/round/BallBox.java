@@ -1,7 +1,7 @@
 package dev.cairn.physics.narrowphase.round;
 
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;

@@ -1,8 +1,8 @@
 package dev.cairn.physics.narrowphase.round;
 
 import dev.cairn.physics.narrowphase.clip.Patch;
-import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
 
 /**
  * Two capsules side by side: both ends of the part that their lines share, by the rules of {@link
@@ -30,7 +30,7 @@ final class ParallelCapsules {
             double dz,
             double length,
             double margin,
-            double calm,
+            double hysteresis,
             Manifold out) {
         out.pointCount = 0;
         deepest = Double.MAX_VALUE;
@@ -75,7 +75,7 @@ final class ParallelCapsules {
             double gap = gx * nx + gy * ny + gz * nz;
             double side = Math.max(0, gx * gx + gy * gy + gz * gz - gap * gap);
             // What round sides lose where they pass each other: side^2 / (2 (R + r)).
-            if (side > 2 * calm * (radiusA + radiusB)) {
+            if (side > 2 * hysteresis * (radiusA + radiusB)) {
                 out.pointCount = 0;
                 return;
             }

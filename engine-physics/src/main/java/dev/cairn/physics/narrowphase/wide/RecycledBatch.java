@@ -1,10 +1,10 @@
 package dev.cairn.physics.narrowphase.wide;
 
 /**
- * Pairs of boxes in neighbouring rows that may have hardly moved, for {@link RecycledWide}: one array,
- * cut into columns, as in {@link BoxBatch}. Place {@code p} is row {@code first + p} with {@code
- * first} a multiple of {@link #ROWS}, so that what is kept of the rows, which lies in groups of so
- * many, is read as it lies. Let the reference be the box whose face carries the contact, the
+ * Pairs of boxes in neighbouring rows that may have hardly moved, for {@link RecycledWide}: one
+ * array, cut into columns, as in {@link BoxBatch}. Place {@code p} is row {@code first + p} with
+ * {@code first} a multiple of {@link #ROWS}, so that what is kept of the rows, which lies in groups
+ * of so many, is read as it lies. Let the reference be the box whose face carries the contact, the
  * incident box the other one. One per worker.
  */
 public final class RecycledBatch {
