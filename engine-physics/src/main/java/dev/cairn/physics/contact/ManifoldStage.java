@@ -170,7 +170,7 @@ public final class ManifoldStage {
                             margin(a, b),
                             own.manifold);
             if (done) {
-                c.cache[row] = own.round.word();
+                c.cache[row] = own.round.key();
                 points.store(row, own.manifold, own.points);
             } else {
                 collide(row, own);

@@ -149,10 +149,10 @@ final class RoundRows {
             int i = own.place[k];
             int row = own.left[k];
             if (pairs.take(i, m)) {
-                c.cache[row] = RoundPairs.word(m);
+                c.cache[row] = RoundPairs.key(m);
                 points.store(row, m, own.points);
             } else if (pairs.sideBySide(i, c.cache[row], m)) {
-                c.cache[row] = pairs.word();
+                c.cache[row] = pairs.key();
                 points.store(row, m, own.points);
             } else {
                 own.left[left++] = row;

@@ -157,7 +157,7 @@ public final class NarrowPhase {
     }
 
     /**
-     * Hands the next {@link #collide} what an earlier one for the pair left beside the word.
+     * Hands the next {@link #collide} what an earlier one for the pair left beside the key.
      *
      * @param pairs a {@code PairMemory}, zeros at first; rewritten
      * @param at where the pair's begins
@@ -173,21 +173,12 @@ public final class NarrowPhase {
      * @param a first shape
      * @param b second shape
      * @param qAx orientation of A, world from body, unit quaternion
-     * @param qAy orientation of A
-     * @param qAz orientation of A
-     * @param qAw orientation of A
      * @param qBx orientation of B, world from body, unit quaternion
-     * @param qBy orientation of B
-     * @param qBz orientation of B
-     * @param qBw orientation of B
      * @param dx centre of mass of B minus that of A, world axes, m
-     * @param dy see {@code dx}
-     * @param dz see {@code dx}
      * @param margin points up to this far apart are reported, m, not negative
-     * @param cache the word that the last call for this pair in this order returned; 0 if there is
+     * @param cache the key that the last call for this pair in this order returned; 0 if there is
      *     none
-     * @param out receives the contact
-     * @return the word to pass next time
+     * @return the key to pass next time
      */
     public long collide(
             Shape a,
@@ -214,7 +205,7 @@ public final class NarrowPhase {
                             a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz, margin, out);
             if (done || rounds.sideBySide(a, b, dx, dy, dz, margin, cache, out)) {
                 exact();
-                return rounds.word();
+                return rounds.key();
             }
         }
         if (method == Method.SPECIALISED
@@ -246,12 +237,12 @@ public final class NarrowPhase {
         out.patch = 0;
         out.bound = 0;
         boolean ball = pair.roundA || pair.roundB;
-        long word =
+        long key =
                 ball
                         ? ball(a, b, margin, out)
                         : polyhedra.collide(a, b, margin, cache, kept, memoryAt, out);
         out.capped = capped();
-        return word;
+        return key;
     }
 
     /**
@@ -274,22 +265,9 @@ public final class NarrowPhase {
     }
 
     /**
-     * The signed distance of two shapes: how far apart they are, or minus the length of the
-     * shortest move that separates them.
+     * The signed distance of two shapes, which are given as to {@link #collide}: how far apart they
+     * are, or minus the length of the shortest move that separates them.
      *
-     * @param a first shape
-     * @param b second shape
-     * @param qAx orientation of A, world from body, unit quaternion
-     * @param qAy orientation of A
-     * @param qAz orientation of A
-     * @param qAw orientation of A
-     * @param qBx orientation of B, world from body, unit quaternion
-     * @param qBy orientation of B
-     * @param qBz orientation of B
-     * @param qBw orientation of B
-     * @param dx centre of mass of B minus that of A, world axes, m
-     * @param dy see {@code dx}
-     * @param dz see {@code dx}
      * @return m
      */
     public double distance(
@@ -313,21 +291,8 @@ public final class NarrowPhase {
      * As {@link #distance}, from what the last call for this pair in this order left: of shapes
      * that are apart and have moved little, a fraction of the time.
      *
-     * @param a first shape
-     * @param b second shape
-     * @param qAx orientation of A, world from body, unit quaternion
-     * @param qAy orientation of A
-     * @param qAz orientation of A
-     * @param qAw orientation of A
-     * @param qBx orientation of B, world from body, unit quaternion
-     * @param qBy orientation of B
-     * @param qBz orientation of B
-     * @param qBw orientation of B
-     * @param dx centre of mass of B minus that of A, world axes, m
-     * @param dy see {@code dx}
-     * @param dz see {@code dx}
      * @param cache {@link #distanceKey} after the last call; 0 if there is none. A stale or random
-     *     word costs time, never correctness
+     *     key costs time, never correctness
      * @return m
      */
     public double distance(
@@ -378,19 +343,6 @@ public final class NarrowPhase {
     /**
      * The nearest points of two shapes.
      *
-     * @param a first shape
-     * @param b second shape
-     * @param qAx orientation of A, world from body, unit quaternion
-     * @param qAy orientation of A
-     * @param qAz orientation of A
-     * @param qAw orientation of A
-     * @param qBx orientation of B, world from body, unit quaternion
-     * @param qBy orientation of B
-     * @param qBz orientation of B
-     * @param qBw orientation of B
-     * @param dx centre of mass of B minus that of A, world axes, m
-     * @param dy see {@code dx}
-     * @param dz see {@code dx}
      * @param out receives one point, midway between the nearest points, its separation, and the
      *     normal along which that is measured
      * @return the signed distance, m, as {@link #distance} tells it

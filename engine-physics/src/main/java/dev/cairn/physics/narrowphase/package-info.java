@@ -21,8 +21,8 @@
  * far from the origin is like at the origin. No length is compared with a constant; every tolerance
  * is a fraction of the pair's size. A {@link dev.cairn.physics.narrowphase.NarrowPhase} owns all
  * scratch of one worker and allocates nothing once it has seen the largest face. The answer is a
- * function of shapes, poses, margin and the warm-start word; the word may choose between answers
- * that are equally right, it never makes a wrong one.
+ * function of shapes, poses, margin and the warm-start key; the key may choose between answers that
+ * are equally right, it never makes a wrong one.
  *
  * <p>Sources: E. G. Gilbert, D. W. Johnson, S. S. Keerthi, "A fast procedure for computing the
  * distance between complex objects in three-dimensional space" (1988); M. Montanari, N. Petrinic,

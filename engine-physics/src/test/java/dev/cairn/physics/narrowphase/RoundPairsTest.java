@@ -102,7 +102,7 @@ class RoundPairsTest {
                     left++;
                     continue;
                 }
-                assertEquals(single.word(), RoundPairs.word(two), where);
+                assertEquals(single.key(), RoundPairs.key(two), where);
                 assertEquals(one.pointCount, two.pointCount, where);
                 assertEquals(one.bound, two.bound, 0.0, where);
                 if (one.pointCount == 0) {

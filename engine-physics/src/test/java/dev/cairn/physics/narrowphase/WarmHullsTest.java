@@ -209,7 +209,7 @@ class WarmHullsTest {
             for (int tick = 0; tick < 24; tick++) {
                 String where = "seed 82, pair " + i + ", tick " + tick;
                 long[] without = memory.clone();
-                DistanceCertificate.forget(without, AT + PairMemory.PROOF);
+                DistanceCertificate.forget(without, AT + PairMemory.CERTIFICATE);
                 long before = word;
                 word = check(s, .02 * inner, word, where);
                 ticks++;

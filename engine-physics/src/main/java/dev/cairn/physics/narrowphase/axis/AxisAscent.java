@@ -23,16 +23,16 @@ public final class AxisAscent {
      * Goes on from what was refined last, and leaves the best there; whether it is known to be the
      * best of all near ones.
      */
-    public boolean on(Pair p) {
+    public boolean climb(Pair p) {
         for (int i = 0; i < STEPS; i++) {
-            if (refine.settled()) {
+            if (refine.isOptimal()) {
                 return true;
             }
             keep();
             double away = Math.abs(separation);
-            double x = away * axisX + refine.meeting.missX;
-            double y = away * axisY + refine.meeting.missY;
-            double z = away * axisZ + refine.meeting.missZ;
+            double x = away * axisX + refine.optimality.missX;
+            double y = away * axisY + refine.optimality.missY;
+            double z = away * axisZ + refine.optimality.missZ;
             double length = Math.sqrt(x * x + y * y + z * z);
             if (length > 0) {
                 refine.run(p, x / length, y / length, z / length, true);

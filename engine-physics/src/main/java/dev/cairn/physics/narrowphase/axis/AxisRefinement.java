@@ -64,8 +64,8 @@ public final class AxisRefinement {
             sideB = new CandidateFeatures(true);
     private final RimStart start = new RimStart();
 
-    /** See {@link #settled}. */
-    final OptimalityTest meeting = new OptimalityTest(sideA, sideB);
+    /** See {@link #isOptimal}. */
+    final OptimalityTest optimality = new OptimalityTest(sideA, sideB);
 
     private Pair pair = new Pair();
     private double nx, ny, nz;
@@ -168,8 +168,8 @@ public final class AxisRefinement {
      * Whether the axis found is the best of all near ones, see {@link OptimalityTest}, which then
      * tells the way to a better one.
      */
-    boolean settled() {
-        return meeting.at(this, pair, placeA, placeB);
+    boolean isOptimal() {
+        return optimality.holds(this, pair, placeA, placeB);
     }
 
     /** Scales to unit length first. */

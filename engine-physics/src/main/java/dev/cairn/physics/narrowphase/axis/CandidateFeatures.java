@@ -78,7 +78,7 @@ final class CandidateFeatures {
             z = p.r02 * dx + p.r12 * dy + p.r22 * dz;
         }
         if (flip ? p.roundB : p.roundA) {
-            spindle(flip ? p.solidB : p.solidA, y);
+            solid(flip ? p.solidB : p.solidA, y);
         } else {
             polyhedron(flip ? p.b : p.a, x, y, z);
             if (wide) {
@@ -87,7 +87,7 @@ final class CandidateFeatures {
         }
     }
 
-    private void spindle(SolidOfRevolution c, double along) {
+    private void solid(SolidOfRevolution c, double along) {
         ax = flip ? pair.r01 : 0;
         ay = flip ? pair.r11 : 1;
         az = flip ? pair.r21 : 0;

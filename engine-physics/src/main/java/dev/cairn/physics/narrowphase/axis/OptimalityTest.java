@@ -27,20 +27,20 @@ final class OptimalityTest {
     /** Across the axis, from what touches of A to what touches of B. */
     double missX, missY, missZ;
 
-    private final SupportFeature touchA, touchB;
+    private final SupportFeature featureA, featureB;
     private double inset, nx, ny, nz;
 
     OptimalityTest(CandidateFeatures sideA, CandidateFeatures sideB) {
-        touchA = new SupportFeature(sideA, false);
-        touchB = new SupportFeature(sideB, true);
+        featureA = new SupportFeature(sideA, false);
+        featureB = new SupportFeature(sideB, true);
     }
 
     /** Whether the parts meet along the axis found; they are at places among the features. */
-    boolean at(AxisRefinement r, Pair pair, int placeA, int placeB) {
+    boolean holds(AxisRefinement r, Pair pair, int placeA, int placeB) {
         double slack = SLACK * pair.scale;
         inset = Math.max(0, -INSET * r.separation);
-        touchA.of(pair);
-        touchB.of(pair);
+        featureA.of(pair);
+        featureB.of(pair);
         nx = r.axisX;
         ny = r.axisY;
         nz = r.axisZ;
@@ -52,27 +52,27 @@ final class OptimalityTest {
         }
         boolean flat = r.kindA == AxisRefinement.FLAT || r.kindB == AxisRefinement.FLAT;
         if (!flat && r.kindA == AxisRefinement.LINE) {
-            touchA.segment(placeA, nx, ny, nz);
+            featureA.segment(placeA, nx, ny, nz);
         }
         if (!flat && r.kindB == AxisRefinement.LINE) {
-            touchB.segment(placeB, -nx, -ny, -nz);
+            featureB.segment(placeB, -nx, -ny, -nz);
         }
         if (r.kindA == AxisRefinement.LINE && r.kindB == AxisRefinement.LINE) {
             linesMiss();
         } else if (r.kindA == AxisRefinement.FLAT || (!flat && r.kindA == AxisRefinement.LINE)) {
-            touchB.touch(-nx, -ny, -nz);
-            touchA.miss(r.kindA == AxisRefinement.FLAT, placeA, touchB, inset);
-            add(touchA, 1);
+            featureB.supportPoint(-nx, -ny, -nz);
+            featureA.miss(r.kindA == AxisRefinement.FLAT, placeA, featureB, inset);
+            add(featureA, 1);
         } else if (r.kindB == AxisRefinement.FLAT || r.kindB == AxisRefinement.LINE) {
-            touchA.touch(nx, ny, nz);
-            touchB.miss(r.kindB == AxisRefinement.FLAT, placeB, touchA, inset);
-            add(touchB, -1);
+            featureA.supportPoint(nx, ny, nz);
+            featureB.miss(r.kindB == AxisRefinement.FLAT, placeB, featureA, inset);
+            add(featureB, -1);
         } else {
-            touchA.touch(nx, ny, nz);
-            touchB.touch(-nx, -ny, -nz);
-            missX = touchB.tx - touchA.tx;
-            missY = touchB.ty - touchA.ty;
-            missZ = touchB.tz - touchA.tz;
+            featureA.supportPoint(nx, ny, nz);
+            featureB.supportPoint(-nx, -ny, -nz);
+            missX = featureB.tx - featureA.tx;
+            missY = featureB.ty - featureA.ty;
+            missZ = featureB.tz - featureA.tz;
         }
         double along = missX * nx + missY * ny + missZ * nz;
         missX -= along * nx;
@@ -88,7 +88,7 @@ final class OptimalityTest {
         }
         if (miss > slack * slack) {
             // Near a rim's axis a rounding of n moves the point where the rim touches by much.
-            slack += touchA.unsteady(nx, ny, nz) + touchB.unsteady(nx, ny, nz);
+            slack += featureA.unsteady(nx, ny, nz) + featureB.unsteady(nx, ny, nz);
         }
         return miss <= slack * slack;
     }
@@ -101,8 +101,8 @@ final class OptimalityTest {
 
     /** With w from the middle of A's to that of B's: t = (w x v) . n / (u x v) . n. */
     private void linesMiss() {
-        SupportFeature a = touchA;
-        SupportFeature b = touchB;
+        SupportFeature a = featureA;
+        SupportFeature b = featureB;
         double det = triple(a.alongX, a.alongY, a.alongZ, b.alongX, b.alongY, b.alongZ);
         double wx = b.midX - a.midX;
         double wy = b.midY - a.midY;

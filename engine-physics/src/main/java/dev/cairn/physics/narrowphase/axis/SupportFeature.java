@@ -11,7 +11,7 @@ import dev.cairn.physics.shape.Polyhedron;
 final class SupportFeature {
     private static final double ROUNDING = 0x1p-48;
 
-    /** A touching point, from A's centre, see {@link #touch}. */
+    /** A touching point, from A's centre, see {@link #supportPoint}. */
     double tx, ty, tz;
 
     /** A touching segment: its middle, unit direction and half length, see {@link #segment}. */
@@ -33,12 +33,12 @@ final class SupportFeature {
         pair = p;
     }
 
-    private SolidOfRevolution spindle() {
+    private SolidOfRevolution solid() {
         return flip ? pair.solidB : pair.solidA;
     }
 
     /** Finds a point that the shape reaches with along a unit direction, outwards. */
-    void touch(double x, double y, double z) {
+    void supportPoint(double x, double y, double z) {
         if (!(flip ? pair.roundB : pair.roundA)) {
             Polyhedron h = flip ? pair.b : pair.a;
             int v = flip ? pair.endB(x, y, z) : pair.endA(x, y, z);
@@ -50,7 +50,7 @@ final class SupportFeature {
             tz = flip ? pair.pz : h.vertexZ(v);
             return;
         }
-        SolidOfRevolution c = spindle();
+        SolidOfRevolution c = solid();
         double along = x * side.ax + y * side.ay + z * side.az;
         double rho = across(x, y, z);
         boolean top = c.high * along + c.highRadius * rho >= c.low * along + c.lowRadius * rho;
@@ -91,7 +91,7 @@ final class SupportFeature {
             reach = side.half[line];
             return;
         }
-        SolidOfRevolution c = spindle();
+        SolidOfRevolution c = solid();
         double along = x * side.ax + y * side.ay + z * side.az;
         double rho = across(x, y, z);
         rimPoint(x, y, z, along, rho, c.low, c.lowRadius);
@@ -117,7 +117,7 @@ final class SupportFeature {
         if (!(flip ? pair.roundB : pair.roundA)) {
             return 0;
         }
-        return ROUNDING * Math.max(spindle().lowRadius, spindle().highRadius) / across(x, y, z);
+        return ROUNDING * Math.max(solid().lowRadius, solid().highRadius) / across(x, y, z);
     }
 
     /**
@@ -170,7 +170,7 @@ final class SupportFeature {
     }
 
     private void missDisc(int flat, double x, double y, double z, double inset) {
-        SolidOfRevolution c = spindle();
+        SolidOfRevolution c = solid();
         double dot =
                 side.flatX[flat] * side.ax
                         + side.flatY[flat] * side.ay

@@ -27,7 +27,7 @@ final class AlignedFeatureIds {
     private static final byte[] ORDER = new byte[FACES * WAYS];
 
     /** The face and the four names, see {@link WarmStartKey}. */
-    private static final long[] WORD = new long[FACES * WAYS];
+    private static final long[] KEY = new long[FACES * WAYS];
 
     static {
         Loop loop = new Loop();
@@ -61,7 +61,7 @@ final class AlignedFeatureIds {
             ORDER[entry] |= (byte) ((sorted[k] & 3) << (2 * k));
         }
         long kind = flip ? WarmStartKey.FACE_B : WarmStartKey.FACE_A;
-        WORD[entry] = WarmStartKey.of(kind, face, FeatureIds.of(names));
+        KEY[entry] = WarmStartKey.of(kind, face, FeatureIds.of(names));
     }
 
     /** The name of a point, 0 to 3 in order. */
@@ -81,12 +81,12 @@ final class AlignedFeatureIds {
      * @param last see {@link FeatureIds}
      */
     static boolean rests(int entry, int last) {
-        return (int) WORD[entry] == last;
+        return (int) KEY[entry] == last;
     }
 
     /** The face and the four names, see {@link WarmStartKey}. */
-    static long word(int entry) {
-        return WORD[entry];
+    static long key(int entry) {
+        return KEY[entry];
     }
 
     /** The names of four corners, where they stand, and what the sides between them came from. */

@@ -1,17 +1,12 @@
 package dev.cairn.physics.narrowphase.box;
 
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.OFFSET;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.*;
 
 import dev.cairn.physics.narrowphase.pair.Manifold;
 
 /**
- * Reads the four points of a pair in a batch that was cut straight. Without loops, so that indices
- * are checked once.
+ * Reads the four points of a pair in a batch whose face was clipped to a quadrilateral in lanes.
+ * Without loops, so that indices are checked once.
  */
 final class AlignedPoints {
     private AlignedPoints() {}
@@ -25,7 +20,7 @@ final class AlignedPoints {
                 && names[first + 3] == AlignedFeatureIds.name(entry, order >> 6 & 3);
     }
 
-    /** Writes names, points and separations; returns the word. */
+    /** Writes names, points and separations; returns the key. */
     static long copy(double[] t, int i, Manifold out) {
         int entry = (int) t[ALIGNED + i];
         int order = AlignedFeatureIds.order(entry);
@@ -59,7 +54,7 @@ final class AlignedPoints {
         name[0] = AlignedFeatureIds.name(entry, 0);
         name[1] = AlignedFeatureIds.name(entry, 1);
         name[2] = AlignedFeatureIds.name(entry, 2);
-        return AlignedFeatureIds.word(entry);
+        return AlignedFeatureIds.key(entry);
     }
 
     private static int at(int place, int i) {
@@ -73,7 +68,7 @@ final class AlignedPoints {
         to[3] = d;
     }
 
-    /** Writes the contact but the names, see {@link BoxContacts#write}; returns the word. */
+    /** Writes the contact but the names, see {@link BoxContacts#write}; returns the key. */
     static long write(
             double[] t,
             int i,
@@ -93,7 +88,7 @@ final class AlignedPoints {
         separation[first + 1] = write(t, i, at(order >> (places >> 1 & 6), i), anchors, at + 6);
         separation[first + 2] = write(t, i, at(order >> (places >> 3 & 6), i), anchors, at + 12);
         separation[first + 3] = write(t, i, at(order >> (places >> 5 & 6), i), anchors, at + 18);
-        return AlignedFeatureIds.word(entry);
+        return AlignedFeatureIds.key(entry);
     }
 
     private static double write(double[] t, int i, int from, double[] anchors, int at) {

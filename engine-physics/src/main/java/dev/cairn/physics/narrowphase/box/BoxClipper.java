@@ -1,18 +1,6 @@
 package dev.cairn.physics.narrowphase.box;
 
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.DEEPEST;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.*;
 
 import dev.cairn.physics.narrowphase.clip.Clipper;
 import dev.cairn.physics.narrowphase.clip.Reduction;
@@ -95,10 +83,10 @@ final class BoxClipper {
     private final Clipper many = new Clipper();
     private final Reduction reduction = new Reduction();
 
-    /** Of pairs that are not cut straight, up to four points: names, and separations. */
+    /** Of pairs that are not clipped in lanes, up to four points: names, and separations. */
     final int[] name = new int[4 * BoxBatch.CAPACITY];
 
-    /** The same of each pair as a word, see {@link FeatureIds}. */
+    /** The same of each pair as a key, see {@link FeatureIds}. */
     final int[] names = new int[BoxBatch.CAPACITY];
 
     final double[] separation = new double[4 * BoxBatch.CAPACITY];
@@ -110,13 +98,8 @@ final class BoxClipper {
     double leftOut;
 
     /**
-     * Clips a pair, unless it was cut straight.
-     *
-     * @param t columns of the batch
-     * @param i the pair
-     * @param inner the smaller inner radius
-     * @param last the names of the points of the last tick
-     * @return number of points, or {@link #UNSURE}
+     * Clips a pair, unless it was clipped to a quadrilateral in lanes; returns the number of
+     * points, or {@link #UNSURE}.
      */
     int clip(double[] t, int i, double inner, double margin, int last) {
         this.last = last;
@@ -225,14 +208,13 @@ final class BoxClipper {
     }
 
     private double slack(int vertex) {
-        return FeatureIds.holds(last, vertex) ? later : first;
+        return FeatureIds.contains(last, vertex) ? later : first;
     }
 
     /**
      * Cuts by the side plane at a slot, with {@link Clipper}'s rules. The corners outside are one
-     * run of a convex polygon, so no branch depends on which they are.
-     *
-     * @return false when they are more than one run, which rounding can make of flush sides
+     * run of a convex polygon, so no branch depends on which they are; false when they are more
+     * than one run, which rounding can make of flush sides.
      */
     private boolean cut(double[] t, int pair, int slot, int begin, double[] c, double limit) {
         double sign = BoxTopology.isSidePositive(slot) ? 1 : -1;
@@ -385,7 +367,7 @@ final class BoxClipper {
         count = kept;
     }
 
-    private void reduce(int axis, boolean positive, double calm) {
+    private void reduce(int axis, boolean positive, double hysteresis) {
         double normal = positive ? 1 : -1;
         double[] x = axis == 0 ? n : u;
         double[] y = axis == 0 ? u : axis == 1 ? n : v;
@@ -404,8 +386,8 @@ final class BoxClipper {
                 axis == 0 ? normal : 0,
                 axis == 1 ? normal : 0,
                 axis == 2 ? normal : 0,
-                0.01 * calm,
-                calm,
+                0.01 * hysteresis,
+                hysteresis,
                 last);
         // The four are in the order of the polygon still: look them up by name and depth.
         long four = 0;

@@ -1,24 +1,6 @@
 package dev.cairn.physics.narrowphase.box;
 
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.BOUND;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.INNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.LAST;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.OFFSET;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_EDGE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_B;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.*;
 
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
@@ -32,8 +14,9 @@ import dev.cairn.physics.shape.Box;
 /**
  * Contacts of pairs of boxes in batches, by the same rules as {@link NarrowPhase} and with the same
  * results, for face contacts and pairs that are apart. The rest (an edge, a corner) goes to {@link
- * NarrowPhase}. With lanes, face contacts that were such in the last tick and are cut straight are
- * found from beginning to end by {@link BoxAxes}; the others, and all without lanes, pair by pair.
+ * NarrowPhase}. With lanes, face contacts that were such in the last tick and are clipped to a
+ * quadrilateral are found from beginning to end by {@link BoxAxes}; the others, and all without
+ * lanes, pair by pair.
  *
  * <p>One instance per worker; not thread-safe; allocates nothing.
  */
@@ -61,21 +44,12 @@ public final class BoxContacts {
     private final double[] deepest = new double[CAPACITY];
     private final int[] pointCount = new int[CAPACITY];
 
-    /**
-     * An empty batch.
-     *
-     * @param single collides what is no face contact; by the fast paths
-     */
+    /** An empty batch. */
     public BoxContacts(NarrowPhase single) {
         this.single = single;
     }
 
-    /**
-     * Whether a box may be put into a batch.
-     *
-     * @param box any
-     * @return false for extremely thin ones
-     */
+    /** Whether a box may be put into a batch; false for extremely thin ones. */
     public static boolean fits(Box box) {
         return box.innerRadius() >= THINNEST * box.outerRadius();
     }
@@ -95,22 +69,9 @@ public final class BoxContacts {
      * Puts a pair into the batch. The arguments are those of {@link NarrowPhase#collide}.
      *
      * @param i its place, 0 to {@link BoxBatch#CAPACITY} - 1
-     * @param a first shape
-     * @param b second shape
-     * @param qAx orientation of A
-     * @param qAy orientation of A
-     * @param qAz orientation of A
-     * @param qAw orientation of A
-     * @param qBx orientation of B
-     * @param qBy orientation of B
-     * @param qBz orientation of B
-     * @param qBw orientation of B
-     * @param dx centre of B minus centre of A, world axes, m
-     * @param dy see {@code dx}
-     * @param dz see {@code dx}
      * @param innerRadius the smaller of the inner radii, m
      * @param distance the margin: points up to this far apart are reported, m, not negative
-     * @param cache the word that the last call for this pair returned; 0 if there is none
+     * @param cache the key that the last call for this pair returned; 0 if there is none
      */
     public void put(
             int i,
@@ -151,14 +112,10 @@ public final class BoxContacts {
         t[MARGIN + i] = distance;
         t[INNER + i] = innerRadius;
         t[LAST + i] = cache >>> 47;
-        choice.word[i] = cache;
+        choice.key[i] = cache;
     }
 
-    /**
-     * Collides all pairs that were put.
-     *
-     * @param count how many
-     */
+    /** Collides all pairs that were put. */
     public void run(int count) {
         settled = 0;
         if (!wide) {
@@ -187,7 +144,7 @@ public final class BoxContacts {
         settled = (int) cut & all & ~others;
         for (int bits = (int) (cut >>> 32) & all; bits != 0; bits &= bits - 1) {
             int i = Integer.numberOfTrailingZeros(bits);
-            if (!AlignedFeatureIds.rests((int) t[ALIGNED + i], (int) choice.word[i])) {
+            if (!AlignedFeatureIds.rests((int) t[ALIGNED + i], (int) choice.key[i])) {
                 t[ALIGNED + i] = -1;
                 settled &= ~(1 << i);
             }
@@ -211,7 +168,7 @@ public final class BoxContacts {
                 choice.crosses(i, true);
             }
             if (choice.onFace[i] && !choice.crosses[i]) {
-                int points = cuts.clip(t, i, t[INNER + i], t[MARGIN + i], (int) choice.word[i]);
+                int points = cuts.clip(t, i, t[INNER + i], t[MARGIN + i], (int) choice.key[i]);
                 deepest[i] = cuts.deepest;
                 choice.leftOut[i] = cuts.leftOut;
                 pointCount[i] = points;
@@ -222,13 +179,8 @@ public final class BoxContacts {
 
     /**
      * The contact of one pair, after {@link #run}; once per pair. The result is that of {@link
-     * NarrowPhase#collide}; {@link Manifold#bound} may be larger.
-     *
-     * @param i its place
-     * @param a first shape, as it was put
-     * @param b second shape, as it was put
-     * @param out receives the contact
-     * @return the word to pass next time
+     * NarrowPhase#collide}; {@link Manifold#bound} may be larger. Returns the key to pass next
+     * time.
      */
     public long take(int i, Box a, Box b, Manifold out) {
         out.patch = 0;
@@ -257,7 +209,7 @@ public final class BoxContacts {
         out.pointCount = 0;
         out.bound = 0;
         if (!choice.onFace[i]) {
-            return choice.word[i];
+            return choice.key[i];
         }
         if (choice.crosses[i]) {
             return point(i, a, b, out);
@@ -269,7 +221,7 @@ public final class BoxContacts {
                 wide
                         ? deepest[i]
                         : faces.face(
-                                t, i, flip, face, inner, t[MARGIN + i], (int) choice.word[i], out);
+                                t, i, flip, face, inner, t[MARGIN + i], (int) choice.key[i], out);
         if (!wide) {
             choice.leftOut[i] = faces.leftOut;
         }
@@ -292,12 +244,10 @@ public final class BoxContacts {
     }
 
     /**
-     * How much nearer a pair must come for another point; after {@link #take}.
-     *
-     * @param i its place
-     * @return the least separation of the points that were left out for the margin, m; infinite
-     *     when there are none; of a pair that is apart a lower bound of its distance; NaN when it
-     *     is neither apart nor on a face
+     * How much nearer a pair must come for another point; after {@link #take}. Returns the least
+     * separation of the points that were left out for the margin, m; infinite when there are none;
+     * of a pair that is apart a lower bound of its distance; NaN when it is neither apart nor on a
+     * face.
      */
     public double leftOut(int i) {
         return isSettled(i) ? Double.POSITIVE_INFINITY : choice.leftOut[i];
@@ -322,10 +272,9 @@ public final class BoxContacts {
     }
 
     /**
-     * Whether a pair has four points that were cut straight, with the same names as in the last
-     * tick; after {@link #run}, instead of {@link #take}.
+     * Whether a pair has four points that were clipped to a quadrilateral in lanes, with the same
+     * names as in the last tick; after {@link #run}, instead of {@link #take}.
      *
-     * @param i its place
      * @param names of the last tick, four from {@code first} on
      * @param first where they begin
      * @param order which of the four, in order of names, is at each place, two bits each
@@ -346,15 +295,11 @@ public final class BoxContacts {
     /**
      * Writes the contact of a pair of {@link #sameAligned}.
      *
-     * @param i its place
      * @param order of the places, see {@link #sameAligned}
      * @param normal receives the unit normal from A to B, world
-     * @param n where
      * @param anchors receives of each point its place from A's centre, then from B's, world, m
-     * @param at where
      * @param separation receives the separations, m
-     * @param first where
-     * @return the word to pass next time
+     * @return the key to pass next time
      */
     public long write(
             int i,
@@ -403,7 +348,7 @@ public final class BoxContacts {
                 t[OFFSET + CAPACITY + i],
                 t[OFFSET + 2 * CAPACITY + i],
                 t[MARGIN + i],
-                choice.word[i],
+                choice.key[i],
                 out);
     }
 

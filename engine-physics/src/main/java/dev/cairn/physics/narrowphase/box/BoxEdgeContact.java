@@ -1,17 +1,6 @@
 package dev.cairn.physics.narrowphase.box;
 
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CROSSING_ENDS;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CROSSING_NORMAL;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CROSSING_POINT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.EDGE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_EDGE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.*;
 
 import dev.cairn.physics.narrowphase.pair.BoxTopology;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;

@@ -1,11 +1,6 @@
 package dev.cairn.physics.narrowphase.box;
 
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.*;
 
 import dev.cairn.physics.narrowphase.clip.Clipper;
 import dev.cairn.physics.narrowphase.clip.Reduction;
@@ -61,8 +56,6 @@ final class BoxFaceContact {
     /**
      * Writes the points of a face of A, or of B when flipped, and the normal.
      *
-     * @param t columns of a batch
-     * @param i the pair
      * @param inner the smaller inner radius
      * @param last the names of the points of the last tick
      * @return the least separation, or {@code Double.MAX_VALUE} without points
@@ -179,7 +172,7 @@ final class BoxFaceContact {
     }
 
     private double slack(int name) {
-        return last != 0 && FeatureIds.holds(last, name) ? later : first;
+        return last != 0 && FeatureIds.contains(last, name) ? later : first;
     }
 
     /** As {@link Clipper}'s. */
@@ -327,7 +320,7 @@ final class BoxFaceContact {
         count = kept;
     }
 
-    private void reduce(int axis, boolean positive, double calm) {
+    private void reduce(int axis, boolean positive, double hysteresis) {
         System.arraycopy(x, 0, many.x, 0, count);
         System.arraycopy(y, 0, many.y, 0, count);
         System.arraycopy(z, 0, many.z, 0, count);
@@ -340,8 +333,8 @@ final class BoxFaceContact {
                 axis == 0 ? n : 0,
                 axis == 1 ? n : 0,
                 axis == 2 ? n : 0,
-                0.01 * calm,
-                calm,
+                0.01 * hysteresis,
+                hysteresis,
                 last);
         count = many.count;
         System.arraycopy(many.x, 0, x, 0, count);

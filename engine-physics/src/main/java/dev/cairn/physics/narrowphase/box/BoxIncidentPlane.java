@@ -1,10 +1,6 @@
 package dev.cairn.physics.narrowphase.box;
 
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.*;
 
 /** {@code IncidentPlane} for a pair of a batch of boxes, with the same operations. */
 final class BoxIncidentPlane {
@@ -13,8 +9,6 @@ final class BoxIncidentPlane {
     /**
      * How far above a point of the reference box's frame the plane of the incident face is.
      *
-     * @param t columns of the batch
-     * @param i the pair
      * @param flip the reference is B
      * @param incident a face of the other box
      * @param axis of the reference's normal

@@ -1,22 +1,6 @@
 package dev.cairn.physics.narrowphase.box;
 
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CROSSING_COSINE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.EDGE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.INNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_EDGE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.*;
 
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.WarmStartKey;
@@ -33,8 +17,8 @@ final class BoxReferenceFace {
     /** Of each pair: whether it is on a face, or else apart. */
     final boolean[] onFace = new boolean[CAPACITY];
 
-    /** The word of the last tick; of a pair that is apart then that for the next one. */
-    final long[] word = new long[CAPACITY];
+    /** The key of the last tick; of a pair that is apart then that for the next one. */
+    final long[] key = new long[CAPACITY];
 
     /** The largest separation along an axis, and that along the reference face, m. */
     final double[] best = new double[CAPACITY], separation = new double[CAPACITY];
@@ -72,17 +56,17 @@ final class BoxReferenceFace {
         load(i);
         double distance = t[MARGIN + i];
         onFace[i] = false;
-        if (stillApart(i, word[i], distance)) {
+        if (stillApart(i, key[i], distance)) {
             return true;
         }
         leftOut[i] = separationA;
         if (separationA > distance) {
-            word[i] = WarmStartKey.of(WarmStartKey.FACE_A, faceA, 0);
+            key[i] = WarmStartKey.of(WarmStartKey.FACE_A, faceA, 0);
             return true;
         }
         leftOut[i] = separationB;
         if (separationB > distance) {
-            word[i] = WarmStartKey.of(WarmStartKey.FACE_B, faceB, 0);
+            key[i] = WarmStartKey.of(WarmStartKey.FACE_B, faceB, 0);
             return true;
         }
         return false;
@@ -96,14 +80,14 @@ final class BoxReferenceFace {
         if (best[i] > t[MARGIN + i]) {
             onFace[i] = false;
             boolean onB = separationB > separationA;
-            word[i] =
+            key[i] =
                     onB
                             ? WarmStartKey.of(WarmStartKey.FACE_B, faceB, 0)
                             : WarmStartKey.of(WarmStartKey.FACE_A, faceA, 0);
             return;
         }
         onFace[i] = true;
-        boolean flip = chooseFace(i, word[i], ContactTolerances.HYSTERESIS * t[INNER + i]);
+        boolean flip = chooseFace(i, key[i], ContactTolerances.HYSTERESIS * t[INNER + i]);
         int face = flip ? faceB : faceA;
         separation[i] = flip ? separationB : separationA;
         t[FLIP + i] = flip ? 1 : 0;
@@ -134,7 +118,7 @@ final class BoxReferenceFace {
     /** How much truer a point contact must be, as in {@code HullPairs}. */
     private double better(int i) {
         return ContactTolerances.depthError(
-                word[i] >>> 62 == WarmStartKey.EDGES,
+                key[i] >>> 62 == WarmStartKey.EDGES,
                 ContactTolerances.HYSTERESIS * t[INNER + i],
                 best[i]);
     }
@@ -185,24 +169,24 @@ final class BoxReferenceFace {
      * The reference face: the face of the last tick while it is nearly as good as the best; true
      * when it is B's.
      */
-    private boolean chooseFace(int i, long cache, double calm) {
+    private boolean chooseFace(int i, long cache, double hysteresis) {
         long before = cache >>> 62;
         int last = (int) (cache >>> 47) & 0x7FFF;
         if (before == WarmStartKey.FACE_A && last != faceA && last < 6) {
             double s = alongA(i, last);
-            if (s >= Math.max(separationA, separationB) - calm) {
+            if (s >= Math.max(separationA, separationB) - hysteresis) {
                 faceA = last;
                 separationA = s;
             }
         }
         if (before == WarmStartKey.FACE_B && last != faceB && last < 6) {
             double s = alongB(i, last);
-            if (s >= Math.max(separationA, separationB) - calm) {
+            if (s >= Math.max(separationA, separationB) - hysteresis) {
                 faceB = last;
                 separationB = s;
             }
         }
-        double bias = before == WarmStartKey.FACE_A ? calm : -calm;
+        double bias = before == WarmStartKey.FACE_A ? hysteresis : -hysteresis;
         if (before != WarmStartKey.FACE_A && before != WarmStartKey.FACE_B) {
             double far = Math.max(Math.abs(t[CENTRE + i]), Math.abs(t[CENTRE + CAPACITY + i]));
             far = Math.max(far, Math.abs(t[CENTRE + 2 * CAPACITY + i]));

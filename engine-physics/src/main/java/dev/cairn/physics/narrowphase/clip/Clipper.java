@@ -448,7 +448,7 @@ public final class Clipper {
     }
 
     private double slack(int name) {
-        return last != 0 && FeatureIds.holds(last, name) ? stillOnPlane : onPlane;
+        return last != 0 && FeatureIds.contains(last, name) ? stillOnPlane : onPlane;
     }
 
     /** Names the crossing of a polygon side with a reference side. */

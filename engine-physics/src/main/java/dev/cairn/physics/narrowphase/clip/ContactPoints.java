@@ -83,11 +83,11 @@ public final class ContactPoints {
     }
 
     /** The face contact of the chosen face of A, or of B when flipped. */
-    public void face(boolean flip, double margin, double calm, int last, Manifold out) {
+    public void face(boolean flip, double margin, double hysteresis, int last, Manifold out) {
         Polyhedron reference = flip ? pair.b : pair.a;
         int face = flip ? axes.faceB : axes.faceA;
         toOther(flip, reference.normalX(face), reference.normalY(face), reference.normalZ(face));
-        face(flip, (flip ? pair.a : pair.b).support(tx, ty, tz), margin, calm, last, out);
+        face(flip, (flip ? pair.a : pair.b).support(tx, ty, tz), margin, hysteresis, last, out);
     }
 
     /**
@@ -95,7 +95,8 @@ public final class ContactPoints {
      *
      * @param vertex of the other shape
      */
-    public void face(boolean flip, int vertex, double margin, double calm, int last, Manifold out) {
+    public void face(
+            boolean flip, int vertex, double margin, double hysteresis, int last, Manifold out) {
         faceAxis(flip);
         Polyhedron reference = flip ? pair.b : pair.a;
         int face = flip ? axes.faceB : axes.faceA;
@@ -108,7 +109,7 @@ public final class ContactPoints {
         clipper.clip(pair, flip, face, incidentFace, margin, last);
         boolean many = clipper.count > Manifold.POINTS;
         double mean = many ? Reduction.meanDistance(clipper) : 0;
-        reduction.reduce(clipper, nx, ny, nz, 0.01 * calm, calm, last);
+        reduction.reduce(clipper, nx, ny, nz, 0.01 * hysteresis, hysteresis, last);
         out.patch = many ? mean / Reduction.meanOfCorners(clipper) : 0;
         for (int i = 0; i < clipper.count; i++) {
             double half = clipper.separation[i] / 2;

@@ -15,8 +15,6 @@ final class CornerOrder {
      *
      * @param c the corners
      * @param nx a normal of their plane
-     * @param ny see {@code nx}
-     * @param nz see {@code nx}
      * @param margin m
      */
     void sort(Clipper c, double nx, double ny, double nz, double margin) {

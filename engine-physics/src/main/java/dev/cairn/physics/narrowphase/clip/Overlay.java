@@ -64,7 +64,7 @@ public final class Overlay {
     }
 
     private double slack(int name) {
-        return last != 0 && FeatureIds.holds(last, name) ? slackBefore : slack;
+        return last != 0 && FeatureIds.contains(last, name) ? slackBefore : slack;
     }
 
     /** A corner by its point on the incident shape. */

@@ -82,13 +82,13 @@ public final class Patch {
             z0 = p.r02 * dx + p.r12 * dy + p.r22 * dz;
         }
         if (ofB ? p.roundB : p.roundA) {
-            spindle(ofB ? p.solidB : p.solidA, x0, y0, z0);
+            solid(ofB ? p.solidB : p.solidA, x0, y0, z0);
         } else {
             polyhedron(ofB ? p.b : p.a, x0, y0, z0);
         }
     }
 
-    private void spindle(SolidOfRevolution s, double dx, double dy, double dz) {
+    private void solid(SolidOfRevolution s, double dx, double dy, double dz) {
         double across = Math.sqrt(dx * dx + dz * dz);
         double ux = across > 0 ? dx / across : 1;
         double uz = across > 0 ? dz / across : 0;

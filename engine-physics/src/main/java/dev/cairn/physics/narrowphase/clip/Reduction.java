@@ -44,11 +44,11 @@ public final class Reduction {
      *
      * @param nx a vector that is not in the plane of the polygon
      * @param tie corners this much above the deepest count as deepest
-     * @param calm corners of the last tick may be this much above
+     * @param hysteresis corners of the last tick may be this much above
      * @param last the names of the points of the last tick
      */
     public void reduce(
-            Clipper c, double nx, double ny, double nz, double tie, double calm, int last) {
+            Clipper c, double nx, double ny, double nz, double tie, double hysteresis, int last) {
         if (c.count <= 4) {
             return;
         }
@@ -64,7 +64,7 @@ public final class Reduction {
                 around(i, c, least + tie);
             }
         }
-        keep(c, least + calm, last);
+        keep(c, least + hysteresis, last);
         Arrays.fill(chosen, 0, c.count, false);
         for (int i = 0; i < 4; i++) {
             chosen[index[four[i]]] = true;
@@ -165,7 +165,7 @@ public final class Reduction {
         }
         int deepest = 0;
         for (int i = 0; i < c.count; i++) {
-            chosen[i] = last != 0 && FeatureIds.holds(last, c.feature[i]);
+            chosen[i] = last != 0 && FeatureIds.contains(last, c.feature[i]);
             deepest = c.separation[i] < c.separation[deepest] ? i : deepest;
         }
         chosen[deepest] = true;
@@ -252,7 +252,7 @@ public final class Reduction {
         int found = 0;
         boolean touches = false;
         for (int i = 0; i < count && found <= 4; i++) {
-            if (FeatureIds.holds(last, c.feature[index[i]])) {
+            if (FeatureIds.contains(last, c.feature[index[i]])) {
                 if (found < 4) {
                     old[found] = i;
                 }

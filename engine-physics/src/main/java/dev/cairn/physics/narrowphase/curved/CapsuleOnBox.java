@@ -67,15 +67,15 @@ final class CapsuleOnBox {
         return Math.abs(axis.z) >= ContactTolerances.NEARLY_PARALLEL ? axis.z > 0 ? 5 : 4 : -1;
     }
 
-    /** Fills the manifold; returns the word of the next tick. See {@link CurvedContact#run}. */
-    long run(double margin, double calm, long cache, Manifold out) {
+    /** Fills the manifold; returns the key of the next tick. See {@link CurvedContact#run}. */
+    long run(double margin, double hysteresis, long cache, Manifold out) {
         double radius = pair.radiusA + pair.radiusB;
         double separation = axis.best - radius;
         if (separation > margin) {
             return 0;
         }
         boolean single = cache >>> 62 == WarmStartKey.EDGES;
-        double enough = ContactTolerances.depthError(single, calm, separation);
+        double enough = ContactTolerances.depthError(single, hysteresis, separation);
         int face = face();
         deepest = Double.MAX_VALUE;
         if (face >= 0) {
@@ -147,7 +147,7 @@ final class CapsuleOnBox {
     }
 
     private double slack(int name) {
-        return last != 0 && FeatureIds.holds(last, name) ? slackBefore : slack;
+        return last != 0 && FeatureIds.contains(last, name) ? slackBefore : slack;
     }
 
     private int crossing(int edge, int line) {

@@ -50,8 +50,8 @@ final class CurvedAxis {
     /** What the axis belongs to, see {@link AxisRefinement}. */
     int kindA, kindB;
 
-    private final AxisRefinement refine = new AxisRefinement();
-    private final AxisAscent walk = new AxisAscent(refine);
+    private final AxisRefinement refinement = new AxisRefinement();
+    private final AxisAscent ascent = new AxisAscent(refinement);
 
     /** Cosine of the angle, 0.3 rad, between axes that count as different ones. */
     private static final double APART = 0.955;
@@ -102,7 +102,7 @@ final class CurvedAxis {
             overlapping(p, gjk, epa);
         } else {
             double s = 1 / gjk.distance;
-            refine.run(p, gjk.vx * s, gjk.vy * s, gjk.vz * s);
+            refinement.run(p, gjk.vx * s, gjk.vy * s, gjk.vz * s);
             take();
             settle(p);
             gap = Math.max(0, gjk.distance - separation);
@@ -121,7 +121,7 @@ final class CurvedAxis {
         epa.run(p, gjk);
         epa.share = Double.MAX_VALUE;
         epa.relativeTolerance = finest;
-        refine.run(p, epa.axisX, epa.axisY, epa.axisZ);
+        refinement.run(p, epa.axisX, epa.axisY, epa.axisZ);
         take();
         settle(p);
         if (gjk.distance > 0 && separation > -SHALLOW * p.small) {
@@ -155,7 +155,7 @@ final class CurvedAxis {
         if (!discs) {
             return;
         }
-        boolean settled = walk.on(p);
+        boolean settled = ascent.climb(p);
         take();
         if (!settled) {
             betweenFlats(p);
@@ -201,15 +201,15 @@ final class CurvedAxis {
     }
 
     private void take() {
-        set(refine.axisX, refine.axisY, refine.axisZ);
-        separation = refine.separation;
-        kindA = refine.kindA;
-        kindB = refine.kindB;
+        set(refinement.axisX, refinement.axisY, refinement.axisZ);
+        separation = refinement.separation;
+        kindA = refinement.kindA;
+        kindB = refinement.kindB;
     }
 
     private void better(Pair p, double x, double y, double z, boolean wide) {
-        refine.run(p, x, y, z, wide);
-        if (refine.separation > separation) {
+        refinement.run(p, x, y, z, wide);
+        if (refinement.separation > separation) {
             take();
         }
     }

@@ -39,8 +39,8 @@ final class CurvedContact {
         this.axis = axis;
     }
 
-    /** Fills the manifold of a pair whose axis is known; returns the word of the next tick. */
-    long run(double margin, double calm, long cache, Manifold out) {
+    /** Fills the manifold of a pair whose axis is known; returns the key of the next tick. */
+    long run(double margin, double hysteresis, long cache, Manifold out) {
         nx = axis.axisX;
         ny = axis.axisY;
         nz = axis.axisZ;
@@ -52,27 +52,27 @@ final class CurvedContact {
         int last = (int) cache;
         patchA.fill(pair, false, nx, ny, nz);
         patchB.fill(pair, true, -nx, -ny, -nz);
-        long reference = reference(before, calm);
+        long reference = reference(before, hysteresis);
         if (reference == WarmStartKey.FACE_A) {
-            flats(patchA, patchB, margin, calm, last, out);
+            flats(patchA, patchB, margin, hysteresis, last, out);
         } else if (reference == WarmStartKey.FACE_B) {
-            flats(patchB, patchA, margin, calm, last, out);
+            flats(patchB, patchA, margin, hysteresis, last, out);
         } else {
-            lines(margin, calm, out);
+            lines(margin, hysteresis, out);
         }
         double enough =
-                ContactTolerances.depthError(before == WarmStartKey.EDGES, calm, separation);
+                ContactTolerances.depthError(before == WarmStartKey.EDGES, hysteresis, separation);
         if (out.pointCount == 0 || Math.abs(out.deepest() - separation) > enough) {
             single(out);
             reference = WarmStartKey.EDGES;
         }
         out.bound = Math.abs(out.deepest() - separation) + axis.gap + 0x1p-46 * pair.scale;
-        // Lines count as a reference of nobody: word 0 with names.
+        // Lines count as a reference of nobody: key 0 with names.
         return reference << 62 | (FeatureIds.of(out) & 0xFFFFFFFFL);
     }
 
     /** Whose flat the separations are measured from; 0 for nobody's. */
-    private long reference(long before, double calm) {
+    private long reference(long before, double hysteresis) {
         double a = Axes.NEVER;
         double b = Axes.NEVER;
         boolean incidentA = patchA.line || patchA.flat != Patch.NONE;
@@ -93,10 +93,10 @@ final class CurvedContact {
         // A face is preferred to a disc, then what was the reference before.
         double bias =
                 before == WarmStartKey.FACE_B
-                        ? -calm
-                        : before == WarmStartKey.FACE_A ? calm : 0x1p-40 * pair.scale;
+                        ? -hysteresis
+                        : before == WarmStartKey.FACE_A ? hysteresis : 0x1p-40 * pair.scale;
         if (patchA.flat != patchB.flat && a != Axes.NEVER && b != Axes.NEVER) {
-            bias = patchA.flat == Patch.FACE ? calm : -calm;
+            bias = patchA.flat == Patch.FACE ? hysteresis : -hysteresis;
         }
         return b > a + bias ? WarmStartKey.FACE_B : WarmStartKey.FACE_A;
     }
@@ -111,12 +111,13 @@ final class CurvedContact {
                 - pair.radiusB;
     }
 
-    private void flats(Patch ref, Patch inc, double margin, double calm, int last, Manifold out) {
+    private void flats(
+            Patch ref, Patch inc, double margin, double hysteresis, int last, Manifold out) {
         inc.fill(pair, inc.second, -ref.nx, -ref.ny, -ref.nz);
         overlay.begin(pair, ref, inc, last);
         overlay.run();
         overlay.finish(margin);
-        reduction.reduce(overlay.out, ref.nx, ref.ny, ref.nz, 0.01 * calm, calm, last);
+        reduction.reduce(overlay.out, ref.nx, ref.ny, ref.nz, 0.01 * hysteresis, hysteresis, last);
         double sign = ref.second ? -1 : 1;
         points.setAxis(sign * ref.nx, sign * ref.ny, sign * ref.nz);
         points.take(overlay.out, ref.nx, ref.ny, ref.nz, out);
@@ -125,7 +126,7 @@ final class CurvedContact {
     }
 
     /** Two lines side by side: both ends of the part that they share. */
-    private void lines(double margin, double calm, Manifold out) {
+    private void lines(double margin, double hysteresis, Manifold out) {
         Patch a = patchA;
         Patch b = patchB;
         if (!a.line || !b.line) {
@@ -169,7 +170,7 @@ final class CurvedContact {
             double gap = gx * nx + gy * ny + gz * nz;
             double side = Math.max(0, gx * gx + gy * gy + gz * gz - gap * gap);
             // What round sides lose where they pass each other: side² / (2 (R + r)).
-            ok &= side <= 2 * calm * (a.bend + b.bend);
+            ok &= side <= 2 * hysteresis * (a.bend + b.bend);
             int name = s == 0 ? a.nameP : s == 1 ? a.nameQ : t <= 0.5 ? b.nameP : b.nameQ;
             if (gap <= margin) {
                 points.add(ax + gx / 2, ay + gy / 2, az + gz / 2, gap, name, out);

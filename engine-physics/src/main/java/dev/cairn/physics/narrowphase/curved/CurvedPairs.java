@@ -83,11 +83,11 @@ public final class CurvedPairs {
         if (a instanceof HalfSpace) {
             pair.set(b, b, qBx, qBy, qBz, qBw, qBx, qBy, qBz, qBw, 0, 0, 0);
             double s = plane.distance(qAx, qAy, qAz, qAw, dx, dy, dz);
-            long word =
+            long key =
                     plane.run(
                             s, true, margin, ContactTolerances.HYSTERESIS * pair.inner, cache, out);
             swap(dx, dy, dz, out);
-            return word;
+            return key;
         }
         pair.set(a, b, qAx, qAy, qAz, qAw, qBx, qBy, qBz, qBw, dx, dy, dz);
         double limit = margin + pair.radiusA + pair.radiusB;
@@ -101,14 +101,14 @@ public final class CurvedPairs {
         if (axis.beyond) {
             return 0;
         }
-        long word =
+        long key =
                 closed && !capsuleOnBox.sideBySide()
                         ? capsuleOnBox.run(
                                 margin, ContactTolerances.HYSTERESIS * pair.inner, cache, out)
                         : contact.run(
                                 margin, ContactTolerances.HYSTERESIS * pair.inner, cache, out);
         out.capped = capped;
-        return word;
+        return key;
     }
 
     /** See {@code NarrowPhase.distance}. */

@@ -57,7 +57,7 @@ final class PlaneContact {
             double separation,
             boolean second,
             double margin,
-            double calm,
+            double hysteresis,
             long cache,
             Manifold out) {
         if (separation > margin) {
@@ -84,7 +84,7 @@ final class PlaneContact {
                 overlay.restOnPlane();
             }
             overlay.finish(margin);
-            reduction.reduce(overlay.out, nx, ny, nz, 0.01 * calm, calm, last);
+            reduction.reduce(overlay.out, nx, ny, nz, 0.01 * hysteresis, hysteresis, last);
             points.take(overlay.out, nx, ny, nz, out);
             boolean disc = patch.flat == Patch.DISC && patch.flatter;
             out.patch = disc && out.pointCount == Manifold.POINTS ? Patch.DISC_SHARE : 0;

@@ -53,12 +53,7 @@ final class SegmentBox {
     /** The box is the second shape. */
     boolean second;
 
-    /**
-     * Whether a pair is one of a capsule and a box, in either order.
-     *
-     * @param a first shape
-     * @param b second shape
-     */
+    /** Whether a pair is one of a capsule and a box, in either order. */
     static boolean fits(Shape a, Shape b) {
         return a instanceof Box ? b instanceof Capsule : a instanceof Capsule && b instanceof Box;
     }

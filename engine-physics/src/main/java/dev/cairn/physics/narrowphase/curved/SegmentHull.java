@@ -64,12 +64,7 @@ final class SegmentHull {
     /** Another way is as short. */
     private boolean tie;
 
-    /**
-     * Whether a pair is one of a capsule and a hull, in either order.
-     *
-     * @param a first shape
-     * @param b second shape
-     */
+    /** Whether a pair is one of a capsule and a hull, in either order. */
     static boolean fits(Shape a, Shape b) {
         return a instanceof ConvexHull
                 ? b instanceof Capsule

@@ -112,15 +112,15 @@ public final class Gjk {
     }
 
     /**
-     * Runs from the simplex of another run, as {@link #word} told it; false when the word does not
+     * Runs from the simplex of another run, as {@link #key} told it; false when the key does not
      * name vertices of this pair, or lead nowhere. A simplex of another pose costs time, never
      * correctness.
      */
-    public boolean runFrom(long word, Pair pair, double limit) {
-        int points = (int) (word >>> 62);
+    public boolean runFrom(long key, Pair pair, double limit) {
+        int points = (int) (key >>> 62);
         for (int i = 0; i < points; i++) {
-            int va = (int) (word >>> (20 * i)) & 0x3FF;
-            int vb = (int) (word >>> (20 * i + 10)) & 0x3FF;
+            int va = (int) (key >>> (20 * i)) & 0x3FF;
+            int vb = (int) (key >>> (20 * i + 10)) & 0x3FF;
             if (va >= pair.a.vertexCount() || vb >= pair.b.vertexCount()) {
                 return false;
             }
@@ -150,15 +150,15 @@ public final class Gjk {
     /**
      * The vertices of the simplex of shapes that are apart, for {@link #runFrom}; 0 if too many.
      */
-    public long word() {
-        long word = (long) count << 62;
+    public long key() {
+        long key = (long) count << 62;
         for (int i = 0; i < count; i++) {
             if (count > 3 || ia[i] > 0x3FF || ib[i] > 0x3FF) {
                 return 0;
             }
-            word |= ((long) ib[i] << 10 | ia[i]) << (20 * i);
+            key |= ((long) ib[i] << 10 | ia[i]) << (20 * i);
         }
-        return word;
+        return key;
     }
 
     private void loop(Pair pair, double limit) {

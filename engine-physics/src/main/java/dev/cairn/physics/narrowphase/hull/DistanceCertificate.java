@@ -15,11 +15,11 @@ import dev.cairn.physics.narrowphase.pair.Pair;
  * signed distance is the largest of these, so it does too. The separation along a face, of either
  * shape, has changed by at most what the other one's points have moved as seen from it, for which R
  * is the larger radius and the distance of the centres. While a decision is the same for all values
- * that this leaves, it needs no other proof. Moves count from the pose of the proof; they do not
- * add up.
+ * that this leaves, it needs no other certificate. Moves count from the pose of the certificate;
+ * they do not add up.
  */
 public final class DistanceCertificate {
-    /** Numbers in which a proof is kept. Zeros are a pose that no pair is near. */
+    /** Numbers in which a certificate is kept. Zeros are a pose that no pair is near. */
     static final int SIZE = 11;
 
     private static final int CENTRE = 4, LOW = 7, HIGH = 8, RIVAL = 9, FACE = 10;
@@ -33,7 +33,7 @@ public final class DistanceCertificate {
     /** The best face of those that were weighed separates by at most this, m. */
     double rival;
 
-    /** The pose is that of the proof to the last bit. */
+    /** The pose is that of the certificate to the last bit. */
     boolean same;
 
     /** The face of which {@link #rival} tells, on B or not. */
@@ -53,7 +53,7 @@ public final class DistanceCertificate {
      * Takes what a place tells about the present pose; nothing when the move alone is more than any
      * depth may be wrong by.
      */
-    void recall(Pair p, long[] memory, int at, double calm) {
+    void recall(Pair p, long[] memory, int at, double hysteresis) {
         boolean second = movesB(p);
         double ex = centreX(p, second) - Double.longBitsToDouble(memory[at + CENTRE]);
         double ey = centreY(p, second) - Double.longBitsToDouble(memory[at + CENTRE + 1]);
@@ -61,7 +61,7 @@ public final class DistanceCertificate {
         double slide = ex * ex + ey * ey + ez * ez;
         low = Double.longBitsToDouble(memory[at + LOW]);
         high = Double.longBitsToDouble(memory[at + HIGH]);
-        double most = 1.5 * calm + 0.15 * Math.max(Math.abs(low), Math.abs(high));
+        double most = 1.5 * hysteresis + 0.15 * Math.max(Math.abs(low), Math.abs(high));
         if (2 * slide > most * most) {
             none();
             return;
@@ -127,41 +127,43 @@ public final class DistanceCertificate {
      * @param least the deepest point
      * @param best along the best face at most
      */
-    static boolean settles(
-            double s, double least, double low, double high, double best, double calm) {
-        double enough = enough(low, high, calm);
-        return s >= best - calm && high - s <= enough && wrong(low, least, high) <= enough;
+    static boolean confirmsFace(
+            double s, double least, double low, double high, double best, double hysteresis) {
+        double allowance = allowance(low, high, hysteresis);
+        return s >= best - hysteresis
+                && high - s <= allowance
+                && depthError(low, least, high) <= allowance;
     }
 
     /** The same but for other directions and the points. */
-    boolean refers(double s, double calm) {
-        return same || s >= rival - calm;
+    boolean keepsReference(double s, double hysteresis) {
+        return same || s >= rival - hysteresis;
     }
 
     /** The same but for the reference and the points. */
-    boolean directs(double s, double calm) {
-        return same || high - s <= enough(Math.max(s, low), high, calm);
+    boolean keepsDirection(double s, double hysteresis) {
+        return same || high - s <= allowance(Math.max(s, low), high, hysteresis);
     }
 
     /** Whether a depth is near enough to all that the signed distance may be. */
-    boolean agrees(double low, double least, double calm) {
-        return wrong(low, least, high) <= enough(low, high, calm);
+    boolean confirmsDepth(double low, double least, double hysteresis) {
+        return depthError(low, least, high) <= allowance(low, high, hysteresis);
     }
 
     /** What the depth at the points of a face may be wrong by. */
-    private static double enough(double low, double high, double calm) {
+    private static double allowance(double low, double high, double hysteresis) {
         double smallest = low > 0 ? low : Math.max(0, -high);
-        return 1.5 * calm + 0.15 * smallest;
+        return 1.5 * hysteresis + 0.15 * smallest;
     }
 
     /** What a depth may be wrong by. */
-    static double wrong(double low, double least, double high) {
+    static double depthError(double low, double least, double high) {
         return Math.max(Math.abs(least - low), Math.abs(high - least));
     }
 
     /** Whether the bounds are near enough to each other to tell anything. */
-    boolean tells(double calm) {
-        return high - low <= 2 * enough(low, high, calm);
+    boolean isTight(double hysteresis) {
+        return high - low <= 2 * allowance(low, high, hysteresis);
     }
 
     private static boolean movesB(Pair p) {

@@ -36,7 +36,7 @@ public final class HullAxis {
     double gap;
 
     /** The vertices that are nearest, for the next distance of the pair; 0 when it is not apart. */
-    long word;
+    long key;
 
     /** See {@code Safeguard}. */
     boolean otherAxes = true;
@@ -55,8 +55,8 @@ public final class HullAxis {
     private final Axes axes;
     private final ContactPoints points;
     private final boolean fifteen;
-    private final AxisRefinement refine = new AxisRefinement();
-    private final AxisAscent walk = new AxisAscent(refine);
+    private final AxisRefinement refinement = new AxisRefinement();
+    private final AxisAscent ascent = new AxisAscent(refinement);
     private final NearestFeatures nearest = new NearestFeatures();
     private final double[] tried = new double[3 * 16];
 
@@ -148,10 +148,10 @@ public final class HullAxis {
     /**
      * The signed distance of the pair; leaves its axis in the points.
      *
-     * @param cache the {@link #word} of another pose, or 0
+     * @param cache the {@link #key} of another pose, or 0
      */
     double distance(Shape a, Shape b, long cache) {
-        word = 0;
+        key = 0;
         general = !fifteen || !(a instanceof Box && b instanceof Box);
         if (general || cache != 0) {
             if (!gjk.runFrom(cache, pair, Double.MAX_VALUE)) {
@@ -188,7 +188,7 @@ public final class HullAxis {
     }
 
     private double apart() {
-        word = gjk.word();
+        key = gjk.key();
         nearest.measure(pair, gjk);
         points.setAxis(nearest.axisX, nearest.axisY, nearest.axisZ);
         return gjk.distance - gjk.lower > DOUBT * pair.scale ? among() : nearest.distance;
@@ -200,10 +200,10 @@ public final class HullAxis {
      */
     private double among() {
         double s = pair.separation(nearest.axisX, nearest.axisY, nearest.axisZ);
-        refine.run(pair, nearest.axisX, nearest.axisY, nearest.axisZ, true);
-        if (refine.separation > s) {
-            s = refine.separation;
-            points.setAxis(refine.axisX, refine.axisY, refine.axisZ);
+        refinement.run(pair, nearest.axisX, nearest.axisY, nearest.axisZ, true);
+        if (refinement.separation > s) {
+            s = refinement.separation;
+            points.setAxis(refinement.axisX, refinement.axisY, refinement.axisZ);
         }
         return s;
     }
@@ -215,18 +215,18 @@ public final class HullAxis {
      */
     private double nearlyTouching(double best) {
         double most = best;
-        refine.run(pair, points.axisX, points.axisY, points.axisZ);
+        refinement.run(pair, points.axisX, points.axisY, points.axisZ);
         for (int i = 0; i < 2; i++) {
-            walk.on(pair);
-            if (refine.separation > most) {
-                most = refine.separation;
-                points.setAxis(refine.axisX, refine.axisY, refine.axisZ);
+            ascent.climb(pair);
+            if (refinement.separation > most) {
+                most = refinement.separation;
+                points.setAxis(refinement.axisX, refinement.axisY, refinement.axisZ);
             }
             if (i == 1 || !(gjk.distance > 0)) {
                 break;
             }
             double s = 1 / gjk.distance;
-            refine.run(pair, gjk.vx * s, gjk.vy * s, gjk.vz * s);
+            refinement.run(pair, gjk.vx * s, gjk.vy * s, gjk.vz * s);
         }
         return gjk.overlap ? most : towardsNearest(most);
     }

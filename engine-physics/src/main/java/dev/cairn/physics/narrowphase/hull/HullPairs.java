@@ -75,7 +75,7 @@ public final class HullPairs {
 
     /** What to pass to the next {@link #distance}. */
     public long distanceKey() {
-        return search.word;
+        return search.key;
     }
 
     /**
@@ -104,15 +104,15 @@ public final class HullPairs {
         if (hulls && cache != 0) {
             long crossing = remembers ? memory[at + PairMemory.CROSSING] : 0;
             if (remembers) {
-                warm.proof.recall(
+                warm.certificate.recall(
                         pair,
                         memory,
-                        at + PairMemory.PROOF,
+                        at + PairMemory.CERTIFICATE,
                         ContactTolerances.HYSTERESIS * pair.inner);
             } else {
-                warm.proof.none();
+                warm.certificate.none();
             }
-            long word = warm.collide(margin, cache, crossing, out);
+            long key = warm.collide(margin, cache, crossing, out);
             if (warm.done) {
                 boolean apart = out.pointCount == 0;
                 if (remembers && !warm.proven) {
@@ -121,8 +121,8 @@ public final class HullPairs {
                         keep(memory, at, warm.separation, warm.upper, NONE);
                     }
                 }
-                leftOut = apart ? warm.separation : leftOut(word);
-                return word;
+                leftOut = apart ? warm.separation : leftOut(key);
+                return key;
             }
         } else {
             warm.forget();
@@ -141,31 +141,32 @@ public final class HullPairs {
         if (remembers) {
             memory[at + PairMemory.CROSSING] = warm.crossing();
         }
-        long word = manifold(margin, cache, out);
+        long key = manifold(margin, cache, out);
         if (remembers && out.pointCount > 0) {
             keep(memory, at, axes.best(), axes.best() + gap, rival);
         }
-        if (!hulls || word == 0) {
-            return word;
+        if (!hulls || key == 0) {
+            return key;
         }
-        if (word >>> 62 != WarmStartKey.EDGES) {
-            return WarmStartKey.withHint(word, points.incidentVertex);
+        if (key >>> 62 != WarmStartKey.EDGES) {
+            return WarmStartKey.withHint(key, points.incidentVertex);
         }
         boolean crossing = out.feature[0] >>> 30 == FeatureIds.CROSSING >>> 30;
         return crossing
-                ? WarmStartKey.withHint(word | (long) axes.edgeA << 47, axes.edgeB)
-                : word | WarmStartKey.NO_EDGE << 47;
+                ? WarmStartKey.withHint(key | (long) axes.edgeA << 47, axes.edgeB)
+                : key | WarmStartKey.NO_EDGE << 47;
     }
 
     /** Keeps what is known of the present pose, see {@link DistanceCertificate}. */
     private void keep(long[] memory, int at, double low, double high, double faces) {
         boolean onB = faces != NONE && rivalOnB;
         int face = faces == NONE ? 0 : onB ? axes.faceB : axes.faceA;
-        DistanceCertificate.keep(pair, memory, at + PairMemory.PROOF, low, high, faces, face, onB);
+        DistanceCertificate.keep(
+                pair, memory, at + PairMemory.CERTIFICATE, low, high, faces, face, onB);
     }
 
-    private double leftOut(long word) {
-        return word >>> 62 == WarmStartKey.EDGES ? Double.NaN : points.clipper.leftOut;
+    private double leftOut(long key) {
+        return key >>> 62 == WarmStartKey.EDGES ? Double.NaN : points.clipper.leftOut;
     }
 
     private long manifold(double margin, long cache, Manifold out) {
@@ -179,7 +180,7 @@ public final class HullPairs {
             return 0;
         }
         if (best > margin) {
-            return word(
+            return key(
                     axes.separationB > axes.separationA ? WarmStartKey.FACE_B : WarmStartKey.FACE_A,
                     0);
         }
@@ -193,7 +194,7 @@ public final class HullPairs {
             if (out.pointCount > 0) {
                 rival = faces;
                 out.bound = Math.abs(best - out.deepest()) + gap + rounding();
-                return word(WarmStartKey.EDGES, FeatureIds.of(out));
+                return key(WarmStartKey.EDGES, FeatureIds.of(out));
             }
             warm.clipped = false;
         }
@@ -201,12 +202,12 @@ public final class HullPairs {
                 warm.clipped && flip == warm.onB && warm.face == (flip ? axes.faceB : axes.faceA);
         if (!clipped) {
             out.pointCount = 0;
-            double calm = ContactTolerances.HYSTERESIS * pair.inner;
+            double hysteresis = ContactTolerances.HYSTERESIS * pair.inner;
             if (warm.certain) {
                 int v = flip ? axes.vertexOfA : axes.vertexOfB;
-                points.face(flip, v, margin, calm, (int) cache, out);
+                points.face(flip, v, margin, hysteresis, (int) cache, out);
             } else {
-                points.face(flip, margin, calm, (int) cache, out);
+                points.face(flip, margin, hysteresis, (int) cache, out);
             }
         }
         long kind = flip ? WarmStartKey.FACE_B : WarmStartKey.FACE_A;
@@ -218,22 +219,22 @@ public final class HullPairs {
             pointContact(margin, best, out);
         }
         if (out.pointCount == 0) {
-            return word(flip ? WarmStartKey.FACE_B : WarmStartKey.FACE_A, 0);
+            return key(flip ? WarmStartKey.FACE_B : WarmStartKey.FACE_A, 0);
         }
         rival = kind == WarmStartKey.EDGES ? NONE : faces;
         leftOut = leftOut(kind << 62);
         out.bound = Math.abs(best - out.deepest()) + gap + rounding();
-        return word(kind, FeatureIds.of(out));
+        return key(kind, FeatureIds.of(out));
     }
 
     /**
      * The reference face: the face of the last tick while it is nearly as good as the best; true
      * when it is B's.
      */
-    private boolean chooseFace(long cache, double calm) {
+    private boolean chooseFace(long cache, double hysteresis) {
         long before = cache >>> 62;
         int last = (int) (cache >>> 47) & 0x7FFF;
-        double enough = Math.max(axes.separationA, axes.separationB) - calm;
+        double enough = Math.max(axes.separationA, axes.separationB) - hysteresis;
         if (calmFace
                 && before == WarmStartKey.FACE_A
                 && last != axes.faceA
@@ -258,8 +259,8 @@ public final class HullPairs {
         }
         double bias =
                 before == WarmStartKey.FACE_A
-                        ? calm
-                        : before == WarmStartKey.FACE_B ? -calm : 0x1p-40 * pair.scale;
+                        ? hysteresis
+                        : before == WarmStartKey.FACE_B ? -hysteresis : 0x1p-40 * pair.scale;
         return axes.separationB > axes.separationA + bias;
     }
 
@@ -275,7 +276,7 @@ public final class HullPairs {
         return known ? pair.faceSeparationB(face, near) : pair.faceSeparationB(face);
     }
 
-    private long word(long kind, int names) {
+    private long key(long kind, int names) {
         long i =
                 kind == WarmStartKey.FACE_A
                         ? axes.faceA

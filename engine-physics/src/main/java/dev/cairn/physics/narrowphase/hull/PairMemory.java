@@ -15,8 +15,8 @@ public final class PairMemory {
     /** Numbers to a pair. */
     public static final int SIZE = Polytope.SIZE + 1 + DistanceCertificate.SIZE;
 
-    /** Where the edges and the proof are. */
-    public static final int CROSSING = Polytope.SIZE, PROOF = CROSSING + 1;
+    /** Where the edges and the certificate are. */
+    public static final int CROSSING = Polytope.SIZE, CERTIFICATE = CROSSING + 1;
 
     /**
      * Empties a place.
@@ -27,6 +27,6 @@ public final class PairMemory {
     public static void forget(long[] memory, int at) {
         Polytope.forget(memory, at);
         memory[at + CROSSING] = 0;
-        DistanceCertificate.forget(memory, at + PROOF);
+        DistanceCertificate.forget(memory, at + CERTIFICATE);
     }
 }

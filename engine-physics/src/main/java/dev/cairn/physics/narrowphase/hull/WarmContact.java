@@ -49,7 +49,7 @@ final class WarmContact {
     private final CrossingEdges cross;
 
     /** What is known from an earlier pose. */
-    final DistanceCertificate proof = new DistanceCertificate();
+    final DistanceCertificate certificate = new DistanceCertificate();
 
     /** See {@code Safeguard}. */
     boolean secondBound = true;
@@ -57,13 +57,15 @@ final class WarmContact {
     /** The contact of the last {@link #collide} is complete. */
     boolean done;
 
-    /** By the {@link #proof} alone; else {@link #upper} is what bounds the signed distance, m. */
+    /**
+     * By the {@link #certificate} alone; else {@link #upper} is what bounds the signed distance, m.
+     */
     boolean proven;
 
     double upper;
 
-    /** Nothing but the proof is tried; two edges of a known axis are best by it. */
-    private boolean proofOnly, edgesBest;
+    /** Nothing but the certificate is tried; two edges of a known axis are best by it. */
+    private boolean certificateOnly, edgesBest;
 
     /** The axes of the last {@link #collide} are known to be the best, up to {@link #gap}. */
     boolean certain;
@@ -102,7 +104,7 @@ final class WarmContact {
     void forget() {
         done = false;
         proven = false;
-        proofOnly = false;
+        certificateOnly = false;
         edgesBest = false;
         certain = false;
         clipped = false;
@@ -113,7 +115,7 @@ final class WarmContact {
     }
 
     /**
-     * Tries the features of a word that is not 0; returns the next word when {@link #done}.
+     * Tries the features of a key that is not 0; returns the next key when {@link #done}.
      *
      * @param crossing two edges that separated best though a face held the contact, as {@link
      *     #crossing} tells them; 0 for none
@@ -122,13 +124,13 @@ final class WarmContact {
         forget();
         boolean byEdges = cache >>> 62 == WarmStartKey.EDGES;
         if (secondBound
-                && proof.tells(ContactTolerances.HYSTERESIS * pair.inner)
+                && certificate.isTight(ContactTolerances.HYSTERESIS * pair.inner)
                 && (byEdges || crossing != 0)) {
-            proofOnly = true;
-            edgesBest = !byEdges && !proof.same && provenBest(crossing);
-            long word = last(margin, cache, out);
+            certificateOnly = true;
+            edgesBest = !byEdges && !certificate.same && certifiedBest(crossing);
+            long key = last(margin, cache, out);
             if (done) {
-                return word;
+                return key;
             }
             out.pointCount = 0;
             out.patch = 0;
@@ -151,11 +153,11 @@ final class WarmContact {
                 && (crossing & 0x7FFF) < pair.b.edgeCount();
     }
 
-    /** Whether the proof tells that no direction is much better than that of two edges. */
-    private boolean provenBest(long crossing) {
+    /** Whether the certificate tells that no direction is much better than that of two edges. */
+    private boolean certifiedBest(long crossing) {
         return exist(crossing)
                 && cross.place((int) (crossing >>> 15) & 0x7FFF, (int) crossing & 0x7FFF)
-                && proof.high - cross.along <= enough(cross.along);
+                && certificate.high - cross.along <= enough(cross.along);
     }
 
     /** Tries the features of the last tick. */
@@ -174,7 +176,7 @@ final class WarmContact {
             return onB(face, hint, margin, cache, out);
         }
         if (kind == WarmStartKey.EDGES && face < pair.a.edgeCount() && hint < pair.b.edgeCount()) {
-            if (proofOnly) {
+            if (certificateOnly) {
                 return provenEdges(face, hint, margin, out);
             }
             edges(face, hint);
@@ -232,14 +234,17 @@ final class WarmContact {
             done = true;
             return WarmStartKey.withHint(WarmStartKey.of(kind, at, (int) cache), v);
         }
-        double calm = ContactTolerances.HYSTERESIS * pair.inner;
+        double hysteresis = ContactTolerances.HYSTERESIS * pair.inner;
         face = at;
-        boolean known = secondBound && proof.refers(s, calm);
-        known = known && (proof.directs(s, calm) || (edgesBest && besideEdges(flip)));
-        if (proofOnly && !known) {
+        boolean known = secondBound && certificate.keepsReference(s, hysteresis);
+        known =
+                known
+                        && (certificate.keepsDirection(s, hysteresis)
+                                || (edgesBest && besideEdges(flip)));
+        if (certificateOnly && !known) {
             return 0;
         }
-        points.face(flip, v, margin, calm, (int) cache, out);
+        points.face(flip, v, margin, hysteresis, (int) cache, out);
         axisX = points.axisX;
         axisY = points.axisY;
         axisZ = points.axisZ;
@@ -247,29 +252,30 @@ final class WarmContact {
             return 0;
         }
         double least = out.deepest();
-        double low = Math.max(s, proof.low);
-        proven = known && proof.agrees(low, least, calm);
-        if (proofOnly && !proven) {
+        double low = Math.max(s, certificate.low);
+        proven = known && certificate.confirmsDepth(low, least, hysteresis);
+        if (certificateOnly && !proven) {
             return 0;
         }
-        upper = proof.high;
+        upper = certificate.high;
         if (!proven) {
-            upper = secondBound ? upper(flip, at, s, least, calm) : s;
+            upper = secondBound ? upper(flip, at, s, least, hysteresis) : s;
         }
         if (!proven
                 && secondBound
-                && !DistanceCertificate.settles(s, s, least, upper, upper, calm)) {
-            return other(flip, least - s <= calm, margin, cache, out);
+                && !DistanceCertificate.confirmsFace(s, s, least, upper, upper, hysteresis)) {
+            return other(flip, least - s <= hysteresis, margin, cache, out);
         }
         done = true;
-        out.bound = DistanceCertificate.wrong(low, least, upper) + 0x1p-48 * pair.scale;
+        out.bound = DistanceCertificate.depthError(low, least, upper) + 0x1p-48 * pair.scale;
         return WarmStartKey.withHint(WarmStartKey.of(kind, at, FeatureIds.of(out)), v);
     }
 
     /** An upper bound of the signed distance from all that may give one; tries until it settles. */
-    private double upper(boolean flip, int at, double s, double least, double calm) {
-        double best = Math.min(proof.high, upper(flip, at));
-        if (least - s <= calm && !DistanceCertificate.settles(s, s, least, best, best, calm)) {
+    private double upper(boolean flip, int at, double s, double least, double hysteresis) {
+        double best = Math.min(certificate.high, upper(flip, at));
+        if (least - s <= hysteresis
+                && !DistanceCertificate.confirmsFace(s, s, least, best, best, hysteresis)) {
             Clipper c = points.clipper;
             Polyhedron reference = flip ? pair.b : pair.a;
             best =
@@ -277,7 +283,8 @@ final class WarmContact {
                             best,
                             -inside.within(reference, c.x[deepest], c.y[deepest], c.z[deepest]));
         }
-        if (least - s <= calm && !DistanceCertificate.settles(s, s, least, best, best, calm)) {
+        if (least - s <= hysteresis
+                && !DistanceCertificate.confirmsFace(s, s, least, best, best, hysteresis)) {
             best = Math.min(best, search.upper());
         }
         return best;
@@ -364,14 +371,14 @@ final class WarmContact {
         return -Math.max(0, Containment.depth(p, d, Math.max(0, edge + at * slope), high, beside));
     }
 
-    /** The point of two edges where the proof tells that it is the answer still. */
+    /** The point of two edges where the certificate tells that it is the answer still. */
     private long provenEdges(int ea, int eb, double margin, Manifold out) {
         if (!cross.place(ea, eb)) {
             return 0;
         }
         double s = cross.along;
         double enough = enough(s);
-        if (!(proof.high - s <= enough && s - proof.low <= enough)) {
+        if (!(certificate.high - s <= enough && s - certificate.low <= enough)) {
             return 0;
         }
         axes.edgeA = ea;
@@ -380,27 +387,29 @@ final class WarmContact {
         axes.edgeY = cross.axisY;
         axes.edgeZ = cross.axisZ;
         axes.separationEdge = s;
-        if (!(proof.same || noFace()) || !points.crossing(margin, out)) {
+        if (!(certificate.same || noFace()) || !points.crossing(margin, out)) {
             return 0;
         }
         done = true;
         proven = true;
-        out.bound = DistanceCertificate.wrong(proof.low, s, proof.high) + 0x1p-48 * pair.scale;
+        out.bound =
+                DistanceCertificate.depthError(certificate.low, s, certificate.high)
+                        + 0x1p-48 * pair.scale;
         return WarmStartKey.withHint(
                 WarmStartKey.of(WarmStartKey.EDGES, 0, FeatureIds.of(out)) | (long) ea << 47, eb);
     }
 
     /** The best face is another direction and separates by much less. */
     private boolean noFace() {
-        double most = Math.max(Math.abs(proof.low), Math.abs(proof.high));
-        if (!(proof.low - proof.rival
+        double most = Math.max(Math.abs(certificate.low), Math.abs(certificate.high));
+        if (!(certificate.low - certificate.rival
                 > ContactTolerances.depthError(
                         true, ContactTolerances.HYSTERESIS * pair.inner, most))) {
             return false;
         }
-        axes.faceA = proof.face;
-        axes.faceB = proof.face;
-        return !besideEdges(proof.onB);
+        axes.faceA = certificate.face;
+        axes.faceB = certificate.face;
+        return !besideEdges(certificate.onB);
     }
 
     /** Whether the face of the axes is nearly the same direction as the edges. */

@@ -21,7 +21,7 @@ public final class FeatureIds {
     }
 
     /** Whether a name is one of the set. */
-    public static boolean holds(int names, int feature) {
+    public static boolean contains(int names, int feature) {
         // A byte of the difference is zero exactly if subtracting one borrows into its clear top
         // bit.
         int x = names ^ (hash(feature) * 0x01010101);

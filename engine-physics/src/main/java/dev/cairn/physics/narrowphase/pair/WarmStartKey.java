@@ -1,10 +1,10 @@
 package dev.cairn.physics.narrowphase.pair;
 
 /**
- * The warm-start word: bits 63..62 the kind (0 none, 1 face of A, 2 face of B, 3 edges or points),
+ * The warm-start key: bits 63..62 the kind (0 none, 1 face of A, 2 face of B, 3 edges or points),
  * bits 61..47 the face, bits 31..0 the {@link FeatureIds} of the points. Of pairs with a hull, bits
  * 46..32 are a vertex near the face; of two edges that cross they are the second edge, and bits
- * 61..47 the first. A stale or random word costs time, never correctness.
+ * 61..47 the first. A stale or random key costs time, never correctness.
  */
 public final class WarmStartKey {
     /** Kinds of contact: a face of A or of B is the reference; edges or points. */
@@ -15,38 +15,38 @@ public final class WarmStartKey {
 
     private WarmStartKey() {}
 
-    /** The warm-start word of a kind of contact, a face and the names of the points. */
+    /** The warm-start key of a kind of contact, a face and the names of the points. */
     public static long of(long kind, long face, int names) {
         return kind << 62 | face << 47 | (names & 0xFFFFFFFFL);
     }
 
     /** Adds where to look in the next tick. */
-    public static long withHint(long word, long hint) {
-        return word | hint << 32;
+    public static long withHint(long key, long hint) {
+        return key | hint << 32;
     }
 
     /** See {@link #withHint}. */
-    public static int hint(long word) {
-        return (int) (word >>> 32) & 0x7FFF;
+    public static int hint(long key) {
+        return (int) (key >>> 32) & 0x7FFF;
     }
 
     /**
-     * The face in a warm-start word of kind face.
+     * The face in a warm-start key of kind face.
      *
-     * @param word as {@code NarrowPhase.collide} returns it
+     * @param key as {@code NarrowPhase.collide} returns it
      * @return its number on its shape
      */
-    public static int faceOf(long word) {
-        return (int) (word >>> 47) & 0x7FFF;
+    public static int faceOf(long key) {
+        return (int) (key >>> 47) & 0x7FFF;
     }
 
     /**
      * Whether a face of B carried or separated the pair.
      *
-     * @param word as {@code NarrowPhase.collide} returns it
+     * @param key as {@code NarrowPhase.collide} returns it
      * @return false for a face of A and for other contacts
      */
-    public static boolean onFaceOfB(long word) {
-        return word >>> 62 == FACE_B;
+    public static boolean onFaceOfB(long key) {
+        return key >>> 62 == FACE_B;
     }
 }

@@ -30,7 +30,7 @@ final class ParallelCapsules {
             double dz,
             double length,
             double margin,
-            double calm,
+            double hysteresis,
             Manifold out) {
         out.pointCount = 0;
         deepest = Double.MAX_VALUE;
@@ -75,7 +75,7 @@ final class ParallelCapsules {
             double gap = gx * nx + gy * ny + gz * nz;
             double side = Math.max(0, gx * gx + gy * gy + gz * gz - gap * gap);
             // What round sides lose where they pass each other: side^2 / (2 (R + r)).
-            if (side > 2 * calm * (radiusA + radiusB)) {
+            if (side > 2 * hysteresis * (radiusA + radiusB)) {
                 out.pointCount = 0;
                 return;
             }

@@ -1,24 +1,6 @@
 package dev.cairn.physics.narrowphase.round;
 
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.ACROSS;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.AXIS_A;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.AXIS_B;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.CROSSING;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.HALF_A;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.HALF_B;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.LEAST;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.LEVEL;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.MARGIN;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.MOST;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.NEVER;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.OFFSET;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.ON_A;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.PARALLEL;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.RADIUS_A;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.RADIUS_B;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.SCALE;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.TOUCHING;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.*;
 
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
@@ -39,8 +21,8 @@ import dev.cairn.physics.shape.Sphere;
 public final class RoundContacts {
     static final long SINGLE = 3L << 62 | FeatureIds.hash(FeatureIds.CLOSEST);
 
-    /** The word of the last contact. */
-    private long word;
+    /** The key of the last contact. */
+    private long key;
 
     /** Direction of A's segment; of two capsules also that of B's. */
     double axisX, axisY, axisZ, otherX, otherY, otherZ;
@@ -62,7 +44,6 @@ public final class RoundContacts {
     /**
      * Whether a shape is a ball or a capsule.
      *
-     * @param shape any
      * @return true when pairs of such may be tried
      */
     public static boolean fits(Shape shape) {
@@ -70,32 +51,18 @@ public final class RoundContacts {
     }
 
     /**
-     * The word of the last contact, for {@code NarrowPhase.collide}.
+     * The key of the last contact, for {@code NarrowPhase.collide}.
      *
      * @return 0 when the pair was apart
      */
-    public long word() {
-        return word;
+    public long key() {
+        return key;
     }
 
     /**
      * Finds the contact of a pair, as {@code NarrowPhase.collide} does.
      *
-     * @param a first shape; {@link #fits}
-     * @param b second shape; {@link #fits}
-     * @param qAx orientation of A, world from body, unit quaternion
-     * @param qAy orientation of A
-     * @param qAz orientation of A
-     * @param qAw orientation of A
-     * @param qBx orientation of B, world from body, unit quaternion
-     * @param qBy orientation of B
-     * @param qBz orientation of B
-     * @param qBw orientation of B
-     * @param dx centre of B minus centre of A, world axes, m
-     * @param dy see {@code dx}
-     * @param dz see {@code dx}
      * @param margin points up to this far apart are reported, m, not negative
-     * @param out receives the contact
      * @return false when the pair is none of this class; nothing is written then
      */
     public boolean collide(
@@ -197,7 +164,7 @@ public final class RoundContacts {
         out.patch = 0;
         if (separation > margin) {
             out.pointCount = 0;
-            word = 0;
+            key = 0;
             return true;
         }
         if (lines && level(length)) {
@@ -233,7 +200,7 @@ public final class RoundContacts {
         out.pointZ[0] = onA * axisZ + reach * nz;
         out.separation[0] = separation;
         out.feature[0] = FeatureIds.CLOSEST;
-        word = SINGLE;
+        key = SINGLE;
     }
 
     /**
@@ -283,14 +250,15 @@ public final class RoundContacts {
         double separation = length - radiusA - radiusB;
         double inner = Math.min(radiusA, radiusB);
         boolean before = cache >>> 62 == WarmStartKey.EDGES;
-        double calm = ContactTolerances.HYSTERESIS * inner;
-        double enough = ContactTolerances.depthError(before, calm, separation);
+        double hysteresis = ContactTolerances.HYSTERESIS * inner;
+        double enough = ContactTolerances.depthError(before, hysteresis, separation);
         double rounding = out.bound;
-        sideBySide.run(this, radiusA, halfA, radiusB, halfB, dx, dy, dz, length, margin, calm, out);
+        sideBySide.run(
+                this, radiusA, halfA, radiusB, halfB, dx, dy, dz, length, margin, hysteresis, out);
         double wrong = Math.abs(sideBySide.deepest - separation);
         if (out.pointCount > 0 && wrong <= enough) {
             out.bound = wrong + rounding;
-            word = FeatureIds.of(out) & 0xFFFFFFFFL;
+            key = FeatureIds.of(out) & 0xFFFFFFFFL;
         } else {
             single(length, separation, radiusA, out);
         }
@@ -301,8 +269,7 @@ public final class RoundContacts {
      *
      * @param t the batch
      * @param i the place of the pair
-     * @param cache the word of the last tick
-     * @param out receives the contact
+     * @param cache the key of the last tick
      */
     void sideBySide(double[] t, int i, long cache, Manifold out) {
         axisX = t[AXIS_A + i];

@@ -1,21 +1,6 @@
 package dev.cairn.physics.narrowphase.round;
 
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.AHEAD;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.ARC_A;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.ARC_B;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.HALF_A;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.HALF_B;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.KIND;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.NORMAL;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.OFFSET;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.RADIUS_A;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.RADIUS_B;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.SCALE;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.SEPARATION;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.TURN_A;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.TURN_B;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.*;
 
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Manifold;
@@ -32,7 +17,7 @@ public final class RoundPairs {
     private final double[] t = batch.data;
     private final RoundContacts single = new RoundContacts();
 
-    /** The word of a pair of balls or capsules that has a single point, and of no other. */
+    /** The key of a pair of balls or capsules that has a single point, and of no other. */
     public static final long SINGLE = RoundContacts.SINGLE;
 
     /** An empty batch. */
@@ -42,9 +27,6 @@ public final class RoundPairs {
      * Puts a pair into the batch.
      *
      * @param i its place, 0 to {@link RoundBatch#CAPACITY} - 1
-     * @param dx centre of B minus centre of A, world axes, m
-     * @param dy see {@code dx}
-     * @param dz see {@code dx}
      * @param radiusA radius of A, m
      * @param halfA half length of A, m; 0 for a ball
      * @param radiusB radius of B, m
@@ -71,10 +53,7 @@ public final class RoundPairs {
     /**
      * Puts what the margin of a pair is made of: points up to that far apart are reported.
      *
-     * @param i its place
      * @param vx velocity of B minus that of A, world axes, m/s
-     * @param vy see {@code vx}
-     * @param vz see {@code vx}
      * @param arcA what turning of A adds, m, not negative
      * @param arcB what turning of B adds, m, not negative
      */
@@ -89,12 +68,8 @@ public final class RoundPairs {
     /**
      * Puts the orientation of a capsule; that of a ball is not minded.
      *
-     * @param i the pair
      * @param second whether it is B
      * @param qx world from body, unit quaternion
-     * @param qy see {@code qx}
-     * @param qz see {@code qx}
-     * @param qw see {@code qx}
      */
     public void turn(int i, boolean second, double qx, double qy, double qz, double qw) {
         int turn = (second ? TURN_B : TURN_A) + i;
@@ -107,7 +82,6 @@ public final class RoundPairs {
     /**
      * Collides all pairs that were put.
      *
-     * @param count how many
      * @param capsulesA whether there may be capsules among the first shapes, all turned
      * @param capsulesB likewise, the second ones
      * @param reach share of the relative speed in the margin, s
@@ -121,8 +95,6 @@ public final class RoundPairs {
     /**
      * The contact of one pair, after {@link #run}.
      *
-     * @param i its place
-     * @param out receives the contact
      * @return false when {@link #sideBySide} or {@code NarrowPhase} must find it; nothing is
      *     written then
      */
@@ -152,7 +124,6 @@ public final class RoundPairs {
     /**
      * Whether a pair has one point, after {@link #run}.
      *
-     * @param i its place
      * @return false when it is apart, or {@code NarrowPhase} must find it
      */
     public boolean touches(int i) {
@@ -162,9 +133,7 @@ public final class RoundPairs {
     /**
      * The contact of two capsules that may lie side by side, after {@link #take} left it.
      *
-     * @param i its place
-     * @param cache the word of the last tick
-     * @param out receives the contact
+     * @param cache the key of the last tick
      * @return false when {@code NarrowPhase} must find it; nothing is written then
      */
     public boolean sideBySide(int i, long cache, Manifold out) {
@@ -176,22 +145,19 @@ public final class RoundPairs {
     }
 
     /**
-     * The word to pass for a pair next time, after {@link #sideBySide}.
+     * The key to pass for a pair next time, after {@link #sideBySide}.
      *
      * @return 0 when the pair is apart
      */
-    public long word() {
-        return single.word();
+    public long key() {
+        return single.key();
     }
 
     /**
      * Writes the contact of a pair that {@link #touches}, without more.
      *
-     * @param i its place
      * @param normal receives the unit normal from A to B
-     * @param n where
      * @param anchors receives the point from A's centre, then from B's, world, m
-     * @param p where
      * @return the separation, m
      */
     public double write(int i, double[] normal, int n, double[] anchors, int p) {
@@ -211,12 +177,12 @@ public final class RoundPairs {
     }
 
     /**
-     * The word to pass for a pair next time, after {@link #take}.
+     * The key to pass for a pair next time, after {@link #take}.
      *
      * @param out what {@link #take} filled
      * @return 0 when the pair is apart
      */
-    public static long word(Manifold out) {
+    public static long key(Manifold out) {
         return out.pointCount == 0 ? 0 : RoundContacts.SINGLE;
     }
 }

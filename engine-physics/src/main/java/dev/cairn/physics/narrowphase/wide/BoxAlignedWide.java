@@ -1,37 +1,6 @@
 package dev.cairn.physics.narrowphase.wide;
 
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED_POINT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALONG;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.BETWEEN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.BOUND;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CUT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CUTS;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.DEEPEST;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FIRST;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FIRST_LOW;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HIGHEST;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.INNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_ON_U;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_WAYS;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_FACES;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SOFT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.WAYS;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.*;
 
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 
@@ -41,14 +10,16 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The usual cases of boxes on boxes, a pair to a lane: no side of the chosen face cuts the incident
- * face; or one side cuts two neighbouring corners off, and after it perhaps one of the sides beside
- * it two of what is left; all corners are clear of both, and all points are within the margin. Each
- * of the two corners moves along its edge to the side, so four points are left. The operations on
- * each number are those of {@code narrowphase.Clipper}. Other pairs keep their corners.
+ * Boxes whose faces are aligned so well that clipping leaves a quadrilateral, a pair to a lane: no
+ * side of the reference face cuts the incident face; or one side cuts two neighbouring corners off,
+ * and after it perhaps one of the sides beside it two of what is left; all corners are clear of
+ * both, and all points are within the margin. Each of the two corners moves along its edge to the
+ * side, so four points are left. The operations on each number are those of {@code
+ * narrowphase.Clipper}. Other pairs keep their corners.
  *
  * <p>A corner that is only a little beyond a side is cut off unless it was a point of the last
- * tick. Lanes know no names: they cut it off, and {@code BoxContacts} looks whether that was right.
+ * tick. Lanes know no feature ids: they cut it off, and {@code BoxContacts} looks whether that was
+ * right.
  *
  * <p>The four corners, and later points, are called p, q, r and w: p and w are corners 0 and 3, q
  * and r corners 1 and 2, or 2 and 1, so that the first side cuts the edges pq and rw, and the
@@ -97,7 +68,7 @@ final class BoxAlignedWide {
                 BoxSecondSideWide.run(t, i);
             }
             separations(t, i);
-            bits |= proof(t, i);
+            bits |= certify(t, i);
         }
         return bits;
     }
@@ -132,7 +103,7 @@ final class BoxAlignedWide {
         one.blend(0, onU).intoArray(t, SECOND_ON_U + i);
         signU.mul(halfU).intoArray(t, BETWEEN + i);
         signV.mul(halfV).intoArray(t, BETWEEN + CAPACITY + i);
-        // Opposite sides do not cut straight.
+        // Opposite sides leave no quadrilateral.
         zero.blend(-1, highU.and(lowU).or(highV.and(lowV))).intoArray(t, ALIGNED + i);
     }
 
@@ -329,7 +300,7 @@ final class BoxAlignedWide {
      * the signed distance is between the largest separation along a face normal and h; where all
      * decisions are the same for each of these values, edges cannot change them.
      */
-    private static long proof(double[] t, int i) {
+    private static long certify(double[] t, int i) {
         VectorMask<Double> fits =
                 DoubleVector.fromArray(S, t, ALIGNED + i).compare(VectorOperators.GE, 0);
         DoubleVector margin = DoubleVector.fromArray(S, t, MARGIN + i);

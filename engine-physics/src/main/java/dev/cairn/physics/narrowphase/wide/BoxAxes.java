@@ -43,7 +43,6 @@ public final class BoxAxes {
      * The axes of faces: fills the columns from {@link BoxBatch#WORLD} to {@link BoxBatch#FACE_B}.
      *
      * @param batch whose input columns are filled
-     * @param count pairs
      */
     public static void faces(BoxBatch batch, int count) {
         BoxAxesWide.faces(batch.data, count);
@@ -78,7 +77,6 @@ public final class BoxAxes {
      * of other pairs with anything.
      *
      * @param batch after {@link #faces}
-     * @param count pairs
      * @return the others, a bit each
      */
     public static int choose(BoxBatch batch, int count) {
@@ -90,19 +88,17 @@ public final class BoxAxes {
      * BoxBatch#INCIDENT} to {@link BoxBatch#CORNER}.
      *
      * @param batch whose columns FLIP, AXIS and SIGN are filled
-     * @param count pairs
      */
     public static void corners(BoxBatch batch, int count) {
         BoxFacesWide.corners(batch.data, count);
     }
 
     /**
-     * Clips what no, one or two sides cut straight: fills {@link BoxBatch#ALIGNED} and, where that
-     * is not negative, puts points in the place of the corners.
+     * Clips the faces of which no, one or two sides leave a quadrilateral: fills {@link
+     * BoxBatch#ALIGNED} and, where that is not negative, puts points in the place of the corners.
      *
      * @param batch after {@link #corners}
-     * @param count pairs
-     * @return the low 32 bits tell of the pairs that were cut straight those whose face {@link
+     * @return the low 32 bits tell of the pairs that were clipped so those whose face {@link
      *     #choose} chose and whose contact no axis of edges can change; the high 32 bits those that
      *     are only right when no corner that was cut off was a point of the last tick: for the
      *     others STRAIGHT must be set to -1 before {@link #world}
@@ -116,7 +112,6 @@ public final class BoxAxes {
      * BoxBatch#NORMAL}.
      *
      * @param batch after {@link #corners}
-     * @param count pairs
      */
     public static void world(BoxBatch batch, int count) {
         BoxFacesWide.world(batch.data, count);

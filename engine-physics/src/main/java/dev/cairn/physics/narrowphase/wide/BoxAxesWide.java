@@ -1,22 +1,6 @@
 package dev.cairn.physics.narrowphase.wide;
 
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.EDGE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.OFFSET;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_EDGE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGNED_SQUARE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SQUARE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.TURN_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.*;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;

@@ -96,8 +96,8 @@ public final class BoxBatch {
     public static final int INNER = 86 * CAPACITY;
 
     /**
-     * Of the word of the last tick: {@link #KIND} times its kind (1 face of A, 2 face of B) plus
-     * its face.
+     * Of the key of the last tick: {@link #KIND} times its kind (1 face of A, 2 face of B) plus its
+     * face.
      */
     public static final int LAST = 87 * CAPACITY;
 
@@ -108,12 +108,12 @@ public final class BoxBatch {
     static final int SEPARATION = 88 * CAPACITY, SEPARATION_FACES = 89 * CAPACITY;
 
     /**
-     * -1, or how no, one or two sides cut the incident face straight, together with both faces:
-     * {@link #entry}. The four points are then in place of the corners.
+     * -1, or how no, one or two sides clip the incident face to a quadrilateral, together with both
+     * faces: {@link #entry}. The four points are then in place of the corners.
      */
     public static final int ALIGNED = 90 * CAPACITY;
 
-    /** Ways to cut straight: none, or one of 16 of a first side and one of 5 of a second. */
+    /** Ways to clip it so: none, or one of 16 of a first side and one of 5 of a second. */
     public static final int WAYS = 81;
 
     /** Ways in which a second side can cut, or none. */
@@ -179,7 +179,7 @@ public final class BoxBatch {
     /** The plane of the incident face in the frame of the chosen one: normal and offset, m. */
     static final int PLANE = 137 * CAPACITY;
 
-    /** The largest separation of the points that were cut straight, m. */
+    /** The largest separation of the points that were clipped so, m. */
     static final int HIGHEST = 141 * CAPACITY;
 
     /** All columns. */

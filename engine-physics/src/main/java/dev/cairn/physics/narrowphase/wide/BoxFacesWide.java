@@ -1,33 +1,6 @@
 package dev.cairn.physics.narrowphase.wide;
 
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED_POINT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CORNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FACE_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.INNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.KIND;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.LAST;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.MARGIN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.NORMAL;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.OUTSIDE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.RELATIVE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ROWS;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SEPARATION_FACES;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.WORLD;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.*;
 
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 
@@ -62,10 +35,12 @@ final class BoxFacesWide {
             DoubleVector margin = DoubleVector.fromArray(S, t, MARGIN + i);
             VectorMask<Double> beforeA = last.compare(VectorOperators.EQ, faceA.add(KIND));
             VectorMask<Double> beforeB = last.compare(VectorOperators.EQ, faceB.add(2.0 * KIND));
-            DoubleVector calm =
+            DoubleVector hysteresis =
                     DoubleVector.fromArray(S, t, INNER + i).mul(ContactTolerances.HYSTERESIS);
             VectorMask<Double> flip =
-                    onB.compare(VectorOperators.GT, onA.add(calm.neg().blend(calm, beforeA)));
+                    onB.compare(
+                            VectorOperators.GT,
+                            onA.add(hysteresis.neg().blend(hysteresis, beforeA)));
             DoubleVector face = faceA.blend(faceB, flip);
             DoubleVector axis =
                     DoubleVector.zero(S)
@@ -318,14 +293,14 @@ final class BoxFacesWide {
 
     private static void points(double[] t, int end) {
         for (int i = 0; i < end; i += LANES) {
-            boolean straight =
+            boolean aligned =
                     DoubleVector.fromArray(S, t, ALIGNED + i)
                             .compare(VectorOperators.GE, 0)
                             .allTrue();
-            if (!straight) {
+            if (!aligned) {
                 BoxAlignedWide.place(t, i);
             }
-            int from = i + (straight ? ALIGNED_POINT : CORNER);
+            int from = i + (aligned ? ALIGNED_POINT : CORNER);
             point(t, i, from, CORNER + i);
             point(t, i, from + POINT, CORNER + POINT + i);
             point(t, i, from + 2 * POINT, CORNER + 2 * POINT + i);

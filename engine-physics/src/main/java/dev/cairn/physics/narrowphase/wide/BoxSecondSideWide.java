@@ -4,26 +4,7 @@ import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.P;
 import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.Q;
 import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.R;
 import static dev.cairn.physics.narrowphase.wide.BoxAlignedWide.W;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ALIGNED;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.AXIS;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.BETWEEN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CENTRE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.CUT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FIRST_LOW;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.FLIP;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_A;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.HALF_B;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.INCIDENT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.INNER;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.PLANE;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.ROWS;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SECOND_ON_U;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SIGN;
-import static dev.cairn.physics.narrowphase.wide.BoxBatch.SOFT;
+import static dev.cairn.physics.narrowphase.wide.BoxBatch.*;
 
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 
@@ -33,8 +14,8 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The second of two sides that cut a box's face straight, see {@link BoxAlignedWide}: a pair to a
- * lane.
+ * The second of two sides that leave a quadrilateral of a box's face, see {@link BoxAlignedWide}: a
+ * pair to a lane.
  */
 final class BoxSecondSideWide {
     private static final VectorSpecies<Double> S = DoubleVector.SPECIES_PREFERRED;

@@ -75,7 +75,7 @@ public final class BoxWarmUp {
         long axes = Long.MAX_VALUE;
         long faces = Long.MAX_VALUE;
         long others = Long.MAX_VALUE;
-        int calm = 0;
+        int hysteresis = 0;
         for (int round = 0; round < MOST; round++) {
             fill(batch.data, random);
             if (round % 3 == 1) {
@@ -123,10 +123,10 @@ public final class BoxWarmUp {
                     third - second < SLOW * axes
                             && end - fourth < SLOW * faces
                             && sixth - fifth < SLOW * others;
-            calm = isFast ? calm + 1 : 0;
+            hysteresis = isFast ? hysteresis + 1 : 0;
             // compiled, all after the axes costs no more than the scalar axes
             boolean paysOff = axes < scalar && faces < scalar && others < 2 * scalar;
-            if (round > LEAST && paysOff && (calm >= IN_A_ROW || round == MOST - 1)) {
+            if (round > LEAST && paysOff && (hysteresis >= IN_A_ROW || round == MOST - 1)) {
                 ready = true;
                 return;
             }

@@ -1,30 +1,6 @@
 package dev.cairn.physics.narrowphase.wide;
 
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.AHEAD;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.ANCHOR;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.ARC_A;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.ARC_B;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.AXIS;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.CENTRE;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.GAP;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.INNER;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.KEPT;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.LIMIT;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.MARGIN;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.NORMAL;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.OFFSET;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.PLANE;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.ROWS;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.SEPARATION;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.SIGN;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.SPIN;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.STAYS;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.TURN;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.TURN_I;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.TURN_R;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.WORLD;
+import static dev.cairn.physics.narrowphase.wide.RecycledBatch.*;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;

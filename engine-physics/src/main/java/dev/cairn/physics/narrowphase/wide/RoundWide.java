@@ -1,34 +1,6 @@
 package dev.cairn.physics.narrowphase.wide;
 
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.ACROSS;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.AHEAD;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.ALIGNED;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.ARC_A;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.ARC_B;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.AXIS_A;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.AXIS_B;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.CROSSING;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.HALF_A;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.HALF_B;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.KIND;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.LEAST;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.LEVEL;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.MARGIN;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.MOST;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.NEVER;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.NORMAL;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.OFFSET;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.ON_A;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.PARALLEL;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.RADIUS_A;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.RADIUS_B;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.SCALE;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.SEPARATION;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.TOUCHING;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.TURN_A;
-import static dev.cairn.physics.narrowphase.wide.RoundBatch.TURN_B;
+import static dev.cairn.physics.narrowphase.wide.RoundBatch.*;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.VectorMask;
