@@ -6,6 +6,7 @@ import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.tuning.Tuning;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -27,7 +28,7 @@ public final class StageSet implements AutoCloseable {
     private final BodyStore bodies = new BodyStore();
     private final ColliderStore colliders = new ColliderStore(bodies);
     private final ContactStore rows = new ContactStore();
-    private final BoundsStage bounds = new BoundsStage(colliders, 1, 0.02, 0.1, 4);
+    private final BoundsStage bounds = new BoundsStage(colliders, Tuning.DEFAULT);
     private final ManifoldStage stage = new ManifoldStage(colliders, bounds);
     private final Jobs jobs = Jobs.of(1);
 
