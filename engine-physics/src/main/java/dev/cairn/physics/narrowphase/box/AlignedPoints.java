@@ -5,8 +5,8 @@ import static dev.cairn.physics.narrowphase.wide.BoxBatch.*;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 
 /**
- * Reads the four points of a pair in a batch that was clipped to a quadrilateral in lanes. Without
- * loops, so that indices are checked once.
+ * Reads the four points of a pair in a batch whose face was clipped to a quadrilateral in lanes.
+ * Without loops, so that indices are checked once.
  */
 final class AlignedPoints {
     private AlignedPoints() {}

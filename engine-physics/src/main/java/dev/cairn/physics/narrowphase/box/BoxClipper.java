@@ -98,11 +98,8 @@ final class BoxClipper {
     double leftOut;
 
     /**
-     * Clips a pair, unless it was clipped to a quadrilateral in lanes.
-     *
-     * @param inner the smaller inner radius
-     * @param last the names of the points of the last tick
-     * @return number of points, or {@link #UNSURE}
+     * Clips a pair, unless it was clipped to a quadrilateral in lanes; returns the number of
+     * points, or {@link #UNSURE}.
      */
     int clip(double[] t, int i, double inner, double margin, int last) {
         this.last = last;
@@ -216,9 +213,8 @@ final class BoxClipper {
 
     /**
      * Cuts by the side plane at a slot, with {@link Clipper}'s rules. The corners outside are one
-     * run of a convex polygon, so no branch depends on which they are.
-     *
-     * @return false when they are more than one run, which rounding can make of flush sides
+     * run of a convex polygon, so no branch depends on which they are; false when they are more
+     * than one run, which rounding can make of flush sides.
      */
     private boolean cut(double[] t, int pair, int slot, int begin, double[] c, double limit) {
         double sign = BoxTopology.isSidePositive(slot) ? 1 : -1;

@@ -44,20 +44,12 @@ public final class BoxContacts {
     private final double[] deepest = new double[CAPACITY];
     private final int[] pointCount = new int[CAPACITY];
 
-    /**
-     * An empty batch.
-     *
-     * @param single collides what is no face contact; by the fast paths
-     */
+    /** An empty batch. */
     public BoxContacts(NarrowPhase single) {
         this.single = single;
     }
 
-    /**
-     * Whether a box may be put into a batch.
-     *
-     * @return false for extremely thin ones
-     */
+    /** Whether a box may be put into a batch; false for extremely thin ones. */
     public static boolean fits(Box box) {
         return box.innerRadius() >= THINNEST * box.outerRadius();
     }
@@ -187,9 +179,8 @@ public final class BoxContacts {
 
     /**
      * The contact of one pair, after {@link #run}; once per pair. The result is that of {@link
-     * NarrowPhase#collide}; {@link Manifold#bound} may be larger.
-     *
-     * @return the key to pass next time
+     * NarrowPhase#collide}; {@link Manifold#bound} may be larger. Returns the key to pass next
+     * time.
      */
     public long take(int i, Box a, Box b, Manifold out) {
         out.patch = 0;
@@ -253,11 +244,10 @@ public final class BoxContacts {
     }
 
     /**
-     * How much nearer a pair must come for another point; after {@link #take}.
-     *
-     * @return the least separation of the points that were left out for the margin, m; infinite
-     *     when there are none; of a pair that is apart a lower bound of its distance; NaN when it
-     *     is neither apart nor on a face
+     * How much nearer a pair must come for another point; after {@link #take}. Returns the least
+     * separation of the points that were left out for the margin, m; infinite when there are none;
+     * of a pair that is apart a lower bound of its distance; NaN when it is neither apart nor on a
+     * face.
      */
     public double leftOut(int i) {
         return isSettled(i) ? Double.POSITIVE_INFINITY : choice.leftOut[i];

@@ -10,14 +10,16 @@ import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * The usual cases of boxes on boxes, a pair to a lane: no side of the chosen face cuts the incident
- * face; or one side cuts two neighbouring corners off, and after it perhaps one of the sides beside
- * it two of what is left; all corners are clear of both, and all points are within the margin. Each
- * of the two corners moves along its edge to the side, so four points are left. The operations on
- * each number are those of {@code narrowphase.Clipper}. Other pairs keep their corners.
+ * Boxes whose faces are aligned so well that clipping leaves a quadrilateral, a pair to a lane: no
+ * side of the reference face cuts the incident face; or one side cuts two neighbouring corners off,
+ * and after it perhaps one of the sides beside it two of what is left; all corners are clear of
+ * both, and all points are within the margin. Each of the two corners moves along its edge to the
+ * side, so four points are left. The operations on each number are those of {@code
+ * narrowphase.Clipper}. Other pairs keep their corners.
  *
  * <p>A corner that is only a little beyond a side is cut off unless it was a point of the last
- * tick. Lanes know no names: they cut it off, and {@code BoxContacts} looks whether that was right.
+ * tick. Lanes know no feature ids: they cut it off, and {@code BoxContacts} looks whether that was
+ * right.
  *
  * <p>The four corners, and later points, are called p, q, r and w: p and w are corners 0 and 3, q
  * and r corners 1 and 2, or 2 and 1, so that the first side cuts the edges pq and rw, and the
