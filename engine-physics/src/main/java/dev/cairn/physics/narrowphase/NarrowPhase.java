@@ -75,7 +75,6 @@ public final class NarrowPhase {
      * Creates the scratch of one worker whose iterations end early, to weigh time against error.
      * The axis that they end with is still snapped to true features.
      *
-     * @param method how axes are found
      * @param tolerance relative gap at which an iteration ends, at least 0; finer than the default
      *     counts as the default
      * @param iterations cap of each iteration, at least 1; more than the default counts as the
@@ -92,7 +91,6 @@ public final class NarrowPhase {
     /**
      * Creates the scratch of one worker that does without a safeguard, to see what that costs.
      *
-     * @param method how axes are found
      * @param without what is left out; results may be wrong
      */
     public NarrowPhase(Method method, Safeguard without) {
@@ -103,20 +101,14 @@ public final class NarrowPhase {
         polyhedra.leaveOut(without);
     }
 
-    /**
-     * Whether the last call met an iteration cap.
-     *
-     * @return true when a better axis may exist
-     */
+    /** Whether the last call met an iteration cap, so that a better axis may exist. */
     public boolean capped() {
         return curvedLast ? curved.capped : round.capped || gjk.capped || epa.capped;
     }
 
     /**
      * Steps of GJK, and then of the expanding polytope, in the last call for a pair that needed
-     * them.
-     *
-     * @return a number; what ran before counts when the last call did without
+     * them; what ran before counts when the last call did without.
      */
     public int iterations() {
         return gjk.iterations + epa.iterations;
@@ -130,28 +122,18 @@ public final class NarrowPhase {
 
     /**
      * The axis of the last {@link #distance} call: a unit vector from A to B along which the signed
-     * distance was measured.
-     *
-     * @return the x component, world axes
+     * distance was measured; its x component, world axes.
      */
     public double axisX() {
         return points.worldX();
     }
 
-    /**
-     * See {@link #axisX}.
-     *
-     * @return the y component, world axes
-     */
+    /** See {@link #axisX}; the y component, world axes. */
     public double axisY() {
         return points.worldY();
     }
 
-    /**
-     * See {@link #axisX}.
-     *
-     * @return the z component, world axes
-     */
+    /** See {@link #axisX}; the z component, world axes. */
     public double axisZ() {
         return points.worldZ();
     }
@@ -160,7 +142,6 @@ public final class NarrowPhase {
      * Hands the next {@link #collide} what an earlier one for the pair left beside the key.
      *
      * @param pairs a {@code PairMemory}, zeros at first; rewritten
-     * @param at where the pair's begins
      */
     public void remember(long[] pairs, int at) {
         memory = pairs;
@@ -170,8 +151,6 @@ public final class NarrowPhase {
     /**
      * Finds the contact of a pair.
      *
-     * @param a first shape
-     * @param b second shape
      * @param qAx orientation of A, world from body, unit quaternion
      * @param qBx orientation of B, world from body, unit quaternion
      * @param dx centre of mass of B minus that of A, world axes, m
@@ -255,10 +234,9 @@ public final class NarrowPhase {
 
     /**
      * How much nearer a pair of boxes or hulls must come for another point; after {@link #collide}.
-     *
-     * @return the least separation of the points that were left out for the margin, m; infinite
-     *     when there are none; of a pair that is apart a lower bound of its distance; NaN when it
-     *     is neither apart nor on a face
+     * Returns the least separation of the points that were left out for the margin, m; infinite
+     * when there are none; of a pair that is apart a lower bound of its distance; NaN when it is
+     * neither apart nor on a face.
      */
     public double leftOut() {
         return polyhedra.leftOut;
@@ -266,9 +244,7 @@ public final class NarrowPhase {
 
     /**
      * The signed distance of two shapes, which are given as to {@link #collide}: how far apart they
-     * are, or minus the length of the shortest move that separates them.
-     *
-     * @return m
+     * are, or minus the length of the shortest move that separates them; m.
      */
     public double distance(
             Shape a,
@@ -332,9 +308,8 @@ public final class NarrowPhase {
     }
 
     /**
-     * The nearest features of the last {@link #distance} of two boxes or hulls.
-     *
-     * @return what to pass to the next call for the pair; 0 when there is nothing to pass
+     * The nearest features of the last {@link #distance} of two boxes or hulls, to pass to the next
+     * call for the pair; 0 when there is nothing to pass.
      */
     public long distanceKey() {
         return polyhedra.distanceKey();

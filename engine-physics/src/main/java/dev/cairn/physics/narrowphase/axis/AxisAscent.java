@@ -3,9 +3,9 @@ package dev.cairn.physics.narrowphase.axis;
 import dev.cairn.physics.narrowphase.pair.Pair;
 
 /**
- * From an axis that {@link AxisRefinement} found on to a better one near it, where what touches
- * along it does not meet ({@link OptimalityTest}): from axis n with separation s towards |s| n + w,
- * w leading across n from A's touching part to B's.
+ * Ascent of the separation from an axis that {@link AxisRefinement} found to a better one near it,
+ * where {@link OptimalityTest} fails: from axis n with separation s towards |s| n + w, where w is
+ * the supergradient across n, from the support feature of A to that of B.
  */
 public final class AxisAscent {
     /** How often what is nearer is looked for. */

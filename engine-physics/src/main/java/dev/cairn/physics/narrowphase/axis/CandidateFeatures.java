@@ -6,8 +6,9 @@ import dev.cairn.physics.narrowphase.pair.SolidOfRevolution;
 import dev.cairn.physics.shape.Polyhedron;
 
 /**
- * What one shape of a pair may touch with near a direction: flats, lines (circles of normals), and
- * vertices or rims. Everything in A's frame and turned towards B.
+ * The features of one shape of a pair whose normals are near a direction: flats (one normal), lines
+ * (a circle of normals), and vertices or rims (a region of normals). Everything in A's frame and
+ * turned towards B.
  */
 final class CandidateFeatures {
     static final int MOST = 16;

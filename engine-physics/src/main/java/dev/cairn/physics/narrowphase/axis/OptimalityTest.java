@@ -3,16 +3,17 @@ package dev.cairn.physics.narrowphase.axis;
 import dev.cairn.physics.narrowphase.pair.Pair;
 
 /**
- * Whether an axis is the best of all near ones: seen along it the touching parts of both shapes
- * meet. For the separation
+ * First-order optimality of a separating axis: whether it is the best of all near ones. The
+ * separation
  *
  * <pre>
  *   s(n) = n . d - hA(n) - hB(-n)
  * </pre>
  *
- * <p>is concave but for the length of n, and its slopes at n are the differences of touching points
- * of B and of A: none leads uphill when zero is among them. Of shapes that overlap the length bends
- * s upwards, so their parts have to meet by more than that can make up for.
+ * <p>is concave but for the length of n, and its supergradients at n are the differences of the
+ * support points of B and of A: n is optimal when zero is among them, that is when the support
+ * features of both shapes overlap as seen along n. Of shapes that overlap, the length of n bends s
+ * upwards, so their features have to overlap by more than that can make up for.
  */
 final class OptimalityTest {
     /** Of the pair's scale: touching parts that miss each other by this are taken to meet. */

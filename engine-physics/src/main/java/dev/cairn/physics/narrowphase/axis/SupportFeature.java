@@ -5,8 +5,8 @@ import dev.cairn.physics.narrowphase.pair.SolidOfRevolution;
 import dev.cairn.physics.shape.Polyhedron;
 
 /**
- * The part of one shape of a pair that touches along an axis: a point, a segment, a face or a disc;
- * and how far a point of the other is beside it. In A's frame.
+ * The support feature of one shape of a pair along an axis: a point, a segment, a face or a disc;
+ * and how far a point of the other shape is beside it. In A's frame.
  */
 final class SupportFeature {
     private static final double ROUNDING = 0x1p-48;

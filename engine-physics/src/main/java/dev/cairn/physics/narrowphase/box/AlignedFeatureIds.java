@@ -12,10 +12,10 @@ import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import java.util.Arrays;
 
 /**
- * The names of the four points that are left of a box's face when no side of another box's face
- * cuts it, or one side, or two beside each other that cut two neighbouring corners off each: a
- * table of all {@linkplain BoxBatch#entry pairs of faces and ways}. Filled by cutting loops of
- * names as {@code Clipper} does.
+ * The feature ids of the four points of a box's face that is clipped to a quadrilateral: by no side
+ * of another box's face, by one, or by two beside each other that cut two neighbouring corners off
+ * each. A table of all {@linkplain BoxBatch#entry pairs of faces and ways}, filled by clipping
+ * loops of ids as {@code Clipper} does.
  */
 final class AlignedFeatureIds {
     private static final int FACES = 72;

@@ -23,11 +23,7 @@ final class BoxEdgeContact {
         t = columns;
     }
 
-    /**
-     * Finds the axis of the two edges that separate best.
-     *
-     * @return false when all are parallel
-     */
+    /** Finds the axis of the two edges that separate best; false when all are parallel. */
     boolean place(int i) {
         int pair = (int) t[EDGE + i];
         if (pair < 0) {
@@ -82,9 +78,8 @@ final class BoxEdgeContact {
     }
 
     /**
-     * Writes the point midway between the two edges and the normal; after {@link #place}.
-     *
-     * @return false when their lines pass beyond an end, or are farther apart than the margin
+     * Writes the point midway between the two edges and the normal; after {@link #place}. Returns
+     * false when their lines pass beyond an end, or are farther apart than the margin.
      */
     boolean point(int i, Manifold out) {
         double[] t = this.t;

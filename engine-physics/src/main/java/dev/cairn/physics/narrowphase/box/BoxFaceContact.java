@@ -54,11 +54,8 @@ final class BoxFaceContact {
     private final Reduction reduction = new Reduction();
 
     /**
-     * Writes the points of a face of A, or of B when flipped, and the normal.
-     *
-     * @param inner the smaller inner radius
-     * @param last the names of the points of the last tick
-     * @return the least separation, or {@code Double.MAX_VALUE} without points
+     * Writes the points of a face of A, or of B when flipped, and the normal; returns the least
+     * separation, or {@code Double.MAX_VALUE} without points.
      */
     double face(
             double[] t,

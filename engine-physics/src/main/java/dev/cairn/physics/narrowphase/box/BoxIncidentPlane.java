@@ -7,13 +7,8 @@ final class BoxIncidentPlane {
     private BoxIncidentPlane() {}
 
     /**
-     * How far above a point of the reference box's frame the plane of the incident face is.
-     *
-     * @param flip the reference is B
-     * @param incident a face of the other box
-     * @param axis of the reference's normal
-     * @param normal its sign
-     * @return m, along that normal
+     * How far above a point of the reference box's frame the plane of the incident face is, m,
+     * along that normal.
      */
     static double above(
             double[] t,

@@ -62,7 +62,6 @@ public final class Clipper {
     /**
      * Fills the corners with separation up to the margin, in the reference's frame.
      *
-     * @param flip the reference is B
      * @param last the names of the points of the last tick, see {@link FeatureIds}
      */
     public void clip(Pair p, boolean flip, int face, int incident, double margin, int last) {

@@ -13,9 +13,7 @@ final class CornerOrder {
     /**
      * Drops what is farther apart than the margin and sorts the rest.
      *
-     * @param c the corners
      * @param nx a normal of their plane
-     * @param margin m
      */
     void sort(Clipper c, double nx, double ny, double nz, double margin) {
         double mx = 0;

@@ -39,9 +39,7 @@ final class IncidentPlane {
     }
 
     /**
-     * How far above a point the plane is, along a unit normal.
-     *
-     * @return m; NaN when the plane is too steep
+     * How far above a point the plane is, along a unit normal, m; NaN when the plane is too steep.
      */
     double above(double px, double py, double pz, double nx, double ny, double nz) {
         double cosine = x * nx + y * ny + z * nz;

@@ -45,7 +45,6 @@ public final class Reduction {
      * @param nx a vector that is not in the plane of the polygon
      * @param tie corners this much above the deepest count as deepest
      * @param hysteresis corners of the last tick may be this much above
-     * @param last the names of the points of the last tick
      */
     public void reduce(
             Clipper c, double nx, double ny, double nz, double tie, double hysteresis, int last) {

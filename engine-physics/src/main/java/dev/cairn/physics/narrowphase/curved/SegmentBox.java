@@ -58,12 +58,7 @@ final class SegmentBox {
         return a instanceof Box ? b instanceof Capsule : a instanceof Capsule && b instanceof Box;
     }
 
-    /**
-     * Finds the axis of a pair that {@link #fits}.
-     *
-     * @param limit of the distance of the cores; see {@link CurvedAxis#beyond}
-     * @param out receives the axis
-     */
+    /** Finds the axis of a pair that {@link #fits}. */
     void find(Pair p, Shape a, Shape b, double limit, CurvedAxis out) {
         second = b instanceof Box;
         h = ((Capsule) (second ? a : b)).halfLength();

@@ -71,12 +71,7 @@ final class SegmentHull {
                 : a instanceof Capsule && b instanceof ConvexHull;
     }
 
-    /**
-     * Finds the axis of a pair that {@link #fits}; false when near features do not tell.
-     *
-     * @param limit of the distance of the cores; see {@link CurvedAxis#beyond}
-     * @param out receives the axis
-     */
+    /** Finds the axis of a pair that {@link #fits}; false when near features do not tell. */
     boolean find(Pair p, Shape a, Shape b, double limit, CurvedAxis out) {
         boolean second = b instanceof ConvexHull;
         hull = second ? p.b : p.a;

@@ -134,7 +134,6 @@ public final class Epa extends Polytope {
      * after a cap was met.
      *
      * @param tried x, y and z of the axes tried; receives the one found
-     * @param count number of axes tried
      * @param apart cosine of the angle between axes that count as different ones
      */
     public boolean another(double[] tried, int count, double apart) {

@@ -3,10 +3,10 @@ package dev.cairn.physics.narrowphase.hull;
 import dev.cairn.physics.narrowphase.pair.Pair;
 
 /**
- * What was proven of a pair at an earlier relative pose, and what of it holds at the present one.
- * Bounds of the signed distance d were proven then, and the separations of the faces that might
- * have been the reference were measured. Seen from the larger shape, no point of the smaller one
- * has moved since by more than
+ * A certificate of separation or penetration: bounds of the signed distance d of a pair that were
+ * proven at an earlier relative pose, together with the separations of the faces that might have
+ * been the reference, and what of both holds at the present pose. Seen from the larger shape, no
+ * point of the smaller one has moved since by more than
  *
  * <pre>m = sqrt(2 (|de|^2 + 4 |dq|^2 R^2))</pre>
  *
@@ -123,8 +123,6 @@ public final class DistanceCertificate {
      * Whether a face contact is the answer for any signed distance between two bounds: the face is
      * the reference, no other direction separates by much more, and the points tell the depth.
      *
-     * @param s along the face
-     * @param least the deepest point
      * @param best along the best face at most
      */
     static boolean confirmsFace(

@@ -18,12 +18,7 @@ public final class PairMemory {
     /** Where the edges and the certificate are. */
     public static final int CROSSING = Polytope.SIZE, CERTIFICATE = CROSSING + 1;
 
-    /**
-     * Empties a place.
-     *
-     * @param memory of many pairs
-     * @param at where the pair's begins
-     */
+    /** Empties a place. */
     public static void forget(long[] memory, int at) {
         Polytope.forget(memory, at);
         memory[at + CROSSING] = 0;

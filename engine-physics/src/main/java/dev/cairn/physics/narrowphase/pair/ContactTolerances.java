@@ -32,8 +32,6 @@ public final class ContactTolerances {
      * them.
      *
      * @param wasPoint the contact of the last tick was such a point
-     * @param hysteresis {@link #HYSTERESIS} of the pair, m
-     * @param depth signed distance, m
      */
     public static double depthError(boolean wasPoint, double hysteresis, double depth) {
         double far = Math.abs(depth);

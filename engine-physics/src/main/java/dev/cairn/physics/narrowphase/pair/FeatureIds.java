@@ -1,10 +1,11 @@
 package dev.cairn.physics.narrowphase.pair;
 
 /**
- * The names of up to four points in 32 bits: a byte each, in the order of the points, 0 for none.
- * The names of boxes have a byte each, so that soft corners are told alike in a mirror, which has
- * other names; two names of hulls share one in some case of 255, which costs calmness, never
- * correctness.
+ * Feature ids of contact points, as {@link Manifold} defines them, and their summary in a {@link
+ * WarmStartKey}: 32 bits, a hash of 8 bits for each of up to four points, in their order, 0 for
+ * none. The ids of a pair of boxes have distinct hashes, so that corners near a side plane are
+ * treated alike in a mirror image, whose ids are others; two ids of hulls share a hash in one case
+ * of 255, which costs persistence of a point, never correctness.
  */
 public final class FeatureIds {
     /** Kinds of feature ids: a vertex of A or of B, two edges that cross, or any other point. */

@@ -52,9 +52,6 @@ public final class Manifold {
      */
     public double patch;
 
-    /** Creates an empty manifold. */
-    public Manifold() {}
-
     /** The least separation of the points, m; {@code Double.MAX_VALUE} without points. */
     public double deepest() {
         double least = Double.MAX_VALUE;

@@ -6,12 +6,13 @@ import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.Shape;
 
 /**
- * The core of a round shape: two discs at right angles to the y axis and all between them, relative
- * to the centre of mass. A disc may be a point, and both may be the same: a ball's core is a point,
- * a capsule's a segment, a cone has a disc and a point.
+ * The core of a round shape: the convex hull of two discs about the y axis, relative to the centre
+ * of mass. A disc of radius 0 is a point, and both discs may coincide: the core of a ball is a
+ * point, that of a capsule a segment, and a cone has a disc and an apex. The shape is its core with
+ * a ball of radius {@link #round} swept over it.
  *
- * <p>Support points are numbered as they come, so that {@code Gjk} and {@code Epa} know them again
- * as they know vertices; equal points have equal numbers.
+ * <p>Support points are numbered in the order in which they were asked for, so that GJK and EPA
+ * recognise them as they recognise vertices; equal points have equal numbers.
  */
 public final class SolidOfRevolution {
     /** More than one run of GJK and one of EPA can ask for. */

@@ -1,10 +1,11 @@
 package dev.cairn.physics.narrowphase.pair;
 
 /**
- * The warm-start key: bits 63..62 the kind (0 none, 1 face of A, 2 face of B, 3 edges or points),
- * bits 61..47 the face, bits 31..0 the {@link FeatureIds} of the points. Of pairs with a hull, bits
- * 46..32 are a vertex near the face; of two edges that cross they are the second edge, and bits
- * 61..47 the first. A stale or random key costs time, never correctness.
+ * The warm-start key of a pair, 64 bits that one tick hands to the next: bits 63..62 the kind of
+ * contact (0 none, 1 face of A, 2 face of B, 3 edges or points), bits 61..47 the reference face,
+ * bits 31..0 the {@link FeatureIds} of the points. For pairs with a hull, bits 46..32 are a vertex
+ * near the face; for two edges that cross, they are the edge of B, and bits 61..47 the edge of A. A
+ * stale or random key costs time, never correctness.
  */
 public final class WarmStartKey {
     /** Kinds of contact: a face of A or of B is the reference; edges or points. */
@@ -30,21 +31,14 @@ public final class WarmStartKey {
         return (int) (key >>> 32) & 0x7FFF;
     }
 
-    /**
-     * The face in a warm-start key of kind face.
-     *
-     * @param key as {@code NarrowPhase.collide} returns it
-     * @return its number on its shape
-     */
+    /** The face in a warm-start key of kind face, as its number on its shape. */
     public static int faceOf(long key) {
         return (int) (key >>> 47) & 0x7FFF;
     }
 
     /**
-     * Whether a face of B carried or separated the pair.
-     *
-     * @param key as {@code NarrowPhase.collide} returns it
-     * @return false for a face of A and for other contacts
+     * Whether a face of B carried or separated the pair; false for a face of A and for other
+     * contacts.
      */
     public static boolean onFaceOfB(long key) {
         return key >>> 62 == FACE_B;

@@ -46,9 +46,8 @@ public final class BallBox {
     }
 
     /**
-     * Finds the contact of a ball and a box, as {@code NarrowPhase.collide} does.
-     *
-     * @return false for other pairs; nothing is written then
+     * Finds the contact of a ball and a box, as {@code NarrowPhase.collide} does; false for other
+     * pairs; nothing is written then.
      */
     public boolean collide(
             Shape a,

@@ -38,23 +38,12 @@ public final class RoundContacts {
 
     private final ParallelCapsules sideBySide = new ParallelCapsules();
 
-    /** Creates the scratch of one worker. */
-    public RoundContacts() {}
-
-    /**
-     * Whether a shape is a ball or a capsule.
-     *
-     * @return true when pairs of such may be tried
-     */
+    /** Whether a shape is a ball or a capsule, so that pairs of such may be tried. */
     public static boolean fits(Shape shape) {
         return shape instanceof Sphere || shape instanceof Capsule;
     }
 
-    /**
-     * The key of the last contact, for {@code NarrowPhase.collide}.
-     *
-     * @return 0 when the pair was apart
-     */
+    /** The key of the last contact, for {@code NarrowPhase.collide}; 0 when the pair was apart. */
     public long key() {
         return key;
     }
@@ -205,9 +194,8 @@ public final class RoundContacts {
 
     /**
      * Finds the contact after {@link #collide} left the pair, if it is two capsules that may lie
-     * side by side. The arguments are the same.
-     *
-     * @return false when the pair is none of this class; nothing is written then
+     * side by side. The arguments are the same; false when the pair is none of this class; nothing
+     * is written then.
      */
     public boolean sideBySide(
             Shape a,
@@ -264,13 +252,7 @@ public final class RoundContacts {
         }
     }
 
-    /**
-     * The same after a batch found that the pair is two capsules that may lie side by side.
-     *
-     * @param t the batch
-     * @param i the place of the pair
-     * @param cache the key of the last tick
-     */
+    /** The same after a batch found that the pair is two capsules that may lie side by side. */
     void sideBySide(double[] t, int i, long cache, Manifold out) {
         axisX = t[AXIS_A + i];
         axisY = t[AXIS_A + CAPACITY + i];

@@ -20,16 +20,11 @@ public final class RoundPairs {
     /** The key of a pair of balls or capsules that has a single point, and of no other. */
     public static final long SINGLE = RoundContacts.SINGLE;
 
-    /** An empty batch. */
-    public RoundPairs() {}
-
     /**
      * Puts a pair into the batch.
      *
      * @param i its place, 0 to {@link RoundBatch#CAPACITY} - 1
-     * @param radiusA radius of A, m
      * @param halfA half length of A, m; 0 for a ball
-     * @param radiusB radius of B, m
      * @param halfB half length of B, m; 0 for a ball
      */
     public void put(
@@ -68,7 +63,6 @@ public final class RoundPairs {
     /**
      * Puts the orientation of a capsule; that of a ball is not minded.
      *
-     * @param second whether it is B
      * @param qx world from body, unit quaternion
      */
     public void turn(int i, boolean second, double qx, double qy, double qz, double qw) {
@@ -82,8 +76,6 @@ public final class RoundPairs {
     /**
      * Collides all pairs that were put.
      *
-     * @param capsulesA whether there may be capsules among the first shapes, all turned
-     * @param capsulesB likewise, the second ones
      * @param reach share of the relative speed in the margin, s
      * @param fraction share of the smaller radius in the margin
      */
@@ -93,10 +85,8 @@ public final class RoundPairs {
     }
 
     /**
-     * The contact of one pair, after {@link #run}.
-     *
-     * @return false when {@link #sideBySide} or {@code NarrowPhase} must find it; nothing is
-     *     written then
+     * The contact of one pair, after {@link #run}; false when {@link #sideBySide} or {@code
+     * NarrowPhase} must find it; nothing is written then.
      */
     public boolean take(int i, Manifold out) {
         double kind = t[KIND + i];
@@ -122,19 +112,16 @@ public final class RoundPairs {
     }
 
     /**
-     * Whether a pair has one point, after {@link #run}.
-     *
-     * @return false when it is apart, or {@code NarrowPhase} must find it
+     * Whether a pair has one point, after {@link #run}; false when it is apart, or {@code
+     * NarrowPhase} must find it.
      */
     public boolean touches(int i) {
         return t[KIND + i] == RoundBatch.ONE_POINT;
     }
 
     /**
-     * The contact of two capsules that may lie side by side, after {@link #take} left it.
-     *
-     * @param cache the key of the last tick
-     * @return false when {@code NarrowPhase} must find it; nothing is written then
+     * The contact of two capsules that may lie side by side, after {@link #take} left it; false
+     * when {@code NarrowPhase} must find it; nothing is written then.
      */
     public boolean sideBySide(int i, long cache, Manifold out) {
         if (t[KIND + i] != RoundBatch.LINES) {
@@ -145,9 +132,7 @@ public final class RoundPairs {
     }
 
     /**
-     * The key to pass for a pair next time, after {@link #sideBySide}.
-     *
-     * @return 0 when the pair is apart
+     * The key to pass for a pair next time, after {@link #sideBySide}; 0 when the pair is apart.
      */
     public long key() {
         return single.key();

@@ -22,7 +22,6 @@ public final class BoxAxes {
      * Fills the columns from {@link BoxBatch#WORLD} to {@link BoxBatch#EDGE} of the first pairs of
      * a batch, one pair after another.
      *
-     * @param batch whose input columns are filled
      * @param count pairs, 0 to {@link BoxBatch#CAPACITY}
      */
     public static void scalar(BoxBatch batch, int count) {
@@ -31,9 +30,8 @@ public final class BoxAxes {
 
     /**
      * Whether there are lanes. What follows is only for machines that have; all of it overwrites
-     * what follows the pairs up to the next multiple of the lanes.
-     *
-     * @return false without the Vector API
+     * what follows the pairs up to the next multiple of the lanes. Returns false without the Vector
+     * API.
      */
     public static boolean wide() {
         return WIDE;
@@ -41,8 +39,6 @@ public final class BoxAxes {
 
     /**
      * The axes of faces: fills the columns from {@link BoxBatch#WORLD} to {@link BoxBatch#FACE_B}.
-     *
-     * @param batch whose input columns are filled
      */
     public static void faces(BoxBatch batch, int count) {
         BoxAxesWide.faces(batch.data, count);
@@ -51,9 +47,6 @@ public final class BoxAxes {
     /**
      * The axes of edges: fills {@link BoxBatch#SEPARATION_EDGE} and {@link BoxBatch#EDGE} of some
      * pairs, and perhaps of their neighbours.
-     *
-     * @param batch after {@link #faces}
-     * @param pairs a bit each
      */
     public static void edges(BoxBatch batch, int pairs) {
         BoxAxesWide.edges(batch.data, pairs);
@@ -62,10 +55,6 @@ public final class BoxAxes {
     /**
      * The points of edges that cross: fills the columns from {@link BoxBatch#CROSSING_COSINE} on of
      * some pairs, and perhaps of their neighbours.
-     *
-     * @param batch after {@link #edges}, with {@link BoxBatch#FLIP}, {@link BoxBatch#AXIS} and
-     *     {@link BoxBatch#SIGN}
-     * @param pairs a bit each
      */
     public static void crossings(BoxBatch batch, int pairs) {
         BoxCrossingWide.run(batch.data, pairs);
@@ -74,10 +63,7 @@ public final class BoxAxes {
     /**
      * Chooses the face of pairs that had one of their two best faces in the last tick and are not
      * apart by these: fills {@link BoxBatch#FLIP}, {@link BoxBatch#AXIS} and {@link BoxBatch#SIGN},
-     * of other pairs with anything.
-     *
-     * @param batch after {@link #faces}
-     * @return the others, a bit each
+     * of other pairs with anything. Returns the others, a bit each.
      */
     public static int choose(BoxBatch batch, int count) {
         return BoxFacesWide.choose(batch.data, count);
@@ -86,8 +72,6 @@ public final class BoxAxes {
     /**
      * The corners of the faces that look at the chosen ones: fills the columns from {@link
      * BoxBatch#INCIDENT} to {@link BoxBatch#CORNER}.
-     *
-     * @param batch whose columns FLIP, AXIS and SIGN are filled
      */
     public static void corners(BoxBatch batch, int count) {
         BoxFacesWide.corners(batch.data, count);
@@ -96,12 +80,10 @@ public final class BoxAxes {
     /**
      * Clips the faces of which no, one or two sides leave a quadrilateral: fills {@link
      * BoxBatch#ALIGNED} and, where that is not negative, puts points in the place of the corners.
-     *
-     * @param batch after {@link #corners}
-     * @return the low 32 bits tell of the pairs that were clipped so those whose face {@link
-     *     #choose} chose and whose contact no axis of edges can change; the high 32 bits those that
-     *     are only right when no corner that was cut off was a point of the last tick: for the
-     *     others STRAIGHT must be set to -1 before {@link #world}
+     * The low 32 bits of the result tell of the pairs that were clipped so those whose face {@link
+     * #choose} chose and whose contact no axis of edges can change; the high 32 bits those that are
+     * only right when no corner that was cut off was a point of the last tick: for the others
+     * STRAIGHT must be set to -1 before {@link #world}.
      */
     public static long clipAligned(BoxBatch batch, int count) {
         return BoxAlignedWide.run(batch.data, count);
@@ -110,8 +92,6 @@ public final class BoxAxes {
     /**
      * Turns what stands in the {@link BoxBatch#CORNER} columns into world axes, and fills {@link
      * BoxBatch#NORMAL}.
-     *
-     * @param batch after {@link #corners}
      */
     public static void world(BoxBatch batch, int count) {
         BoxFacesWide.world(batch.data, count);

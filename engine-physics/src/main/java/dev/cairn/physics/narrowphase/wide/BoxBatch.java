@@ -188,9 +188,6 @@ public final class BoxBatch {
     /**
      * The number of a way to cut a face.
      *
-     * @param flip whether the face is B's
-     * @param face that cuts
-     * @param incident face that is cut
      * @param way 0 when no side cuts; else 1 + {@link #SECOND_WAYS} w + v. Here w is 4 times the
      *     side (0 high, 1 low on the first axis, 2 and 3 on the second), plus 2 when it cuts edges
      *     along the second axis of the incident face, plus 1 when it cuts their low ends; and v is

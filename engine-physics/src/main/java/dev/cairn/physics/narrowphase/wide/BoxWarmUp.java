@@ -27,9 +27,7 @@ public final class BoxWarmUp {
 
     /**
      * Whether the kernels are compiled; starts the thread at the first call. Any thread; allocates
-     * at the first call only.
-     *
-     * @return false on a machine without lanes
+     * at the first call only. Returns false on a machine without lanes.
      */
     public static boolean ready() {
         if (thread == null && BoxAxes.wide()) {

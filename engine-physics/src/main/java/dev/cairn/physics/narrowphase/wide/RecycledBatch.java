@@ -77,14 +77,9 @@ public final class RecycledBatch {
     /** All columns. */
     public final double[] data = new double[61 * CAPACITY];
 
-    /** A batch of zeros. */
-    public RecycledBatch() {}
-
     /**
      * Fills the columns from {@link #MARGIN} on. Only where {@link BoxAxes#wide}.
      *
-     * @param count places
-     * @param kept what is kept, in groups
      * @param at where the group of the first place begins
      * @param reach of the margin, s
      * @param fraction of the inner radius that the margin has at least

@@ -90,19 +90,12 @@ public final class RoundBatch {
     /** All columns. */
     public final double[] data = new double[41 * CAPACITY];
 
-    /** A batch of concentric points. */
-    public RoundBatch() {}
-
     /**
      * Fills the columns from {@link #AXIS_A} on. Only where {@link BoxAxes#wide}. The margin is
      * {@code reach} times the relative speed, both arcs, and {@code fraction} of the smaller
      * radius.
      *
      * @param count pairs, 0 to {@link #CAPACITY}
-     * @param capsulesA whether there may be a capsule among the first shapes
-     * @param capsulesB whether there may be one among the second shapes
-     * @param reach s
-     * @param fraction of the smaller radius
      */
     public void run(
             int count, boolean capsulesA, boolean capsulesB, double reach, double fraction) {
