@@ -104,8 +104,9 @@ public enum Tunable {
         void check(double value) {
             if (value != 0 && value != 1 && value != 4 && value != 8 && value != 16) {
                 throw new IllegalArgumentException(
-                        "lanes must be 1, 4, 8 or 16, or 0 for what fits this machine, but is "
-                                + value);
+                        "lanes is "
+                                + (int) value
+                                + "; it must be 1, 4, 8 or 16, or 0 for what fits this machine");
             }
         }
     },
@@ -166,15 +167,19 @@ public enum Tunable {
         if (!(value >= low && value <= high) || (isWhole && value != (int) value)) {
             throw new IllegalArgumentException(
                     this
-                            + " must be "
+                            + " is "
+                            + text(value)
+                            + "; it must be "
                             + (isWhole ? "a whole number " : "")
-                            + "in ["
-                            + low
-                            + ", "
-                            + high
-                            + "], but is "
-                            + value);
+                            + "from "
+                            + text(low)
+                            + " to "
+                            + text(high));
         }
+    }
+
+    private String text(double value) {
+        return isWhole && value == (long) value ? Long.toString((long) value) : "" + value;
     }
 
     /** The name as a Java method would have it: {@code offsetGain}. */
