@@ -1,8 +1,8 @@
 package dev.cairn.physics.narrowphase.pair;
 
 /**
- * The contact of one pair: a normal and up to four points. A plain record of numbers that {@link
- * NarrowPhase} fills; reuse one per worker.
+ * The contact of one pair: a normal and up to four points. A plain record of numbers that the
+ * narrow phase fills; reuse one per worker.
  *
  * <p>Feature ids are exact: equal ids in successive ticks are the same pair of features. Bits
  * 31..30 are the kind, and the rest names it: 0 vertex of A (30 bits); 1 vertex of B (30 bits); 2
