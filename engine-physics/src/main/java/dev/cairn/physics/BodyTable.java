@@ -9,6 +9,7 @@ import dev.cairn.physics.internal.BodyMass;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.shape.MassProperties;
@@ -70,10 +71,10 @@ final class BodyTable {
     private @Nullable World world;
     private boolean closed;
 
-    BodyTable(PhysicsSettings settings, ContactStore contacts) {
+    BodyTable(PhysicsSettings settings, ContactStore contacts, EdgeSource[] edges) {
         bounds = new BoundsStage(colliders, settings.tuning());
         this.contacts = contacts;
-        sleepers = new Sleepers(settings.sleeping(), settings.sleepSeconds(), bodies, contacts);
+        sleepers = new Sleepers(settings.sleeping(), settings.sleepSeconds(), bodies, edges);
     }
 
     void bind(World ecs) {

@@ -3,6 +3,7 @@ package dev.cairn.physics;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.island.Islands;
 
 import java.util.Arrays;
@@ -54,7 +55,7 @@ public final class DebugData {
     /** Copies. Simulation thread, between steps. */
     void fill(PhysicsSystem physics) {
         fillBodies(physics.table);
-        fillIslands(physics.table, physics.contacts);
+        fillIslands(physics.table, physics.edges);
         ContactStore rows = physics.contacts;
         if (colourOfRow.length < rows.count) {
             colourOfRow = new int[rows.count + (rows.count >> 1)];
@@ -152,7 +153,7 @@ public final class DebugData {
         }
     }
 
-    private void fillIslands(BodyTable table, ContactStore rows) {
+    private void fillIslands(BodyTable table, EdgeSource[] edges) {
         links.ensureSlots(table.bodies.slotCount);
         int awake = 0;
         for (int s = 0; s < table.bodies.slotCount; s++) {
@@ -160,7 +161,7 @@ public final class DebugData {
                 awakeSlots[awake++] = s;
             }
         }
-        links.build(table.bodies, rows, awakeSlots, awake);
+        links.build(table.bodies, edges, awakeSlots, awake);
         for (int s = 0; s < table.bodies.slotCount; s++) {
             int body = bodyOfSlot[s];
             if (body != NONE) {

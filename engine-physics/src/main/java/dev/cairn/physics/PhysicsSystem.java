@@ -11,8 +11,10 @@ import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.contact.WakeStage;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.solver.ContactSolver;
+import dev.cairn.physics.solver.row.ConstraintKind;
 import dev.cairn.physics.state.BodyIndex;
 
 /**
@@ -31,6 +33,13 @@ final class PhysicsSystem implements WorldSystem {
 
     final BodyTable table;
     final ContactStore contacts = new ContactStore();
+
+    /** The kinds of constraints beside contacts, in the order in which they are solved. */
+    private final ConstraintKind[] kinds = {};
+
+    /** All that binds bodies, contacts first. */
+    final EdgeSource[] edges = ConstraintKind.sources(contacts, kinds);
+
     final TouchEvents events = new TouchEvents();
     final ContactView view;
     PhysicsSettings settings;
@@ -53,11 +62,11 @@ final class PhysicsSystem implements WorldSystem {
         this.gravityX = gravityX;
         this.gravityY = gravityY;
         this.gravityZ = gravityZ;
-        table = new BodyTable(settings, contacts);
+        table = new BodyTable(settings, contacts, edges);
         rows = new ContactRows(table.colliders, table.sleepers);
         wakes = new WakeStage(table.sleepers, table.bodies, contacts);
         manifolds = new ManifoldStage(table.colliders, table.bounds);
-        solver = new ContactSolver(settings.tuning());
+        solver = new ContactSolver(settings.tuning(), kinds);
         publisher = new Publisher(table);
         view = new ContactView(table, contacts);
         sleepView = new SleepView(table);

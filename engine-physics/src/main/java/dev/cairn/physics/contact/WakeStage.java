@@ -52,6 +52,7 @@ public final class WakeStage {
             return;
         }
         wakeTouched(contacts.active, contacts.activeCount);
+        sleepers.wakeLinked();
         while (sleepers.freshCount() > 0) {
             refresh(bounds, broadPhase);
             join();
@@ -66,6 +67,7 @@ public final class WakeStage {
             contacts.active = all;
             contacts.activeCount = count;
             wakeTouched(late, lateCount);
+            sleepers.wakeLinked();
         }
     }
 

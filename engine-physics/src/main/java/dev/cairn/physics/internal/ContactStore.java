@@ -5,7 +5,7 @@ package dev.cairn.physics.internal;
  * row per pair of colliders whose fat bounds overlap. Only some of them are solved, see {@link
  * #isSolved}.
  */
-public final class ContactStore extends ContactColumns {
+public final class ContactStore extends ContactColumns implements EdgeSource {
     /** Makes an empty store. */
     public ContactStore() {}
 
@@ -65,6 +65,26 @@ public final class ContactStore extends ContactColumns {
      */
     public boolean isSolved(int row) {
         return pointCount[row] > 0;
+    }
+
+    @Override
+    public int edges() {
+        return activeCount;
+    }
+
+    @Override
+    public int edgeRow(int i) {
+        return active[i];
+    }
+
+    @Override
+    public int edgeA(int i) {
+        return isSolved(active[i]) ? bodyA[active[i]] : -1;
+    }
+
+    @Override
+    public int edgeB(int i) {
+        return bodyB[active[i]];
     }
 
     /** Makes every row take part. */

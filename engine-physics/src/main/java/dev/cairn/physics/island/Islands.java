@@ -1,13 +1,13 @@
 package dev.cairn.physics.island;
 
 import dev.cairn.physics.internal.BodyStore;
-import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.EdgeSource;
 
 import java.util.Arrays;
 
 /**
- * Which awake bodies hang together by contacts: a forest over slots, the smallest slot of a tree is
- * its root. Fixed bodies and bodies asleep connect nothing.
+ * Which awake bodies hang together by constraints: a forest over slots, the smallest slot of a tree
+ * is its root. Fixed bodies and bodies asleep connect nothing.
  *
  * <p>Union by slot number with path halving (Tarjan and van Leeuwen, J. ACM 31, 1984): the roots
  * are a function of the set of links, not of their order. Simulation thread; allocates only when
@@ -33,35 +33,52 @@ public final class Islands {
     }
 
     /**
-     * Finds the islands of the present contacts.
+     * Finds the islands of the present edges.
      *
      * @param bodies their kinds
-     * @param contacts those that are active and have points are links
+     * @param sources whose edges are links, if they are solved
      * @param slots the awake bodies
      * @param count how many there are
      */
-    public void build(BodyStore bodies, ContactStore contacts, int[] slots, int count) {
-        for (int i = 0; i < count; i++) {
-            parent[slots[i]] = slots[i];
-            touched[slots[i]] = false;
-        }
+    public void build(BodyStore bodies, EdgeSource[] sources, int[] slots, int count) {
+        begin(slots, count);
         byte[] kind = bodies.kind;
-        for (int i = 0; i < contacts.activeCount; i++) {
-            int row = contacts.active[i];
-            if (!contacts.isSolved(row)) {
-                continue;
-            }
-            int a = contacts.bodyA[row];
-            int b = contacts.bodyB[row];
-            touched[a] = true;
-            touched[b] = true;
-            if (kind[a] == BodyStore.DYNAMIC && kind[b] == BodyStore.DYNAMIC) {
-                join(a, b);
+        for (EdgeSource source : sources) {
+            for (int i = 0; i < source.edges(); i++) {
+                int a = source.edgeA(i);
+                if (a < 0) {
+                    continue;
+                }
+                int b = source.edgeB(i);
+                touched[a] = true;
+                touched[b] = true;
+                if (kind[a] == BodyStore.DYNAMIC && kind[b] == BodyStore.DYNAMIC) {
+                    join(a, b);
+                }
             }
         }
     }
 
-    private void join(int a, int b) {
+    /**
+     * Each body is an island of its own.
+     *
+     * @param slots the awake bodies
+     * @param count how many there are
+     */
+    public void begin(int[] slots, int count) {
+        for (int i = 0; i < count; i++) {
+            parent[slots[i]] = slots[i];
+            touched[slots[i]] = false;
+        }
+    }
+
+    /**
+     * Joins the islands of two bodies that move.
+     *
+     * @param a slot of a body that was among those of {@link #begin}
+     * @param b slot of another one
+     */
+    public void join(int a, int b) {
         int i = root(a);
         int j = root(b);
         if (i < j) {
@@ -72,7 +89,7 @@ public final class Islands {
     }
 
     /**
-     * The name of a body's island. Valid until the next contact changes.
+     * The name of a body's island. Valid until the next edge changes.
      *
      * @param slot of a body that was among the slots of {@link #build}
      * @return the smallest slot of the island
@@ -88,7 +105,7 @@ public final class Islands {
     }
 
     /**
-     * Whether a body has a contact with points, be it with a fixed body.
+     * Whether a body has an edge, be it to a fixed body.
      *
      * @param slot of a body that was among the slots of {@link #build}
      * @return true if so

@@ -2,7 +2,7 @@ package dev.cairn.physics.island;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
-import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.EdgeSource;
 
 import java.util.Arrays;
 
@@ -23,7 +23,7 @@ public final class Sleepers {
     private static final int NONE = -1;
 
     private final BodyStore bodies;
-    private final ContactStore contacts;
+    private final EdgeSource[] edges;
     private final boolean enabled;
     private final RestDetector quiet;
     private final Islands islands = new Islands();
@@ -66,11 +66,11 @@ public final class Sleepers {
      * @param enabled whether bodies sleep
      * @param sleepSeconds time of quiet before, s
      * @param bodies whose kinds change
-     * @param contacts whose active rows are the links
+     * @param edges the links: contacts, and other kinds of constraints
      */
-    public Sleepers(boolean enabled, double sleepSeconds, BodyStore bodies, ContactStore contacts) {
+    public Sleepers(boolean enabled, double sleepSeconds, BodyStore bodies, EdgeSource... edges) {
         this.bodies = bodies;
-        this.contacts = contacts;
+        this.edges = edges;
         this.enabled = enabled;
         quiet = new RestDetector(sleepSeconds);
     }
@@ -174,7 +174,7 @@ public final class Sleepers {
         if (resting == 0) {
             return;
         }
-        islands.build(bodies, contacts, awake, count);
+        islands.build(bodies, edges, awake, count);
         for (int i = 0; i < count; i++) {
             restless[awake[i]] = false;
         }
@@ -210,7 +210,7 @@ public final class Sleepers {
      * @param count how many there are
      */
     public void sleep(int slot, int[] awake, int count) {
-        islands.build(bodies, contacts, awake, count);
+        islands.build(bodies, edges, awake, count);
         int root = islands.root(slot);
         for (int i = 0; i < count; i++) {
             if (islands.root(awake[i]) == root) {
@@ -261,6 +261,33 @@ public final class Sleepers {
             getUp(s);
             s = after;
         } while (s != slot);
+    }
+
+    /** Wakes who hangs on a body that is awake by another edge than a contact. */
+    public void wakeLinked() {
+        int before;
+        do {
+            before = asleepCount;
+            for (int k = 1; k < edges.length; k++) {
+                wakeLinked(edges[k]);
+            }
+        } while (asleepCount < before);
+    }
+
+    private void wakeLinked(EdgeSource source) {
+        byte[] kind = bodies.kind;
+        for (int i = 0; i < source.edges(); i++) {
+            int a = source.edgeA(i);
+            if (a < 0) {
+                continue;
+            }
+            int b = source.edgeB(i);
+            if (kind[a] == BodyStore.DYNAMIC) {
+                wake(b);
+            } else if (kind[b] == BodyStore.DYNAMIC) {
+                wake(a);
+            }
+        }
     }
 
     private void getUp(int s) {

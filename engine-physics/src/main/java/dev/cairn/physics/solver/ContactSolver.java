@@ -18,8 +18,9 @@ import dev.cairn.physics.solver.kernel.Sweeps;
 import dev.cairn.physics.solver.load.LoadSweep;
 import dev.cairn.physics.solver.load.StaticStart;
 import dev.cairn.physics.solver.load.Unloading;
+import dev.cairn.physics.solver.row.ConstraintKind;
 import dev.cairn.physics.solver.row.ConstraintRows;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.RowWindow;
 import dev.cairn.physics.solver.row.SubStep;
 import dev.cairn.physics.solver.wide.Lanes;
@@ -69,7 +70,7 @@ public final class ContactSolver {
 
     private final SubStep sub = new SubStep();
     private final SolverContext tick;
-    private final RowList list;
+    private final EdgeList list;
     private final Colouring colouring = new Colouring();
     private final Batches batches = new Batches();
     private final Collector collector = new Collector(colouring, batches);
@@ -95,8 +96,9 @@ public final class ContactSolver {
      * A solver; one per world.
      *
      * @param settings the tunables
+     * @param kinds of constraints beside contacts, in the order in which they are solved
      */
-    public ContactSolver(Tuning settings) {
+    public ContactSolver(Tuning settings, ConstraintKind... kinds) {
         this(
                 settings,
                 Lanes.sweeps(
@@ -106,18 +108,20 @@ public final class ContactSolver {
                 Lanes.sweeps(
                         settings.count(Tunable.LANES),
                         false,
-                        settings.count(Tunable.FLOATS_FROM) > 0));
+                        settings.count(Tunable.FLOATS_FROM) > 0),
+                kinds);
     }
 
-    ContactSolver(Tuning settings, Sweeps floats, Sweeps doubles) {
+    ContactSolver(Tuning settings, Sweeps floats, Sweeps doubles, ConstraintKind... kinds) {
         sweeps = new Sweeps[] {floats, doubles};
         tick = new SolverContext(settings);
         list =
-                new RowList(
+                new EdgeList(
                         floats.lanes(),
                         group(floats.lanes(), settings),
                         doubles.lanes(),
-                        group(doubles.lanes(), settings));
+                        group(doubles.lanes(), settings),
+                        kinds);
         for (int k = 0; k < 2; k++) {
             passes[k] =
                     new Passes(
@@ -259,7 +263,6 @@ public final class ContactSolver {
         if (settings.count(Tunable.DIRECT_FROM) > 0) {
             direct.update(
                     t.bodies,
-                    t.contacts,
                     list,
                     batches,
                     t.loaded ? settings.count(Tunable.DIRECT_FROM) : Integer.MAX_VALUE,
@@ -280,19 +283,22 @@ public final class ContactSolver {
         int first = colouring.firstColour[b];
         int last = colouring.firstColour[b + 1];
         int[] start = colouring.start;
+        int[] end = colouring.end;
         int head = batches.firstBody[b];
         int tail = batches.firstBody[b + 1];
+        int from = colouring.firstPlace[b];
+        int to = colouring.endPlace[b];
         for (int c = first; c < last; c++) {
-            p.prepare(sweeps(c), sub, start[c], start[c + 1], own);
+            p.prepare(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
         }
-        boolean renewed = p.findRenewed(head, tail, start[first], start[last]);
+        boolean renewed = p.findRenewed(head, tail, from, to);
         for (int k = 0; k < sub.count; k++) {
             p.kick(sub, k, head, tail, own);
             if (unloaded && k == 0) {
-                p.settle(sub, start[first], start[last], own);
+                p.settle(sub, from, to, own);
             }
             for (int c = first; c < last; c++) {
-                p.bias(sweeps(c), sub, start[c], start[c + 1], own);
+                p.bias(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
             }
             for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, true, own);
@@ -300,12 +306,12 @@ public final class ContactSolver {
             p.drift(sub, head, tail);
             if (renewed) {
                 p.keep(head, tail);
-                p.takeOut(start[first], start[last], own);
+                p.takeOut(from, to, own);
                 p.renewBodies(head, tail);
-                p.renewRows(sub, k, start[first], start[last], own);
+                p.renewRows(sub, k, from, to, own);
             }
             for (int c = first; c < last; c++) {
-                p.relax(sweeps(c), sub, start[c], start[c + 1], own);
+                p.relax(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
             }
             for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, false, own);
@@ -313,7 +319,10 @@ public final class ContactSolver {
             p.finish(sub, head, tail, own);
         }
         p.storeBodies(head, tail);
-        p.storeRows(chosen[kind], sub, renewed, start[first], start[last], own);
+        p.storeRows(chosen[kind], sub, renewed, from, to, own);
+        for (int c = first; c < colouring.firstContact[b]; c++) {
+            p.storeKind(colouring.kind[c], sub, start[c], end[c]);
+        }
         for (int d = 0; d < direct.openIn(b); d++) {
             p.learn(sub, b, d, own);
         }
@@ -413,12 +422,12 @@ public final class ContactSolver {
     public void readColours(int[] colourOfContact) {
         for (int b = 0; b < batches.count; b++) {
             ConstraintRows rows = b < batches.divider ? list.floats : list.doubles;
-            for (int c = colouring.firstColour[b]; c < colouring.firstColour[b + 1]; c++) {
-                for (int place = colouring.start[c]; place < colouring.start[c + 1]; place++) {
+            for (int c = colouring.firstContact[b]; c < colouring.firstColour[b + 1]; c++) {
+                for (int place = colouring.start[c]; place < colouring.end[c]; place++) {
                     int l = place * ConstraintRows.LINK;
                     int row = rows.link[l + ConstraintRows.SOURCE];
                     if (rows.link[l + ConstraintRows.COUNT] > 0 && row < colourOfContact.length) {
-                        colourOfContact[row] = c - colouring.firstColour[b];
+                        colourOfContact[row] = c - colouring.firstContact[b];
                     }
                 }
             }

@@ -71,12 +71,13 @@ final class Lockstep {
     /** Sub-steps of which the relax pass is done or due. */
     private int substep;
 
-    /** The colour in work: its places and sweeps. */
+    /** The colour in work: its kind of constraint, places and sweeps. */
     private int from;
 
     private int to;
     private int perBlock;
     private Sweeps sweep;
+    private int rowKind;
 
     /**
      * Lockstep of the rows of one precision.
@@ -117,7 +118,7 @@ final class Lockstep {
         int parts = domains + Blocks.count(alone, BODIES_PER_BLOCK);
         renews = false;
         colours(prepare, jobs);
-        jobs.run(findRenewed, Blocks.count(firstPlace(0) - firstPlace(-1), ROWS_PER_BLOCK));
+        jobs.run(findRenewed, Blocks.count(endPlace(-1) - firstPlace(-1), ROWS_PER_BLOCK));
         substep = 0;
         jobs.run(within, parts);
         while (substep < pace.count) {
@@ -128,10 +129,10 @@ final class Lockstep {
             direct(true, jobs);
             jobs.run(drift, parts);
             if (renews) {
-                colours(takeOut, jobs);
+                contacts(takeOut, jobs);
                 jobs.run(takeOutWithin, domains);
                 jobs.run(renewBodies, bodyBlocks);
-                colours(renewRows, jobs);
+                contacts(renewRows, jobs);
                 jobs.run(renewWithin, domains);
             }
             colours(relax, jobs);
@@ -170,17 +171,27 @@ final class Lockstep {
         }
         jobs.run(kick, bodyBlocks);
         if (unloaded && substep == 0) {
-            p.settle(pace, firstPlace(-1), firstPlace(domains), benches[0]);
+            p.settle(pace, firstPlace(-1), endPlace(domains - 1), benches[0]);
         }
         jobs.run(biasWithin, domains);
     }
 
     /** Runs a job over the rows of one colour after the other, in blocks. */
     private void colours(BlockJob job, Jobs jobs) {
+        colours(job, colouring.firstColour[base], jobs);
+    }
+
+    /** The same over those of contacts alone. */
+    private void contacts(BlockJob job, Jobs jobs) {
+        colours(job, colouring.firstContact[base], jobs);
+    }
+
+    private void colours(BlockJob job, int first, Jobs jobs) {
         int last = colouring.firstColour[base + 1];
-        for (int c = colouring.firstColour[base]; c < last; c++) {
+        for (int c = first; c < last; c++) {
             from = colouring.start[c];
-            to = colouring.start[c + 1];
+            to = colouring.end[c];
+            rowKind = colouring.kind[c];
             sweep = sweeps(c);
             int rowCount = to - from;
             perBlock = rowCount <= 2 * COLOUR_ROWS_PER_BLOCK ? rowCount : COLOUR_ROWS_PER_BLOCK;
@@ -228,24 +239,26 @@ final class Lockstep {
         int first = colouring.firstColour[b];
         int last = colouring.firstColour[b + 1];
         int[] start = colouring.start;
+        int[] end = colouring.end;
         int head = batches.firstBody[b];
         int tail = batches.firstBody[b + 1];
         if (substep == 0) {
             for (int c = first; c < last; c++) {
-                p.prepare(sweeps(c), pace, start[c], start[c + 1], own);
+                p.prepare(colouring.kind[c], sweeps(c), pace, start[c], end[c], own);
             }
-            if (p.findRenewed(head, tail, start[first], start[last])) {
+            if (p.findRenewed(head, tail, firstPlace(domain), endPlace(domain))) {
                 renews = true; // by whoever finds one
             }
         } else {
             for (int c = first; c < last; c++) {
-                p.relax(sweeps(c), pace, start[c], start[c + 1], own);
+                p.relax(colouring.kind[c], sweeps(c), pace, start[c], end[c], own);
             }
             p.finish(pace, head, tail, own);
         }
         if (substep == pace.count) {
             p.storeBodies(head, tail);
-            p.storeRows(chosen, pace, renews, start[first], start[last], own);
+            p.storeRows(chosen, pace, renews, firstPlace(domain), endPlace(domain), own);
+            storeKinds(b);
         } else if (!isApart()) {
             p.kick(pace, substep, head, tail, own);
             biasWithin(domain, worker);
@@ -270,8 +283,7 @@ final class Lockstep {
     private void biasWithin(int block, int worker) {
         int b = base + 1 + block;
         for (int c = colouring.firstColour[b]; c < colouring.firstFixed[b]; c++) {
-            passes.bias(
-                    sweeps(c), pace, colouring.start[c], colouring.start[c + 1], benches[worker]);
+            bias(c, worker, passes);
         }
     }
 
@@ -283,7 +295,7 @@ final class Lockstep {
         }
         int b = base + 1 + block;
         for (int c = colouring.firstFixed[b]; c < colouring.firstColour[b + 1]; c++) {
-            p.bias(sweeps(c), pace, colouring.start[c], colouring.start[c + 1], benches[worker]);
+            bias(c, worker, passes);
         }
         drift(batches.firstBody[b], batches.firstBody[b + 1], p);
     }
@@ -292,6 +304,22 @@ final class Lockstep {
         p.drift(pace, head, tail);
         if (renews) {
             p.keep(head, tail);
+        }
+    }
+
+    private void bias(int colour, int worker, Passes p) {
+        p.bias(
+                colouring.kind[colour],
+                sweeps(colour),
+                pace,
+                colouring.start[colour],
+                colouring.end[colour],
+                benches[worker]);
+    }
+
+    private void storeKinds(int batch) {
+        for (int c = colouring.firstColour[batch]; c < colouring.firstContact[batch]; c++) {
+            passes.storeKind(colouring.kind[c], pace, colouring.start[c], colouring.end[c]);
         }
     }
 
@@ -323,18 +351,22 @@ final class Lockstep {
         return first + Blocks.end(block, BODIES_PER_BLOCK, count);
     }
 
-    /** Of a domain; that of -1 is the batch in lockstep. */
+    /** Of the contacts of a domain; that of -1 is the batch in lockstep. */
     private int firstPlace(int domain) {
-        return colouring.start[colouring.firstColour[base + 1 + domain]];
+        return colouring.firstPlace[base + 1 + domain];
+    }
+
+    private int endPlace(int domain) {
+        return colouring.endPlace[base + 1 + domain];
     }
 
     private void prepare(int block, int worker) {
-        passes.prepare(sweep, pace, rowsFrom(block), rowsTo(block), benches[worker]);
+        passes.prepare(rowKind, sweep, pace, rowsFrom(block), rowsTo(block), benches[worker]);
     }
 
     private void findRenewed(int block, int worker) {
         int first = firstPlace(-1);
-        int end = first + Blocks.end(block, ROWS_PER_BLOCK, firstPlace(0) - first);
+        int end = first + Blocks.end(block, ROWS_PER_BLOCK, endPlace(-1) - first);
         if (passes.findRenewed(first + Blocks.begin(block, ROWS_PER_BLOCK), end)) {
             renews = true; // by whoever finds one
         }
@@ -345,11 +377,11 @@ final class Lockstep {
     }
 
     private void bias(int block, int worker) {
-        passes.bias(sweep, pace, rowsFrom(block), rowsTo(block), benches[worker]);
+        passes.bias(rowKind, sweep, pace, rowsFrom(block), rowsTo(block), benches[worker]);
     }
 
     private void relax(int block, int worker) {
-        passes.relax(sweep, pace, rowsFrom(block), rowsTo(block), benches[worker]);
+        passes.relax(rowKind, sweep, pace, rowsFrom(block), rowsTo(block), benches[worker]);
     }
 
     private void takeOut(int block, int worker) {
@@ -357,7 +389,7 @@ final class Lockstep {
     }
 
     private void takeOutWithin(int block, int worker) {
-        passes.takeOut(firstPlace(block), firstPlace(block + 1), benches[worker]);
+        passes.takeOut(firstPlace(block), endPlace(block), benches[worker]);
     }
 
     private void renewBodies(int block, int worker) {
@@ -369,10 +401,14 @@ final class Lockstep {
     }
 
     private void renewWithin(int block, int worker) {
-        passes.renewRows(pace, substep, firstPlace(block), firstPlace(block + 1), benches[worker]);
+        passes.renewRows(pace, substep, firstPlace(block), endPlace(block), benches[worker]);
     }
 
     private void storeRows(int block, int worker) {
+        if (rowKind > 0) {
+            passes.storeKind(rowKind, pace, rowsFrom(block), rowsTo(block));
+            return;
+        }
         passes.storeRows(chosen, pace, renews, rowsFrom(block), rowsTo(block), benches[worker]);
     }
 }

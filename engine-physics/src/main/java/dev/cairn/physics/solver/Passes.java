@@ -19,6 +19,7 @@ import dev.cairn.physics.solver.load.StaticStart;
 import dev.cairn.physics.solver.load.Unloading;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
 import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.KindRows;
 import dev.cairn.physics.solver.row.RollingRows;
 import dev.cairn.physics.solver.row.RowPrefetch;
 import dev.cairn.physics.solver.row.Scratch;
@@ -89,7 +90,16 @@ final class Passes {
         }
     }
 
-    void prepare(Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
+    /**
+     * Fills rows of a colour.
+     *
+     * @param kind of constraint; 0 is contact
+     */
+    void prepare(int kind, Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
+        if (kind > 0) {
+            kinds(kind).prepare(tick, sub, from, to);
+            return;
+        }
         sweeps.fill(rows, body, tick.contacts, sub, from, to, bench.scratch);
         if (rows.rolling.isUsed) {
             rows.rolling.fill(rows, body, tick.contacts, sub.fillScale, from, to);
@@ -97,6 +107,10 @@ final class Passes {
         if (tick.impulseScale != 1 && tick.settings.get(Tunable.OFFSET_GAIN) > 0) {
             Rescaling.carryOver(rows, tick.contacts, tick.impulseScale, from, to);
         }
+    }
+
+    private KindRows kinds(int kind) {
+        return rows.list.kinds[kind - 1].rows(rows.isSingle);
     }
 
     /** Finds the rows whose levers are renewed in each sub-step; whether there is one. */
@@ -194,7 +208,11 @@ final class Passes {
                 bench.scratch);
     }
 
-    void bias(Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
+    void bias(int kind, Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
+        if (kind > 0) {
+            kinds(kind).bias(tick, sub, from, to);
+            return;
+        }
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
             if (rows.rolling.isUsed) {
@@ -249,7 +267,11 @@ final class Passes {
         renewal.rows(rows, body, tick.contacts, sub, index, from, to, bench.renew);
     }
 
-    void relax(Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
+    void relax(int kind, Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
+        if (kind > 0) {
+            kinds(kind).relax(tick, sub, from, to);
+            return;
+        }
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
             bench.scratch.doubles[Scratch.PACKED] = RowPrefetch.rows(rows, j, last);
@@ -335,7 +357,12 @@ final class Passes {
         }
     }
 
-    /** Writes the impulses of the rows back, and tells their bodies what presses on them. */
+    /** Writes the impulses of a kind beside contacts back. */
+    void storeKind(int kind, SubStep sub, int from, int to) {
+        kinds(kind).store(tick, sub, from, to);
+    }
+
+    /** Writes the impulses of contacts back, and tells their bodies what presses on them. */
     void storeRows(Sweeps sweeps, SubStep sub, boolean renewed, int from, int to, Workbench bench) {
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
             int last = Math.min(to, j + ConstraintRows.CHUNK);

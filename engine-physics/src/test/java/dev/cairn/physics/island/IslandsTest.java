@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.EdgeSource;
 
 import org.junit.jupiter.api.Test;
 
@@ -44,7 +45,7 @@ class IslandsTest {
                 contacts.pointCount[row] = random.nextInt(3);
             }
             contacts.activateAll();
-            islands.build(bodies, contacts, awake, count);
+            islands.build(bodies, new EdgeSource[] {contacts}, awake, count);
             int[] expected = flood(bodies, contacts);
             for (int i = 0; i < count; i++) {
                 assertEquals(expected[awake[i]], islands.root(awake[i]), "body " + awake[i]);

@@ -9,7 +9,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.graph.Batches;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 
@@ -118,19 +118,26 @@ class BatchesTest {
     }
 
     /** All bodies but the first have contacts. */
-    static Batches cut(SolverScene s, RowList list, int workers, int floatsFrom) {
+    static Batches cut(SolverScene s, EdgeList list, int workers, int floatsFrom) {
         s.collide();
         list.ensureCapacity(s.contacts.count);
         list.count = s.contacts.count;
+        list.contacts = list.count;
         int[] guide = new int[s.bodies.slotCount];
         Arrays.fill(guide, SolverBodies.BOUND);
         guide[0] = SolverBodies.FREE;
         for (int m = 0; m < list.count; m++) {
             list.source[m] = m;
+            list.slotA[m] = mover(s, s.contacts.bodyA[m]);
+            list.slotB[m] = mover(s, s.contacts.bodyB[m]);
         }
         Batches batches = new Batches();
-        batches.cut(s.bodies, s.contacts, list, guide, false, workers, floatsFrom);
+        batches.cut(list, s.bodies.slotCount, guide, false, workers, floatsFrom);
         return batches;
+    }
+
+    private static int mover(SolverScene s, int slot) {
+        return s.bodies.kind[slot] == BodyStore.DYNAMIC ? slot : -1;
     }
 
     /** From 100 contacts on, those of an island are floats: the plate's. */
@@ -139,7 +146,7 @@ class BatchesTest {
     void noBodyIsInTwoBatchesAndNothingIsLost(int floatsFrom) {
         for (int workers : new int[] {1, 2}) {
             SolverScene s = scene(Jobs.of(1), SolverScene.DOUBLES);
-            RowList list = new RowList();
+            EdgeList list = new EdgeList();
             Batches batches = cut(s, list, workers, floatsFrom);
             assertTrue(batches.count > 2, "batches: " + batches.count);
             int[] home = new int[s.bodies.slotCount];

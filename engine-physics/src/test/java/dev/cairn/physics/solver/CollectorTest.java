@@ -10,7 +10,7 @@ import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.Collector;
 import dev.cairn.physics.solver.graph.Colouring;
 import dev.cairn.physics.solver.row.ConstraintRows;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -103,7 +103,7 @@ final class CollectorTest {
         final Colouring colouring = new Colouring();
         final Batches batches = new Batches();
         final Collector collector = new Collector(colouring, batches);
-        final RowList list = new RowList(8, 8, 4, 4);
+        final EdgeList list = new EdgeList(8, 8, 4, 4);
         final int[] guide = new int[BODIES];
 
         void run() {
@@ -121,7 +121,9 @@ final class CollectorTest {
             same(list.doubles, other.list.doubles, where + ", doubles");
             same(guide, other.guide, BODIES, where + ", guide");
             assertEquals(colouring.colours, other.colouring.colours, where);
-            same(colouring.start, other.colouring.start, colouring.colours + 1, where + ", start");
+            same(colouring.kind, other.colouring.kind, colouring.colours, where + ", kind");
+            same(colouring.start, other.colouring.start, colouring.colours, where + ", start");
+            same(colouring.end, other.colouring.end, colouring.colours, where + ", end");
             same(colouring.size, other.colouring.size, colouring.colours, where + ", size");
             assertEquals(batches.count, other.batches.count, where);
             same(

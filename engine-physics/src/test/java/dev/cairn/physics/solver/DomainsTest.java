@@ -9,7 +9,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.Domains;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 
@@ -45,7 +45,7 @@ class DomainsTest {
         int plane = s.fixed();
         wall(s, plane, 0);
         wall(s, plane, 10);
-        RowList list = new RowList();
+        EdgeList list = new EdgeList();
         Batches batches = BatchesTest.cut(s, list, 1, Integer.MAX_VALUE);
         int base = batches.lockstep(Batches.DOUBLES);
         int domains = batches.alone(Batches.DOUBLES) - base - 1;

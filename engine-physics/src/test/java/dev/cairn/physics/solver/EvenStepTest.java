@@ -9,7 +9,7 @@ import dev.cairn.physics.solver.kernel.PrepareRow;
 import dev.cairn.physics.solver.kernel.RowArithmetic;
 import dev.cairn.physics.solver.kernel.ScalarNormals;
 import dev.cairn.physics.solver.row.ConstraintRows;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.Scratch;
 import dev.cairn.physics.solver.row.SubStep;
 
@@ -37,7 +37,7 @@ class EvenStepTest {
         bodies.ensureCapacity(s.bodies.slotCount);
         bodies.axes.update(s.bodies, box);
         bodies.loadBound(s.bodies, box, 1);
-        ConstraintRows rows = new RowList().doubles;
+        ConstraintRows rows = new EdgeList().doubles;
         rows.ensurePlaces(1);
         rows.places = 1;
         int b = SolverBodies.offset(box);

@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
 import dev.cairn.physics.solver.row.ConstraintRows;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 
 import org.junit.jupiter.api.Test;
 
@@ -53,7 +53,7 @@ class JacobianRefreshTest {
         s.spin(box, 0, speed, 0);
         JacobianRefresh renewal = new JacobianRefresh();
         renewal.ensureCapacity(s.bodies.slotCount);
-        ConstraintRows rows = new RowList().doubles;
+        ConstraintRows rows = new EdgeList().doubles;
         rows.ensurePlaces(1);
         rows.link[ConstraintRows.BODY_B] = SolverBodies.offset(box);
         rows.link[ConstraintRows.COUNT] = 4;

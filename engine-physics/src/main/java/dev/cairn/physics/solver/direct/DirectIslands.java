@@ -1,12 +1,11 @@
 package dev.cairn.physics.solver.direct;
 
 import dev.cairn.physics.internal.BodyStore;
-import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Islands;
 import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.Domains;
 import dev.cairn.physics.solver.load.LoadSweep;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.tuning.Tunable;
 
 import java.util.Arrays;
@@ -87,7 +86,7 @@ public final class DirectIslands {
     private int[] seen = {};
     private int stamp;
 
-    private void ensureCapacity(BodyStore b, RowList list) {
+    private void ensureCapacity(BodyStore b, EdgeList list) {
         if (local.length < b.slotCount) {
             int n = b.kind.length;
             firstRow = new int[n + 1];
@@ -103,7 +102,7 @@ public final class DirectIslands {
             level = new int[n];
             seen = new int[n];
         }
-        if (row.length < list.count) {
+        if (row.length < list.contacts) {
             row = new int[list.source.length];
             neighbour = new int[2 * row.length];
         }
@@ -116,15 +115,14 @@ public final class DirectIslands {
      * @param from bodies from end to end
      * @param same whether contacts and bodies are those of the last tick
      */
-    public void update(
-            BodyStore b, ContactStore c, RowList list, Batches batches, int from, boolean same) {
+    public void update(BodyStore b, EdgeList list, Batches batches, int from, boolean same) {
         isStale |= !same;
         openCount = 0;
         if (!rests(b, batches, from)) {
             return;
         }
         if (isStale) {
-            find(b, c, list, batches, from);
+            find(b, list, batches, from);
         }
         if (count > 0) {
             gate(b, batches);
@@ -140,10 +138,10 @@ public final class DirectIslands {
         return resting >= from;
     }
 
-    private void find(BodyStore b, ContactStore c, RowList list, Batches batches, int from) {
+    private void find(BodyStore b, EdgeList list, Batches batches, int from) {
         ensureCapacity(b, list);
         count = 0;
-        Islands islands = batches.islands(b, c);
+        Islands islands = batches.islands(list);
         int[] bound = batches.bound;
         for (int k = 0; k < batches.boundCount; k++) {
             tally[bound[k]] = 0;
@@ -154,6 +152,10 @@ public final class DirectIslands {
             tally[root]++;
             // for now: a body of the island that is not at rest
             of[root] = b.restTicks[bound[k]] >= LoadSweep.HOLD ? of[root] : root;
+        }
+        for (int m = list.contacts; m < list.count; m++) {
+            // the matrix is made of contacts alone
+            tally[islands.root(list.mover(m))] = MOST_ROWS + 1;
         }
         boolean any = false;
         isStale = false;
@@ -172,14 +174,14 @@ public final class DirectIslands {
         if (!any) {
             return;
         }
-        connect(b, c, list);
+        connect(b, list);
         for (int k = 0; k < batches.boundCount; k++) {
             int i = bound[k];
             int root = islands.root(i);
             // of the island: -1, or its number, once its smallest slot has been seen
             of[i] = root != i ? of[root] : of[i] >= 0 && order(i, from) ? count++ : -1;
         }
-        sortRows(b, c, list);
+        sortRows(list);
         int made = factors.length;
         if (made < 2 * count) {
             factors = Arrays.copyOf(factors, 4 * count);
@@ -195,13 +197,13 @@ public final class DirectIslands {
     }
 
     /** Lists the neighbours of the bodies of candidates. */
-    private void connect(BodyStore b, ContactStore c, RowList list) {
+    private void connect(BodyStore b, EdgeList list) {
         Arrays.fill(firstNeighbour, 0, b.slotCount + 1, 0);
         for (int pass = 0; pass < 2; pass++) {
-            for (int m = 0; m < list.count; m++) {
-                int i = c.bodyA[list.source[m]];
-                int j = c.bodyB[list.source[m]];
-                if (b.kind[i] != BodyStore.DYNAMIC || b.kind[j] != BodyStore.DYNAMIC || of[i] < 0) {
+            for (int m = 0; m < list.contacts; m++) {
+                int i = list.slotA[m];
+                int j = list.slotB[m];
+                if (!list.isBetweenMovers(m) || of[i] < 0) {
                     continue;
                 }
                 if (pass == 0) {
@@ -282,10 +284,10 @@ public final class DirectIslands {
     }
 
     /** Lists the contacts by island; what lies on what does not move has the last word. */
-    private void sortRows(BodyStore b, ContactStore c, RowList list) {
+    private void sortRows(EdgeList list) {
         Arrays.fill(firstRow, 0, count + 1, 0);
-        for (int m = 0; m < list.count; m++) {
-            int island = island(b, c, list, m);
+        for (int m = 0; m < list.contacts; m++) {
+            int island = of[list.mover(m)];
             if (island >= 0) {
                 firstRow[island + 1]++;
             }
@@ -294,11 +296,8 @@ public final class DirectIslands {
             firstRow[k + 1] += firstRow[k];
         }
         for (int pass = 0; pass < 2; pass++) {
-            for (int m = 0; m < list.count; m++) {
-                int i = c.bodyA[list.source[m]];
-                int j = c.bodyB[list.source[m]];
-                boolean moves = b.kind[i] == BodyStore.DYNAMIC && b.kind[j] == BodyStore.DYNAMIC;
-                int island = moves == (pass == 0) ? island(b, c, list, m) : -1;
+            for (int m = 0; m < list.contacts; m++) {
+                int island = list.isBetweenMovers(m) == (pass == 0) ? of[list.mover(m)] : -1;
                 if (island >= 0) {
                     row[firstRow[island]++] = m;
                 }
@@ -306,11 +305,6 @@ public final class DirectIslands {
         }
         System.arraycopy(firstRow, 0, firstRow, 1, count);
         firstRow[0] = 0;
-    }
-
-    private int island(BodyStore b, ContactStore c, RowList list, int m) {
-        int i = c.bodyA[list.source[m]];
-        return of[b.kind[i] == BodyStore.DYNAMIC ? i : c.bodyB[list.source[m]]];
     }
 
     /** Finds those that are still at rest in this tick, by batch. */

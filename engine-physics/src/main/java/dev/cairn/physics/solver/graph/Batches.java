@@ -1,16 +1,14 @@
 package dev.cairn.physics.solver.graph;
 
-import dev.cairn.physics.internal.BodyStore;
-import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Islands;
 import dev.cairn.physics.solver.body.SolverBodies;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.tuning.Tunable;
 
 import java.util.Arrays;
 
 /**
- * Cuts the contacts of a tick into batches that share no body that moves, so that a worker takes a
+ * Cuts the edges of a tick into batches that share no body that moves, so that a worker takes a
  * batch through the whole tick on its own.
  *
  * <p>Problem: in lockstep all contacts of a scene stream through the caches in each of the passes,
@@ -19,12 +17,12 @@ import java.util.Arrays;
  * islands are gathered into batches, in the order of their smallest slot, up to {@link #WANTED}
  * rows; what one worker should not have alone goes to batch 0, which all workers solve in lockstep.
  * Islands of more than {@link #LARGEST} rows are cut into {@link Domains}, a batch each, with the
- * contacts between these in batch 0. A batch has islands whose rows are of one precision, and there
- * is a batch in lockstep with domains for each precision.
+ * edges between these in batch 0. A batch has islands whose rows are of one precision, and there is
+ * a batch in lockstep with domains for each precision.
  *
- * <p>The order in which the contacts of an island are solved is the same in both, and so are the
- * bits: the cut may depend on the number of workers. Simulation thread; allocates only when a store
- * has grown.
+ * <p>The order in which the edges of an island are solved is the same in both, and so are the bits:
+ * the cut may depend on the number of workers. Simulation thread; allocates only when a store has
+ * grown.
  */
 public final class Batches {
     /**
@@ -45,7 +43,7 @@ public final class Batches {
 
     private final Islands islands = new Islands();
 
-    /** Whether islands are those of the contacts that were cut last. */
+    /** Whether islands are those of the edges that were cut last. */
     private boolean knowsIslands;
 
     private final Domains domains = new Domains();
@@ -61,7 +59,7 @@ public final class Batches {
     /** An empty batch, after those whose rows are floats, before those of doubles. */
     public int divider;
 
-    /** By slot of a body with contacts: whether its rows are floats. */
+    /** By slot of a body with edges: whether its rows are floats. */
     public boolean[] isSingle = {};
 
     private int floatsFrom;
@@ -69,12 +67,12 @@ public final class Batches {
     /** By domain: its batch. */
     private int[] batchOfDomain = {};
 
-    /** Bodies with contacts, by batch and then by slot; where those of each batch start. */
+    /** Bodies with edges, by batch and then by slot; where those of each batch start. */
     public int[] order = {};
 
     public int[] firstBody = new int[2];
 
-    /** Bodies with contacts, by slot. */
+    /** Bodies with edges, by slot. */
     public int[] bound = {};
 
     public int boundCount;
@@ -115,45 +113,38 @@ public final class Batches {
     /**
      * Cuts the rows.
      *
-     * @param guide tells who has contacts
+     * @param slots of bodies
+     * @param guide tells who has edges
      * @param together whether all are to be solved in lockstep
      * @param workers that take part
      * @param floatsFrom rows of an island that are floats if there are as many
      */
     public void cut(
-            BodyStore bodies,
-            ContactStore contacts,
-            RowList list,
-            int[] guide,
-            boolean together,
-            int workers,
-            int floatsFrom) {
+            EdgeList list, int slots, int[] guide, boolean together, int workers, int floatsFrom) {
         this.floatsFrom = floatsFrom;
-        ensureCapacity(bodies.slotCount, list.source.length);
+        ensureCapacity(slots, list.source.length);
         boundCount = 0;
-        for (int i = 0; i < bodies.slotCount; i++) {
+        for (int i = 0; i < slots; i++) {
             if (guide[i] != SolverBodies.FREE) {
                 bound[boundCount++] = i;
             }
         }
         boolean isOne = floatsFrom == 0 || list.count < floatsFrom;
+        knowsIslands = false;
         if (isOne && list.count <= (together ? LARGEST : WANTED)) {
             whole(list, isSingle(list.count) ? FLOATS : DOUBLES, together);
-            knowsIslands = false;
-            return;
+        } else {
+            islands(list);
+            gather(list, together, workers);
         }
-        knowsIslands = false;
-        islands(bodies, contacts);
-        gather(bodies, contacts, list, together, workers);
     }
 
-    private void gather(
-            BodyStore bodies, ContactStore contacts, RowList list, boolean together, int workers) {
-        tally(bodies, contacts, list);
+    private void gather(EdgeList list, boolean together, int workers) {
+        tally(list);
         for (int k = 0; k < boundCount; k++) {
             isSingle[bound[k]] = isSingle(tally[islands.root(bound[k])]);
         }
-        cutLarge(bodies, contacts, list);
+        cutLarge(list);
         // an island that would keep one worker busy while the others wait is for all
         int share = workers == 1 ? LARGEST : list.count / (2 * workers);
         int largest = Math.max(WANTED, Math.min(LARGEST, share));
@@ -164,14 +155,14 @@ public final class Batches {
         for (int m = 0; m < list.count; m++) {
             list.isSingle[m] = isSingle[batchOf[m]];
             int batch = tally[batchOf[m]];
-            batchOf[m] = batch == CUT ? domain(bodies, contacts, list.source[m]) : batch;
+            batchOf[m] = batch == CUT ? domain(list, m) : batch;
         }
         sortRows(list);
         sortBodies();
     }
 
     /** All in one batch. */
-    private void whole(RowList list, int kind, boolean together) {
+    private void whole(EdgeList list, int kind, boolean together) {
         count = 0;
         int target = 0;
         for (int k = FLOATS; k <= DOUBLES; k++) {
@@ -201,14 +192,12 @@ public final class Batches {
     }
 
     /** Counts the rows of each island. */
-    private void tally(BodyStore bodies, ContactStore contacts, RowList list) {
+    private void tally(EdgeList list) {
         for (int k = 0; k < boundCount; k++) {
             tally[bound[k]] = 0;
         }
         for (int m = 0; m < list.count; m++) {
-            int c = list.source[m];
-            int a = contacts.bodyA[c];
-            int root = islands.root(bodies.kind[a] == BodyStore.DYNAMIC ? a : contacts.bodyB[c]);
+            int root = islands.root(list.mover(m));
             batchOf[m] = root;
             tally[root]++;
         }
@@ -220,7 +209,7 @@ public final class Batches {
     }
 
     /** Cuts what is too large. */
-    private void cutLarge(BodyStore bodies, ContactStore contacts, RowList list) {
+    private void cutLarge(EdgeList list) {
         boolean cuts = false;
         for (int k = 0; k < boundCount; k++) {
             if (tally[bound[k]] > LARGEST) {
@@ -230,17 +219,7 @@ public final class Batches {
         }
         domains.count = 0;
         if (cuts) {
-            domains.cut(
-                    bodies,
-                    contacts,
-                    list,
-                    islands,
-                    batchOf,
-                    tally,
-                    CUT,
-                    isSingle,
-                    bound,
-                    boundCount);
+            domains.cut(list, islands, batchOf, tally, CUT, isSingle, bound, boundCount);
         }
     }
 
@@ -256,7 +235,7 @@ public final class Batches {
         assign(kind, together, largest);
     }
 
-    /** Kind of rows of a body with contacts. */
+    /** Kind of rows of a body with edges. */
     public int kindOf(int slot) {
         return isSingle[slot] ? FLOATS : DOUBLES;
     }
@@ -298,21 +277,14 @@ public final class Batches {
         }
     }
 
-    /** The batch of a contact within a domain; that in lockstep for one between two of them. */
-    private int domain(BodyStore bodies, ContactStore contacts, int c) {
-        int a = contacts.bodyA[c];
-        int b = contacts.bodyB[c];
-        if (bodies.kind[a] != BodyStore.DYNAMIC) {
-            return batchOfDomain[domains.of[b]];
-        }
-        if (bodies.kind[b] != BodyStore.DYNAMIC) {
-            return batchOfDomain[domains.of[a]];
-        }
-        int batch = batchOfDomain[domains.of[a]];
-        return domains.of[a] == domains.of[b] ? batch : lockstep[kindOf(a)];
+    /** The batch of an edge within a domain; that in lockstep for one between two of them. */
+    private int domain(EdgeList list, int m) {
+        int of = domains.of[list.mover(m)];
+        boolean isWithin = !list.isBetweenMovers(m) || of == domains.of[list.slotB[m]];
+        return isWithin ? batchOfDomain[of] : lockstep[kindOf(list.slotA[m])];
     }
 
-    private void sortRows(RowList list) {
+    private void sortRows(EdgeList list) {
         Arrays.fill(firstRow, 0, count + 1, 0);
         for (int m = 0; m < list.count; m++) {
             firstRow[batchOf[m] + 1]++;
@@ -345,10 +317,15 @@ public final class Batches {
         return batch == CUT ? batchOfDomain[domains.of[slot]] : batch;
     }
 
-    /** The islands of the contacts that were cut last, which are still those of the store. */
-    public Islands islands(BodyStore bodies, ContactStore contacts) {
+    /** The islands of the edges that were cut last, which are still those of the list. */
+    public Islands islands(EdgeList list) {
         if (!knowsIslands) {
-            islands.build(bodies, contacts, bound, boundCount);
+            islands.begin(bound, boundCount);
+            for (int m = 0; m < list.count; m++) {
+                if (list.isBetweenMovers(m)) {
+                    islands.join(list.slotA[m], list.slotB[m]);
+                }
+            }
             knowsIslands = true;
         }
         return islands;

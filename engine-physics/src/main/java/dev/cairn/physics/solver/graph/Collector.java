@@ -5,20 +5,22 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.row.ConstraintRows;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
+import dev.cairn.physics.solver.row.EdgePlaces;
 
 import java.util.Arrays;
 
 /**
- * Lists the contacts that have points, finds which bodies they bind, and gives them batches,
+ * Lists the edges that are solved, of contacts and of all other kinds, and gives them batches,
  * colours and places.
  *
- * <p>Most ticks have the contacts of the tick before: then all of it still holds, and a comparison
- * is what is paid; where only presses what did not, the batches hold, and the colours are made
- * anew. So all persists, and yet is a function of the present contacts alone. Simulation thread,
- * the comparison in blocks; allocates only when a store has grown.
+ * <p>Most ticks have the edges of the tick before: then all of it still holds, and a comparison is
+ * what is paid; where only presses what did not, the batches hold, and the colours are made anew.
+ * So all persists, and yet is a function of the present edges alone. Simulation thread, the
+ * comparison of contacts in blocks; allocates only when a store has grown.
  */
 public final class Collector {
     private static final int CONTACTS_PER_BLOCK = 1024;
@@ -27,23 +29,25 @@ public final class Collector {
     private final Batches batches;
     private final PairOrder order = new PairOrder();
 
-    /** By row: the slots of its bodies, -1 for one that does not move; whether it was cold. */
-    private int[] slotA = {};
-
-    private int[] slotB = {};
+    /** By edge: whether it had no impulse at the end of the last tick; whether it bounces. */
     private boolean[] cold = {};
-    private boolean[] bounces = {};
-    private int[] points = {};
 
-    /** By active contact of the last tick: its row in the store; its place in the list, or -1. */
+    private boolean[] bounces = {};
+
+    /** By kind: the first of its edges among those that follow; one more for the end. */
+    private int[] firstListed = {};
+
+    /**
+     * By edge of the last tick, solved or not: its row in the store; its place in the list or -1.
+     */
     private int[] listed = {};
 
     private int[] at = {};
-    private int active;
 
     private final BlockJob compare = this::compare;
     private BodyStore bodies = new BodyStore();
     private ContactStore contacts = new ContactStore();
+    private EdgeList list = new EdgeList();
     private int slots;
     private boolean together;
 
@@ -53,13 +57,13 @@ public final class Collector {
     private int workers;
     private boolean stacked;
 
-    /** What of the rows of this tick is as it was: who touches whom, and what colours follow. */
+    /** What of the edges of this tick is as it was: who binds whom, and what colours follow. */
     private boolean sameList;
 
     private boolean sameBodies;
 
     private boolean sameColours;
-    private boolean samePoints;
+    private boolean sameVariants;
 
     public Collector(Colouring colouring, Batches batches) {
         this.colouring = colouring;
@@ -69,7 +73,7 @@ public final class Collector {
     /**
      * Brings rows, guides, batches and colours up to date.
      *
-     * @param guide receives who has contacts, see {@link SolverBodies#guide}
+     * @param guide receives who has edges, see {@link SolverBodies#guide}
      * @param workerCount who may work at batches
      * @param floatsFrom rows of an island that are floats if there are as many
      * @param jobs runs the comparison
@@ -78,133 +82,184 @@ public final class Collector {
     public boolean run(
             BodyStore bodyStore,
             ContactStore contactStore,
-            RowList list,
+            EdgeList edges,
             int[] guide,
             int workerCount,
             int floatsFrom,
             Jobs jobs) {
         bodies = bodyStore;
         contacts = contactStore;
-        ensureRows(list);
+        list = edges;
+        ensureEdges();
         sameColours = true;
-        samePoints = true;
-        sameList = active == contacts.activeCount;
+        sameVariants = true;
+        sameList = hasSameKinds();
         if (sameList) {
-            jobs.run(compare, Blocks.count(active, CONTACTS_PER_BLOCK));
+            jobs.run(compare, Blocks.count(contacts.activeCount, CONTACTS_PER_BLOCK));
         }
-        sameBodies = sameList || list(list);
+        sameBodies = sameList || list();
         sameBodies &= slots == bodies.slotCount;
         sameBodies &= together == bouncing > 0 && workers == workerCount;
         if (!sameBodies) {
             slots = bodies.slotCount;
             together = bouncing > 0;
             workers = workerCount;
-            bind(list, guide);
-            batches.cut(bodies, contacts, list, guide, together, workerCount, floatsFrom);
+            bind(guide);
+            batches.cut(list, slots, guide, together, workerCount, floatsFrom);
         }
         if (!sameList) {
-            listBouncers(list);
+            listBouncers();
         }
         if (!sameBodies || !sameColours) {
-            colour(list);
+            colour();
         }
-        if (!sameBodies || !sameColours || !samePoints) {
-            colouring.finish(list, batches, points);
-            link(list);
+        if (!sameBodies || !sameColours || !sameVariants) {
+            colouring.finish(list, batches);
+            link();
         }
         return stacked;
     }
 
-    /** Whether the contacts with points, and their bodies, are those of the tick before. */
+    /** Whether the edges and their bodies are those of the tick before. */
     public boolean isSame() {
         return sameBodies;
     }
 
-    private void ensureRows(RowList list) {
-        list.ensureCapacity(contacts.activeCount);
+    private EdgeSource source(int kind) {
+        return kind == 0 ? contacts : list.kinds[kind - 1].source();
+    }
+
+    private void ensureEdges() {
+        int wanted = 0;
+        for (int k = 0; k <= list.kinds.length; k++) {
+            wanted += source(k).edges();
+        }
+        list.ensureCapacity(wanted);
         int n = list.source.length;
-        if (slotA.length < n) {
-            slotA = Arrays.copyOf(slotA, n);
-            slotB = Arrays.copyOf(slotB, n);
+        if (cold.length < n) {
             cold = Arrays.copyOf(cold, n);
             bounces = Arrays.copyOf(bounces, n);
-            points = Arrays.copyOf(points, n);
             listed = Arrays.copyOf(listed, n);
             at = Arrays.copyOf(at, n);
         }
+        if (firstListed.length < list.first.length) {
+            firstListed = new int[list.first.length];
+        }
+    }
+
+    /** Whether there are as many edges as in the last tick, and those beside contacts the same. */
+    private boolean hasSameKinds() {
+        for (int k = 0; k <= list.kinds.length; k++) {
+            if (source(k).edges() != firstListed[k + 1] - firstListed[k]) {
+                return false;
+            }
+        }
+        for (int k = 1; k <= list.kinds.length; k++) {
+            EdgeSource edges = source(k);
+            for (int i = 0; i < edges.edges(); i++) {
+                int e = firstListed[k] + i;
+                int a = edges.edgeA(i);
+                int slotA = a < 0 ? -1 : mover(a);
+                int slotB = a < 0 ? -1 : mover(edges.edgeB(i));
+                int m = at[e];
+                if (listed[e] != edges.edgeRow(i)
+                        || (m < 0
+                                ? slotA >= 0 || slotB >= 0
+                                : list.slotA[m] != slotA || list.slotB[m] != slotB)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /** A slot, or -1 for a body that does not move. */
+    private int mover(int slot) {
+        return bodies.kind[slot] == BodyStore.DYNAMIC ? slot : -1;
     }
 
     /** Compares a range of contacts with the list; what differs is told by whoever finds it. */
     private void compare(int block, int worker) {
-        byte[] kind = bodies.kind;
-        int end = Blocks.end(block, CONTACTS_PER_BLOCK, active);
+        int end = Blocks.end(block, CONTACTS_PER_BLOCK, contacts.activeCount);
         for (int i = Blocks.begin(block, CONTACTS_PER_BLOCK); i < end; i++) {
             int c = contacts.active[i];
             int n = at[i];
-            int count = contacts.pointCount[c];
-            if (listed[i] != c || count > 0 != n >= 0) {
+            if (listed[i] != c || contacts.isSolved(c) != n >= 0) {
                 sameList = false;
                 return;
             }
             if (n < 0) {
                 continue;
             }
-            int a = contacts.bodyA[c];
-            int b = contacts.bodyB[c];
-            a = kind[a] == BodyStore.DYNAMIC ? a : -1;
-            b = kind[b] == BodyStore.DYNAMIC ? b : -1;
-            if (slotA[n] != a || slotB[n] != b || bounces[n] != contacts.restitution[c] > 0) {
+            int a = mover(contacts.bodyA[c]);
+            int b = mover(contacts.bodyB[c]);
+            if (list.slotA[n] != a
+                    || list.slotB[n] != b
+                    || bounces[n] != contacts.restitution[c] > 0) {
                 sameList = false;
                 return;
             }
+            int count = contacts.pointCount[c];
             boolean isCold = (a | b) >= 0 && isCold(contacts, c, count);
             if (cold[n] != isCold) {
                 sameColours = false;
                 cold[n] = isCold;
             }
-            if (points[n] != count) {
-                samePoints = false;
-                points[n] = count;
+            if (list.variant[n] != count) {
+                sameVariants = false;
+                list.variant[n] = count;
             }
         }
     }
 
-    /** Lists rows and those that bounce; whether they are those of the last tick. */
-    private boolean list(RowList list) {
-        byte[] kind = bodies.kind;
+    /** Lists the edges, and which of them bounce; whether they are those of the last tick. */
+    private boolean list() {
         boolean same = true;
         int n = 0;
         bouncing = 0;
-        active = contacts.activeCount;
-        for (int i = 0; i < active; i++) {
-            listed[i] = contacts.active[i];
-            at[i] = -1;
-        }
-        order.sort(contacts, bodies.slotCount);
-        for (; n < order.count; n++) {
-            int i = order.index[n];
-            int c = contacts.active[i];
-            at[i] = n;
-            int a = contacts.bodyA[c];
-            int b = contacts.bodyB[c];
-            a = kind[a] == BodyStore.DYNAMIC ? a : -1;
-            b = kind[b] == BodyStore.DYNAMIC ? b : -1;
-            boolean isCold = (a | b) >= 0 && isCold(contacts, c, contacts.pointCount[c]);
-            same &= list.source[n] == c && slotA[n] == a && slotB[n] == b;
-            sameColours &= cold[n] == isCold;
-            samePoints &= points[n] == contacts.pointCount[c];
-            list.source[n] = c;
-            slotA[n] = a;
-            slotB[n] = b;
-            cold[n] = isCold;
-            points[n] = contacts.pointCount[c];
-            bounces[n] = contacts.restitution[c] > 0;
-            if (bounces[n]) {
-                bouncing++;
+        for (int k = 0; k <= list.kinds.length; k++) {
+            EdgeSource edges = source(k);
+            same &= list.first[k] == n;
+            list.first[k] = n;
+            int from = firstListed[k];
+            firstListed[k + 1] = from + edges.edges();
+            for (int i = 0; i < edges.edges(); i++) {
+                listed[from + i] = edges.edgeRow(i);
+                at[from + i] = -1;
+            }
+            order.sort(edges, bodies);
+            for (int j = 0; j < order.count; j++, n++) {
+                int i = order.index[j];
+                at[from + i] = n;
+                same &= list(n, k, listed[from + i], edges.edgeA(i), edges.edgeB(i));
             }
         }
         same &= list.count == n;
+        list.first[list.kinds.length + 1] = n;
         list.count = n;
+        list.contacts = list.first[1];
+        return same;
+    }
+
+    /** Lists an edge; whether it has been there in the last tick. */
+    private boolean list(int n, int kind, int row, int bodyA, int bodyB) {
+        int a = mover(bodyA);
+        int b = mover(bodyB);
+        boolean isContact = kind == 0;
+        int points = isContact ? contacts.pointCount[row] : 1;
+        boolean isCold = isContact && (a | b) >= 0 && isCold(contacts, row, points);
+        boolean same = list.source[n] == row && list.slotA[n] == a && list.slotB[n] == b;
+        sameColours &= cold[n] == isCold;
+        sameVariants &= list.variant[n] == points;
+        list.source[n] = row;
+        list.slotA[n] = a;
+        list.slotB[n] = b;
+        list.variant[n] = points;
+        cold[n] = isCold;
+        bounces[n] = isContact && contacts.restitution[row] > 0;
+        if (bounces[n]) {
+            bouncing++;
+        }
         return same;
     }
 
@@ -218,28 +273,30 @@ public final class Collector {
         return sum == 0;
     }
 
-    private void bind(RowList list, int[] guide) {
+    /** Tells who has edges. A body on nothing but one contact with what does not move is guided. */
+    private void bind(int[] guide) {
         Arrays.fill(guide, 0, slots, SolverBodies.FREE);
         stacked = false;
         for (int m = 0; m < list.count; m++) {
-            int a = slotA[m];
-            int b = slotB[m];
+            int a = list.slotA[m];
+            int b = list.slotB[m];
             if ((a | b) >= 0) {
                 guide[a] = SolverBodies.BOUND;
                 guide[b] = SolverBodies.BOUND;
-                stacked = true;
+                stacked |= m < list.contacts;
             } else {
                 int i = Math.max(a, b);
-                guide[i] = guide[i] == SolverBodies.FREE ? m : SolverBodies.BOUND;
+                boolean isOnly = guide[i] == SolverBodies.FREE && m < list.contacts;
+                guide[i] = isOnly ? m : SolverBodies.BOUND;
             }
         }
     }
 
     /** Tells the rows of either precision which of them bounce. */
-    private void listBouncers(RowList list) {
+    private void listBouncers() {
         list.floats.bouncing = 0;
         list.doubles.bouncing = 0;
-        for (int m = 0; m < list.count && bouncing > 0; m++) {
+        for (int m = 0; m < list.contacts && bouncing > 0; m++) {
             if (bounces[m]) {
                 ConstraintRows rows = list.rows(m);
                 rows.bouncer[rows.bouncing++] = m;
@@ -247,28 +304,37 @@ public final class Collector {
         }
     }
 
-    private void colour(RowList list) {
-        colouring.begin(slots, list.source.length);
-        for (int m = 0; m < list.count; m++) {
-            int a = slotA[m];
-            int b = slotB[m];
-            if ((a | b) >= 0) {
-                colouring.add(m, a, b, cold[m], batches.isLockstep(m));
-            } else {
-                colouring.addFixed(m, Math.max(a, b));
+    private void colour() {
+        colouring.begin(slots, list);
+        for (int k = 0; k <= list.kinds.length; k++) {
+            colouring.beginKind(k);
+            for (int m = list.first[k]; m < list.first[k + 1]; m++) {
+                if (list.isBetweenMovers(m)) {
+                    colouring.add(m, list.slotA[m], list.slotB[m], cold[m], batches.isLockstep(m));
+                } else {
+                    colouring.addFixed(m, list.mover(m));
+                }
             }
         }
     }
 
-    private void link(RowList list) {
-        for (int m = 0; m < list.count; m++) {
-            int l = list.place[m] * ConstraintRows.LINK;
-            ConstraintRows rows = list.rows(m);
-            rows.link[l] = slotA[m] >= 0 ? SolverBodies.offset(slotA[m]) : 0;
-            rows.link[l + 1] = slotB[m] >= 0 ? SolverBodies.offset(slotB[m]) : 0;
-            rows.link[l + ConstraintRows.COUNT] = points[m];
-            rows.link[l + ConstraintRows.SOURCE] = list.source[m];
-            rows.unloaded[list.place[m]] = 0;
+    private void link() {
+        for (int k = 0; k <= list.kinds.length; k++) {
+            EdgePlaces floats = list.places(k, true);
+            EdgePlaces doubles = list.places(k, false);
+            for (int m = list.first[k]; m < list.first[k + 1]; m++) {
+                (list.isSingle[m] ? floats : doubles)
+                        .bind(
+                                list.place[m],
+                                list.source[m],
+                                offset(list.slotA[m]),
+                                offset(list.slotB[m]),
+                                list.variant[m]);
+            }
         }
+    }
+
+    private static int offset(int slot) {
+        return slot >= 0 ? SolverBodies.offset(slot) : 0;
     }
 }

@@ -1,9 +1,7 @@
 package dev.cairn.physics.solver.graph;
 
-import dev.cairn.physics.internal.BodyStore;
-import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Islands;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 
 /**
  * Cuts islands that are too large for a cache into domains: bodies that hang together, with the
@@ -80,12 +78,10 @@ public final class Domains {
      * @param root by row: the smallest slot of its island
      * @param tally by that slot: {@code large} if the island is to be cut
      * @param isSingle by slot: whether the rows of its island are floats
-     * @param bound bodies with contacts, ascending
+     * @param bound bodies with edges, ascending
      */
     void cut(
-            BodyStore bodies,
-            ContactStore contacts,
-            RowList list,
+            EdgeList list,
             Islands islands,
             int[] root,
             int[] tally,
@@ -93,7 +89,7 @@ public final class Domains {
             boolean[] isSingle,
             int[] bound,
             int boundCount) {
-        ensureCapacity(bodies.slotCount, list.source.length);
+        ensureCapacity(isSingle.length, list.source.length);
         count = 0;
         for (int k = 0; k < boundCount; k++) {
             int i = bound[k];
@@ -102,7 +98,7 @@ public final class Domains {
             held[i] = 0;
             last[i] = 0;
         }
-        link(bodies, contacts, list, root, tally, large, bound, boundCount);
+        link(list, root, tally, large, bound, boundCount);
         for (int k = 0; k < boundCount; k++) {
             int i = bound[k];
             int r = islands.root(i);
@@ -114,27 +110,14 @@ public final class Domains {
 
     /** Lists the neighbours of each body. */
     private void link(
-            BodyStore bodies,
-            ContactStore contacts,
-            RowList list,
-            int[] root,
-            int[] tally,
-            int large,
-            int[] bound,
-            int boundCount) {
-        byte[] kind = bodies.kind;
+            EdgeList list, int[] root, int[] tally, int large, int[] bound, int boundCount) {
         for (int m = 0; m < list.count; m++) {
             if (tally[root[m]] == large) {
-                int c = list.source[m];
-                int a = contacts.bodyA[c];
-                int b = contacts.bodyB[c];
-                if (kind[a] != BodyStore.DYNAMIC) {
-                    held[b]++;
-                } else if (kind[b] != BodyStore.DYNAMIC) {
-                    held[a]++;
+                if (list.isBetweenMovers(m)) {
+                    last[list.slotA[m]]++;
+                    last[list.slotB[m]]++;
                 } else {
-                    last[a]++;
-                    last[b]++;
+                    held[list.mover(m)]++;
                 }
             }
         }
@@ -146,14 +129,11 @@ public final class Domains {
             last[i] = first[i];
         }
         for (int m = 0; m < list.count; m++) {
-            if (tally[root[m]] == large) {
-                int c = list.source[m];
-                int a = contacts.bodyA[c];
-                int b = contacts.bodyB[c];
-                if (kind[a] == BodyStore.DYNAMIC && kind[b] == BodyStore.DYNAMIC) {
-                    neighbours[last[a]++] = b;
-                    neighbours[last[b]++] = a;
-                }
+            if (tally[root[m]] == large && list.isBetweenMovers(m)) {
+                int a = list.slotA[m];
+                int b = list.slotB[m];
+                neighbours[last[a]++] = b;
+                neighbours[last[b]++] = a;
             }
         }
     }

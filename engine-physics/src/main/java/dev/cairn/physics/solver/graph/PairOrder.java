@@ -1,19 +1,20 @@
 package dev.cairn.physics.solver.graph;
 
-import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.EdgeSource;
 
 import java.util.Arrays;
 
 /**
- * The contacts that have points, by the slots of their bodies: first by A, then by B.
+ * The edges of one kind that are solved, by the slots of their bodies: first by A, then by B.
  *
- * <p>Rows of the store stand in the order in which their boxes met, and boxes lie along the world's
+ * <p>Rows of contacts stand in the order in which their boxes met, and boxes lie along the world's
  * axes: in that order a scene would be solved differently when it is turned. Two counting sorts,
- * stable, of time linear in contacts and slots. Simulation thread; allocates only when a store has
+ * stable, of time linear in edges and slots. Simulation thread; allocates only when a store has
  * grown.
  */
 final class PairOrder {
-    /** Entries of {@link ContactStore#active}: those with points, in order. */
+    /** Numbers of the edges in their source, in order. */
     int[] index = {};
 
     int count;
@@ -21,38 +22,54 @@ final class PairOrder {
     private int[] spare = {};
     private int[] begin = {};
 
-    /** Sorts the contacts of this tick. */
-    void sort(ContactStore c, int slots) {
-        if (index.length < c.activeCount) {
-            index = new int[c.active.length];
-            spare = new int[c.active.length];
+    /** Sorts the edges of this tick that bind a body which moves. */
+    void sort(EdgeSource edges, BodyStore bodies) {
+        int n = edges.edges();
+        int slots = bodies.slotCount;
+        if (index.length < n) {
+            index = new int[Math.max(n, index.length + (index.length >> 1))];
+            spare = new int[index.length];
         }
         if (begin.length <= slots) {
             begin = new int[Math.max(slots + 1, begin.length + (begin.length >> 1))];
         }
         count = 0;
-        for (int i = 0; i < c.activeCount; i++) {
-            if (c.pointCount[c.active[i]] > 0) {
+        for (int i = 0; i < n; i++) {
+            int a = edges.edgeA(i);
+            if (a >= 0
+                    && (bodies.kind[a] == BodyStore.DYNAMIC
+                            || bodies.kind[edges.edgeB(i)] == BodyStore.DYNAMIC)) {
                 spare[count++] = i;
             }
         }
-        pass(c.active, c.bodyB, slots, spare, index);
-        pass(c.active, c.bodyA, slots, index, spare);
+        begin(slots);
+        for (int k = 0; k < count; k++) {
+            begin[edges.edgeB(spare[k]) + 1]++;
+        }
+        sum(slots);
+        for (int k = 0; k < count; k++) {
+            index[begin[edges.edgeB(spare[k])]++] = spare[k];
+        }
+        begin(slots);
+        for (int k = 0; k < count; k++) {
+            begin[edges.edgeA(index[k]) + 1]++;
+        }
+        sum(slots);
+        for (int k = 0; k < count; k++) {
+            spare[begin[edges.edgeA(index[k])]++] = index[k];
+        }
         int[] swap = index;
         index = spare;
         spare = swap;
     }
 
-    private void pass(int[] active, int[] slot, int slots, int[] from, int[] to) {
+    private void begin(int slots) {
         Arrays.fill(begin, 0, slots + 1, 0);
-        for (int k = 0; k < count; k++) {
-            begin[slot[active[from[k]]] + 1]++;
-        }
+    }
+
+    private void sum(int slots) {
         for (int s = 0; s < slots; s++) {
             begin[s + 1] += begin[s];
-        }
-        for (int k = 0; k < count; k++) {
-            to[begin[slot[active[from[k]]]]++] = from[k];
         }
     }
 }

@@ -20,7 +20,7 @@ import dev.cairn.physics.solver.kernel.PrepareRow;
 import dev.cairn.physics.solver.kernel.ScalarFriction;
 import dev.cairn.physics.solver.kernel.WarmStart;
 import dev.cairn.physics.solver.row.ConstraintRows;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.RowWindow;
 
 import java.util.Arrays;
@@ -79,7 +79,7 @@ public final class BallImpacts {
     private final TurnedRows turned = new TurnedRows();
 
     // the step in work
-    private ConstraintRows rows = new RowList().doubles;
+    private ConstraintRows rows = new EdgeList().doubles;
     private SolverBodies bodies = new SolverBodies();
     private BodyStore store = new BodyStore();
     private ContactStore contacts = new ContactStore();

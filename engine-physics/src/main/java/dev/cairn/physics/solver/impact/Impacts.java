@@ -18,7 +18,7 @@ import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.kernel.ScalarFriction;
 import dev.cairn.physics.solver.kernel.WarmStart;
 import dev.cairn.physics.solver.row.ConstraintRows;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.RowWindow;
 
 import java.util.Arrays;
@@ -72,7 +72,7 @@ public final class Impacts {
 
     private double soon;
     private final RowWindow window = new RowWindow();
-    private ConstraintRows rows = new RowList().doubles;
+    private ConstraintRows rows = new EdgeList().doubles;
 
     // the contact in work
     private ConstraintRows look = rows;

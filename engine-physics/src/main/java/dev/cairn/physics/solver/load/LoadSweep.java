@@ -6,7 +6,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.SolverBodies;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 
@@ -27,8 +27,9 @@ import java.util.Arrays;
  *
  * <p>The load runs down in one sweep: bodies from the highest to the lowest, ties by slot, each
  * hands its weight and its load to what is under it, in proportion to the impulses of the last
- * tick. The order is a function of the state alone. Speeds are measured by {@code sqrt(g r)} of the
- * smaller body, lengths by its radius, so that scenes of any size behave alike.
+ * tick. Loads run down over contacts; other kinds of constraints carry none yet. The order is a
+ * function of the state alone. Speeds are measured by {@code sqrt(g r)} of the smaller body,
+ * lengths by its radius, so that scenes of any size behave alike.
  *
  * <p>Simulation thread, what bodies and contacts tell by themselves in blocks; allocates only when
  * a store has grown. Source: own study.
@@ -103,7 +104,7 @@ public final class LoadSweep {
 
     private BodyStore bodies = new BodyStore();
     private ContactStore contacts = new ContactStore();
-    private RowList list = new RowList();
+    private EdgeList list = new EdgeList();
     private int[] guide = {};
     private double upX;
     private double upY;
@@ -125,7 +126,7 @@ public final class LoadSweep {
     public boolean run(
             BodyStore store,
             ContactStore contactStore,
-            RowList rowList,
+            EdgeList rowList,
             SolverBodies state,
             double[] g,
             double step,
@@ -154,7 +155,7 @@ public final class LoadSweep {
         moved = false;
         boolean keeps = same && !stale;
         jobs.run(measureJob, bodyBlocks);
-        jobs.run(lookJob, Blocks.count(list.count, ROWS_PER_BLOCK));
+        jobs.run(lookJob, Blocks.count(list.contacts, ROWS_PER_BLOCK));
         if (hurt) {
             spread();
         }
@@ -181,7 +182,7 @@ public final class LoadSweep {
             end = new int[n];
             first = new int[n + 1];
         }
-        if (edge.length < list.count) {
+        if (edge.length < list.contacts) {
             edge = new int[list.source.length];
             under = new int[edge.length];
             upper = new int[edge.length];
@@ -249,7 +250,7 @@ public final class LoadSweep {
 
     /** Who is disturbed, and who carries whom; a mark is the same whoever writes it. */
     private void look(int block, int worker) {
-        int end = Blocks.end(block, ROWS_PER_BLOCK, list.count);
+        int end = Blocks.end(block, ROWS_PER_BLOCK, list.contacts);
         for (int m = Blocks.begin(block, ROWS_PER_BLOCK); m < end; m++) {
             gate(m);
             int i = carried(m);
@@ -329,11 +330,9 @@ public final class LoadSweep {
         for (int hop = 0; hop < HOPS; hop++) {
             boolean any = false;
             for (int m = 0; m < list.count; m++) {
-                int source = list.source[m];
-                int a = contacts.bodyA[source];
-                int b = contacts.bodyB[source];
-                if (rough[a] != rough[b]
-                        && bodies.kind[rough[a] != 0 ? a : b] == BodyStore.DYNAMIC) {
+                int a = list.slotA[m];
+                int b = list.slotB[m];
+                if ((a | b) >= 0 && rough[a] != rough[b]) {
                     next[a] = HURT;
                     next[b] = HURT;
                     any = true;
@@ -353,7 +352,7 @@ public final class LoadSweep {
     private void edges() {
         int n = bodies.slotCount;
         Arrays.fill(first, 0, n + 1, 0);
-        for (int m = 0; m < list.count; m++) {
+        for (int m = 0; m < list.contacts; m++) {
             if (upper[m] >= 0) {
                 first[upper[m] + 1]++;
             }
@@ -362,7 +361,7 @@ public final class LoadSweep {
             first[i + 1] += first[i];
             end[i] = first[i];
         }
-        for (int m = 0; m < list.count; m++) {
+        for (int m = 0; m < list.contacts; m++) {
             if (upper[m] >= 0) {
                 int e = end[upper[m]]++;
                 edge[e] = m;

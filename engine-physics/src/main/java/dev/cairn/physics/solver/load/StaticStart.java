@@ -4,7 +4,7 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Islands;
 import dev.cairn.physics.solver.body.SolverBodies;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 
 import java.util.Arrays;
 
@@ -96,28 +96,25 @@ public final class StaticStart {
      * @param sweeps over an island, at most
      */
     public void find(
-            BodyStore b, ContactStore c, RowList list, double still, double gain, int sweeps) {
+            BodyStore b, ContactStore c, EdgeList list, double still, double gain, int sweeps) {
         found = false;
         loose = BALANCED * BALANCED * gain * gain;
         if (!anyNew(b)) {
             return;
         }
         ensureCapacity(b, c);
-        gather(b, c);
+        gather(b, list);
         Arrays.fill(sweepsLeft, 0, b.slotCount, 0);
         Arrays.fill(swept, 0, b.slotCount, false);
         for (int m = 0; m < list.count; m++) {
-            int i = c.bodyA[list.source[m]];
-            int j = c.bodyB[list.source[m]];
-            int root = island[b.kind[i] == BodyStore.DYNAMIC ? i : j];
+            int root = island[list.mover(m)];
             sweepsLeft[root]++;
             // for now: whether the island is no start
-            swept[root] |= !starts(b, i, still) || !starts(b, j, still);
+            swept[root] |= !starts(b, c, list, m, still);
         }
         int all = 0;
-        for (int m = 0; m < list.count; m++) {
-            int i = c.bodyA[list.source[m]];
-            int root = islands.root(b.kind[i] == BodyStore.DYNAMIC ? i : c.bodyB[list.source[m]]);
+        for (int m = 0; m < list.contacts; m++) {
+            int root = island[list.mover(m)];
             if (!swept[root] && VISITS / sweepsLeft[root] >= FEWEST) {
                 list.rows(m).unloaded[list.place[m]] = MARK;
                 all++;
@@ -149,7 +146,7 @@ public final class StaticStart {
         return false;
     }
 
-    private void gather(BodyStore b, ContactStore c) {
+    private void gather(BodyStore b, EdgeList list) {
         int count = 0;
         for (int i = 0; i < b.slotCount; i++) {
             if (b.kind[i] == BodyStore.DYNAMIC) {
@@ -157,10 +154,23 @@ public final class StaticStart {
             }
         }
         islands.ensureSlots(island.length);
-        islands.build(b, c, slots, count);
+        islands.begin(slots, count);
+        for (int m = 0; m < list.count; m++) {
+            if (list.isBetweenMovers(m)) {
+                islands.join(list.slotA[m], list.slotB[m]);
+            }
+        }
         for (int k = 0; k < count; k++) {
             island[slots[k]] = islands.root(slots[k]);
         }
+    }
+
+    /** Only contacts are swept before a start. */
+    private static boolean starts(BodyStore b, ContactStore c, EdgeList list, int m, double still) {
+        int source = list.source[m];
+        return m < list.contacts
+                && starts(b, c.bodyA[source], still)
+                && starts(b, c.bodyB[source], still);
     }
 
     private static boolean starts(BodyStore b, int i, double still) {

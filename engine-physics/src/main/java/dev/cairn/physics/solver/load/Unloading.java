@@ -3,7 +3,7 @@ package dev.cairn.physics.solver.load;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.row.ConstraintRows;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 
 import java.util.Arrays;
 
@@ -33,7 +33,7 @@ public final class Unloading {
      * @return whether there is one
      */
     public boolean find(
-            BodyStore b, ContactStore c, RowList list, double perImpulse, double g, boolean same) {
+            BodyStore b, ContactStore c, EdgeList list, double perImpulse, double g, boolean same) {
         if (same) {
             clear(list);
             return false;
@@ -45,7 +45,7 @@ public final class Unloading {
         }
         Arrays.fill(now, 0, b.slotCount, 0.0);
         Arrays.fill(contactsNow, 0, b.slotCount, 0);
-        for (int m = 0; m < list.count; m++) {
+        for (int m = 0; m < list.contacts; m++) {
             list.rows(m).unloaded[list.place[m]] = 0;
             int source = list.source[m];
             double sum = force(c, source, perImpulse);
@@ -65,14 +65,14 @@ public final class Unloading {
             any |= lost;
         }
         if (any) {
-            spread(b, c, list);
+            spread(list);
         }
         found = any;
         return any;
     }
 
     /** Takes the marks of the last tick away. */
-    private void clear(RowList list) {
+    private void clear(EdgeList list) {
         if (found) {
             Arrays.fill(list.floats.unloaded, (byte) 0);
             Arrays.fill(list.doubles.unloaded, (byte) 0);
@@ -80,23 +80,29 @@ public final class Unloading {
         }
     }
 
-    private void spread(BodyStore b, ContactStore c, RowList list) {
+    /** Marks all that hangs together with a body that is marked. */
+    private void spread(EdgeList list) {
         boolean again = true;
         for (boolean forward = true; again; forward = !forward) {
             again = false;
             for (int k = 0; k < list.count; k++) {
                 int m = forward ? k : list.count - 1 - k;
-                if (list.rows(m).unloaded[list.place[m]] != 0) {
+                int i = list.slotA[m];
+                int j = list.slotB[m];
+                boolean first = i >= 0 && marked[i];
+                boolean second = j >= 0 && marked[j];
+                if (!first && !second) {
                     continue;
                 }
-                int source = list.source[m];
-                int i = c.bodyA[source];
-                int j = c.bodyB[source];
-                if (marked[i] || marked[j]) {
+                if (m < list.contacts) {
                     list.rows(m).unloaded[list.place[m]] = 1;
-                    marked[i] = b.kind[i] == BodyStore.DYNAMIC;
-                    marked[j] = b.kind[j] == BodyStore.DYNAMIC;
-                    again = true;
+                }
+                again |= i >= 0 && !first || j >= 0 && !second;
+                if (i >= 0) {
+                    marked[i] = true;
+                }
+                if (j >= 0) {
+                    marked[j] = true;
                 }
             }
         }

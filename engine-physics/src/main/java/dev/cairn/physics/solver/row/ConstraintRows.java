@@ -11,7 +11,7 @@ import dev.cairn.physics.solver.body.SolverBodies;
  * n)}, and the angular velocity in the solver is {@code L^-1 w}. Then the same three numbers tell
  * how a turn moves the point and how an impulse at the point turns the body.
  */
-public final class ConstraintRows {
+public final class ConstraintRows implements EdgePlaces {
     static final int NORMAL = 0;
 
     /** 1 while the contact had no impulse to start the sub-step with. */
@@ -107,7 +107,7 @@ public final class ConstraintRows {
     public final int group;
 
     /** The contacts whose rows these are, and others. */
-    public final RowList list;
+    public final EdgeList list;
 
     /** Rolling friction of the rows; of windows there is none. */
     public final RollingRows rolling = new RollingRows();
@@ -139,7 +139,7 @@ public final class ConstraintRows {
 
     public int[] bouncer = {};
 
-    public ConstraintRows(int lanes, int group, boolean isSingle, RowList list) {
+    public ConstraintRows(int lanes, int group, boolean isSingle, EdgeList list) {
         this.lanes = lanes;
         this.group = group;
         this.isSingle = isSingle;
@@ -171,7 +171,30 @@ public final class ConstraintRows {
         return link[j * LINK + COUNT];
     }
 
+    @Override
+    public int group() {
+        return group;
+    }
+
+    @Override
+    public void bind(int place, int source, int offsetA, int offsetB, int variant) {
+        int l = place * LINK;
+        link[l + BODY_A] = offsetA;
+        link[l + BODY_B] = offsetB;
+        link[l + COUNT] = variant;
+        link[l + SOURCE] = source;
+        unloaded[place] = 0;
+    }
+
+    @Override
+    public void pad(int place) {
+        bind(place, 0, 0, 0, 0);
+    }
+
+    /** Makes room; see {@link #places} for how many are in use. */
+    @Override
     public void ensurePlaces(int wanted) {
+        places = wanted;
         if (wanted * LINK > link.length) {
             int n = Math.max(wanted, Math.max(64, unloaded.length + (unloaded.length >> 1)));
             n = (n + CHUNK - 1) / CHUNK * CHUNK;

@@ -11,7 +11,7 @@ import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
  * <p>One thread at a time. Allocates when it is made.
  */
 public final class RowWindow {
-    private final ConstraintRows copy = new RowList().doubles;
+    private final ConstraintRows copy = new EdgeList().doubles;
     private int place;
 
     public RowWindow() {

@@ -29,8 +29,8 @@ import dev.cairn.physics.solver.kernel.ScalarFriction;
 import dev.cairn.physics.solver.kernel.ScalarNormals;
 import dev.cairn.physics.solver.kernel.WarmStart;
 import dev.cairn.physics.solver.row.ConstraintRows;
+import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.RollingRows;
-import dev.cairn.physics.solver.row.RowList;
 
 /**
  * Points that land, of a body that rocks on its only contact, which is with what does not move:
@@ -77,7 +77,7 @@ public final class InelasticImpact {
     private BodyStore store = new BodyStore();
     private SolverBodies bodies = new SolverBodies();
     private ContactStore contacts = new ContactStore();
-    private ConstraintRows rows = new RowList().doubles;
+    private ConstraintRows rows = new EdgeList().doubles;
     private RollingRows rolling = rows.rolling;
     private int rollingAt;
     private double[] d = {};

@@ -5,7 +5,7 @@ import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.kernel.RowSweeps;
 import dev.cairn.physics.solver.kernel.Sweeps;
 import dev.cairn.physics.solver.row.ConstraintRows;
-import dev.cairn.physics.solver.row.RowList;
+import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.Scratch;
 import dev.cairn.physics.solver.row.SubStep;
 import dev.cairn.physics.tuning.Tuning;
@@ -122,7 +122,7 @@ public final class WideSweeps implements Sweeps {
     }
 
     private void warmUp(boolean wanted) {
-        RowList list = new RowList(lanes(), lanes(), lanes(), lanes());
+        EdgeList list = new EdgeList(lanes(), lanes(), lanes(), lanes());
         ConstraintRows rows = isSingle ? list.floats : list.doubles;
         ContactStore contacts = new ContactStore();
         contacts.ensureCapacity(ConstraintRows.CHUNK);

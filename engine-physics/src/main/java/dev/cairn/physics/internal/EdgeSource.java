@@ -1,0 +1,40 @@
+package dev.cairn.physics.internal;
+
+/**
+ * Where the edges of one kind of constraint come from: who binds which bodies in this tick.
+ *
+ * <p>Islands, sleep, batches and colours see constraints as edges between two bodies, and know
+ * nothing else of them. Simulation thread; nothing allocates.
+ */
+public interface EdgeSource {
+    /**
+     * How many edges there may be in this tick.
+     *
+     * @return at least 0
+     */
+    int edges();
+
+    /**
+     * Row of an edge in the kind's own store.
+     *
+     * @param i from 0 to below {@link #edges}
+     * @return names the edge as long as it exists
+     */
+    int edgeRow(int i);
+
+    /**
+     * Slot of the first body of an edge.
+     *
+     * @param i from 0 to below {@link #edges}
+     * @return the slot, or -1 if the edge is not solved in this tick
+     */
+    int edgeA(int i);
+
+    /**
+     * Slot of the second body of an edge that is solved.
+     *
+     * @param i from 0 to below {@link #edges}
+     * @return the slot
+     */
+    int edgeB(int i);
+}
