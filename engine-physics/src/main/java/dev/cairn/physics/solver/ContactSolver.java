@@ -125,7 +125,11 @@ public final class ContactSolver {
         for (int k = 0; k < 2; k++) {
             passes[k] =
                     new Passes(
-                            tick, k == Batches.FLOATS ? list.floats : list.doubles, start, direct);
+                            tick,
+                            k == Batches.FLOATS ? list.floats : list.doubles,
+                            collector.bouncers,
+                            start,
+                            direct);
             lockstep[k] = new Lockstep(passes[k], colouring, batches, narrow[k], k);
         }
     }
@@ -292,7 +296,14 @@ public final class ContactSolver {
             p.prepare(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
         }
         boolean renewed = p.findRenewed(head, tail, from, to);
+        boolean bounces = collector.bouncers.to(b) > collector.bouncers.from(b);
+        if (bounces) {
+            p.limit(sub, head, tail);
+        }
         for (int k = 0; k < sub.count; k++) {
+            if (bounces && p.mayMeet(b, head, tail, own)) {
+                p.impacts(sub, b, head, tail, from, to, own);
+            }
             p.kick(sub, k, head, tail, own);
             if (unloaded && k == 0) {
                 p.settle(sub, from, to, own);
@@ -304,6 +315,9 @@ public final class ContactSolver {
                 p.direct(sub, b, d, true, own);
             }
             p.drift(sub, head, tail);
+            if (bounces) {
+                p.limit(sub, head, tail);
+            }
             if (renewed) {
                 p.keep(head, tail);
                 p.takeOut(from, to, own);
@@ -323,6 +337,7 @@ public final class ContactSolver {
         for (int c = first; c < colouring.firstContact[b]; c++) {
             p.storeKind(colouring.kind[c], sub, start[c], end[c]);
         }
+        own.impacts.report();
         for (int d = 0; d < direct.openIn(b); d++) {
             p.learn(sub, b, d, own);
         }

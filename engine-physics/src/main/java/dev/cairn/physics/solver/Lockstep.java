@@ -5,10 +5,8 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.Colouring;
-import dev.cairn.physics.solver.impact.Impacts;
 import dev.cairn.physics.solver.kernel.Sweeps;
 import dev.cairn.physics.solver.row.SubStep;
-import dev.cairn.physics.tuning.Tunable;
 
 /**
  * The tick of islands that are too large for one worker, by all of them at once: the contacts
@@ -38,7 +36,6 @@ final class Lockstep {
     private final Batches batches;
     private final Sweeps narrow;
     private final int kind;
-    private final Impacts impacts = new Impacts();
 
     private final BlockJob prepare = this::prepare;
     private final BlockJob findRenewed = this::findRenewed;
@@ -62,6 +59,14 @@ final class Lockstep {
     private boolean renews;
     private boolean unloaded;
     private int domains;
+
+    /** Whether a contact has restitution, and whether one may meet in the sub-step that comes. */
+    private boolean bounces;
+
+    private boolean meets;
+
+    /** Whether the sub-step that comes begins with work on all rows. */
+    private boolean apart;
 
     /** The batch in lockstep, and its sub-steps. */
     private int base;
@@ -120,9 +125,14 @@ final class Lockstep {
         colours(prepare, jobs);
         jobs.run(findRenewed, Blocks.count(endPlace(-1) - firstPlace(-1), ROWS_PER_BLOCK));
         substep = 0;
+        bounces = passes.bouncers.to(base) > passes.bouncers.from(base);
+        if (bounces) {
+            passes.limit(pace, firstBody(), endBody());
+        }
+        look();
         jobs.run(within, parts);
         while (substep < pace.count) {
-            if (isApart()) {
+            if (apart) {
                 begin(bodyBlocks, jobs);
             }
             colours(bias, jobs);
@@ -138,36 +148,39 @@ final class Lockstep {
             colours(relax, jobs);
             direct(false, jobs);
             substep++;
+            look();
             jobs.run(within, parts);
         }
         colours(storeRows, jobs);
         for (int d = 0; d < direct(); d++) {
             passes.learn(pace, base, d, benches[0]);
         }
-        impacts.report();
+        benches[0].impacts.report();
     }
 
     private boolean isEmpty() {
         return colouring.firstColour[base + 1 + domains] == colouring.firstColour[base];
     }
 
-    /** Whether this sub-step begins with work on all rows. */
-    private boolean isApart() {
-        return passes.rows.bouncing > 0 || (unloaded && substep == 0);
+    /** Finds whether the next sub-step begins with work on all rows. */
+    private void look() {
+        meets = bounces && passes.mayMeet(base, firstBody(), endBody(), benches[0]);
+        apart = meets || (unloaded && substep == 0);
+    }
+
+    private int firstBody() {
+        return batches.firstBody[base];
+    }
+
+    private int endBody() {
+        return batches.firstBody[base + 1 + domains];
     }
 
     private void begin(int bodyBlocks, Jobs jobs) {
         Passes p = passes;
-        if (p.rows.bouncing > 0
-                && impacts.run(
-                        p.rows,
-                        p.tick.body,
-                        p.tick.bodies,
-                        p.tick.contacts,
-                        p.tick.gravity,
-                        pace.seconds,
-                        p.tick.settings.get(Tunable.RESTITUTION_THRESHOLD))) {
-            p.separate(batches.firstBody[base], batches.firstBody[base + 1 + domains]);
+        if (meets) {
+            int end = endPlace(domains - 1);
+            p.impacts(pace, base, firstBody(), endBody(), firstPlace(-1), end, benches[0]);
         }
         jobs.run(kick, bodyBlocks);
         if (unloaded && substep == 0) {
@@ -259,7 +272,7 @@ final class Lockstep {
             p.storeBodies(head, tail);
             p.storeRows(chosen, pace, renews, firstPlace(domain), endPlace(domain), own);
             storeKinds(b);
-        } else if (!isApart()) {
+        } else if (!apart) {
             p.kick(pace, substep, head, tail, own);
             biasWithin(domain, worker);
         }
@@ -274,7 +287,7 @@ final class Lockstep {
         }
         if (substep == pace.count) {
             passes.storeBodies(head, tail);
-        } else if (!isApart()) {
+        } else if (!apart) {
             passes.kick(pace, substep, head, tail, benches[worker]);
         }
     }
@@ -302,6 +315,9 @@ final class Lockstep {
 
     private void drift(int head, int tail, Passes p) {
         p.drift(pace, head, tail);
+        if (bounces) {
+            p.limit(pace, head, tail);
+        }
         if (renews) {
             p.keep(head, tail);
         }

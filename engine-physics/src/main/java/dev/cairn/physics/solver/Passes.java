@@ -7,6 +7,7 @@ import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.direct.DirectIslands;
 import dev.cairn.physics.solver.graph.Batches;
+import dev.cairn.physics.solver.graph.Bouncers;
 import dev.cairn.physics.solver.kernel.Rescaling;
 import dev.cairn.physics.solver.kernel.ScalarPasses;
 import dev.cairn.physics.solver.kernel.ScalarSweep;
@@ -55,14 +56,22 @@ final class Passes {
     private final StartPass starts;
     private final StaticStart start;
     final DirectIslands direct;
+    final Bouncers bouncers;
 
     /**
      * Passes over the rows of one precision.
      *
+     * @param bouncers the contacts with restitution
      * @param start the islands that begin at rest
      * @param direct the islands that are solved directly
      */
-    Passes(SolverContext tick, ConstraintRows rows, StaticStart start, DirectIslands direct) {
+    Passes(
+            SolverContext tick,
+            ConstraintRows rows,
+            Bouncers bouncers,
+            StaticStart start,
+            DirectIslands direct) {
+        this.bouncers = bouncers;
         this.tick = tick;
         this.rows = rows;
         body = tick.body;
@@ -313,12 +322,39 @@ final class Passes {
         }
     }
 
-    /** Separations of all rows after the bodies from {@code from} to {@code to} were moved. */
-    void separate(int from, int to) {
+    /** How fast bodies of a batch with bouncing contacts can be when the next sub-step begins. */
+    void limit(SubStep sub, int from, int to) {
+        double weight = tick.weight();
         for (int k = from; k < to; k++) {
-            round(tick.order[k]);
+            body.limit(tick.bodies, tick.order[k], weight, sub.seconds);
         }
-        one.separate(rows, body);
+    }
+
+    /** Whether a batch may have impacts in the next sub-step, see {@link #limit}. */
+    boolean mayMeet(int batch, int head, int tail, Workbench bench) {
+        int from = bouncers.from(batch);
+        int to = bouncers.to(batch);
+        return from < to && bench.impacts.mayMeet(tick, rows, bouncers.row, from, to, head, tail);
+    }
+
+    /**
+     * Impacts at the start of a sub-step.
+     *
+     * @param head first body of the batch
+     * @param from first place of its contacts
+     */
+    void impacts(SubStep sub, int batch, int head, int tail, int from, int to, Workbench bench) {
+        for (int k = head; k < tail; k++) {
+            body.impactTime[tick.order[k]] = 0;
+            body.shifted[tick.order[k]] = false;
+        }
+        if (bench.impacts.run(
+                tick, rows, bouncers.row, bouncers.from(batch), bouncers.to(batch), sub.seconds)) {
+            for (int k = head; k < tail; k++) {
+                round(tick.order[k]);
+            }
+            one.separate(rows, body, from, to);
+        }
     }
 
     void finish(SubStep sub, int from, int to, Workbench bench) {

@@ -1,6 +1,7 @@
 package dev.cairn.physics.solver;
 
 import dev.cairn.physics.solver.direct.DirectSolve;
+import dev.cairn.physics.solver.impact.Impacts;
 import dev.cairn.physics.solver.refresh.RefreshRow;
 import dev.cairn.physics.solver.row.RowWindow;
 import dev.cairn.physics.solver.row.Scratch;
@@ -15,4 +16,5 @@ final class Workbench {
     final InelasticImpact landing = new InelasticImpact();
     final PinnedCorner pivot = new PinnedCorner();
     final DirectSolve direct = new DirectSolve();
+    final Impacts impacts = new Impacts();
 }

@@ -132,7 +132,7 @@ class BatchesTest {
             list.slotB[m] = mover(s, s.contacts.bodyB[m]);
         }
         Batches batches = new Batches();
-        batches.cut(list, s.bodies.slotCount, guide, false, workers, floatsFrom);
+        batches.cut(list, s.bodies.slotCount, guide, workers, floatsFrom);
         return batches;
     }
 

@@ -89,6 +89,14 @@ public final class SolverBodies {
      */
     double[] carry = {};
 
+    /** By slot: no point of the body is faster until the next sub-step, m/s; see {@link #limit}. */
+    public double[] fastest = {};
+
+    /** By slot: time of the last impact in this sub-step, s; whether one has moved the start. */
+    public double[] impactTime = {};
+
+    public boolean[] shifted = {};
+
     public final PrincipalAxes axes = new PrincipalAxes();
 
     public static int offset(int slot) {
@@ -112,6 +120,9 @@ public final class SolverBodies {
             glide = Arrays.copyOf(glide, n * MotionRecord.STRIDE);
             carry = Arrays.copyOf(carry, n * 12);
             guide = Arrays.copyOf(guide, n);
+            fastest = new double[n];
+            impactTime = new double[n];
+            shifted = new boolean[n];
         }
         axes.ensureCapacity(slots);
     }
@@ -195,6 +206,31 @@ public final class SolverBodies {
     public double world(int i, int o, int axis) {
         int k = (i + 1) * ROOT + 3 * axis;
         return root[k] * state[o] + root[k + 1] * state[o + 1] + root[k + 2] * state[o + 2];
+    }
+
+    /**
+     * Notes how fast a body can be when the next sub-step begins: twice as fast as now, since what
+     * is still to be solved of this one takes speed away rather than adding it, and what gravity
+     * and forces add.
+     *
+     * @param gravity its size, m/s²
+     */
+    public void limit(BodyStore b, int i, double gravity, double seconds) {
+        int o = offset(i);
+        double turn = norm(world(i, o + 3, 0), world(i, o + 3, 1), world(i, o + 3, 2));
+        double speed = norm(state[o], state[o + 1], state[o + 2]) + turn * b.outerRadius[i];
+        double push = norm(b.forceX[i], b.forceY[i], b.forceZ[i]) * b.inverseMass[i];
+        double pull = gravity * Math.abs(b.gravityScale[i]);
+        fastest[i] = 2 * (speed + seconds * (pull + push));
+    }
+
+    /** Whether an impact of this sub-step has shifted the body at an offset of the state. */
+    public boolean isShifted(int offset) {
+        return offset != 0 && shifted[slot(offset)];
+    }
+
+    private static double norm(double x, double y, double z) {
+        return Math.sqrt(x * x + y * y + z * z);
     }
 
     /** {@code L} with {@code L L^T = scale I^-1}: the principal axes, each times a square root. */

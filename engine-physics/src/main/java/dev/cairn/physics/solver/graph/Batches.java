@@ -115,12 +115,10 @@ public final class Batches {
      *
      * @param slots of bodies
      * @param guide tells who has edges
-     * @param together whether all are to be solved in lockstep
      * @param workers that take part
      * @param floatsFrom rows of an island that are floats if there are as many
      */
-    public void cut(
-            EdgeList list, int slots, int[] guide, boolean together, int workers, int floatsFrom) {
+    public void cut(EdgeList list, int slots, int[] guide, int workers, int floatsFrom) {
         this.floatsFrom = floatsFrom;
         ensureCapacity(slots, list.source.length);
         boundCount = 0;
@@ -131,15 +129,15 @@ public final class Batches {
         }
         boolean isOne = floatsFrom == 0 || list.count < floatsFrom;
         knowsIslands = false;
-        if (isOne && list.count <= (together ? LARGEST : WANTED)) {
-            whole(list, isSingle(list.count) ? FLOATS : DOUBLES, together);
+        if (isOne && list.count <= WANTED) {
+            whole(list, isSingle(list.count) ? FLOATS : DOUBLES);
         } else {
             islands(list);
-            gather(list, together, workers);
+            gather(list, workers);
         }
     }
 
-    private void gather(EdgeList list, boolean together, int workers) {
+    private void gather(EdgeList list, int workers) {
         tally(list);
         for (int k = 0; k < boundCount; k++) {
             isSingle[bound[k]] = isSingle(tally[islands.root(bound[k])]);
@@ -149,9 +147,9 @@ public final class Batches {
         int share = workers == 1 ? LARGEST : list.count / (2 * workers);
         int largest = Math.max(WANTED, Math.min(LARGEST, share));
         count = 0;
-        number(FLOATS, together, largest);
+        number(FLOATS, largest);
         divider = count++;
-        number(DOUBLES, together, largest);
+        number(DOUBLES, largest);
         for (int m = 0; m < list.count; m++) {
             list.isSingle[m] = isSingle[batchOf[m]];
             int batch = tally[batchOf[m]];
@@ -162,14 +160,13 @@ public final class Batches {
     }
 
     /** All in one batch. */
-    private void whole(EdgeList list, int kind, boolean together) {
+    private void whole(EdgeList list, int kind) {
         count = 0;
         int target = 0;
         for (int k = FLOATS; k <= DOUBLES; k++) {
-            target = k == kind ? count : target;
             lockstep[k] = count++;
             alone[k] = count;
-            if (k == kind && !together) {
+            if (k == kind) {
                 target = count++;
             }
             if (k == FLOATS) {
@@ -224,7 +221,7 @@ public final class Batches {
     }
 
     /** Numbers the batches of one kind: the one in lockstep, its domains, those of islands. */
-    private void number(int kind, boolean together, int largest) {
+    private void number(int kind, int largest) {
         lockstep[kind] = count++;
         for (int d = 0; d < domains.count; d++) {
             if (kindOf(domains.seed[d]) == kind) {
@@ -232,7 +229,7 @@ public final class Batches {
             }
         }
         alone[kind] = count;
-        assign(kind, together, largest);
+        assign(kind, largest);
     }
 
     /** Kind of rows of a body with edges. */
@@ -255,7 +252,7 @@ public final class Batches {
         return kind == FLOATS ? divider : count;
     }
 
-    private void assign(int kind, boolean together, int largest) {
+    private void assign(int kind, int largest) {
         int open = 0;
         int openRows = WANTED;
         for (int k = 0; k < boundCount; k++) {
@@ -264,7 +261,7 @@ public final class Batches {
                 continue;
             }
             int n = tally[i];
-            if (together || n > largest) {
+            if (n > largest) {
                 tally[i] = lockstep[kind];
                 continue;
             }
@@ -334,6 +331,13 @@ public final class Batches {
     /** The batch of a row. */
     public int batchOfRow(int m) {
         return batchOf[m];
+    }
+
+    /** The batch that a row is solved with: of a domain, that in lockstep. */
+    int groupOfRow(int m) {
+        int batch = batchOf[m];
+        int kind = batch < divider ? FLOATS : DOUBLES;
+        return batch < alone[kind] ? lockstep[kind] : batch;
     }
 
     /** Whether a row is in a batch in lockstep. */

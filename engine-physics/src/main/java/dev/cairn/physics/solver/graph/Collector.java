@@ -7,7 +7,6 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.solver.body.SolverBodies;
-import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.EdgePlaces;
 
@@ -29,6 +28,9 @@ public final class Collector {
     private final Batches batches;
     private final PairOrder order = new PairOrder();
 
+    /** Those of this tick. */
+    public final Bouncers bouncers = new Bouncers();
+
     /** By edge: whether it had no impulse at the end of the last tick; whether it bounces. */
     private boolean[] cold = {};
 
@@ -49,11 +51,6 @@ public final class Collector {
     private ContactStore contacts = new ContactStore();
     private EdgeList list = new EdgeList();
     private int slots;
-    private boolean together;
-
-    /** Contacts with restitution. */
-    private int bouncing;
-
     private int workers;
     private boolean stacked;
 
@@ -99,15 +96,14 @@ public final class Collector {
         }
         sameBodies = sameList || list();
         sameBodies &= slots == bodies.slotCount;
-        sameBodies &= together == bouncing > 0 && workers == workerCount;
+        sameBodies &= workers == workerCount;
         if (!sameBodies) {
             slots = bodies.slotCount;
-            together = bouncing > 0;
             workers = workerCount;
             bind(guide);
-            batches.cut(list, slots, guide, together, workerCount, floatsFrom);
+            batches.cut(list, slots, guide, workerCount, floatsFrom);
         }
-        if (!sameList) {
+        if (!sameList || !sameBodies) {
             listBouncers();
         }
         if (!sameBodies || !sameColours) {
@@ -216,7 +212,6 @@ public final class Collector {
     private boolean list() {
         boolean same = true;
         int n = 0;
-        bouncing = 0;
         for (int k = 0; k <= list.kinds.length; k++) {
             EdgeSource edges = source(k);
             same &= list.first[k] == n;
@@ -257,9 +252,6 @@ public final class Collector {
         list.variant[n] = points;
         cold[n] = isCold;
         bounces[n] = isContact && contacts.restitution[row] > 0;
-        if (bounces[n]) {
-            bouncing++;
-        }
         return same;
     }
 
@@ -292,16 +284,14 @@ public final class Collector {
         }
     }
 
-    /** Tells the rows of either precision which of them bounce. */
     private void listBouncers() {
-        list.floats.bouncing = 0;
-        list.doubles.bouncing = 0;
-        for (int m = 0; m < list.contacts && bouncing > 0; m++) {
+        bouncers.begin(list.contacts);
+        for (int m = 0; m < list.contacts; m++) {
             if (bounces[m]) {
-                ConstraintRows rows = list.rows(m);
-                rows.bouncer[rows.bouncing++] = m;
+                bouncers.add(m);
             }
         }
+        bouncers.sort(batches);
     }
 
     private void colour() {

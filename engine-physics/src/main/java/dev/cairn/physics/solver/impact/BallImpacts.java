@@ -16,6 +16,7 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.solver.body.AxisLocks;
 import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.kernel.PrepareRow;
 import dev.cairn.physics.solver.kernel.ScalarFriction;
 import dev.cairn.physics.solver.kernel.WarmStart;
@@ -84,6 +85,11 @@ public final class BallImpacts {
     private BodyStore store = new BodyStore();
     private ContactStore contacts = new ContactStore();
     private double[] g = {};
+
+    /** The bouncing rows of the batch in work are those up to the end. */
+    private int[] bouncer = {};
+
+    private int end;
     private double h;
     private double threshold;
 
@@ -93,17 +99,18 @@ public final class BallImpacts {
 
     void begin(
             ConstraintRows constraintRows,
-            SolverBodies solverBodies,
-            BodyStore bodyStore,
-            ContactStore contactStore,
-            double[] gravity,
+            SolverContext tick,
+            int[] bouncers,
+            int bouncersEnd,
             double subStep,
             double restitutionThreshold) {
         rows = constraintRows;
-        bodies = solverBodies;
-        store = bodyStore;
-        contacts = contactStore;
-        g = gravity;
+        bodies = tick.body;
+        store = tick.bodies;
+        contacts = tick.contacts;
+        g = tick.gravity;
+        bouncer = bouncers;
+        end = bouncersEnd;
         h = subStep;
         soon = rows.isSingle ? Impacts.SOON_SINGLE : Impacts.SOON;
         threshold = restitutionThreshold;
@@ -116,9 +123,13 @@ public final class BallImpacts {
 
     /** Whether a bouncing row is one of two balls. */
     boolean isPair(int row) {
-        int source = rows.list.source[row];
-        return store.shape[contacts.bodyA[source]] instanceof Sphere
-                && store.shape[contacts.bodyB[source]] instanceof Sphere;
+        return isPair(store, contacts, rows.list.source[row]);
+    }
+
+    /** The same of a row in the store. */
+    static boolean isPair(BodyStore bodies, ContactStore contacts, int row) {
+        return bodies.shape[contacts.bodyA[row]] instanceof Sphere
+                && bodies.shape[contacts.bodyB[row]] instanceof Sphere;
     }
 
     /**
@@ -129,18 +140,18 @@ public final class BallImpacts {
      * @return whether there was one
      */
     boolean visit(int k) {
-        double time = timeOfImpact(rows.bouncer[k]);
+        double time = timeOfImpact(bouncer[k]);
         if (time == Double.POSITIVE_INFINITY) {
             return false;
         }
         count = 0;
         take(k, time);
         for (int i = 0; i < count; i++) {
-            for (int other = k + 1; other < rows.bouncing; other++) {
+            for (int other = k + 1; other < end; other++) {
                 if (touches(pair[i], other)
                         && isNew(other)
-                        && isPair(rows.bouncer[other])
-                        && Math.abs(timeOfImpact(rows.bouncer[other]) - time) <= SOON * h) {
+                        && isPair(bouncer[other])
+                        && Math.abs(timeOfImpact(bouncer[other]) - time) <= SOON * h) {
                     take(other, time);
                 }
             }
@@ -159,8 +170,8 @@ public final class BallImpacts {
     }
 
     private boolean touches(int k, int other) {
-        int i = rows.list.place[rows.bouncer[k]] * LINK;
-        int j = rows.list.place[rows.bouncer[other]] * LINK;
+        int i = rows.list.place[bouncer[k]] * LINK;
+        int j = rows.list.place[bouncer[other]] * LINK;
         int a = rows.link[i];
         int b = rows.link[i + 1];
         int c = rows.link[j];
@@ -307,7 +318,7 @@ public final class BallImpacts {
             change = Arrays.copyOf(change, n);
             before = Arrays.copyOf(before, 12 * n);
         }
-        int row = rows.bouncer[k];
+        int row = bouncer[k];
         int source = rows.list.source[row];
         int l = rows.list.place[row] * LINK;
         int i = rows.link[l];
@@ -351,7 +362,7 @@ public final class BallImpacts {
     private void strike(double time) {
         double[] s = bodies.state;
         for (int n = 0; n < count; n++) {
-            int l = rows.list.place[rows.bouncer[pair[n]]] * LINK;
+            int l = rows.list.place[bouncer[pair[n]]] * LINK;
             System.arraycopy(s, rows.link[l], before, 12 * n, 6);
             System.arraycopy(s, rows.link[l + 1], before, 12 * n + 6, 6);
             aim(n);
@@ -361,7 +372,7 @@ public final class BallImpacts {
             rub(n);
         }
         for (int n = 0; n < count; n++) {
-            int l = rows.list.place[rows.bouncer[pair[n]]] * LINK;
+            int l = rows.list.place[bouncer[pair[n]]] * LINK;
             for (int side = 0; side < 2; side++) {
                 int at = rows.link[l + side];
                 if (isFirst(n, side, at)) {
@@ -375,7 +386,7 @@ public final class BallImpacts {
     /** Whether a body of the struck pairs is met for the first time. */
     private boolean isFirst(int n, int side, int at) {
         for (int m = 0; m <= n; m++) {
-            int l = rows.list.place[rows.bouncer[pair[m]]] * LINK;
+            int l = rows.list.place[bouncer[pair[m]]] * LINK;
             for (int other = 0; other < (m < n ? 2 : side); other++) {
                 if (rows.link[l + other] == at) {
                     return false;
@@ -387,7 +398,7 @@ public final class BallImpacts {
 
     /** Turns a row to the normal of the impact; its impulses so far leave the warm start. */
     private void aim(int n) {
-        int row = rows.bouncer[pair[n]];
+        int row = bouncer[pair[n]];
         int source = rows.list.source[row];
         ConstraintRows look = window.open(rows, rows.list.place[row]);
         int place = window.place();
@@ -437,7 +448,7 @@ public final class BallImpacts {
             double largest = 0;
             double sum = 0;
             for (int n = 0; n < count; n++) {
-                int place = rows.list.place[rows.bouncer[pair[n]]];
+                int place = rows.list.place[bouncer[pair[n]]];
                 int o = rows.base(place);
                 int i = rows.link[place * LINK];
                 int j = rows.link[place * LINK + 1];
@@ -465,7 +476,7 @@ public final class BallImpacts {
 
     private void push(int n, double l) {
         double[] s = bodies.state;
-        int place = rows.list.place[rows.bouncer[pair[n]]];
+        int place = rows.list.place[bouncer[pair[n]]];
         int o = rows.base(place);
         int i = rows.link[place * LINK];
         int j = rows.link[place * LINK + 1];
@@ -484,7 +495,7 @@ public final class BallImpacts {
 
     /** Friction of a pair, bounded by its impulse, and its totals. */
     private void rub(int n) {
-        ConstraintRows look = window.open(rows, rows.list.place[rows.bouncer[pair[n]]]);
+        ConstraintRows look = window.open(rows, rows.list.place[bouncer[pair[n]]]);
         int place = window.place();
         int o = look.base(place);
         int lanes = look.lanes;
@@ -501,6 +512,6 @@ public final class BallImpacts {
             }
             d[o + (POINT + IMPULSE) * lanes] = 0;
         }
-        window.close(rows, rows.list.place[rows.bouncer[pair[n]]]);
+        window.close(rows, rows.list.place[bouncer[pair[n]]]);
     }
 }

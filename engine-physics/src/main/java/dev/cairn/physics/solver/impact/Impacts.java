@@ -10,16 +10,17 @@ import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
 import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
 
 import dev.cairn.physics.internal.BodyStore;
-import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.AxisLocks;
 import dev.cairn.physics.solver.body.MotionRecord;
 import dev.cairn.physics.solver.body.Rotation;
 import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.kernel.ScalarFriction;
 import dev.cairn.physics.solver.kernel.WarmStart;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.RowWindow;
+import dev.cairn.physics.tuning.Tunable;
 
 import java.util.Arrays;
 
@@ -40,10 +41,11 @@ import java.util.Arrays;
  * 0}.
  */
 public final class Impacts {
-    private static final int ROUNDS = 16;
+    /** Rounds over the contacts of a batch, at most. */
+    private static final int ROUNDS = 1024;
 
-    /** Few contacts may take more rounds, up to so many visits of a contact in a sub-step. */
-    private static final int VISITS = 16384;
+    /** Impacts of a contact in a sub-step, at most: of what bounces ever faster and lower. */
+    private static final int MEETINGS = 64;
 
     /**
      * Points within this share of the patch's radius of the surface at the time of impact take part
@@ -62,8 +64,8 @@ public final class Impacts {
     private final double[] acceleration = new double[6];
     private final BallImpacts balls = new BallImpacts(this);
 
-    /** By slot: time of the body's last impact in this sub-step, s. */
-    private double[] since = {};
+    /** By contact of the batch: its impacts in this sub-step. */
+    private int[] met = {};
 
     /** Velocities of both bodies before the impact. */
     private final double[] before = new double[12];
@@ -73,6 +75,11 @@ public final class Impacts {
     private double soon;
     private final RowWindow window = new RowWindow();
     private ConstraintRows rows = new EdgeList().doubles;
+
+    /** Size of gravity, m/s², and length of the sub-step in work, s. */
+    private double gravity;
+
+    private double subStep;
 
     // the contact in work
     private ConstraintRows look = rows;
@@ -88,53 +95,103 @@ public final class Impacts {
     private int points;
 
     /**
-     * Handles all impacts of one sub-step, in row order, until none is left.
+     * Handles all impacts of one sub-step of a batch, in the order of the list, until none is left.
+     * What one contact does depends on those of its island alone.
      *
+     * @param bouncer contacts with restitution, among others
+     * @param from where those of the batch start
+     * @param h length of the sub-step, s
      * @return whether there was one: bodies have moved
      */
     public boolean run(
+            SolverContext tick,
             ConstraintRows constraintRows,
-            SolverBodies solverBodies,
-            BodyStore bodyStore,
-            ContactStore contacts,
-            double[] g,
-            double h,
-            double threshold) {
+            int[] bouncer,
+            int from,
+            int to,
+            double h) {
         rows = constraintRows;
-        bodies = solverBodies;
-        store = bodyStore;
+        bodies = tick.body;
+        store = tick.bodies;
         body = bodies.state;
         soon = rows.isSingle ? SOON_SINGLE : SOON;
-        balls.begin(constraintRows, solverBodies, bodyStore, contacts, g, h, threshold);
-        if (since.length < bodyStore.slotCount) {
-            since = new double[bodyStore.kind.length];
+        gravity = tick.weight();
+        subStep = h;
+        double threshold = tick.settings.get(Tunable.RESTITUTION_THRESHOLD);
+        balls.begin(constraintRows, tick, bouncer, to, h, threshold);
+        if (met.length < to - from) {
+            met = new int[bouncer.length];
         }
-        Arrays.fill(since, 0, bodyStore.slotCount, 0.0);
-        int n = rows.bouncing;
+        Arrays.fill(met, 0, to - from, 0);
         boolean any = false;
-        boolean again = n > 0;
-        int rounds = n == 0 ? 0 : Math.max(ROUNDS, VISITS / n);
-        for (int round = 0; again && round < rounds; round++) {
+        boolean again = true;
+        for (int round = 0; again && round < ROUNDS; round++) {
             again = false;
-            for (int k = 0; k < n; k++) {
-                int row = rows.bouncer[k];
-                if (balls.isPair(row)) {
-                    again |= balls.visit(k);
-                } else {
-                    open(row);
-                    boolean met =
-                            impact(contacts.restitution[rows.list.source[row]], g, h, threshold);
-                    if (met) {
-                        window.close(rows, rows.list.place[row]);
-                        int at = rows.list.place[row];
-                        rows.rolling.drop(rows, bodies.warm, at, at);
-                    }
-                    again |= met;
+            for (int k = from; k < to; k++) {
+                if (met[k - from] < MEETINGS && meets(tick, bouncer[k], k, h, threshold)) {
+                    met[k - from]++;
+                    again = true;
                 }
             }
             any |= again;
         }
         return any;
+    }
+
+    private boolean meets(SolverContext tick, int row, int k, double h, double threshold) {
+        if (balls.isPair(row)) {
+            return balls.visit(k);
+        }
+        if (isSlow(row, threshold)) {
+            return false;
+        }
+        open(row);
+        double restitution = tick.contacts.restitution[rows.list.source[row]];
+        if (!impact(restitution, tick.gravity, h, threshold)) {
+            return false;
+        }
+        int at = rows.list.place[row];
+        window.close(rows, at);
+        rows.rolling.drop(rows, bodies.warm, at, at);
+        return true;
+    }
+
+    /** Whether no two points of the bodies of a row meet faster than the threshold. */
+    private boolean isSlow(int row, double threshold) {
+        int i = rows.list.slotA[row];
+        int j = rows.list.slotB[row];
+        double first = i < 0 ? 0 : bodies.fastest[i];
+        double second = j < 0 ? 0 : bodies.fastest[j];
+        return first + second < threshold;
+    }
+
+    /**
+     * Whether a batch may have impacts in the next sub-step: something in it is fast, or it has
+     * balls, whose gaps are mended even where they do not meet.
+     *
+     * @param head first of its bodies, see {@link SolverContext#order}
+     */
+    public boolean mayMeet(
+            SolverContext tick,
+            ConstraintRows constraintRows,
+            int[] bouncer,
+            int from,
+            int to,
+            int head,
+            int tail) {
+        double slow = 0.5 * tick.settings.get(Tunable.RESTITUTION_THRESHOLD);
+        for (int k = head; k < tail; k++) {
+            if (!(tick.body.fastest[tick.order[k]] < slow)) {
+                return true;
+            }
+        }
+        for (int k = from; k < to; k++) {
+            int source = constraintRows.list.source[bouncer[k]];
+            if (BallImpacts.isPair(tick.bodies, tick.contacts, source)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** End of the tick, when the rows are stored. */
@@ -272,7 +329,10 @@ public final class Impacts {
         if (at == 0) {
             return;
         }
-        since[SolverBodies.slot(at)] = time;
+        int slot = SolverBodies.slot(at);
+        bodies.impactTime[slot] = time;
+        // what was slow may meet its next neighbour fast now
+        bodies.limit(store, slot, gravity, subStep);
         shift(store, bodies, at, old, q, time);
     }
 
@@ -284,6 +344,7 @@ public final class Impacts {
             return;
         }
         bodies.glide[MotionRecord.STRIDE * SolverBodies.slot(at) + MotionRecord.STRUCK] = 1;
+        bodies.shifted[SolverBodies.slot(at)] = true;
         int p = at + SolverBodies.P;
         double tu = -time * (body[at + 3] - old[q + 3]);
         double tv = -time * (body[at + 4] - old[q + 4]);
@@ -306,6 +367,6 @@ public final class Impacts {
 
     /** Time of the last impact of the body at {@code at} in this sub-step; 0 if there was none. */
     double since(int at) {
-        return at == 0 ? 0 : since[SolverBodies.slot(at)];
+        return at == 0 ? 0 : bodies.impactTime[SolverBodies.slot(at)];
     }
 }

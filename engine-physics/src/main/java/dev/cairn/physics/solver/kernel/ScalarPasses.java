@@ -26,6 +26,6 @@ public interface ScalarPasses extends Sweep {
     /** Rolling friction of a range of rows of one colour, after their relax pass. */
     void roll(ConstraintRows rows, SolverBodies bodies, int from, int to);
 
-    /** Brings the separations of all rows up to date with the bodies. */
-    void separate(ConstraintRows rows, SolverBodies bodies);
+    /** Brings the separations of a range of rows up to date whose bodies an impact has shifted. */
+    void separate(ConstraintRows rows, SolverBodies bodies, int from, int to);
 }

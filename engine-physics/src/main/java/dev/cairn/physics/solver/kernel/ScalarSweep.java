@@ -170,15 +170,15 @@ public final class ScalarSweep implements ScalarPasses {
     }
 
     @Override
-    public void separate(ConstraintRows rows, SolverBodies bodies) {
+    public void separate(ConstraintRows rows, SolverBodies bodies, int from, int to) {
         double[] body = bodies.state;
         int[] link = rows.link;
-        for (int j = 0; j < rows.places; j++) {
+        for (int j = from; j < to; j++) {
             int l = j * LINK;
             int n = link[l + ConstraintRows.COUNT];
-            if (n > 0) {
-                int a = link[l];
-                int b = link[l + 1];
+            int a = link[l];
+            int b = link[l + 1];
+            if (n > 0 && (bodies.isShifted(a) || bodies.isShifted(b))) {
                 ScalarNormals.separate(rows.doubles, rows.base(j), rows.lanes, body, a, b, n);
             }
         }

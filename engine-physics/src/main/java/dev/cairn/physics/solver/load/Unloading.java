@@ -97,7 +97,7 @@ public final class Unloading {
                 if (m < list.contacts) {
                     list.rows(m).unloaded[list.place[m]] = 1;
                 }
-                again |= i >= 0 && !first || j >= 0 && !second;
+                again |= (i >= 0 && !first) || (j >= 0 && !second);
                 if (i >= 0) {
                     marked[i] = true;
                 }

@@ -134,11 +134,6 @@ public final class ConstraintRows implements EdgePlaces {
     /** By place: 1 in the tick in which a load that the contact's island carried has gone. */
     public byte[] unloaded = {};
 
-    /** How many contacts of these rows have restitution, and which of the list, in its order. */
-    public int bouncing;
-
-    public int[] bouncer = {};
-
     public ConstraintRows(int lanes, int group, boolean isSingle, EdgeList list) {
         this.lanes = lanes;
         this.group = group;

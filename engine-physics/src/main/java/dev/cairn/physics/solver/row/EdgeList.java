@@ -102,8 +102,6 @@ public final class EdgeList {
             variant = Arrays.copyOf(variant, n);
             place = Arrays.copyOf(place, n);
             isSingle = Arrays.copyOf(isSingle, n);
-            floats.bouncer = new int[n];
-            doubles.bouncer = new int[n];
         }
     }
 }
