@@ -209,9 +209,9 @@ public final class SolverBodies {
     }
 
     /**
-     * Notes how fast a body can be when the next sub-step begins: twice as fast as now, since what
-     * is still to be solved of this one takes speed away rather than adding it, and what gravity
-     * and forces add.
+     * Notes how fast a body can be when it meets something in the next sub-step: twice as fast as
+     * now, since what is still to be solved of this one takes speed away rather than adding it, and
+     * what gravity and forces add, unless contacts carry the body.
      *
      * @param gravity its size, m/s²
      */
@@ -219,9 +219,12 @@ public final class SolverBodies {
         int o = offset(i);
         double turn = norm(world(i, o + 3, 0), world(i, o + 3, 1), world(i, o + 3, 2));
         double speed = norm(state[o], state[o + 1], state[o + 2]) + turn * b.outerRadius[i];
-        double push = norm(b.forceX[i], b.forceY[i], b.forceZ[i]) * b.inverseMass[i];
-        double pull = gravity * Math.abs(b.gravityScale[i]);
-        fastest[i] = 2 * (speed + seconds * (pull + push));
+        double gain = 0;
+        if (state[o + LOADED] == 0) {
+            double push = norm(b.forceX[i], b.forceY[i], b.forceZ[i]) * b.inverseMass[i];
+            gain = seconds * (gravity * Math.abs(b.gravityScale[i]) + push);
+        }
+        fastest[i] = 2 * speed + gain;
     }
 
     /** Whether an impact of this sub-step has shifted the body at an offset of the state. */
