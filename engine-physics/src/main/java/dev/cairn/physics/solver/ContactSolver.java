@@ -194,9 +194,9 @@ public final class ContactSolver {
         timing(stepSeconds);
         tick.body.ensureCapacity(bodies.slotCount);
         load(jobs);
-        for (Passes p : passes) {
-            if (p.rows.places > 0) {
-                p.ensureCapacity(bodies.slotCount);
+        for (int k = Batches.FLOATS; k <= Batches.DOUBLES; k++) {
+            if (list.count > 0 && batches.hasBodies(k)) {
+                passes[k].ensureCapacity(bodies.slotCount);
             }
         }
         jobs.run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK));

@@ -247,6 +247,11 @@ public final class Batches {
         return alone[kind];
     }
 
+    /** Whether any island has rows of a kind. */
+    public boolean hasBodies(int kind) {
+        return firstBody[end(kind)] > firstBody[lockstep[kind]];
+    }
+
     /** End of the batches of a kind that one worker has alone. */
     public int end(int kind) {
         return kind == FLOATS ? divider : count;
