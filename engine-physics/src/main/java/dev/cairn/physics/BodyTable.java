@@ -35,6 +35,7 @@ final class BodyTable {
     final BroadPhase broadPhase = new BroadPhase();
     final BoundsStage bounds;
     final ContactStore contacts;
+    private final EdgeSource[] edges;
     final Sleepers sleepers;
     final BodyAccess access = new BodyAccess(this);
 
@@ -74,6 +75,7 @@ final class BodyTable {
     BodyTable(PhysicsSettings settings, ContactStore contacts, EdgeSource[] edges) {
         bounds = new BoundsStage(colliders, settings.tuning());
         this.contacts = contacts;
+        this.edges = edges;
         sleepers = new Sleepers(settings.sleeping(), settings.sleepSeconds(), bodies, edges);
     }
 
@@ -331,6 +333,9 @@ final class BodyTable {
         listsStale = true;
         for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
             broadPhase.remove(c);
+        }
+        for (EdgeSource source : edges) {
+            source.leave(slot);
         }
         bodies.kind[slot] = BodyStore.FREE;
         if (goneCount == gone.length) {

@@ -181,9 +181,15 @@ final class PhysicsSystem implements WorldSystem {
                 tick.jobs());
         for (int i = 0; i < table.bounds.invalidCount(); i++) {
             int slot = table.bounds.invalidSlot(i);
-            table.quarantine(slot);
-            ContactRows.clearImpulses(contacts, slot);
+            quarantine(slot);
             table.bounds.placeFixed(table.broadPhase, slot);
+        }
+    }
+
+    private void quarantine(int slot) {
+        table.quarantine(slot);
+        for (EdgeSource source : edges) {
+            source.forget(slot);
         }
     }
 
@@ -196,8 +202,7 @@ final class PhysicsSystem implements WorldSystem {
         for (int i = 0; i < table.dynamicCount; i++) {
             int slot = table.dynamic[i];
             if (publisher.takeFailure(slot)) {
-                table.quarantine(slot);
-                ContactRows.clearImpulses(contacts, slot);
+                quarantine(slot);
                 table.addUnplaced(slot);
             }
         }

@@ -9,7 +9,6 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Sleepers;
 
-import java.util.Arrays;
 
 /**
  * Which pairs have a row. Rows whose fat boxes parted leave by a stable compaction; new pairs
@@ -209,36 +208,6 @@ public final class ContactRows {
             if (c.rolls) {
                 c.rollingArm[row] = Math.max(colliders.rollingArm[a], colliders.rollingArm[b]);
             }
-        }
-    }
-
-    /**
-     * Forgets what the contacts of a body pushed with.
-     *
-     * @param c the rows
-     * @param slot of the body
-     */
-    public static void clearImpulses(ContactStore c, int slot) {
-        for (int row = 0; row < c.count; row++) {
-            if (c.bodyA[row] != slot && c.bodyB[row] != slot) {
-                continue;
-            }
-            c.forgetFriction(row);
-            Arrays.fill(
-                    c.normalImpulse,
-                    ContactStore.POINTS * row,
-                    ContactStore.POINTS * row + ContactStore.POINTS,
-                    0);
-            Arrays.fill(
-                    c.preload,
-                    ContactStore.POINTS * row,
-                    ContactStore.POINTS * row + ContactStore.POINTS,
-                    0);
-            Arrays.fill(
-                    c.totalNormalImpulse,
-                    ContactStore.POINTS * row,
-                    ContactStore.POINTS * row + ContactStore.POINTS,
-                    0);
         }
     }
 }

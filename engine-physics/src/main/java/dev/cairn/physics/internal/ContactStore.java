@@ -1,5 +1,7 @@
 package dev.cairn.physics.internal;
 
+import java.util.Arrays;
+
 /**
  * All contacts of this tick as a structure of arrays; a contact is a row in {@code [0, count)}, one
  * row per pair of colliders whose fat bounds overlap. Only some of them are solved, see {@link
@@ -85,6 +87,35 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     @Override
     public int edgeB(int i) {
         return bodyB[active[i]];
+    }
+
+    /** Nothing: rows leave with their pairs, when the boxes have parted. */
+    @Override
+    public void leave(int slot) {}
+
+    @Override
+    public void forget(int slot) {
+        for (int row = 0; row < count; row++) {
+            if (bodyA[row] != slot && bodyB[row] != slot) {
+                continue;
+            }
+            forgetFriction(row);
+            Arrays.fill(
+                    normalImpulse,
+                    POINTS * row,
+                    POINTS * row + POINTS,
+                    0);
+            Arrays.fill(
+                    preload,
+                    POINTS * row,
+                    POINTS * row + POINTS,
+                    0);
+            Arrays.fill(
+                    totalNormalImpulse,
+                    POINTS * row,
+                    POINTS * row + POINTS,
+                    0);
+        }
     }
 
     /** Makes every row take part. */

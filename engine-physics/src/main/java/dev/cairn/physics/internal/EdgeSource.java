@@ -37,4 +37,18 @@ public interface EdgeSource {
      * @return the slot
      */
     int edgeB(int i);
+
+    /**
+     * A body leaves, and its slot will be another's: edges to it end.
+     *
+     * @param slot of the body
+     */
+    void leave(int slot);
+
+    /**
+     * A body was put back to where it could be computed with: its edges start without impulses.
+     *
+     * @param slot of the body
+     */
+    void forget(int slot);
 }

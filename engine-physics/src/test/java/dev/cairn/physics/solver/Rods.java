@@ -57,6 +57,12 @@ final class Rods implements EdgeSource {
         return ends.get(i)[1];
     }
 
+    @Override
+    public void leave(int slot) {}
+
+    @Override
+    public void forget(int slot) {}
+
     /** Rows in groups of lanes: field f of the row at place j lies at its group, f, its lane. */
     private final class Rows implements KindRows {
         private final int lanes;
