@@ -219,7 +219,7 @@ final class Passes {
 
     void bias(int kind, Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
         if (kind > 0) {
-            kinds(kind).bias(tick, sub, from, to);
+            kinds(kind).bias(tick, sub, from, to, bench.scratch);
             return;
         }
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {
@@ -278,7 +278,7 @@ final class Passes {
 
     void relax(int kind, Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
         if (kind > 0) {
-            kinds(kind).relax(tick, sub, from, to);
+            kinds(kind).relax(tick, sub, from, to, bench.scratch);
             return;
         }
         for (int j = from; j < to; j += ConstraintRows.CHUNK) {

@@ -5,6 +5,7 @@ import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.row.ConstraintKind;
 import dev.cairn.physics.solver.row.KindRows;
+import dev.cairn.physics.solver.row.Scratch;
 import dev.cairn.physics.solver.row.SubStep;
 
 import java.util.ArrayList;
@@ -123,12 +124,14 @@ final class Rods implements EdgeSource {
         }
 
         @Override
-        public void bias(SolverContext tick, SubStep sub, int from, int to) {
+        public void bias(
+                SolverContext tick, SubStep sub, int from, int to, Scratch scratch) {
             sweep(tick, sub, from, to, true);
         }
 
         @Override
-        public void relax(SolverContext tick, SubStep sub, int from, int to) {
+        public void relax(
+                SolverContext tick, SubStep sub, int from, int to, Scratch scratch) {
             sweep(tick, sub, from, to, false);
         }
 

@@ -8,7 +8,8 @@ import dev.cairn.physics.solver.body.SolverContext;
  *
  * <p>Each kernel gets a range of places within one colour: no two of these rows move the same body,
  * so they may be solved in any order, or all at once. Ranges start at a multiple of {@link
- * EdgePlaces#group}, and run on any worker. Nothing may allocate.
+ * EdgePlaces#group}, and run on any worker, whose scratch is free from {@link Scratch#PACKED} on.
+ * Nothing may allocate.
  *
  * <p>No kernel is needed for the warm start of a sub-step: the bodies remember what the impulses of
  * the last one did to them, whichever kind they were of.
@@ -21,10 +22,10 @@ public interface KindRows extends EdgePlaces {
     void prepare(SolverContext tick, SubStep sub, int from, int to);
 
     /** First sweep of a sub-step, before the bodies move: what is out of place is pulled back. */
-    void bias(SolverContext tick, SubStep sub, int from, int to);
+    void bias(SolverContext tick, SubStep sub, int from, int to, Scratch scratch);
 
     /** Second sweep, after the bodies have moved: takes back the speed that the pull has added. */
-    void relax(SolverContext tick, SubStep sub, int from, int to);
+    void relax(SolverContext tick, SubStep sub, int from, int to, Scratch scratch);
 
     /** End of the tick: writes impulses back to the kind's store. */
     void store(SolverContext tick, SubStep sub, int from, int to);
