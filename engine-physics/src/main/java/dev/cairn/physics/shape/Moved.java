@@ -62,9 +62,15 @@ public final class Moved implements Shape {
         if (shape instanceof Moved m) {
             at.add(q.transform(new Vector3d(m.x, m.y, m.z)));
             q.mul(m.qx, m.qy, m.qz, m.qw).normalize();
-            return new Moved(m.inner, at.x, at.y, at.z, q.x, q.y, q.z, q.w);
+            return placed(m.inner, at, q);
         }
-        return new Moved(shape, x, y, z, q.x, q.y, q.z, q.w);
+        return placed(shape, at, q);
+    }
+
+    /** A move that changes nothing leaves the shape itself. */
+    private static Shape placed(Shape inner, Vector3d at, Quaterniond q) {
+        Moved moved = new Moved(inner, at.x, at.y, at.z, q.x, q.y, q.z, q.w);
+        return moved.isTurned() || at.x != 0 || at.y != 0 || at.z != 0 ? moved : inner;
     }
 
     /**
@@ -94,6 +100,15 @@ public final class Moved implements Shape {
      */
     public Quaterniond rotation(Quaterniond dest) {
         return dest.set(qx, qy, qz, qw);
+    }
+
+    /**
+     * Whether the inner shape is turned, and not only shifted.
+     *
+     * @return false if the rotation is the identity
+     */
+    public boolean isTurned() {
+        return qx != 0 || qy != 0 || qz != 0;
     }
 
     /**

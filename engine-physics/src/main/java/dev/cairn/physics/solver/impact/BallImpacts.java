@@ -13,7 +13,6 @@ import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.solver.body.AxisLocks;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.kernel.PrepareRow;
@@ -117,8 +116,7 @@ public final class BallImpacts {
     /** Whether a bouncing row is one of two balls. */
     boolean isPair(int row) {
         int source = rows.list.source[row];
-        return store.shape[contacts.bodyA[source]] instanceof Sphere
-                && store.shape[contacts.bodyB[source]] instanceof Sphere;
+        return store.isBall[contacts.bodyA[source]] && store.isBall[contacts.bodyB[source]];
     }
 
     /**
