@@ -43,6 +43,7 @@ final class BodyTable {
 
     /** As the user gave them. */
     Shape[] shapes = new Shape[0];
+
     double[] comX = {}, comY = {}, comZ = {};
     int[] jumps = {};
     private long[] seen = {};

@@ -63,12 +63,12 @@ public final class Surface {
     }
 
     /**
-     * Whether a contact point is always the same point of the body: a corner or a tip.
+     * Whether a contact point turns with the body, as a corner or a tip does.
      *
      * @param surface of the body's collider
      * @param feature id of the point
      * @param second whether the body is the second of the contact
-     * @return whether it turns with the body
+     * @return whether it does
      */
     public static boolean isCorner(byte surface, int feature, boolean second) {
         return surface == CORNERED
