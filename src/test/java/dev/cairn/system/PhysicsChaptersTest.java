@@ -1,5 +1,6 @@
 package dev.cairn.system;
 
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
@@ -31,6 +32,16 @@ final class PhysicsChaptersTest {
     @ArchTest
     static final ArchRule noPackagesInACircle =
             slices().matching("dev.cairn.(**)").should().beFreeOfCycles();
+
+    /** What touches is told with the contact. */
+    @ArchTest
+    static final ArchRule solverAsksForNoShape =
+            noClasses()
+                    .that()
+                    .resideInAPackage(SOLVER + "..")
+                    .should()
+                    .dependOnClassesThat()
+                    .resideInAPackage("dev.cairn.physics.shape..");
 
     /** The chapters of the solver, from the last to the first. */
     @ArchTest

@@ -47,7 +47,7 @@ final class BodyAccess {
     }
 
     Shape shape(int s) {
-        return table.colliders.shape[bodies.collider[s]];
+        return table.shapes[s];
     }
 
     Material material(int s) {

@@ -41,6 +41,10 @@ final class BodyTable {
 
     BodyRef[] refs = new BodyRef[0];
     Material[] materials = new Material[0];
+
+    /** As the user gave them. */
+    Shape[] shapes = new Shape[0];
+
     double[] comX = {}, comY = {}, comZ = {};
     int[] jumps = {};
     private long[] seen = {};
@@ -137,6 +141,7 @@ final class BodyTable {
         BodyRef ref = new BodyRef(this, slot, entity, body.name);
         refs[slot] = ref;
         materials[slot] = body.material;
+        shapes[slot] = shape;
         comX[slot] = mass.comX();
         comY[slot] = mass.comY();
         comZ[slot] = mass.comZ();
@@ -199,7 +204,6 @@ final class BodyTable {
         b.clear(s);
         b.kind[s] = body.fixed ? BodyStore.STATIC : BodyStore.DYNAMIC;
         b.entity[s] = entity;
-        b.shape[s] = shape;
         b.innerRadius[s] = shape.innerRadius();
         b.outerRadius[s] = shape.outerRadius();
         b.place(s, body.x + com[0], body.y + com[1], body.z + com[2]);
@@ -250,6 +254,7 @@ final class BodyTable {
             int n = bodies.kind.length;
             refs = Arrays.copyOf(refs, n);
             materials = Arrays.copyOf(materials, n);
+            shapes = Arrays.copyOf(shapes, n);
             comX = Arrays.copyOf(comX, n);
             comY = Arrays.copyOf(comY, n);
             comZ = Arrays.copyOf(comZ, n);

@@ -1,7 +1,5 @@
 package dev.cairn.physics.internal;
 
-import dev.cairn.physics.shape.Shape;
-
 import java.util.Arrays;
 
 /**
@@ -44,10 +42,8 @@ public final class BodyStore extends Poses {
     /** The first of the body's colliders, the others follow by {@link ColliderStore#next}. */
     public int[] collider = {};
 
-    /**
-     * Collision shape; its geometry is relative to the centre of mass. {@code null} in a free slot.
-     */
-    public Shape[] shape = new Shape[0];
+    /** Whether the body is one ball about its centre of mass. */
+    public boolean[] isBall = {};
 
     /**
      * Outer radii from the origin beyond which the rounding of a position, 2^-53 of it, is more
@@ -159,7 +155,7 @@ public final class BodyStore extends Poses {
         kind = c.column("kind", kind);
         collider = c.column("collider", collider);
         entity = c.column("entity", entity);
-        shape = c.column("shape", shape);
+        isBall = c.column("isBall", isBall);
         velocityX = c.column("velocityX", velocityX);
         velocityY = c.column("velocityY", velocityY);
         velocityZ = c.column("velocityZ", velocityZ);

@@ -1,6 +1,7 @@
 package dev.cairn.physics.internal;
 
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
 
 import java.util.Arrays;
 
@@ -36,6 +37,9 @@ public final class ColliderStore {
 
     /** Its geometry is about the collider's centre. */
     public Shape[] shape = {};
+
+    /** What the shape's surface is made of, see {@link Surface}. */
+    public byte[] surface = {};
 
     /** Radii of the shape's inner and outer ball about its centre, m. */
     public double[] innerRadius = {}, outerRadius = {};
@@ -84,6 +88,7 @@ public final class ColliderStore {
         body = c.column("body", body);
         next = c.column("next", next);
         shape = c.column("shape", shape);
+        surface = c.column("surface", surface);
         innerRadius = c.column("innerRadius", innerRadius);
         outerRadius = c.column("outerRadius", outerRadius);
         friction = c.column("friction", friction);
@@ -95,7 +100,7 @@ public final class ColliderStore {
      * Makes the only collider of a body, about its centre of mass.
      *
      * @param slot of the body
-     * @param geometry about that centre
+     * @param geometry about that centre; where it is in the body's frame does not matter
      * @return the collider's slot
      */
     public int attach(int slot, Shape geometry) {
@@ -105,7 +110,10 @@ public final class ColliderStore {
         bodies.collider[slot] = collider;
         body[collider] = slot;
         next[collider] = NONE;
-        shape[collider] = geometry;
+        Shape solid = Surface.aboutCentre(geometry);
+        shape[collider] = solid;
+        surface[collider] = Surface.of(solid);
+        bodies.isBall[slot] = solid instanceof Sphere;
         innerRadius[collider] = geometry.innerRadius();
         outerRadius[collider] = geometry.outerRadius();
         return collider;

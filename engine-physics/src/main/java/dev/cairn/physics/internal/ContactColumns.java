@@ -42,6 +42,9 @@ public class ContactColumns {
     /** Slots of the two colliders, the lower one first: a row is of a pair of these. */
     public int[] colliderA = {}, colliderB = {};
 
+    /** What the two colliders touch with, see {@link Surface}. */
+    public byte[] surfaceA = {}, surfaceB = {};
+
     /** Slots of their bodies; at least one of them is dynamic. */
     public int[] bodyA = {}, bodyB = {};
 

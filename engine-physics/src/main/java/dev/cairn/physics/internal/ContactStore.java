@@ -100,21 +100,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
                 continue;
             }
             forgetFriction(row);
-            Arrays.fill(
-                    normalImpulse,
-                    POINTS * row,
-                    POINTS * row + POINTS,
-                    0);
-            Arrays.fill(
-                    preload,
-                    POINTS * row,
-                    POINTS * row + POINTS,
-                    0);
-            Arrays.fill(
-                    totalNormalImpulse,
-                    POINTS * row,
-                    POINTS * row + POINTS,
-                    0);
+            Arrays.fill(normalImpulse, POINTS * row, POINTS * row + POINTS, 0);
+            Arrays.fill(preload, POINTS * row, POINTS * row + POINTS, 0);
+            Arrays.fill(totalNormalImpulse, POINTS * row, POINTS * row + POINTS, 0);
         }
     }
 
@@ -148,6 +136,8 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         active = c.room("active", active);
         colliderA = c.column("colliderA", colliderA);
         colliderB = c.column("colliderB", colliderB);
+        surfaceA = c.column("surfaceA", surfaceA);
+        surfaceB = c.column("surfaceB", surfaceB);
         bodyA = c.column("bodyA", bodyA);
         bodyB = c.column("bodyB", bodyB);
         pointCount = c.column("pointCount", pointCount);
@@ -201,7 +191,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     }
 
     /**
-     * Says whose contact a row is.
+     * Says whose contact a row is, and of what surfaces.
      *
      * @param row of the contact
      * @param colliders whose bodies are found
@@ -213,5 +203,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         colliderB[row] = b;
         bodyA[row] = colliders.body[a];
         bodyB[row] = colliders.body[b];
+        surfaceA[row] = colliders.surface[a];
+        surfaceB[row] = colliders.surface[b];
     }
 }

@@ -53,18 +53,32 @@ public final class Moved implements Shape {
         }
         Quaterniond q =
                 new Quaterniond(turn.x / length, turn.y / length, turn.z / length, turn.w / length);
-        Vector3d at = new Vector3d(x, y, z);
         if (shape instanceof HalfSpace) {
             throw new IllegalArgumentException(
                     "a half-space has no place of its own in a body; place and turn the body with"
                             + " Body.at and Body.rotation");
         }
+        if (isNothing(x, y, z, q)) {
+            return shape;
+        }
+        Vector3d at = new Vector3d(x, y, z);
         if (shape instanceof Moved m) {
             at.add(q.transform(new Vector3d(m.x, m.y, m.z)));
             q.mul(m.qx, m.qy, m.qz, m.qw).normalize();
-            return new Moved(m.inner, at.x, at.y, at.z, q.x, q.y, q.z, q.w);
+            return place(m.inner, at, q);
         }
-        return new Moved(shape, x, y, z, q.x, q.y, q.z, q.w);
+        return place(shape, at, q);
+    }
+
+    private static boolean isNothing(double x, double y, double z, Quaterniond q) {
+        return x == 0 && y == 0 && z == 0 && q.x == 0 && q.y == 0 && q.z == 0;
+    }
+
+    /** What is moved back again is the shape itself. */
+    private static Shape place(Shape inner, Vector3d at, Quaterniond q) {
+        return isNothing(at.x, at.y, at.z, q)
+                ? inner
+                : new Moved(inner, at.x, at.y, at.z, q.x, q.y, q.z, q.w);
     }
 
     /**
@@ -94,6 +108,15 @@ public final class Moved implements Shape {
      */
     public Quaterniond rotation(Quaterniond dest) {
         return dest.set(qx, qy, qz, qw);
+    }
+
+    /**
+     * Whether the inner shape is turned, and not only shifted.
+     *
+     * @return false if the rotation is the identity
+     */
+    public boolean isTurned() {
+        return qx != 0 || qy != 0 || qz != 0;
     }
 
     /**

@@ -70,7 +70,7 @@ public sealed interface Shape
      * @param y see {@code x}
      * @param z see {@code x}
      * @param turn unit quaternion within 1e-6; it is normalised
-     * @return a new shape that shares this one
+     * @return this shape if that changes nothing, else a new one that shares it
      * @throws IllegalArgumentException if a number is not finite, the quaternion is not a unit one,
      *     or this is a {@link HalfSpace}
      */

@@ -297,11 +297,12 @@ public final class ContactSolver {
         }
         boolean renewed = p.findRenewed(head, tail, from, to);
         boolean bounces = collector.bouncers.to(b) > collector.bouncers.from(b);
+        boolean balls = bounces && p.hasBalls(b);
         if (bounces) {
             p.limit(sub, head, tail);
         }
         for (int k = 0; k < sub.count; k++) {
-            if (bounces && p.mayMeet(b, head, tail, own)) {
+            if (balls || (bounces && p.isFast(head, tail))) {
                 p.impacts(sub, b, head, tail, from, to, own);
             }
             p.kick(sub, k, head, tail, own);

@@ -60,8 +60,13 @@ final class Lockstep {
     private boolean unloaded;
     private int domains;
 
-    /** Whether a contact has restitution, and whether one may meet in the sub-step that comes. */
+    /**
+     * Whether a contact has restitution, one of two balls, and whether one may meet in the sub-step
+     * that comes.
+     */
     private boolean bounces;
+
+    private boolean balls;
 
     private boolean meets;
 
@@ -126,6 +131,7 @@ final class Lockstep {
         jobs.run(findRenewed, Blocks.count(endPlace(-1) - firstPlace(-1), ROWS_PER_BLOCK));
         substep = 0;
         bounces = passes.bouncers.to(base) > passes.bouncers.from(base);
+        balls = bounces && passes.hasBalls(base);
         if (bounces) {
             passes.limit(pace, firstBody(), endBody());
         }
@@ -164,7 +170,7 @@ final class Lockstep {
 
     /** Finds whether the next sub-step begins with work on all rows. */
     private void look() {
-        meets = bounces && passes.mayMeet(base, firstBody(), endBody(), benches[0]);
+        meets = balls || (bounces && passes.isFast(firstBody(), endBody()));
         apart = meets || (unloaded && substep == 0);
     }
 

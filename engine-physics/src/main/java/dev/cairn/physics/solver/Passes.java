@@ -8,6 +8,7 @@ import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.direct.DirectIslands;
 import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.Bouncers;
+import dev.cairn.physics.solver.impact.Impacts;
 import dev.cairn.physics.solver.kernel.Rescaling;
 import dev.cairn.physics.solver.kernel.ScalarPasses;
 import dev.cairn.physics.solver.kernel.ScalarSweep;
@@ -330,11 +331,15 @@ final class Passes {
         }
     }
 
-    /** Whether a batch may have impacts in the next sub-step, see {@link #limit}. */
-    boolean mayMeet(int batch, int head, int tail, Workbench bench) {
-        int from = bouncers.from(batch);
-        int to = bouncers.to(batch);
-        return from < to && bench.impacts.mayMeet(tick, rows, bouncers.row, from, to, head, tail);
+    /** Whether a batch has impacts of two balls. */
+    boolean hasBalls(int batch) {
+        return Impacts.hasBalls(
+                tick, rows.list, bouncers.row, bouncers.from(batch), bouncers.to(batch));
+    }
+
+    /** Whether a body of a batch may bounce in the next sub-step, see {@link #limit}. */
+    boolean isFast(int head, int tail) {
+        return Impacts.isFast(tick, head, tail);
     }
 
     /**
@@ -349,7 +354,13 @@ final class Passes {
             body.shifted[tick.order[k]] = false;
         }
         if (bench.impacts.run(
-                tick, rows, bouncers.row, bouncers.from(batch), bouncers.to(batch), sub.seconds)) {
+                tick,
+                rows,
+                bouncers.row,
+                bouncers.meetings,
+                bouncers.from(batch),
+                bouncers.to(batch),
+                sub.seconds)) {
             for (int k = head; k < tail; k++) {
                 round(tick.order[k]);
             }

@@ -1,5 +1,6 @@
 package dev.cairn.physics.narrowphase.clip;
 
+import dev.cairn.physics.internal.Surface;
 import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
@@ -22,7 +23,10 @@ public final class Patch {
     public static final double DISC_SHARE = 2.0 / 3;
 
     /** Names of the ends of a line, of a cap's rim from 0, and of sides where they cross others. */
-    public static final int END = 32;
+    public static final int END = Surface.UPPER_END - 1;
+
+    /** Name of a cone's tip, the upper end of its side. */
+    public static final int TIP = Surface.UPPER_END;
 
     /** {@link #NONE}, {@link #FACE} or {@link #DISC}, its outward normal and a point of it. */
     public int flat;

@@ -181,12 +181,13 @@ final class CurvedContact {
         }
     }
 
-    /** One point, midway between the surfaces along the axis. */
+    /** One point, midway between the surfaces along the axis; a tip has its name. */
     private void single(Manifold out) {
         double half = 0.5 * separation;
         double x;
         double y;
         double z;
+        int name = FeatureIds.CLOSEST;
         boolean ofA =
                 axis.kindA > axis.kindB
                         || (axis.kindA == axis.kindB && pair.roundA && pair.solidA.isPoint());
@@ -197,19 +198,22 @@ final class CurvedContact {
             z = crossZ;
         } else if (ofA) {
             int v = pair.supportA(nx, ny, nz, 0);
+            name = pair.roundA && pair.solidA.isTip(v) ? FeatureIds.VERTEX_A | Patch.TIP : name;
             double reach = pair.radiusA + half;
             x = pair.vertexAX(v) + reach * nx;
             y = pair.vertexAY(v) + reach * ny;
             z = pair.vertexAZ(v) + reach * nz;
         } else {
-            pair.vertexB(pair.supportB(-nx, -ny, -nz, 0));
+            int v = pair.supportB(-nx, -ny, -nz, 0);
+            pair.vertexB(v);
+            name = pair.roundB && pair.solidB.isTip(v) ? FeatureIds.VERTEX_B | Patch.TIP : name;
             double reach = pair.radiusB + half;
             x = pair.px - reach * nx;
             y = pair.py - reach * ny;
             z = pair.pz - reach * nz;
         }
         points.setAxis(nx, ny, nz);
-        points.single(x, y, z, separation, FeatureIds.CLOSEST, out);
+        points.single(x, y, z, separation, name, out);
     }
 
     private double crossX, crossY, crossZ;

@@ -101,6 +101,11 @@ public final class SolidOfRevolution {
         return at;
     }
 
+    /** Whether a point is the tip of a cone. */
+    public boolean isTip(int point) {
+        return y[point] == high && highRadius == 0 && lowRadius > 0;
+    }
+
     double x(int point) {
         return x[point];
     }

@@ -1,5 +1,8 @@
 package dev.cairn.physics.solver.graph;
 
+import dev.cairn.physics.island.Islands;
+import dev.cairn.physics.solver.row.EdgeList;
+
 import java.util.Arrays;
 
 /**
@@ -9,20 +12,36 @@ import java.util.Arrays;
  * <p>Simulation thread; allocates only when there were never so many.
  */
 public final class Bouncers {
+    /** Impacts of a contact in a sub-step, at most; of few contacts together so many as these. */
+    private static final int FEWEST = 16;
+
+    private static final int VISITS = 16384;
+
     /** Contacts of the list, by batch. */
     public int[] row = {};
 
     /** By batch: where its contacts start; one more for the end of the last. */
     private int[] first = new int[2];
 
+    /**
+     * By entry: impacts that the contact may have in a sub-step. Contacts of small islands may have
+     * more: two blocks and a wall make thousands, while a heap would take too long. Told by the
+     * island, not by the batch, so that the cut changes no bit.
+     */
+    public int[] meetings = {};
+
     private int[] bouncing = {};
     private int count;
+
+    /** By smallest slot of an island: its contacts with restitution. */
+    private int[] tally = {};
 
     void begin(int contacts) {
         count = 0;
         if (bouncing.length < contacts) {
             bouncing = new int[Math.max(contacts, bouncing.length + (bouncing.length >> 1))];
             row = new int[bouncing.length];
+            meetings = new int[bouncing.length];
         }
     }
 
@@ -32,7 +51,7 @@ public final class Bouncers {
     }
 
     /** Sorts them by batch. */
-    void sort(Batches batches) {
+    void sort(EdgeList list, Batches batches) {
         if (first.length <= batches.count) {
             first = new int[batches.firstRow.length];
         }
@@ -48,6 +67,26 @@ public final class Bouncers {
         }
         System.arraycopy(first, 0, first, 1, batches.count);
         first[0] = 0;
+        share(list, batches);
+    }
+
+    private void share(EdgeList list, Batches batches) {
+        if (count == 0) {
+            return;
+        }
+        Islands islands = batches.islands(list);
+        if (tally.length < batches.order.length) {
+            tally = new int[batches.order.length];
+        }
+        for (int k = 0; k < count; k++) {
+            tally[islands.root(list.mover(row[k]))] = 0;
+        }
+        for (int k = 0; k < count; k++) {
+            tally[islands.root(list.mover(row[k]))]++;
+        }
+        for (int k = 0; k < count; k++) {
+            meetings[k] = Math.max(FEWEST, VISITS / tally[islands.root(list.mover(row[k]))]);
+        }
     }
 
     /**

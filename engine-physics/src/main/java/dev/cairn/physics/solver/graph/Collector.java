@@ -291,7 +291,7 @@ public final class Collector {
                 bouncers.add(m);
             }
         }
-        bouncers.sort(batches);
+        bouncers.sort(list, batches);
     }
 
     private void colour() {

@@ -13,7 +13,6 @@ import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.solver.body.AxisLocks;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
@@ -128,8 +127,7 @@ public final class BallImpacts {
 
     /** The same of a row in the store. */
     static boolean isPair(BodyStore bodies, ContactStore contacts, int row) {
-        return bodies.shape[contacts.bodyA[row]] instanceof Sphere
-                && bodies.shape[contacts.bodyB[row]] instanceof Sphere;
+        return bodies.isBall[contacts.bodyA[row]] && bodies.isBall[contacts.bodyB[row]];
     }
 
     /**

@@ -41,12 +41,6 @@ import java.util.Arrays;
  * 0}.
  */
 public final class Impacts {
-    /** Rounds over the contacts of a batch, at most. */
-    private static final int ROUNDS = 1024;
-
-    /** Impacts of a contact in a sub-step, at most: of what bounces ever faster and lower. */
-    private static final int MEETINGS = 64;
-
     /**
      * Points within this share of the patch's radius of the surface at the time of impact take part
      * in it.
@@ -99,6 +93,7 @@ public final class Impacts {
      * What one contact does depends on those of its island alone.
      *
      * @param bouncer contacts with restitution, among others
+     * @param meetings of each, in a sub-step, at most
      * @param from where those of the batch start
      * @param h length of the sub-step, s
      * @return whether there was one: bodies have moved
@@ -107,6 +102,7 @@ public final class Impacts {
             SolverContext tick,
             ConstraintRows constraintRows,
             int[] bouncer,
+            int[] meetings,
             int from,
             int to,
             double h) {
@@ -125,10 +121,10 @@ public final class Impacts {
         Arrays.fill(met, 0, to - from, 0);
         boolean any = false;
         boolean again = true;
-        for (int round = 0; again && round < ROUNDS; round++) {
+        while (again) {
             again = false;
             for (int k = from; k < to; k++) {
-                if (met[k - from] < MEETINGS && meets(tick, bouncer[k], k, h, threshold)) {
+                if (met[k - from] < meetings[k] && meets(tick, bouncer[k], k, h, threshold)) {
                     met[k - from]++;
                     again = true;
                 }
@@ -166,28 +162,30 @@ public final class Impacts {
     }
 
     /**
-     * Whether a batch may have impacts in the next sub-step: something in it is fast, or it has
-     * balls, whose gaps are mended even where they do not meet.
+     * Whether a batch has impacts of two balls, whose gaps are mended even where they do not meet.
      *
-     * @param head first of its bodies, see {@link SolverContext#order}
+     * @param bouncer contacts with restitution, among others
+     * @param from where those of the batch start
      */
-    public boolean mayMeet(
-            SolverContext tick,
-            ConstraintRows constraintRows,
-            int[] bouncer,
-            int from,
-            int to,
-            int head,
-            int tail) {
-        double slow = 0.5 * tick.settings.get(Tunable.RESTITUTION_THRESHOLD);
-        for (int k = head; k < tail; k++) {
-            if (!(tick.body.fastest[tick.order[k]] < slow)) {
+    public static boolean hasBalls(
+            SolverContext tick, EdgeList list, int[] bouncer, int from, int to) {
+        for (int k = from; k < to; k++) {
+            if (BallImpacts.isPair(tick.bodies, tick.contacts, list.source[bouncer[k]])) {
                 return true;
             }
         }
-        for (int k = from; k < to; k++) {
-            int source = constraintRows.list.source[bouncer[k]];
-            if (BallImpacts.isPair(tick.bodies, tick.contacts, source)) {
+        return false;
+    }
+
+    /**
+     * Whether a body of a batch is fast enough to bounce in the next sub-step.
+     *
+     * @param head first of its bodies, see {@link SolverContext#order}
+     */
+    public static boolean isFast(SolverContext tick, int head, int tail) {
+        double slow = 0.5 * tick.settings.get(Tunable.RESTITUTION_THRESHOLD);
+        for (int k = head; k < tail; k++) {
+            if (!(tick.body.fastest[tick.order[k]] < slow)) {
                 return true;
             }
         }

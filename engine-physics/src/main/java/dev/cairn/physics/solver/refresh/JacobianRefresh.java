@@ -4,10 +4,7 @@ import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.shape.Box;
-import dev.cairn.physics.shape.Cone;
-import dev.cairn.physics.shape.ConvexHull;
-import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.internal.Surface;
 import dev.cairn.physics.solver.body.Rotation;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.impact.BallImpacts;
@@ -38,9 +35,6 @@ import java.util.Arrays;
 public final class JacobianRefresh {
     /** Speed over {@code sqrt(g r)} up to which levers may age by a tick. */
     private static final double SLOW = 0.045;
-
-    /** How far from its axis the tip of a cone may be read, over its height above the centre. */
-    private static final double TIP = 1e-9;
 
     /** The row is renewed. */
     private static final int YES = 1;
@@ -146,7 +140,7 @@ public final class JacobianRefresh {
                             && movesB
                             && c.restitution[source] == 0
                             && passes(b, i, j, gravity))) {
-                renewed[place] = how(rows, c, b, place, source, movesA, movesB);
+                renewed[place] = how(rows, c, place, source, movesA, movesB);
                 any = true;
                 RefreshRow.keep(c, source, kept, KEPT * place);
                 if (movesA) {
@@ -206,15 +200,14 @@ public final class JacobianRefresh {
     private int how(
             ConstraintRows rows,
             ContactStore c,
-            BodyStore b,
             int place,
             int source,
             boolean movesA,
             boolean movesB) {
         int i = c.bodyA[source];
         int k = c.bodyB[source];
-        boolean isCorneredA = isCornered(b, i);
-        boolean isCorneredB = isCornered(b, k);
+        boolean isCorneredA = c.surfaceA[source] == Surface.CORNERED;
+        boolean isCorneredB = c.surfaceB[source] == Surface.CORNERED;
         boolean bounces = c.restitution[source] > 0;
         int how = YES;
         how |= movesA && turns[i] && isCorneredA ? TURNS_A : 0;
@@ -293,10 +286,6 @@ public final class JacobianRefresh {
         turn[r + 8] = 1 - 2 * (x * x + y * y);
     }
 
-    private static boolean isCornered(BodyStore b, int i) {
-        return b.shape[i] instanceof Box || b.shape[i] instanceof ConvexHull;
-    }
-
     /**
      * Where the corner of a body is at which it stands on what does not move, from its centre of
      * mass.
@@ -318,10 +307,12 @@ public final class JacobianRefresh {
             int i,
             double side,
             double[] arm) {
-        int other = side > 0 ? c.bodyA[source] : c.bodyB[source];
-        boolean isFlat = isCornered(b, other) || b.shape[other] instanceof HalfSpace;
-        boolean isTip = b.shape[i] instanceof Cone;
-        if (!isFlat || !(isTip || isCornered(b, i)) || (b.restraint[i] & ~BodyStore.DAMPED) != 0) {
+        boolean second = side > 0;
+        byte own = second ? c.surfaceB[source] : c.surfaceA[source];
+        byte other = second ? c.surfaceA[source] : c.surfaceB[source];
+        if (!Surface.isFlat(other)
+                || !Surface.isCorner(own, c.feature[ContactStore.POINTS * source + point], second)
+                || (b.restraint[i] & ~BodyStore.DAMPED) != 0) {
             return Double.NaN;
         }
         int k = KEPT * place + RefreshRow.POINTS + RefreshRow.NUMBERS * point;
@@ -342,15 +333,7 @@ public final class JacobianRefresh {
             }
             arm[3 + axis] = sum;
         }
-        return isTip && !isTip(arm) ? Double.NaN : gap;
-    }
-
-    /** Whether a point of a cone is on its axis. */
-    private static boolean isTip(double[] arm) {
-        double x = arm[3];
-        double y = arm[4];
-        double z = arm[5];
-        return y > 0 && x * x + z * z < TIP * TIP * (y * y);
+        return gap;
     }
 
     /** Gives the contacts their first levers back. */
