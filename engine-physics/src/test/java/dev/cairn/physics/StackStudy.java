@@ -11,8 +11,8 @@ import java.util.Locale;
 import java.util.Random;
 
 /**
- * The scenes behind the tables of {@code docs/solver.md}, each seeded with jitter, so that nothing
- * stands by symmetry. Run {@link #main} for the tables.
+ * The scenes behind the tables of {@code docs/notebook/stacks.md}, each seeded with jitter, so that
+ * nothing stands by symmetry. Run {@link #main} for the tables.
  */
 final class StackStudy implements AutoCloseable {
     static final double TICK = 1.0 / 60;
@@ -547,7 +547,7 @@ final class StackStudy implements AutoCloseable {
     }
 
     /**
-     * The table of {@code docs/solver.md}, or single cells of it.
+     * The table of {@code docs/notebook/stacks.md}, or single cells of it.
      *
      * @param args nothing, or scenes and variants, each joined by commas; a variant is {@code S}
      *     (soft step), {@code O} (and offset), {@code L} (and load-proportional inertia) or {@code
