@@ -39,6 +39,7 @@ final class Ladder {
 
     private static final Mix ROLLING_FLIGHT = FLIGHT.withRollingArm(1e-3);
     private static final Mix ROLLING_REST = REST.withRollingArm(1e-3);
+    private static final Mix BOUNCY_REST = REST.withRestitution(0.2);
 
     /**
      * A rung.
@@ -87,6 +88,7 @@ final class Ladder {
                     rung("direct solves", false, REST, ON.with(Tunable.DIRECT_FROM, 0)),
                     rung("restitution", false, FLIGHT, ON.withRestitutionThreshold(1000)),
                     rung("restitution", false, REST, ON.withRestitutionThreshold(1000)),
+                    new Rung("restitution of 0.2 at rest", false, BOUNCY_REST, ON, REST, ON),
                     new Rung("friction", false, FLIGHT, ON, SMOOTH_FLIGHT, ON),
                     new Rung("rolling friction", false, ROLLING_FLIGHT, ON, FLIGHT, ON),
                     new Rung("friction", true, REST, ON, SMOOTH_REST, ON),

@@ -28,6 +28,7 @@ import java.util.SplittableRandom;
  * @param friction Coulomb coefficient of all, 0 for none
  * @param bounceHeight 1 for bounces of 0.06 to 0.6 s; higher ones are rarer
  * @param rollingArm of all, m, 0 for none
+ * @param restitution of all but the balls that bounce
  */
 record Mix(
         int flyingSpheres,
@@ -41,7 +42,8 @@ record Mix(
         int fixed,
         double friction,
         double bounceHeight,
-        double rollingArm) {
+        double rollingArm,
+        double restitution) {
     /** From so many contacts on the solver may take its wide kernels. */
     private static final int WIDE_FROM = 256;
 
@@ -92,6 +94,7 @@ record Mix(
                 fixed,
                 friction,
                 1,
+                0,
                 0);
     }
 
@@ -109,7 +112,26 @@ record Mix(
                 fixed,
                 friction,
                 bounceHeight,
-                metres);
+                metres,
+                restitution);
+    }
+
+    /** The same with another restitution. */
+    Mix withRestitution(double ratio) {
+        return new Mix(
+                flyingSpheres,
+                flyingBoxes,
+                nearPairs,
+                restingSpheres,
+                restingCubes,
+                edgeCubes,
+                columns,
+                bouncing,
+                fixed,
+                friction,
+                bounceHeight,
+                rollingArm,
+                ratio);
     }
 
     /**
@@ -142,6 +164,7 @@ record Mix(
                 random.nextBoolean() ? 0.6 : 0,
                 // As many balls, but more or fewer events: else the two could not be told apart.
                 StrictMath.exp(random.nextDouble(-2, 3)),
+                0,
                 0);
     }
 
@@ -153,7 +176,7 @@ record Mix(
     PhysicsWorld build(PhysicsSettings settings) {
         PhysicsWorld world =
                 PhysicsWorld.builder().gravity(0, -9.81, 0).workers(1).settings(settings).build();
-        Material material = new Material(friction, 0, 1000, rollingArm);
+        Material material = new Material(friction, restitution, 1000, rollingArm);
         Grid grid = new Grid(world, material);
         Sphere ball = Sphere.of(0.5);
         Box cube = Box.cube(0.5);
