@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -211,7 +212,7 @@ class DegenerateInputTest {
         double[] twice = Arrays.copyOf(cube, 48);
         System.arraycopy(cube, 0, twice, 24, 24);
         assertEquals(8, ConvexHull.of(twice).volume(), 1e-14);
-        assertEquals(8, ConvexHull.of(twice).polyhedron().vertexCount());
+        assertEquals(8, Polyhedron.of(ConvexHull.of(twice)).vertexCount());
         steps("duplicates", ConvexHull.of(twice));
     }
 

@@ -6,7 +6,7 @@
  * planes, not a triangle soup.
  *
  * <p>Polyhedra ({@link dev.cairn.physics.shape.Box}, {@link dev.cairn.physics.shape.ConvexHull})
- * carry one {@link dev.cairn.physics.shape.Polyhedron}: vertices, edges, merged faces, all of it
+ * carry one polyhedron: vertices, edges, merged faces, all of it
  * relative to the centre of mass, so that a body's position is the position of its centre of mass
  * and rotation never moves it. Round shapes ({@link dev.cairn.physics.shape.Sphere}, {@link
  * dev.cairn.physics.shape.Capsule}) are a point or a segment with a radius; {@link

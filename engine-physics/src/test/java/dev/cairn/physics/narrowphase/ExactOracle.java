@@ -1,6 +1,6 @@
 package dev.cairn.physics.narrowphase;
 
-import dev.cairn.physics.shape.Polyhedron;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Quaterniond;

@@ -3,7 +3,7 @@ package dev.cairn.physics.narrowphase.round;
 import dev.cairn.physics.narrowphase.gjk.Gjk;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.shape.Box;
-import dev.cairn.physics.shape.Polyhedron;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 import dev.cairn.physics.shape.Shape;
 
 /**
