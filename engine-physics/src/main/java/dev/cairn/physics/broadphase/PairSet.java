@@ -25,21 +25,12 @@ public final class PairSet {
         return a < b ? (long) a << 32 | b : (long) b << 32 | a;
     }
 
-    /**
-     * The number of pairs.
-     *
-     * @return at least 0
-     */
+    /** The number of pairs. */
     public int size() {
         return size;
     }
 
-    /**
-     * Whether a pair is there.
-     *
-     * @param key of the pair
-     * @return true if so
-     */
+    /** Whether a pair is there. */
     public boolean contains(long key) {
         long[] table = keys;
         int mask = table.length - 1;
@@ -53,12 +44,7 @@ public final class PairSet {
         return false;
     }
 
-    /**
-     * Adds a pair.
-     *
-     * @param key of the pair
-     * @return false if it was there already
-     */
+    /** Adds a pair. */
     public boolean add(long key) {
         if (2 * (size + 1) > keys.length) {
             grow();
@@ -76,12 +62,7 @@ public final class PairSet {
         return true;
     }
 
-    /**
-     * Takes a pair out.
-     *
-     * @param key of the pair
-     * @return false if it was not there
-     */
+    /** Takes a pair out. */
     public boolean remove(long key) {
         int mask = keys.length - 1;
         int at = home(key);

@@ -27,11 +27,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     private final Columns.Move move = new Columns.Move();
     private final Columns.Clear clear = new Columns.Clear();
 
-    /**
-     * Forgets what a row rubbed and rolled with.
-     *
-     * @param row of the contact
-     */
+    /** Forgets what a row rubbed and rolled with. */
     public void forgetFriction(int row) {
         setFrictionImpulse(row, 0, 0, 0, 0);
         if (rolls) {
@@ -126,11 +122,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         activeCount = count;
     }
 
-    /**
-     * Grows every column to at least {@code capacity} rows; between phases only.
-     *
-     * @param capacity rows that must fit
-     */
+    /** Grows every column to at least {@code capacity} rows; between phases only. */
     public void ensureCapacity(int capacity) {
         if (capacity <= bodyA.length) {
             return;
@@ -139,11 +131,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         columns(new Columns.Growth(n));
     }
 
-    /**
-     * Declares the columns.
-     *
-     * @param c what is done to them
-     */
+    /** Declares the columns. */
     public void columns(Columns c) {
         active = c.room("active", active);
         colliderA = c.column("colliderA", colliderA);
@@ -187,11 +175,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         }
     }
 
-    /**
-     * Adds empty rows at the end; they are active.
-     *
-     * @param number how many
-     */
+    /** Adds empty rows at the end; they are active. */
     public void append(int number) {
         ensureCapacity(count + number);
         columns(clear.rows(count, count + number));

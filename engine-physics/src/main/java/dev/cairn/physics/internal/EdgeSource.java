@@ -7,11 +7,7 @@ package dev.cairn.physics.internal;
  * nothing else of them. Simulation thread; nothing allocates.
  */
 public interface EdgeSource {
-    /**
-     * How many edges there may be in this tick.
-     *
-     * @return at least 0
-     */
+    /** How many edges there may be in this tick. */
     int edges();
 
     /**
@@ -30,25 +26,12 @@ public interface EdgeSource {
      */
     int edgeA(int i);
 
-    /**
-     * Slot of the second body of an edge that is solved.
-     *
-     * @param i from 0 to below {@link #edges}
-     * @return the slot
-     */
+    /** Slot of the second body of an edge that is solved. */
     int edgeB(int i);
 
-    /**
-     * A body leaves, and its slot will be another's: edges to it end.
-     *
-     * @param slot of the body
-     */
+    /** A body leaves, and its slot will be another's: edges to it end. */
     void leave(int slot);
 
-    /**
-     * A body was put back to where it could be computed with: its edges start without impulses.
-     *
-     * @param slot of the body
-     */
+    /** A body was put back to where it could be computed with: its edges start without impulses. */
     void forget(int slot);
 }

@@ -90,11 +90,7 @@ public final class ContactPoints {
         face(flip, (flip ? pair.a : pair.b).support(tx, ty, tz), margin, hysteresis, last, out);
     }
 
-    /**
-     * The same, where the other shape's deepest vertex is known.
-     *
-     * @param vertex of the other shape
-     */
+    /** The same, where the other shape's deepest vertex is known. */
     public void face(
             boolean flip, int vertex, double margin, double hysteresis, int last, Manifold out) {
         faceAxis(flip);

@@ -60,11 +60,7 @@ public final class RoundPairs {
         t[ARC_B + i] = arcB;
     }
 
-    /**
-     * Puts the orientation of a capsule; that of a ball is not minded.
-     *
-     * @param qx world from body, unit quaternion
-     */
+    /** Puts the orientation of a capsule; that of a ball is not minded. */
     public void turn(int i, boolean second, double qx, double qy, double qz, double qw) {
         int turn = (second ? TURN_B : TURN_A) + i;
         t[turn] = qx;
