@@ -171,7 +171,10 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
      */
     public void move(int from, int to, int number) {
         if (from != to && number > 0) {
+            int a = colliderA[from];
+            int b = bodyB[from];
             columns(move.rows(from, to, number));
+            assert colliderA[to] == a && bodyB[to] == b : "columns of row " + from + " stayed";
         }
     }
 
