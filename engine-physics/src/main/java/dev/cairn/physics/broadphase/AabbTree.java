@@ -73,9 +73,7 @@ public final class AabbTree {
      * Adds a leaf.
      *
      * @param box array that holds the box: minX, minY, minZ, maxX, maxY, maxZ; world, m
-     * @param offset where the box begins in it
      * @param leafItem the owner's number
-     * @return the leaf's id
      */
     public int insert(double[] box, int offset, int leafItem) {
         int leaf = allocate();

@@ -75,7 +75,6 @@ public final class BroadPhase {
     /**
      * Whether a slot has a box.
      *
-     * @param slot of a collider
      * @return true between place and remove
      */
     public boolean contains(int slot) {
@@ -94,10 +93,7 @@ public final class BroadPhase {
     /**
      * Gives a slot a fat box, its first or another one, and marks it as moved.
      *
-     * @param slot of a collider
      * @param isStatic whether it goes to the static tree
-     * @param box array that holds the box
-     * @param offset where the box begins in it
      */
     public void place(int slot, boolean isStatic, double[] box, int offset) {
         byte target = isStatic ? isEndless(box, offset) ? ENDLESS : STATIC : DYNAMIC;
@@ -184,7 +180,6 @@ public final class BroadPhase {
      * One of the slots that moved in this tick.
      *
      * @param index 0 to movedCount - 1
-     * @return the slot
      */
     public int movedSlot(int index) {
         return movedSlots[index];
@@ -193,7 +188,6 @@ public final class BroadPhase {
     /**
      * Whether a slot's box changed in this tick.
      *
-     * @param slot of a collider
      * @return true between place or remove, and endTick
      */
     public boolean moved(int slot) {
@@ -391,8 +385,6 @@ public final class BroadPhase {
     /**
      * Whether two slots are known as a pair.
      *
-     * @param a a slot
-     * @param b another slot
      * @return true between findPairs and forget
      */
     public boolean isPair(int a, int b) {

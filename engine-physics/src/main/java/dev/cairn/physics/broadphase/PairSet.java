@@ -18,7 +18,6 @@ public final class PairSet {
      * The key of a pair.
      *
      * @param a a slot, at least 0
-     * @param b another slot
      * @return the smaller slot in the upper half, the larger in the lower; never 0
      */
     public static long key(int a, int b) {

@@ -93,14 +93,12 @@ public final class BoundsStage {
     /**
      * Runs over the dynamic bodies and places those in the broad phase that left their fat box.
      *
-     * @param target the trees
      * @param dynamicSlots slots of the dynamic bodies, ascending
      * @param dynamicCount how many there are
      * @param gx gravity, world, m/s²
      * @param gy gravity, world, m/s²
      * @param gz gravity, world, m/s²
      * @param stepSeconds length of the tick, s
-     * @param jobs runs the blocks
      */
     public void run(
             BroadPhase target,

@@ -134,7 +134,6 @@ public final class TouchEvents {
      *
      * @param event 0 to beganCount - 1
      * @param side 0 for A, 1 for B
-     * @return the slot
      */
     public int began(int event, int side) {
         return began[2 * event + side];
@@ -145,7 +144,6 @@ public final class TouchEvents {
      *
      * @param event 0 to endedCount - 1
      * @param side 0 for A, 1 for B
-     * @return the slot
      */
     public int ended(int event, int side) {
         return ended[2 * event + side];

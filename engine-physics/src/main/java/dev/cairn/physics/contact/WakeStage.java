@@ -31,10 +31,8 @@ public final class WakeStage {
      * Wakes.
      *
      * @param bounds brings the boxes of the woken up to date
-     * @param broadPhase holds the boxes
      * @param manifolds collides their rows
      * @param stepSeconds length of the tick, s
-     * @param jobs runs the narrow phase
      */
     public void run(
             BoundsStage bounds,

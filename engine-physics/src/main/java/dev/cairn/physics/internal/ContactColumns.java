@@ -142,7 +142,6 @@ public class ContactColumns {
     /**
      * Where a row begins in {@link #head}: at a cache line, if the array does.
      *
-     * @param row of the contact, or the number of rows for the length
      * @return index
      */
     public static int head(int row) {
@@ -152,7 +151,6 @@ public class ContactColumns {
     /**
      * Where a point begins in {@link #anchors}; the first of a row at a cache line, as there.
      *
-     * @param point of the contact, {@link #POINTS} to a row, or the number of points for the length
      * @return index
      */
     public static int anchor(int point) {
@@ -162,7 +160,6 @@ public class ContactColumns {
     /**
      * Where a row begins in {@link #kept}; a group of rows begins at a cache line, as there.
      *
-     * @param row of the contact
      * @return index; the row's numbers follow, {@link #KEPT_ROWS} apart
      */
     public static int keptAt(int row) {

@@ -58,7 +58,6 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     /**
      * Whether a row is solved: its surfaces are within the margin of each other.
      *
-     * @param row of the contact
      * @return false for a pair that is only near
      */
     public boolean isSolved(int row) {
@@ -165,9 +164,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     /**
      * Moves rows that follow one another to lower places.
      *
-     * @param from the first one
      * @param to where it shall be, at most {@code from}
-     * @param number how many
      */
     public void move(int from, int to, int number) {
         if (from != to && number > 0) {
@@ -190,7 +187,6 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     /**
      * Says whose contact a row is.
      *
-     * @param row of the contact
      * @param colliders whose bodies are found
      * @param a the lower collider
      * @param b the other one

@@ -13,7 +13,6 @@ public interface EdgeSource {
     /**
      * Row of an edge in the kind's own store.
      *
-     * @param i from 0 to below {@link #edges}
      * @return names the edge as long as it exists
      */
     int edgeRow(int i);
@@ -21,7 +20,6 @@ public interface EdgeSource {
     /**
      * Slot of the first body of an edge.
      *
-     * @param i from 0 to below {@link #edges}
      * @return the slot, or -1 if the edge is not solved in this tick
      */
     int edgeA(int i);

@@ -38,7 +38,6 @@ public final class WorldCheck {
     /**
      * A check of one world.
      *
-     * @param name of the body in a slot
      * @param waits whether a fixed body has its box still to come, at the start of the next tick
      */
     public WorldCheck(

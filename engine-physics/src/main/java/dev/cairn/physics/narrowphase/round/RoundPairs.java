@@ -48,7 +48,6 @@ public final class RoundPairs {
     /**
      * Puts what the margin of a pair is made of: points up to that far apart are reported.
      *
-     * @param vx velocity of B minus that of A, world axes, m/s
      * @param arcA what turning of A adds, m, not negative
      * @param arcB what turning of B adds, m, not negative
      */

@@ -43,9 +43,6 @@ public final class Polyhedron {
     /**
      * Assembles the topology from vertices and loops.
      *
-     * @param x vertices relative to the centre of mass; copied
-     * @param y see {@code x}
-     * @param z see {@code x}
      * @param loops counter-clockwise loops, every edge in exactly two of them, once in each
      *     direction
      */
