@@ -103,11 +103,7 @@ final class PhysicsSystem implements WorldSystem {
         assert StageCheck.awake(table.bodies, table.dynamic, table.dynamicCount);
         moveBounds(tick);
         assert StageCheck.boxes(
-                table.bodies,
-                table.colliders,
-                table.broadPhase,
-                table.dynamic,
-                table.dynamicCount);
+                table.bodies, table.colliders, table.broadPhase, table.dynamic, table.dynamicCount);
         profile.end(StepStage.BOUNDS);
         table.broadPhase.findPairs(tick.jobs());
         assert StageCheck.newPairs(table.broadPhase);

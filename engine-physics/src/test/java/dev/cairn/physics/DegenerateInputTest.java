@@ -1,6 +1,5 @@
 package dev.cairn.physics;
 
-import dev.cairn.physics.shape.polyhedron.Polyhedron;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -17,6 +16,7 @@ import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;

@@ -9,7 +9,6 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Sleepers;
 
-
 /**
  * Which pairs have a row. Rows whose fat boxes parted leave by a stable compaction; new pairs
  * follow at the end.

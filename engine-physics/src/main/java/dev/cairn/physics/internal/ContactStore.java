@@ -95,21 +95,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
                 continue;
             }
             forgetFriction(row);
-            Arrays.fill(
-                    normalImpulse,
-                    POINTS * row,
-                    POINTS * row + POINTS,
-                    0);
-            Arrays.fill(
-                    preload,
-                    POINTS * row,
-                    POINTS * row + POINTS,
-                    0);
-            Arrays.fill(
-                    totalNormalImpulse,
-                    POINTS * row,
-                    POINTS * row + POINTS,
-                    0);
+            Arrays.fill(normalImpulse, POINTS * row, POINTS * row + POINTS, 0);
+            Arrays.fill(preload, POINTS * row, POINTS * row + POINTS, 0);
+            Arrays.fill(totalNormalImpulse, POINTS * row, POINTS * row + POINTS, 0);
         }
     }
 

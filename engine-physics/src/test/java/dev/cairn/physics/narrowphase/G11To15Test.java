@@ -9,8 +9,8 @@ import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
-import dev.cairn.physics.shape.polyhedron.Polyhedron;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;

@@ -1,12 +1,12 @@
 package dev.cairn.physics.shape;
 
-import dev.cairn.physics.shape.polyhedron.Polyhedron;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.shape.DegenerateShapeException.Reason;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import org.joml.Matrix3d;
 import org.joml.Quaterniond;

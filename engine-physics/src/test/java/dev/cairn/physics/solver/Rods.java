@@ -124,14 +124,12 @@ final class Rods implements EdgeSource {
         }
 
         @Override
-        public void bias(
-                SolverContext tick, SubStep sub, int from, int to, Scratch scratch) {
+        public void bias(SolverContext tick, SubStep sub, int from, int to, Scratch scratch) {
             sweep(tick, sub, from, to, true);
         }
 
         @Override
-        public void relax(
-                SolverContext tick, SubStep sub, int from, int to, Scratch scratch) {
+        public void relax(SolverContext tick, SubStep sub, int from, int to, Scratch scratch) {
             sweep(tick, sub, from, to, false);
         }
 

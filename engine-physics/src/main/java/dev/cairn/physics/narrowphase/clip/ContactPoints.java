@@ -248,20 +248,12 @@ public final class ContactPoints {
 
     /** Inserts a point, given in A's frame, in order of its name. */
     private void point(double x, double y, double z, double separation, int name, Manifold out) {
-        int at = out.pointCount++;
-        while (at > 0 && Integer.compareUnsigned(out.feature[at - 1], name) > 0) {
-            out.feature[at] = out.feature[at - 1];
-            out.separation[at] = out.separation[at - 1];
-            out.pointX[at] = out.pointX[at - 1];
-            out.pointY[at] = out.pointY[at - 1];
-            out.pointZ[at] = out.pointZ[at - 1];
-            at--;
-        }
-        out.feature[at] = name;
-        out.separation[at] = separation;
-        out.pointX[at] = pair.w00 * x + pair.w01 * y + pair.w02 * z;
-        out.pointY[at] = pair.w10 * x + pair.w11 * y + pair.w12 * z;
-        out.pointZ[at] = pair.w20 * x + pair.w21 * y + pair.w22 * z;
+        out.insert(
+                name,
+                separation,
+                pair.w00 * x + pair.w01 * y + pair.w02 * z,
+                pair.w10 * x + pair.w11 * y + pair.w12 * z,
+                pair.w20 * x + pair.w21 * y + pair.w22 * z);
     }
 
     /** Writes the axis that is set. */

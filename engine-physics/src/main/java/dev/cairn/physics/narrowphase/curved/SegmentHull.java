@@ -6,8 +6,8 @@ import dev.cairn.physics.narrowphase.pair.Containment;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
-import dev.cairn.physics.shape.polyhedron.Polyhedron;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
  * The exact axis of a capsule's segment and a hull, when they are apart and near features settle

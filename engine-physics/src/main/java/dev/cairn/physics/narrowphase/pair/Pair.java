@@ -1,9 +1,9 @@
 package dev.cairn.physics.narrowphase.pair;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.polyhedron.Polyhedral;
 import dev.cairn.physics.shape.polyhedron.Polyhedron;
-import dev.cairn.physics.shape.Shape;
 
 /**
  * Two shapes in the frame of the first: its centre of mass is the origin, its axes are the axes. A

@@ -142,8 +142,7 @@ final class DenseRow {
         r[out + 2] = root[k + 2] * x + root[k + 5] * y + root[k + 8] * z;
     }
 
-    void points(
-            double[] record, int k, int n, double masses, double stiffness, boolean unloaded) {
+    void points(double[] record, int k, int n, double masses, double stiffness, boolean unloaded) {
         for (int i = 0; i < n; i++) {
             int q = POINT + i * POINT_FIELDS;
             double w = masses + (dot(q + ARM_A, q + ARM_A) + dot(q + ARM_B, q + ARM_B));

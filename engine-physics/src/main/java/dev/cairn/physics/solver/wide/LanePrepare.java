@@ -21,8 +21,8 @@ import java.lang.invoke.MethodHandles;
 /**
  * Fills constraint rows with one row to a lane: the arithmetic of {@link PrepareRow}, operation by
  * operation. Contacts and bodies are copied to a {@link LaneStaging} area first, a group at a time.
- * Made once for each number of lanes, like {@link
- * LaneSweep}; kernels work from array to array for the same reason.
+ * Made once for each number of lanes, like {@link LaneSweep}; kernels work from array to array for
+ * the same reason.
  */
 final class LanePrepare implements RowFiller {
     private static final VectorSpecies<Double> S = LaneSpecies.doubles(MethodHandles.lookup());

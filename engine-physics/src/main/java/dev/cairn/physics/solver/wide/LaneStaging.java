@@ -118,8 +118,7 @@ final class LaneStaging {
     }
 
     /** Zeros leave positive, whatever a lane has added to them. */
-    static void scatter(
-            ConstraintRows rows, SolverBodies bodies, int j, double[] st, int lanes) {
+    static void scatter(ConstraintRows rows, SolverBodies bodies, int j, double[] st, int lanes) {
         double[] warm = bodies.warm;
         for (int l = 0; l < lanes; l++) {
             int a = rows.link[(j + l) * LINK];
