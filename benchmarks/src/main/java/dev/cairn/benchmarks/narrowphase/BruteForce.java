@@ -44,7 +44,7 @@ final class BruteForce {
     }
 
     private static Polyhedron polyhedron(Shape shape) {
-        return shape instanceof Box box ? Polyhedron.of(box) : Polyhedron.of(((ConvexHull) shape));
+        return shape instanceof Box box ? Polyhedron.of(box) : Polyhedron.of((ConvexHull) shape);
     }
 
     private static Vector3d[] vertices(Polyhedron h, Quaterniond turn, Vector3d offset) {

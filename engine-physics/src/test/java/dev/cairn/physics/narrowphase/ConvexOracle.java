@@ -62,7 +62,7 @@ final class ConvexOracle {
     }
 
     static Polyhedron polyhedron(Shape shape) {
-        return shape instanceof Box box ? Polyhedron.of(box) : Polyhedron.of(((ConvexHull) shape));
+        return shape instanceof Box box ? Polyhedron.of(box) : Polyhedron.of((ConvexHull) shape);
     }
 
     /**

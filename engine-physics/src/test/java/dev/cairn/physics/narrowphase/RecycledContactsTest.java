@@ -222,7 +222,7 @@ class RecycledContactsTest {
         for (int side = 0; side < 2; side++) {
             Shape shape = side == 0 ? s.a : s.b;
             Polyhedron h =
-                    shape instanceof Box b ? Polyhedron.of(b) : Polyhedron.of(((ConvexHull) shape));
+                    shape instanceof Box b ? Polyhedron.of(b) : Polyhedron.of((ConvexHull) shape);
             for (int f = 0; f < h.faceCount(); f++) {
                 Vector3d e = new Vector3d(h.normalX(f), h.normalY(f), h.normalZ(f));
                 (side == 0 ? s.qa : s.qb).transform(e);
