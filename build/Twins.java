@@ -32,6 +32,7 @@ final class Twins {
             List.of(
                     "LaneKernels",
                     "LanePrepare",
+                    "LaneStaging",
                     "LaneStore",
                     "PrepareRow",
                     "WarmStart",

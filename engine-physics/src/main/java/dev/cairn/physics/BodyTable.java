@@ -14,6 +14,7 @@ import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.state.WorldCheck;
 
 import org.jspecify.annotations.Nullable;
 
@@ -356,6 +357,7 @@ final class BodyTable {
             if (freeCount == free.length) {
                 free = Arrays.copyOf(free, 2 * freeCount);
             }
+            assert bodies.kind[gone[i]] == BodyStore.FREE : "slot " + gone[i] + " has a body";
             colliders.detach(gone[i]);
             free[freeCount++] = gone[i];
         }
@@ -394,6 +396,28 @@ final class BodyTable {
             }
         }
         unplacedCount = 0;
+    }
+
+    /** See {@link PhysicsWorld#validate}. */
+    void validate() {
+        new WorldCheck(
+                        bodies,
+                        colliders,
+                        contacts,
+                        broadPhase,
+                        sleepers,
+                        slot -> refs[slot].toString(),
+                        this::isUnplaced)
+                .run();
+    }
+
+    private boolean isUnplaced(int slot) {
+        for (int i = 0; i < unplacedCount; i++) {
+            if (unplaced[i] == slot) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Stops a body where it is and fixes it there. */

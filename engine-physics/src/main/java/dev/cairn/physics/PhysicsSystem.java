@@ -16,6 +16,7 @@ import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.solver.ContactSolver;
 import dev.cairn.physics.solver.row.ConstraintKind;
 import dev.cairn.physics.state.BodyIndex;
+import dev.cairn.physics.state.StageCheck;
 
 /**
  * One tick of the physics, as a system of the ECS named {@value #NAME}: reads {@link RigidBody},
@@ -99,11 +100,16 @@ final class PhysicsSystem implements WorldSystem {
         events.clear();
         readRoster(tick);
         profile.end(StepStage.ROSTER);
+        assert StageCheck.awake(table.bodies, table.dynamic, table.dynamicCount);
         moveBounds(tick);
+        assert StageCheck.boxes(
+                table.bodies, table.colliders, table.broadPhase, table.dynamic, table.dynamicCount);
         profile.end(StepStage.BOUNDS);
         table.broadPhase.findPairs(tick.jobs());
+        assert StageCheck.newPairs(table.broadPhase);
         profile.end(StepStage.PAIRS);
         rows.update(contacts, table.broadPhase, events, tick.jobs());
+        assert StageCheck.rows(contacts, table.colliders, table.bodies, table.broadPhase);
         table.broadPhase.endTick();
         wakes.refresh(table.bounds, table.broadPhase);
         table.freeGone();
@@ -125,6 +131,7 @@ final class PhysicsSystem implements WorldSystem {
         profile.end(StepStage.SOLVE);
         fallAsleep(tick);
         publishPoses(tick);
+        assert StageCheck.poses(table.bodies, table.dynamic, table.dynamicCount);
         profile.end(StepStage.PUBLISH);
         events.update(contacts, tick.jobs());
         view.update(events);

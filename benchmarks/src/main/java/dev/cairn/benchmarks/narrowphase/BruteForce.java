@@ -2,8 +2,8 @@ package dev.cairn.benchmarks.narrowphase;
 
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
-import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -44,7 +44,7 @@ final class BruteForce {
     }
 
     private static Polyhedron polyhedron(Shape shape) {
-        return shape instanceof Box box ? box.polyhedron() : ((ConvexHull) shape).polyhedron();
+        return shape instanceof Box box ? Polyhedron.of(box) : Polyhedron.of((ConvexHull) shape);
     }
 
     private static Vector3d[] vertices(Polyhedron h, Quaterniond turn, Vector3d offset) {

@@ -46,11 +46,7 @@ public final class AabbTree {
     /** An empty tree. */
     public AabbTree() {}
 
-    /**
-     * How many leaves there are.
-     *
-     * @return the number
-     */
+    /** How many leaves there are. */
     public int leafCount() {
         return leaves;
     }
@@ -77,9 +73,7 @@ public final class AabbTree {
      * Adds a leaf.
      *
      * @param box array that holds the box: minX, minY, minZ, maxX, maxY, maxZ; world, m
-     * @param offset where the box begins in it
      * @param leafItem the owner's number
-     * @return the leaf's id
      */
     public int insert(double[] box, int offset, int leafItem) {
         int leaf = allocate();
@@ -94,11 +88,7 @@ public final class AabbTree {
         return leaf;
     }
 
-    /**
-     * Takes a leaf out.
-     *
-     * @param leaf its id
-     */
+    /** Takes a leaf out. */
     public void remove(int leaf) {
         unlink(leaf);
         release(leaf);
@@ -106,13 +96,7 @@ public final class AabbTree {
         changes++;
     }
 
-    /**
-     * Gives a leaf another box.
-     *
-     * @param leaf its id, which it keeps
-     * @param box array that holds the box
-     * @param offset where the box begins in it
-     */
+    /** Gives a leaf another box. */
     public void move(int leaf, double[] box, int offset) {
         unlink(leaf);
         System.arraycopy(box, offset, bounds, 6 * leaf, 6);
@@ -123,10 +107,6 @@ public final class AabbTree {
     /**
      * The items of all leaves whose box overlaps a box, in the tree's order. For tests and tools;
      * the broad phase walks the tree itself.
-     *
-     * @param box array that holds the box
-     * @param offset where the box begins in it
-     * @return a new array
      */
     public int[] query(double[] box, int offset) {
         int[] stack = new int[height() + 2];

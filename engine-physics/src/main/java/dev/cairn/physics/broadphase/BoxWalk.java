@@ -10,7 +10,6 @@ public final class BoxWalk extends TreeWalk {
     /**
      * Begins.
      *
-     * @param tree what to visit
      * @param box minX, minY, minZ, maxX, maxY, maxZ; world, m; copied; may be endless
      */
     public void start(AabbTree tree, double[] box) {

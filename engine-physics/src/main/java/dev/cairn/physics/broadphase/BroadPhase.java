@@ -60,11 +60,7 @@ public final class BroadPhase {
     /** Without colliders. */
     public BroadPhase() {}
 
-    /**
-     * Grows the columns; between phases only.
-     *
-     * @param slots number of slots of colliders
-     */
+    /** Grows the columns; between phases only. */
     public void ensureSlots(int slots) {
         if (slots <= leaf.length) {
             return;
@@ -79,7 +75,6 @@ public final class BroadPhase {
     /**
      * Whether a slot has a box.
      *
-     * @param slot of a collider
      * @return true between place and remove
      */
     public boolean contains(int slot) {
@@ -98,10 +93,7 @@ public final class BroadPhase {
     /**
      * Gives a slot a fat box, its first or another one, and marks it as moved.
      *
-     * @param slot of a collider
      * @param isStatic whether it goes to the static tree
-     * @param box array that holds the box
-     * @param offset where the box begins in it
      */
     public void place(int slot, boolean isStatic, double[] box, int offset) {
         byte target = isStatic ? isEndless(box, offset) ? ENDLESS : STATIC : DYNAMIC;
@@ -133,8 +125,6 @@ public final class BroadPhase {
     /**
      * Takes a slot's box out. Its pairs no longer {@link #overlap}; it counts as moved, so that
      * their owner looks.
-     *
-     * @param slot of a collider
      */
     public void remove(int slot) {
         if (where[slot] == OUT) {
@@ -181,11 +171,7 @@ public final class BroadPhase {
         where[slot] = OUT;
     }
 
-    /**
-     * How many slots moved in this tick.
-     *
-     * @return at least 0
-     */
+    /** How many slots moved in this tick. */
     public int movedCount() {
         return movedCount;
     }
@@ -194,7 +180,6 @@ public final class BroadPhase {
      * One of the slots that moved in this tick.
      *
      * @param index 0 to movedCount - 1
-     * @return the slot
      */
     public int movedSlot(int index) {
         return movedSlots[index];
@@ -203,20 +188,13 @@ public final class BroadPhase {
     /**
      * Whether a slot's box changed in this tick.
      *
-     * @param slot of a collider
      * @return true between place or remove, and endTick
      */
     public boolean moved(int slot) {
         return moved[slot];
     }
 
-    /**
-     * Whether two slots are a pair: both have boxes, these overlap, not both are static.
-     *
-     * @param a a slot
-     * @param b another slot
-     * @return true if so
-     */
+    /** Whether two slots are a pair: both have boxes, these overlap, not both are static. */
     public boolean overlap(int a, int b) {
         return where[a] != OUT
                 && where[b] != OUT
@@ -224,11 +202,7 @@ public final class BroadPhase {
                 && AabbTree.overlap(fat, 6 * a, fat, 6 * b);
     }
 
-    /**
-     * Finds all pairs that overlap now and were none before, and makes them pairs.
-     *
-     * @param jobs runs the queries in blocks
-     */
+    /** Finds all pairs that overlap now and were none before, and makes them pairs. */
     public void findPairs(Jobs jobs) {
         newPairCount = 0;
         int blocks = Blocks.count(movedCount, PROXIES_PER_BLOCK);
@@ -393,30 +367,17 @@ public final class BroadPhase {
         return newPairs;
     }
 
-    /**
-     * How many pairs {@link #findPairs} found.
-     *
-     * @return at least 0
-     */
+    /** How many pairs {@link #findPairs} found. */
     public int newPairCount() {
         return newPairCount;
     }
 
-    /**
-     * Ends a pair, so that it can be found again.
-     *
-     * @param a a slot
-     * @param b another slot
-     */
+    /** Ends a pair, so that it can be found again. */
     public void forget(int a, int b) {
         pairs.remove(PairSet.key(a, b));
     }
 
-    /**
-     * How many pairs there are.
-     *
-     * @return at least 0
-     */
+    /** How many pairs there are. */
     public int pairCount() {
         return pairs.size();
     }
@@ -424,8 +385,6 @@ public final class BroadPhase {
     /**
      * Whether two slots are known as a pair.
      *
-     * @param a a slot
-     * @param b another slot
      * @return true between findPairs and forget
      */
     public boolean isPair(int a, int b) {
@@ -441,11 +400,7 @@ public final class BroadPhase {
         newPairCount = 0;
     }
 
-    /**
-     * The tree of colliders that never move.
-     *
-     * @return the tree; read only
-     */
+    /** The tree of colliders that never move. */
     public AabbTree staticTree() {
         return staticTree;
     }
@@ -459,20 +414,12 @@ public final class BroadPhase {
         return endless;
     }
 
-    /**
-     * How many fixed colliders without end there are.
-     *
-     * @return at least 0
-     */
+    /** How many fixed colliders without end there are. */
     public int endlessCount() {
         return endlessCount;
     }
 
-    /**
-     * The tree of colliders that move.
-     *
-     * @return the tree; read only
-     */
+    /** The tree of colliders that move. */
     public AabbTree dynamicTree() {
         return dynamicTree;
     }

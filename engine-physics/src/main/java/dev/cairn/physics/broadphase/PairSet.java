@@ -18,28 +18,18 @@ public final class PairSet {
      * The key of a pair.
      *
      * @param a a slot, at least 0
-     * @param b another slot
      * @return the smaller slot in the upper half, the larger in the lower; never 0
      */
     public static long key(int a, int b) {
         return a < b ? (long) a << 32 | b : (long) b << 32 | a;
     }
 
-    /**
-     * The number of pairs.
-     *
-     * @return at least 0
-     */
+    /** The number of pairs. */
     public int size() {
         return size;
     }
 
-    /**
-     * Whether a pair is there.
-     *
-     * @param key of the pair
-     * @return true if so
-     */
+    /** Whether a pair is there. */
     public boolean contains(long key) {
         long[] table = keys;
         int mask = table.length - 1;
@@ -53,12 +43,7 @@ public final class PairSet {
         return false;
     }
 
-    /**
-     * Adds a pair.
-     *
-     * @param key of the pair
-     * @return false if it was there already
-     */
+    /** Adds a pair. */
     public boolean add(long key) {
         if (2 * (size + 1) > keys.length) {
             grow();
@@ -76,12 +61,7 @@ public final class PairSet {
         return true;
     }
 
-    /**
-     * Takes a pair out.
-     *
-     * @param key of the pair
-     * @return false if it was not there
-     */
+    /** Takes a pair out. */
     public boolean remove(long key) {
         int mask = keys.length - 1;
         int at = home(key);

@@ -17,7 +17,6 @@ public final class RayWalk extends TreeWalk {
     /**
      * Begins.
      *
-     * @param tree what to visit
      * @param movingBox where the moving box starts: minX, minY, minZ, maxX, maxY, maxZ; world, m,
      *     finite; a point for a ray; copied
      * @param dx unit direction, world

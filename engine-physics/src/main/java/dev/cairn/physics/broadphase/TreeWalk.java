@@ -27,11 +27,7 @@ public abstract sealed class TreeWalk permits BoxWalk, RayWalk {
      */
     abstract double entry(double[] bounds, int at);
 
-    /**
-     * Begins at the root.
-     *
-     * @param over the tree
-     */
+    /** Begins at the root. */
     final void begin(AabbTree over) {
         tree = over;
         top = 0;

@@ -78,11 +78,7 @@ public final class BoundsStage {
         boundsTime = settings.get(Tunable.BOUNDS_TICKS);
     }
 
-    /**
-     * Grows the columns; between phases only.
-     *
-     * @param capacity number of slots of colliders
-     */
+    /** Grows the columns; between phases only. */
     public void ensureSlots(int capacity) {
         if (capacity <= state.length) {
             return;
@@ -97,14 +93,12 @@ public final class BoundsStage {
     /**
      * Runs over the dynamic bodies and places those in the broad phase that left their fat box.
      *
-     * @param target the trees
      * @param dynamicSlots slots of the dynamic bodies, ascending
      * @param dynamicCount how many there are
      * @param gx gravity, world, m/s²
      * @param gy gravity, world, m/s²
      * @param gz gravity, world, m/s²
      * @param stepSeconds length of the tick, s
-     * @param jobs runs the blocks
      */
     public void run(
             BroadPhase target,
@@ -132,12 +126,7 @@ public final class BoundsStage {
         }
     }
 
-    /**
-     * Places a fixed body.
-     *
-     * @param target the trees
-     * @param slot of the body
-     */
+    /** Places a fixed body. */
     public void placeFixed(BroadPhase target, int slot) {
         Poses p = colliders.poses;
         for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
@@ -169,9 +158,6 @@ public final class BoundsStage {
     /**
      * Brings one body up to date that was woken after {@link #run}, by the same rule and with what
      * that call was given.
-     *
-     * @param target the trees
-     * @param slot of a dynamic body at rest
      */
     public void refresh(BroadPhase target, int slot) {
         broadPhase = target;
@@ -182,8 +168,6 @@ public final class BoundsStage {
     /**
      * A body has fallen asleep. Its neighbours see it as one that is awake and at rest: were its
      * margin another one, points would appear, and wake it, because it fell asleep.
-     *
-     * @param slot of the body
      */
     public void rest(int slot) {
         for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
@@ -199,11 +183,7 @@ public final class BoundsStage {
         ahead[at + 3] = arc;
     }
 
-    /**
-     * How many bodies {@link #run} found that cannot be computed with.
-     *
-     * @return at least 0
-     */
+    /** How many bodies {@link #run} found that cannot be computed with. */
     public int invalidCount() {
         return invalidCount;
     }

@@ -47,10 +47,8 @@ public final class ContactRows {
      * Brings the rows in step with the broad phase's pairs, and lists those that are active: with
      * an awake body, or new, or with a fixed body that was moved.
      *
-     * @param store the rows
      * @param pairs after its pairs phase
      * @param events receives the touches that end with a row
-     * @param jobs runs the check in blocks
      */
     public void update(ContactStore store, BroadPhase pairs, TouchEvents events, Jobs jobs) {
         broadPhase = pairs;
@@ -165,8 +163,6 @@ public final class ContactRows {
     /**
      * Lists the active rows anew.
      *
-     * @param bodies their kinds
-     * @param c the rows
      * @param pairs knows which fixed bodies were moved
      */
     public static void activate(BodyStore bodies, ContactStore c, BroadPhase pairs) {

@@ -76,9 +76,7 @@ public final class ManifoldStage {
     /**
      * Collides all active rows.
      *
-     * @param rows the rows, whose points are written
      * @param stepSeconds length of the tick, s
-     * @param jobs runs the blocks
      */
     public void run(ContactStore rows, double stepSeconds, Jobs jobs) {
         contacts = rows;

@@ -17,8 +17,8 @@ import dev.cairn.physics.narrowphase.pair.WarmStartKey;
 import dev.cairn.physics.narrowphase.wide.RecycledBatch;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
-import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
  * Renews the points of pairs of boxes that have hardly moved since they were collided, without
@@ -128,7 +128,7 @@ final class Recycler {
         double ny;
         double nz;
         if (colliders.shape[r] instanceof ConvexHull hull) {
-            Polyhedron h = hull.polyhedron();
+            Polyhedron h = Polyhedron.of(hull);
             double x = h.normalX(face);
             double y = h.normalY(face);
             double z = h.normalZ(face);
@@ -395,7 +395,7 @@ final class Recycler {
     /** How far the plane of a face is from the centre of its shape, m. */
     private static double offset(Shape shape, int face) {
         if (shape instanceof ConvexHull hull) {
-            return hull.polyhedron().offset(face);
+            return Polyhedron.of(hull).offset(face);
         }
         Box box = (Box) shape;
         int axis = face >> 1;

@@ -42,9 +42,6 @@ public final class TouchEvents {
     /**
      * Compares the active rows with their state before; after the solve. A pair that sleeps stays
      * as it is.
-     *
-     * @param rows the rows, whose touching state is written
-     * @param jobs runs the check in blocks
      */
     public void update(ContactStore rows, Jobs jobs) {
         contacts = rows;
@@ -122,20 +119,12 @@ public final class TouchEvents {
         endedCount++;
     }
 
-    /**
-     * How many pairs began to touch.
-     *
-     * @return at least 0
-     */
+    /** How many pairs began to touch. */
     public int beganCount() {
         return beganCount;
     }
 
-    /**
-     * How many pairs ceased to touch.
-     *
-     * @return at least 0
-     */
+    /** How many pairs ceased to touch. */
     public int endedCount() {
         return endedCount;
     }
@@ -145,7 +134,6 @@ public final class TouchEvents {
      *
      * @param event 0 to beganCount - 1
      * @param side 0 for A, 1 for B
-     * @return the slot
      */
     public int began(int event, int side) {
         return began[2 * event + side];
@@ -156,7 +144,6 @@ public final class TouchEvents {
      *
      * @param event 0 to endedCount - 1
      * @param side 0 for A, 1 for B
-     * @return the slot
      */
     public int ended(int event, int side) {
         return ended[2 * event + side];

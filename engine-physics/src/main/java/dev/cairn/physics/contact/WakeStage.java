@@ -20,13 +20,7 @@ public final class WakeStage {
     private int lateCount;
     private int[] merged = {};
 
-    /**
-     * A stage.
-     *
-     * @param sleepers who sleeps
-     * @param bodies their kinds
-     * @param contacts the rows
-     */
+    /** A stage. */
     public WakeStage(Sleepers sleepers, BodyStore bodies, ContactStore contacts) {
         this.sleepers = sleepers;
         this.bodies = bodies;
@@ -37,10 +31,8 @@ public final class WakeStage {
      * Wakes.
      *
      * @param bounds brings the boxes of the woken up to date
-     * @param broadPhase holds the boxes
      * @param manifolds collides their rows
      * @param stepSeconds length of the tick, s
-     * @param jobs runs the narrow phase
      */
     public void run(
             BoundsStage bounds,
@@ -71,12 +63,7 @@ public final class WakeStage {
         }
     }
 
-    /**
-     * Brings boxes and margins of bodies that were woken within the tick up to date.
-     *
-     * @param bounds the rule
-     * @param broadPhase holds the boxes
-     */
+    /** Brings boxes and margins of bodies that were woken within the tick up to date. */
     public void refresh(BoundsStage bounds, BroadPhase broadPhase) {
         for (int i = 0; i < sleepers.freshCount(); i++) {
             bounds.refresh(broadPhase, sleepers.fresh(i));

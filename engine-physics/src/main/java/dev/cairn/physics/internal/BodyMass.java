@@ -10,13 +10,9 @@ public final class BodyMass {
     /**
      * Mass, centre and inertia: the shape's, or what the user gave instead.
      *
-     * @param shape of the body
      * @param density kg/m³
      * @param isFixed whether it never moves
      * @param kilograms mass instead of the shape's, or NaN
-     * @param ixx inertia instead of the shape's about its axes, kg m², or NaN
-     * @param iyy see {@code ixx}
-     * @param izz see {@code ixx}
      * @return with finite numbers and inverses, unless it is fixed
      */
     public static MassProperties of(
@@ -85,7 +81,6 @@ public final class BodyMass {
      * The inverse's six entries xx, yy, zz, xy, xz, yz. The matrix is scaled by its trace first, so
      * that neither very small nor very large bodies leave the range of numbers.
      *
-     * @param p mass properties
      * @return 1/(kg m²)
      */
     public static double[] inverseInertia(MassProperties p) {

@@ -6,14 +6,7 @@ import org.jspecify.annotations.Nullable;
 public final class Checks {
     private Checks() {}
 
-    /**
-     * Checks that there is a value.
-     *
-     * @param name of the argument
-     * @param value of it
-     * @param <T> its type
-     * @return the value
-     */
+    /** Checks that there is a value. */
     public static <T> T notNull(String name, @Nullable T value) {
         if (value == null) {
             throw new IllegalArgumentException(name + " is null; pass a value");
@@ -21,13 +14,7 @@ public final class Checks {
         return value;
     }
 
-    /**
-     * Checks that a value is finite.
-     *
-     * @param name of the argument
-     * @param value of it
-     * @return the value
-     */
+    /** Checks that a value is finite. */
     public static double finite(String name, double value) {
         if (!Double.isFinite(value)) {
             throw new IllegalArgumentException(
@@ -36,13 +23,7 @@ public final class Checks {
         return value;
     }
 
-    /**
-     * Checks that a value is finite and above 0.
-     *
-     * @param name of the argument
-     * @param value of it
-     * @return the value
-     */
+    /** Checks that a value is finite and above 0. */
     public static double positive(String name, double value) {
         if (!(value > 0) || value == Double.POSITIVE_INFINITY) {
             throw new IllegalArgumentException(
@@ -51,13 +32,7 @@ public final class Checks {
         return value;
     }
 
-    /**
-     * Checks that a value is finite and at least 0.
-     *
-     * @param name of the argument
-     * @param value of it
-     * @return the value
-     */
+    /** Checks that a value is finite and at least 0. */
     public static double atLeastZero(String name, double value) {
         if (!(value >= 0) || value == Double.POSITIVE_INFINITY) {
             throw new IllegalArgumentException(
@@ -66,13 +41,7 @@ public final class Checks {
         return value;
     }
 
-    /**
-     * Checks that a value is above 0; it may be infinite.
-     *
-     * @param name of the argument
-     * @param value of it
-     * @return the value
-     */
+    /** Checks that a value is above 0; it may be infinite. */
     public static double limit(String name, double value) {
         if (!(value > 0)) {
             throw new IllegalArgumentException(
@@ -81,15 +50,7 @@ public final class Checks {
         return value;
     }
 
-    /**
-     * Checks that a value is in a range.
-     *
-     * @param name of the argument
-     * @param value of it
-     * @param low the least
-     * @param high the largest
-     * @return the value
-     */
+    /** Checks that a value is in a range. */
     public static double between(String name, double value, double low, double high) {
         if (!(value >= low && value <= high)) {
             throw new IllegalArgumentException(
@@ -98,15 +59,7 @@ public final class Checks {
         return value;
     }
 
-    /**
-     * Checks that a value is in a range.
-     *
-     * @param name of the argument
-     * @param value of it
-     * @param low the least
-     * @param high the largest
-     * @return the value
-     */
+    /** Checks that a value is in a range. */
     public static int between(String name, int value, int low, int high) {
         if (value < low || value > high) {
             throw new IllegalArgumentException(

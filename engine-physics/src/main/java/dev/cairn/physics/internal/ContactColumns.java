@@ -145,7 +145,6 @@ public class ContactColumns {
     /**
      * Where a row begins in {@link #head}: at a cache line, if the array does.
      *
-     * @param row of the contact, or the number of rows for the length
      * @return index
      */
     public static int head(int row) {
@@ -155,7 +154,6 @@ public class ContactColumns {
     /**
      * Where a point begins in {@link #anchors}; the first of a row at a cache line, as there.
      *
-     * @param point of the contact, {@link #POINTS} to a row, or the number of points for the length
      * @return index
      */
     public static int anchor(int point) {
@@ -165,161 +163,83 @@ public class ContactColumns {
     /**
      * Where a row begins in {@link #kept}; a group of rows begins at a cache line, as there.
      *
-     * @param row of the contact
      * @return index; the row's numbers follow, {@link #KEPT_ROWS} apart
      */
     public static int keptAt(int row) {
         return START + KEPT * (row & -KEPT_ROWS) + (row & (KEPT_ROWS - 1));
     }
 
-    /**
-     * Unit normal from A to B, world: x.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
+    /** Unit normal from A to B, world: x. */
     public double normalX(int row) {
         return head[head(row)];
     }
 
-    /**
-     * Unit normal from A to B, world: y.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
+    /** Unit normal from A to B, world: y. */
     public double normalY(int row) {
         return head[head(row) + 1];
     }
 
-    /**
-     * Unit normal from A to B, world: z.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
+    /** Unit normal from A to B, world: z. */
     public double normalZ(int row) {
         return head[head(row) + 2];
     }
 
-    /**
-     * Mixed Coulomb coefficient.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
+    /** Mixed Coulomb coefficient. */
     public double friction(int row) {
         return head[head(row) + FRICTION];
     }
 
-    /**
-     * Friction impulse at the patch centre, world: x, N s over the last sub-step.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
+    /** Friction impulse at the patch centre, world: x, N s over the last sub-step. */
     public double frictionImpulseX(int row) {
         return head[head(row) + RUB];
     }
 
-    /**
-     * Friction impulse at the patch centre, world: y, N s over the last sub-step.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
+    /** Friction impulse at the patch centre, world: y, N s over the last sub-step. */
     public double frictionImpulseY(int row) {
         return head[head(row) + RUB + 1];
     }
 
-    /**
-     * Friction impulse at the patch centre, world: z, N s over the last sub-step.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
+    /** Friction impulse at the patch centre, world: z, N s over the last sub-step. */
     public double frictionImpulseZ(int row) {
         return head[head(row) + RUB + 2];
     }
 
-    /**
-     * Twist impulse about the normal, N m s over the last sub-step.
-     *
-     * @param row of the contact
-     * @return as stored
-     */
+    /** Twist impulse about the normal, N m s over the last sub-step. */
     public double twistImpulse(int row) {
         return head[head(row) + TWIST];
     }
 
-    /**
-     * A point from A's centre of mass, world: x, m.
-     *
-     * @param point of the contact, {@link #POINTS} to a row
-     * @return as stored
-     */
+    /** A point from A's centre of mass, world: x, m. */
     public double anchorAX(int point) {
         return anchors[anchor(point)];
     }
 
-    /**
-     * A point from A's centre of mass, world: y, m.
-     *
-     * @param point of the contact, {@link #POINTS} to a row
-     * @return as stored
-     */
+    /** A point from A's centre of mass, world: y, m. */
     public double anchorAY(int point) {
         return anchors[anchor(point) + 1];
     }
 
-    /**
-     * A point from A's centre of mass, world: z, m.
-     *
-     * @param point of the contact, {@link #POINTS} to a row
-     * @return as stored
-     */
+    /** A point from A's centre of mass, world: z, m. */
     public double anchorAZ(int point) {
         return anchors[anchor(point) + 2];
     }
 
-    /**
-     * A point from B's centre of mass, world: x, m.
-     *
-     * @param point of the contact, {@link #POINTS} to a row
-     * @return as stored
-     */
+    /** A point from B's centre of mass, world: x, m. */
     public double anchorBX(int point) {
         return anchors[anchor(point) + 3];
     }
 
-    /**
-     * A point from B's centre of mass, world: y, m.
-     *
-     * @param point of the contact, {@link #POINTS} to a row
-     * @return as stored
-     */
+    /** A point from B's centre of mass, world: y, m. */
     public double anchorBY(int point) {
         return anchors[anchor(point) + 4];
     }
 
-    /**
-     * A point from B's centre of mass, world: z, m.
-     *
-     * @param point of the contact, {@link #POINTS} to a row
-     * @return as stored
-     */
+    /** A point from B's centre of mass, world: z, m. */
     public double anchorBZ(int point) {
         return anchors[anchor(point) + 5];
     }
 
-    /**
-     * Sets the unit normal of a row.
-     *
-     * @param row of the contact
-     * @param x world
-     * @param y world
-     * @param z world
-     */
+    /** Sets the unit normal of a row. */
     public void setNormal(int row, double x, double y, double z) {
         int i = head(row);
         head[i] = x;
@@ -327,25 +247,12 @@ public class ContactColumns {
         head[i + 2] = z;
     }
 
-    /**
-     * Sets the Coulomb coefficient of a row.
-     *
-     * @param row of the contact
-     * @param coefficient at least 0
-     */
+    /** Sets the Coulomb coefficient of a row. */
     public void setFriction(int row, double coefficient) {
         head[head(row) + FRICTION] = coefficient;
     }
 
-    /**
-     * Sets the friction impulse of a row, N s, and its twist, N m s.
-     *
-     * @param row of the contact
-     * @param x world
-     * @param y world
-     * @param z world
-     * @param twist about the normal
-     */
+    /** Sets the friction impulse of a row, N s, and its twist, N m s. */
     public void setFrictionImpulse(int row, double x, double y, double z, double twist) {
         int i = head(row);
         head[i + RUB] = x;
@@ -354,31 +261,14 @@ public class ContactColumns {
         head[i + TWIST] = twist;
     }
 
-    /**
-     * Sets the rolling impulse of a row, N m s; only while {@link #rolls}.
-     *
-     * @param row of the contact
-     * @param x world
-     * @param y world
-     * @param z world
-     */
+    /** Sets the rolling impulse of a row, N m s; only while {@link #rolls}. */
     public void setRollingImpulse(int row, double x, double y, double z) {
         rollingImpulse[3 * row] = x;
         rollingImpulse[3 * row + 1] = y;
         rollingImpulse[3 * row + 2] = z;
     }
 
-    /**
-     * Sets where a point is from A and from B, m.
-     *
-     * @param point of the contact, {@link #POINTS} to a row
-     * @param ax from A, world x
-     * @param ay from A, world y
-     * @param az from A, world z
-     * @param bx from B, world x
-     * @param by from B, world y
-     * @param bz from B, world z
-     */
+    /** Sets where a point is from A and from B, m. */
     public void setAnchors(
             int point, double ax, double ay, double az, double bx, double by, double bz) {
         int i = anchor(point);

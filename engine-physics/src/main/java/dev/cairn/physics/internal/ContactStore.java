@@ -27,11 +27,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     private final Columns.Move move = new Columns.Move();
     private final Columns.Clear clear = new Columns.Clear();
 
-    /**
-     * Forgets what a row rubbed and rolled with.
-     *
-     * @param row of the contact
-     */
+    /** Forgets what a row rubbed and rolled with. */
     public void forgetFriction(int row) {
         setFrictionImpulse(row, 0, 0, 0, 0);
         if (rolls) {
@@ -62,7 +58,6 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     /**
      * Whether a row is solved: its surfaces are within the margin of each other.
      *
-     * @param row of the contact
      * @return false for a pair that is only near
      */
     public boolean isSolved(int row) {
@@ -114,11 +109,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         activeCount = count;
     }
 
-    /**
-     * Grows every column to at least {@code capacity} rows; between phases only.
-     *
-     * @param capacity rows that must fit
-     */
+    /** Grows every column to at least {@code capacity} rows; between phases only. */
     public void ensureCapacity(int capacity) {
         if (capacity <= bodyA.length) {
             return;
@@ -127,11 +118,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         columns(new Columns.Growth(n));
     }
 
-    /**
-     * Declares the columns.
-     *
-     * @param c what is done to them
-     */
+    /** Declares the columns. */
     public void columns(Columns c) {
         active = c.room("active", active);
         colliderA = c.column("colliderA", colliderA);
@@ -167,21 +154,18 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     /**
      * Moves rows that follow one another to lower places.
      *
-     * @param from the first one
      * @param to where it shall be, at most {@code from}
-     * @param number how many
      */
     public void move(int from, int to, int number) {
         if (from != to && number > 0) {
+            int a = colliderA[from];
+            int b = bodyB[from];
             columns(move.rows(from, to, number));
+            assert colliderA[to] == a && bodyB[to] == b : "columns of row " + from + " stayed";
         }
     }
 
-    /**
-     * Adds empty rows at the end; they are active.
-     *
-     * @param number how many
-     */
+    /** Adds empty rows at the end; they are active. */
     public void append(int number) {
         ensureCapacity(count + number);
         columns(clear.rows(count, count + number));
@@ -193,7 +177,6 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     /**
      * Says whose contact a row is, and of what surfaces.
      *
-     * @param row of the contact
      * @param colliders whose bodies are found
      * @param a the lower collider
      * @param b the other one

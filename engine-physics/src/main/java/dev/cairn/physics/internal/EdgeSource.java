@@ -7,17 +7,12 @@ package dev.cairn.physics.internal;
  * nothing else of them. Simulation thread; nothing allocates.
  */
 public interface EdgeSource {
-    /**
-     * How many edges there may be in this tick.
-     *
-     * @return at least 0
-     */
+    /** How many edges there may be in this tick. */
     int edges();
 
     /**
      * Row of an edge in the kind's own store.
      *
-     * @param i from 0 to below {@link #edges}
      * @return names the edge as long as it exists
      */
     int edgeRow(int i);
@@ -25,30 +20,16 @@ public interface EdgeSource {
     /**
      * Slot of the first body of an edge.
      *
-     * @param i from 0 to below {@link #edges}
      * @return the slot, or -1 if the edge is not solved in this tick
      */
     int edgeA(int i);
 
-    /**
-     * Slot of the second body of an edge that is solved.
-     *
-     * @param i from 0 to below {@link #edges}
-     * @return the slot
-     */
+    /** Slot of the second body of an edge that is solved. */
     int edgeB(int i);
 
-    /**
-     * A body leaves, and its slot will be another's: edges to it end.
-     *
-     * @param slot of the body
-     */
+    /** A body leaves, and its slot will be another's: edges to it end. */
     void leave(int slot);
 
-    /**
-     * A body was put back to where it could be computed with: its edges start without impulses.
-     *
-     * @param slot of the body
-     */
+    /** A body was put back to where it could be computed with: its edges start without impulses. */
     void forget(int slot);
 }

@@ -23,11 +23,7 @@ public class Poses {
     /** Unit quaternion world from body, or from collider. */
     public double[] orientationX = {}, orientationY = {}, orientationZ = {}, orientationW = {};
 
-    /**
-     * Declares the columns.
-     *
-     * @param c what is done to them
-     */
+    /** Declares the columns. */
     public void columns(Columns c) {
         positionX = c.column("positionX", positionX);
         positionY = c.column("positionY", positionY);
@@ -39,37 +35,19 @@ public class Poses {
         orientationW = c.column("orientationW", orientationW);
     }
 
-    /**
-     * From one centre to another.
-     *
-     * @param a slot
-     * @param b slot
-     * @return world x, m
-     */
+    /** From one centre to another. */
     public final double apartX(int a, int b) {
         double d = positionX[b] - positionX[a];
         return isFar ? apart(d, 3 * a, 3 * b) : d;
     }
 
-    /**
-     * From one centre to another.
-     *
-     * @param a slot
-     * @param b slot
-     * @return world y, m
-     */
+    /** From one centre to another. */
     public final double apartY(int a, int b) {
         double d = positionY[b] - positionY[a];
         return isFar ? apart(d, 3 * a + 1, 3 * b + 1) : d;
     }
 
-    /**
-     * From one centre to another.
-     *
-     * @param a slot
-     * @param b slot
-     * @return world z, m
-     */
+    /** From one centre to another. */
     public final double apartZ(int a, int b) {
         double d = positionZ[b] - positionZ[a];
         return isFar ? apart(d, 3 * a + 2, 3 * b + 2) : d;

@@ -13,11 +13,6 @@ public final class Rotations {
     /**
      * The factor that makes a quaternion a unit one, if it is one but for rounding.
      *
-     * @param name of the argument
-     * @param x of the quaternion
-     * @param y of the quaternion
-     * @param z of the quaternion
-     * @param w of the quaternion
      * @return the factor, 1 if the length is 1 but for the last bits
      */
     public static double inverseLength(String name, double x, double y, double z, double w) {
@@ -47,13 +42,6 @@ public final class Rotations {
     /**
      * Rotates (vx, vy, vz) by the unit quaternion: v + 2 w (q x v) + 2 q x (q x v).
      *
-     * @param qx of the quaternion
-     * @param qy of the quaternion
-     * @param qz of the quaternion
-     * @param qw of the quaternion
-     * @param vx of the vector
-     * @param vy of the vector
-     * @param vz of the vector
      * @param out receives the vector, from index 0 on
      */
     public static void rotate(

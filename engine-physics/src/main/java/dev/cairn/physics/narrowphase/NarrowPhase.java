@@ -269,7 +269,6 @@ public final class NarrowPhase {
      *
      * @param cache {@link #distanceKey} after the last call; 0 if there is none. A stale or random
      *     key costs time, never correctness
-     * @return m
      */
     public double distance(
             Shape a,

@@ -1,20 +1,20 @@
 package dev.cairn.physics.shape;
 
+import dev.cairn.physics.shape.polyhedron.Polyhedral;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
+
 import org.joml.Vector3d;
 
 /** A rectangular block around the origin of the shape frame, given by its half extents. */
-public final class Box implements Shape {
+public final class Box extends Polyhedral implements Shape {
     /** Half extents, m. */
     private final double halfX, halfY, halfZ;
 
-    /** Features, relative to the centre of mass. */
-    private final Polyhedron polyhedron;
-
     private Box(double halfX, double halfY, double halfZ) {
+        super(Polyhedron.box(halfX, halfY, halfZ));
         this.halfX = halfX;
         this.halfY = halfY;
         this.halfZ = halfZ;
-        this.polyhedron = Polyhedron.box(halfX, halfY, halfZ);
     }
 
     /**
@@ -71,16 +71,6 @@ public final class Box implements Shape {
         return halfZ;
     }
 
-    /**
-     * The features of the block. Vertex {@code i} has the sign of bit 0 of {@code i} on x (0 is
-     * minus), of bit 1 on y, of bit 2 on z.
-     *
-     * @return the polyhedron, relative to the centre of mass
-     */
-    public Polyhedron polyhedron() {
-        return polyhedron;
-    }
-
     @Override
     public double volume() {
         return 8 * (halfX * halfY * halfZ);
@@ -105,7 +95,7 @@ public final class Box implements Shape {
 
     @Override
     public double outerRadius() {
-        return polyhedron.outerRadius();
+        return Polyhedron.of(this).outerRadius();
     }
 
     @Override

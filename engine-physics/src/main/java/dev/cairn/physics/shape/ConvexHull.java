@@ -1,5 +1,8 @@
 package dev.cairn.physics.shape;
 
+import dev.cairn.physics.shape.polyhedron.Polyhedral;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
+
 import org.joml.Vector3d;
 import org.joml.Vector3dc;
 
@@ -11,10 +14,7 @@ import java.util.List;
  * Collision geometry is relative to the centre of mass; {@link #vertices} gives the corners in the
  * frame of the input.
  */
-public final class ConvexHull implements Shape {
-    /** Features, relative to the centre of mass. */
-    private final Polyhedron polyhedron;
-
+public final class ConvexHull extends Polyhedral implements Shape {
     /** At density 1, in the frame of the input. */
     private final MassProperties unit;
 
@@ -22,7 +22,7 @@ public final class ConvexHull implements Shape {
     private final double[] corners;
 
     private ConvexHull(Polyhedron polyhedron, MassProperties unit, double[] corners) {
-        this.polyhedron = polyhedron;
+        super(polyhedron);
         this.unit = unit;
         this.corners = corners;
     }
@@ -100,18 +100,9 @@ public final class ConvexHull implements Shape {
     }
 
     /**
-     * The features of the hull.
-     *
-     * @return the polyhedron, relative to the centre of mass
-     */
-    public Polyhedron polyhedron() {
-        return polyhedron;
-    }
-
-    /**
      * The corners in the frame of the input.
      *
-     * @return a new array x, y, z, ... in the order of {@link Polyhedron}'s vertices, m
+     * @return a new array x, y, z, ... in the order that {@link #faceLoops} speaks of, m
      */
     public double[] vertices() {
         return corners.clone();
@@ -123,7 +114,7 @@ public final class ConvexHull implements Shape {
      * @return a new array of new arrays, one per face
      */
     public int[][] faceLoops() {
-        return polyhedron.faceLoops();
+        return Polyhedron.of(this).faceLoops();
     }
 
     @Override
@@ -149,12 +140,12 @@ public final class ConvexHull implements Shape {
 
     @Override
     public double innerRadius() {
-        return polyhedron.innerRadius();
+        return Polyhedron.of(this).innerRadius();
     }
 
     @Override
     public double outerRadius() {
-        return polyhedron.outerRadius();
+        return Polyhedron.of(this).outerRadius();
     }
 
     @Override
@@ -164,15 +155,15 @@ public final class ConvexHull implements Shape {
 
     @Override
     public void bounds(double qx, double qy, double qz, double qw, double[] dest, int offset) {
-        polyhedron.bounds(qx, qy, qz, qw, dest, offset);
+        Polyhedron.of(this).bounds(qx, qy, qz, qw, dest, offset);
     }
 
     @Override
     public String toString() {
         return "ConvexHull[vertices="
-                + polyhedron.vertexCount()
+                + Polyhedron.of(this).vertexCount()
                 + ", faces="
-                + polyhedron.faceCount()
+                + Polyhedron.of(this).faceCount()
                 + ", volume="
                 + volume()
                 + "]";

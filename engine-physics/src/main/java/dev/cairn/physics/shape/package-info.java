@@ -6,14 +6,13 @@
  * planes, not a triangle soup.
  *
  * <p>Polyhedra ({@link dev.cairn.physics.shape.Box}, {@link dev.cairn.physics.shape.ConvexHull})
- * carry one {@link dev.cairn.physics.shape.Polyhedron}: vertices, edges, merged faces, all of it
- * relative to the centre of mass, so that a body's position is the position of its centre of mass
- * and rotation never moves it. Round shapes ({@link dev.cairn.physics.shape.Sphere}, {@link
- * dev.cairn.physics.shape.Capsule}) are a point or a segment with a radius; {@link
- * dev.cairn.physics.shape.Cylinder} and {@link dev.cairn.physics.shape.Cone} are two discs, one of
- * them a point for the cone, with all between them; {@link dev.cairn.physics.shape.HalfSpace} is
- * the ground without end. {@link dev.cairn.physics.shape.Moved} places any of them in a body's
- * frame.
+ * carry one polyhedron: vertices, edges, merged faces, all of it relative to the centre of mass, so
+ * that a body's position is the position of its centre of mass and rotation never moves it. Round
+ * shapes ({@link dev.cairn.physics.shape.Sphere}, {@link dev.cairn.physics.shape.Capsule}) are a
+ * point or a segment with a radius; {@link dev.cairn.physics.shape.Cylinder} and {@link
+ * dev.cairn.physics.shape.Cone} are two discs, one of them a point for the cone, with all between
+ * them; {@link dev.cairn.physics.shape.HalfSpace} is the ground without end. {@link
+ * dev.cairn.physics.shape.Moved} places any of them in a body's frame.
  *
  * <pre>
  *   user points ─▶ quickhull ─▶ merge coplanar faces ─▶ integrate mass ─▶ shift by the centre of mass ─▶ Polyhedron

@@ -13,7 +13,6 @@ public final class Digest {
      *
      * @param b the bodies
      * @param c the contacts
-     * @param sleepers who sleeps
      * @return 64 bits
      */
     public static long of(BodyStore b, ContactStore c, Sleepers sleepers) {

@@ -2,8 +2,8 @@ package dev.cairn.physics.narrowphase;
 
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
-import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
@@ -62,7 +62,7 @@ final class ConvexOracle {
     }
 
     static Polyhedron polyhedron(Shape shape) {
-        return shape instanceof Box box ? box.polyhedron() : ((ConvexHull) shape).polyhedron();
+        return shape instanceof Box box ? Polyhedron.of(box) : Polyhedron.of((ConvexHull) shape);
     }
 
     /**

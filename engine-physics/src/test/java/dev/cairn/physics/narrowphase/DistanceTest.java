@@ -7,8 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
-import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -270,7 +270,7 @@ class DistanceTest {
         SplittableRandom r = new SplittableRandom(20);
         for (int points : new int[] {50, 500, 4000}) {
             ConvexHull hull = Scene.hull(r, points, 1);
-            Polyhedron h = hull.polyhedron();
+            Polyhedron h = Polyhedron.of(hull);
             for (int i = 0; i < 2_000; i++) {
                 int face = r.nextInt(h.faceCount());
                 Vector3d n =

@@ -1,7 +1,7 @@
 package dev.cairn.physics.narrowphase;
 
-import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import org.joml.Quaterniond;
 

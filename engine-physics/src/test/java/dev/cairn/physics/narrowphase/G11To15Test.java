@@ -9,8 +9,8 @@ import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
-import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -115,14 +115,14 @@ class G11To15Test {
         for (int points : new int[] {4, 8, 20, 64, 300, 2_000, 10_000}) {
             g12(Scene.hull(r, points, 1), r, points + " points");
         }
-        g12(Box.of(1, 2, 3).polyhedron(), r, "box");
+        g12(Polyhedron.of(Box.of(1, 2, 3)), r, "box");
         for (int side : new int[] {4, 12, 30}) {
             g12(plateaus(r, side), r, "plateaus of " + side);
         }
     }
 
     private static void g12(ConvexHull hull, SplittableRandom r, String name) {
-        g12(hull.polyhedron(), r, name);
+        g12(Polyhedron.of(hull), r, name);
     }
 
     private static void g12(Polyhedron h, SplittableRandom r, String name) {

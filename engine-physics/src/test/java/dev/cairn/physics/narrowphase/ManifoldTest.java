@@ -10,9 +10,9 @@ import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
-import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
@@ -334,7 +334,7 @@ class ManifoldTest {
             }
         }
         ConvexHull disc = ConvexHull.of(xyz);
-        assertEquals(2 * sides, disc.polyhedron().vertexCount());
+        assertEquals(2 * sides, Polyhedron.of(disc).vertexCount());
         Scene s = new Scene(disc, disc).at(.3, .999, .2);
         s.qb.rotateY(.0007);
         s.collide(new NarrowPhase(), .01, 0, m);

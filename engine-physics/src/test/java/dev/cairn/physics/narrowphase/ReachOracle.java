@@ -7,9 +7,9 @@ import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Moved;
-import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;

@@ -11,8 +11,8 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
-import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 
@@ -222,7 +222,7 @@ class RecycledContactsTest {
         for (int side = 0; side < 2; side++) {
             Shape shape = side == 0 ? s.a : s.b;
             Polyhedron h =
-                    shape instanceof Box b ? b.polyhedron() : ((ConvexHull) shape).polyhedron();
+                    shape instanceof Box b ? Polyhedron.of(b) : Polyhedron.of((ConvexHull) shape);
             for (int f = 0; f < h.faceCount(); f++) {
                 Vector3d e = new Vector3d(h.normalX(f), h.normalY(f), h.normalZ(f));
                 (side == 0 ? s.qa : s.qb).transform(e);

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.shape.DegenerateShapeException.Reason;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import org.joml.Matrix3d;
 import org.joml.Quaterniond;
@@ -41,7 +42,7 @@ class ShapeTest {
 
     /** Outward planes, every input point below all of them, Euler's formula. */
     private static void isHullOf(double[] xyz, ConvexHull hull, double tolerance) {
-        Polyhedron h = hull.polyhedron();
+        Polyhedron h = Polyhedron.of(hull);
         assertEquals(2, h.vertexCount() - h.edgeCount() + h.faceCount());
         Vector3d c = hull.centreOfMass(new Vector3d());
         double extent = 2 * h.outerRadius();
@@ -68,8 +69,8 @@ class ShapeTest {
         ConvexHull hull = ConvexHull.of(xyz);
         Box box = Box.of(.5, 1, 2);
         double tolerance = 1e-14 * (1 + 10 * Math.abs(x));
-        assertEquals(6, hull.polyhedron().faceCount());
-        assertEquals(12, hull.polyhedron().edgeCount());
+        assertEquals(6, Polyhedron.of(hull).faceCount());
+        assertEquals(12, Polyhedron.of(hull).edgeCount());
         assertEquals(box.volume(), hull.volume(), 8 * tolerance);
         assertEquals(box.innerRadius(), hull.innerRadius(), 4 * tolerance);
         assertEquals(box.outerRadius(), hull.outerRadius(), 4 * tolerance);
@@ -123,7 +124,7 @@ class ShapeTest {
         SplittableRandom r = new SplittableRandom(31);
         double[] xyz = onBall(r, 10_000);
         ConvexHull hull = ConvexHull.of(xyz);
-        assertEquals(10_000, hull.polyhedron().vertexCount());
+        assertEquals(10_000, Polyhedron.of(hull).vertexCount());
         assertEquals(4.0 / 3 * Math.PI, hull.volume(), .005);
         assertEquals(.4 * hull.volume(), hull.massProperties(1).ixx(), .005);
     }
@@ -176,10 +177,10 @@ class ShapeTest {
             }
         }
         ConvexHull hull = ConvexHull.of(xyz);
-        assertEquals(8, hull.polyhedron().vertexCount());
-        assertEquals(6, hull.polyhedron().faceCount());
+        assertEquals(8, Polyhedron.of(hull).vertexCount());
+        assertEquals(6, Polyhedron.of(hull).faceCount());
         assertEquals(8, hull.volume(), 1e-14);
-        assertEquals(4, hull.polyhedron().largestFace());
+        assertEquals(4, Polyhedron.of(hull).largestFace());
         double[] corners = hull.vertices();
         assertTrue(
                 Arrays.stream(corners).allMatch(c -> c == 0 || c == 2), Arrays.toString(corners));
@@ -204,9 +205,9 @@ class ShapeTest {
             xyz[3 * i + 2] = p.z;
         }
         ConvexHull drum = ConvexHull.of(xyz);
-        assertEquals(sides + 2, drum.polyhedron().faceCount());
-        assertEquals(2 * sides, drum.polyhedron().vertexCount());
-        assertEquals(sides, drum.polyhedron().largestFace());
+        assertEquals(sides + 2, Polyhedron.of(drum).faceCount());
+        assertEquals(2 * sides, Polyhedron.of(drum).vertexCount());
+        assertEquals(sides, Polyhedron.of(drum).largestFace());
         assertEquals(.5 * sides * StrictMath.sin(2 * StrictMath.PI / sides), drum.volume(), 1e-12);
     }
 
@@ -216,7 +217,7 @@ class ShapeTest {
             ConvexHull card =
                     ConvexHull.of(
                             corners(1, thin, 1, new Vector3d(), new Quaterniond().rotateX(.4)));
-            assertEquals(6, card.polyhedron().faceCount());
+            assertEquals(6, Polyhedron.of(card).faceCount());
             assertEquals(8 * thin, card.volume(), 1e-14);
         }
         ConvexHull needle =
@@ -227,7 +228,7 @@ class ShapeTest {
 
     @Test
     void loopsRunCounterClockwiseAndEveryEdgeHasTwoFaces() {
-        Polyhedron h = Box.of(1, 2, 3).polyhedron();
+        Polyhedron h = Polyhedron.of(Box.of(1, 2, 3));
         int[] uses = new int[h.edgeCount()];
         for (int f = 0; f < h.faceCount(); f++) {
             for (int s = h.faceBegin(f); s < h.faceBegin(f + 1); s++) {
@@ -263,10 +264,10 @@ class ShapeTest {
                             .normalize();
             Box shape = Box.of(.5 + r.nextDouble(), .5 + r.nextDouble(), .5 + r.nextDouble());
             shape.bounds(q.x, q.y, q.z, q.w, box, 0);
-            shape.polyhedron().bounds(q.x, q.y, q.z, q.w, hull, 0);
+            Polyhedron.of(shape).bounds(q.x, q.y, q.z, q.w, hull, 0);
             double top = -Double.MAX_VALUE;
             for (int v = 0; v < 8; v++) {
-                Polyhedron p = shape.polyhedron();
+                Polyhedron p = Polyhedron.of(shape);
                 top =
                         Math.max(
                                 top,
@@ -373,8 +374,8 @@ class ShapeTest {
             assertEquals(m.comY(), n.comY(), 0.0, where);
             assertEquals(m.ixx(), n.ixx(), 0.0, where);
             assertEquals(m.ixz(), -n.ixz(), 0.0, where);
-            Polyhedron p = hull.polyhedron();
-            Polyhedron q = other.polyhedron();
+            Polyhedron p = Polyhedron.of(hull);
+            Polyhedron q = Polyhedron.of(other);
             assertEquals(p.faceCount(), q.faceCount(), where);
             for (int f = 0; f < p.faceCount(); f++) {
                 assertEquals(p.normalX(f), -q.normalX(f), 0.0, where);

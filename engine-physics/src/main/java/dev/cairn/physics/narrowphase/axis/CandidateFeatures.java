@@ -3,7 +3,7 @@ package dev.cairn.physics.narrowphase.axis;
 import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.narrowphase.pair.SolidOfRevolution;
-import dev.cairn.physics.shape.Polyhedron;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
  * The features of one shape of a pair whose normals are near a direction: flats (one normal), lines

@@ -2,7 +2,7 @@ package dev.cairn.physics.narrowphase.axis;
 
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.narrowphase.pair.SolidOfRevolution;
-import dev.cairn.physics.shape.Polyhedron;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
  * The support feature of one shape of a pair along an axis: a point, a segment, a face or a disc;

@@ -369,8 +369,7 @@ final class BoxFaceContact {
                 px = ux;
                 py = uy;
             }
-            insert(
-                    out,
+            out.insert(
                     feature[k],
                     s,
                     w00 * px + w01 * py + w02 * pz,
@@ -385,23 +384,5 @@ final class BoxFaceContact {
         out.normalY = w10 * nx + w11 * ny + w12 * nz;
         out.normalZ = w20 * nx + w21 * ny + w22 * nz;
         return least;
-    }
-
-    private static void insert(
-            Manifold out, int name, double separation, double x, double y, double z) {
-        int at = out.pointCount++;
-        while (at > 0 && Integer.compareUnsigned(out.feature[at - 1], name) > 0) {
-            out.feature[at] = out.feature[at - 1];
-            out.separation[at] = out.separation[at - 1];
-            out.pointX[at] = out.pointX[at - 1];
-            out.pointY[at] = out.pointY[at - 1];
-            out.pointZ[at] = out.pointZ[at - 1];
-            at--;
-        }
-        out.feature[at] = name;
-        out.separation[at] = separation;
-        out.pointX[at] = x;
-        out.pointY[at] = y;
-        out.pointZ[at] = z;
     }
 }

@@ -3,7 +3,7 @@ package dev.cairn.physics.narrowphase.clip;
 import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.shape.Polyhedron;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import java.util.Arrays;
 
@@ -50,7 +50,7 @@ public final class Clipper {
 
     private double onPlane, stillOnPlane;
     private double vx, vy, vz;
-    private Polyhedron reference = dev.cairn.physics.shape.Box.cube(1).polyhedron();
+    private Polyhedron reference = Polyhedron.of(dev.cairn.physics.shape.Box.cube(1));
 
     /** Of the incident shape: its face, the first slot of it, and how many corners it has. */
     private int incidentFace, incidentBegin, incidentCorners;

@@ -6,7 +6,7 @@ import dev.cairn.physics.narrowphase.pair.ContactTolerances;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.shape.Polyhedron;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
  * Writes the points of a contact, once its axis is known: the clipped face, the crossing of two
@@ -90,11 +90,7 @@ public final class ContactPoints {
         face(flip, (flip ? pair.a : pair.b).support(tx, ty, tz), margin, hysteresis, last, out);
     }
 
-    /**
-     * The same, where the other shape's deepest vertex is known.
-     *
-     * @param vertex of the other shape
-     */
+    /** The same, where the other shape's deepest vertex is known. */
     public void face(
             boolean flip, int vertex, double margin, double hysteresis, int last, Manifold out) {
         faceAxis(flip);
@@ -252,20 +248,12 @@ public final class ContactPoints {
 
     /** Inserts a point, given in A's frame, in order of its name. */
     private void point(double x, double y, double z, double separation, int name, Manifold out) {
-        int at = out.pointCount++;
-        while (at > 0 && Integer.compareUnsigned(out.feature[at - 1], name) > 0) {
-            out.feature[at] = out.feature[at - 1];
-            out.separation[at] = out.separation[at - 1];
-            out.pointX[at] = out.pointX[at - 1];
-            out.pointY[at] = out.pointY[at - 1];
-            out.pointZ[at] = out.pointZ[at - 1];
-            at--;
-        }
-        out.feature[at] = name;
-        out.separation[at] = separation;
-        out.pointX[at] = pair.w00 * x + pair.w01 * y + pair.w02 * z;
-        out.pointY[at] = pair.w10 * x + pair.w11 * y + pair.w12 * z;
-        out.pointZ[at] = pair.w20 * x + pair.w21 * y + pair.w22 * z;
+        out.insert(
+                name,
+                separation,
+                pair.w00 * x + pair.w01 * y + pair.w02 * z,
+                pair.w10 * x + pair.w11 * y + pair.w12 * z,
+                pair.w20 * x + pair.w21 * y + pair.w22 * z);
     }
 
     /** Writes the axis that is set. */

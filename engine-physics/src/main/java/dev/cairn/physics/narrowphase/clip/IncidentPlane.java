@@ -1,7 +1,7 @@
 package dev.cairn.physics.narrowphase.clip;
 
 import dev.cairn.physics.narrowphase.pair.Pair;
-import dev.cairn.physics.shape.Polyhedron;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /** The plane of a clipped face in the frame of the reference shape; computed when it is needed. */
 final class IncidentPlane {

@@ -5,7 +5,7 @@ import dev.cairn.physics.narrowphase.pair.Axes;
 import dev.cairn.physics.narrowphase.pair.FeatureIds;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.narrowphase.pair.SolidOfRevolution;
-import dev.cairn.physics.shape.Polyhedron;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import java.util.Arrays;
 

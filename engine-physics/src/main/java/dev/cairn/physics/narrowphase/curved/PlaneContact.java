@@ -33,7 +33,6 @@ final class PlaneContact {
     /**
      * Turns the normal, and finds the signed distance.
      *
-     * @param qx orientation of the half-space
      * @param ox centre of mass of the solid minus a point of the plane, world, m
      */
     double distance(double qx, double qy, double qz, double qw, double ox, double oy, double oz) {

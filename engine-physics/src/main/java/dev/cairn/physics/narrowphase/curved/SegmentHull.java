@@ -6,8 +6,8 @@ import dev.cairn.physics.narrowphase.pair.Containment;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
-import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
  * The exact axis of a capsule's segment and a hull, when they are apart and near features settle
@@ -43,7 +43,7 @@ final class SegmentHull {
     /** Middle, direction and half length of the segment, in the hull's frame. */
     private double cx, cy, cz, ux, uy, uz, h;
 
-    private Polyhedron hull = dev.cairn.physics.shape.Box.cube(1).polyhedron();
+    private Polyhedron hull = Polyhedron.of(dev.cairn.physics.shape.Box.cube(1));
 
     /** The best axis, from the hull to the segment, its separation, and what it belongs to. */
     private double x, y, z, best;

@@ -2,7 +2,7 @@ package dev.cairn.physics.narrowphase.gjk;
 
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.narrowphase.pair.SolidOfRevolution;
-import dev.cairn.physics.shape.Polyhedron;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
  * The points with which two shapes touch along the axis of their signed distance.

@@ -1,6 +1,6 @@
 package dev.cairn.physics.narrowphase.pair;
 
-import dev.cairn.physics.shape.Polyhedron;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
  * The best axis of each kind for two polyhedra: a face normal of A, one of B, the common

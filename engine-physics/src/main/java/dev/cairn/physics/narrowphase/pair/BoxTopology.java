@@ -1,7 +1,7 @@
 package dev.cairn.physics.narrowphase.pair;
 
 import dev.cairn.physics.shape.Box;
-import dev.cairn.physics.shape.Polyhedron;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /** The features of every box: their numbers do not depend on the extents. */
 public final class BoxTopology {
@@ -13,7 +13,7 @@ public final class BoxTopology {
     private static final boolean[] SIDE_POSITIVE = new boolean[24];
 
     static {
-        Polyhedron box = Box.cube(1).polyhedron();
+        Polyhedron box = Polyhedron.of(Box.cube(1));
         for (int s = 0; s < 24; s++) {
             SLOT_VERTEX[s] = box.slotVertex(s);
             SLOT_EDGE[s] = box.slotEdge(s);

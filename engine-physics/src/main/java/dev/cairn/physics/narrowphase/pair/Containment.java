@@ -1,6 +1,6 @@
 package dev.cairn.physics.narrowphase.pair;
 
-import dev.cairn.physics.shape.Polyhedron;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /** How far points are inside polyhedra, and how deep a pair is because of that. */
 public final class Containment {

@@ -60,4 +60,22 @@ public final class Manifold {
         }
         return least;
     }
+
+    /** Inserts a point, given in world axes, in order of its name. */
+    public void insert(int name, double gap, double x, double y, double z) {
+        int at = pointCount++;
+        while (at > 0 && Integer.compareUnsigned(feature[at - 1], name) > 0) {
+            feature[at] = feature[at - 1];
+            separation[at] = separation[at - 1];
+            pointX[at] = pointX[at - 1];
+            pointY[at] = pointY[at - 1];
+            pointZ[at] = pointZ[at - 1];
+            at--;
+        }
+        feature[at] = name;
+        separation[at] = gap;
+        pointX[at] = x;
+        pointY[at] = y;
+        pointZ[at] = z;
+    }
 }

@@ -1,9 +1,9 @@
 package dev.cairn.physics.narrowphase.pair;
 
 import dev.cairn.physics.shape.Box;
-import dev.cairn.physics.shape.ConvexHull;
-import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.polyhedron.Polyhedral;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
  * Two shapes in the frame of the first: its centre of mass is the origin, its axes are the axes. A
@@ -12,7 +12,7 @@ import dev.cairn.physics.shape.Shape;
  * world's.
  */
 public final class Pair {
-    private static final Polyhedron NONE = Box.cube(1).polyhedron();
+    private static final Polyhedron NONE = Polyhedron.of(Box.cube(1));
 
     public Polyhedron a = NONE, b = NONE;
 
@@ -88,10 +88,7 @@ public final class Pair {
     }
 
     private static Polyhedron polyhedron(Shape shape) {
-        if (shape instanceof Box box) {
-            return box.polyhedron();
-        }
-        return shape instanceof ConvexHull hull ? hull.polyhedron() : NONE;
+        return shape instanceof Polyhedral p ? Polyhedron.of(p) : NONE;
     }
 
     /**

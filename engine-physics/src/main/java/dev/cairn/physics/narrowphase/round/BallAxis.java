@@ -3,8 +3,8 @@ package dev.cairn.physics.narrowphase.round;
 import dev.cairn.physics.narrowphase.gjk.Gjk;
 import dev.cairn.physics.narrowphase.pair.Pair;
 import dev.cairn.physics.shape.Box;
-import dev.cairn.physics.shape.Polyhedron;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 /**
  * Pairs with a ball: the distance of a point core to the other core, the radius subtracted.

@@ -48,7 +48,6 @@ public final class RoundPairs {
     /**
      * Puts what the margin of a pair is made of: points up to that far apart are reported.
      *
-     * @param vx velocity of B minus that of A, world axes, m/s
      * @param arcA what turning of A adds, m, not negative
      * @param arcB what turning of B adds, m, not negative
      */
@@ -60,11 +59,7 @@ public final class RoundPairs {
         t[ARC_B + i] = arcB;
     }
 
-    /**
-     * Puts the orientation of a capsule; that of a ball is not minded.
-     *
-     * @param qx world from body, unit quaternion
-     */
+    /** Puts the orientation of a capsule; that of a ball is not minded. */
     public void turn(int i, boolean second, double qx, double qy, double qz, double qw) {
         int turn = (second ? TURN_B : TURN_A) + i;
         t[turn] = qx;

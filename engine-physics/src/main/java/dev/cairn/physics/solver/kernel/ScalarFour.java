@@ -4,12 +4,7 @@ import static dev.cairn.physics.solver.row.ConstraintRows.ARM_B;
 import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
 import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
 import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
-import static dev.cairn.physics.solver.row.Scratch.CHANGE;
-import static dev.cairn.physics.solver.row.Scratch.FACTOR;
-import static dev.cairn.physics.solver.row.Scratch.GAIN;
-import static dev.cairn.physics.solver.row.Scratch.GOAL;
-import static dev.cairn.physics.solver.row.Scratch.OWN;
-import static dev.cairn.physics.solver.row.Scratch.SPEED;
+import static dev.cairn.physics.solver.row.Scratch.*;
 
 import dev.cairn.physics.solver.body.SolverBodies;
 

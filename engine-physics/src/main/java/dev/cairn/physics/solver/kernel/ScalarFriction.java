@@ -1,19 +1,7 @@
 package dev.cairn.physics.solver.kernel;
 
 import static dev.cairn.physics.solver.body.SolverBodies.MASS;
-import static dev.cairn.physics.solver.row.ConstraintRows.BLOCK;
-import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
-import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
-import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
-import static dev.cairn.physics.solver.row.ConstraintRows.LEVER;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
-import static dev.cairn.physics.solver.row.ConstraintRows.REACH;
-import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
-import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT1;
-import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
-import static dev.cairn.physics.solver.row.ConstraintRows.TWIST;
-import static dev.cairn.physics.solver.row.ConstraintRows.TWIST_MASS;
+import static dev.cairn.physics.solver.row.ConstraintRows.*;
 
 /** Friction of one contact, and the totals of the tick, in scalar arithmetic. */
 public final class ScalarFriction {

@@ -1,21 +1,8 @@
 package dev.cairn.physics.solver.kernel;
 
 import static dev.cairn.physics.solver.body.SolverBodies.P;
-import static dev.cairn.physics.solver.row.ConstraintRows.ARM_A;
-import static dev.cairn.physics.solver.row.ConstraintRows.ARM_B;
-import static dev.cairn.physics.solver.row.ConstraintRows.COLD;
-import static dev.cairn.physics.solver.row.ConstraintRows.GAP;
-import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
-import static dev.cairn.physics.solver.row.ConstraintRows.MASS;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
-import static dev.cairn.physics.solver.row.ConstraintRows.SEPARATION;
-import static dev.cairn.physics.solver.row.Scratch.CHANGE;
-import static dev.cairn.physics.solver.row.Scratch.FACTOR;
-import static dev.cairn.physics.solver.row.Scratch.GAIN;
-import static dev.cairn.physics.solver.row.Scratch.GOAL;
-import static dev.cairn.physics.solver.row.Scratch.OWN;
-import static dev.cairn.physics.solver.row.Scratch.SPEED;
+import static dev.cairn.physics.solver.row.ConstraintRows.*;
+import static dev.cairn.physics.solver.row.Scratch.*;
 
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.row.SubStep;

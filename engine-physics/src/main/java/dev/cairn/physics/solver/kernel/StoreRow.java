@@ -1,15 +1,6 @@
 package dev.cairn.physics.solver.kernel;
 
-import static dev.cairn.physics.solver.row.ConstraintRows.COUNT;
-import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
-import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
-import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
-import static dev.cairn.physics.solver.row.ConstraintRows.SOURCE;
-import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
-import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT1;
-import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT2;
+import static dev.cairn.physics.solver.row.ConstraintRows.*;
 
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.SolverBodies;

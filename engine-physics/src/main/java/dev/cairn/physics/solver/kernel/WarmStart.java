@@ -1,18 +1,6 @@
 package dev.cairn.physics.solver.kernel;
 
-import static dev.cairn.physics.solver.row.ConstraintRows.ARM_A;
-import static dev.cairn.physics.solver.row.ConstraintRows.ARM_B;
-import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
-import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
-import static dev.cairn.physics.solver.row.ConstraintRows.LEVER;
-import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
-import static dev.cairn.physics.solver.row.ConstraintRows.MASS_A;
-import static dev.cairn.physics.solver.row.ConstraintRows.MASS_B;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
-import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT1;
-import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT2;
-import static dev.cairn.physics.solver.row.ConstraintRows.TWIST;
+import static dev.cairn.physics.solver.row.ConstraintRows.*;
 
 import dev.cairn.physics.solver.row.ConstraintRows;
 

@@ -1,21 +1,6 @@
 package dev.cairn.physics.solver.single;
 
-import static dev.cairn.physics.solver.row.ConstraintRows.ARM_A;
-import static dev.cairn.physics.solver.row.ConstraintRows.ARM_B;
-import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
-import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
-import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
-import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
-import static dev.cairn.physics.solver.row.ConstraintRows.MASS;
-import static dev.cairn.physics.solver.row.ConstraintRows.MASS_A;
-import static dev.cairn.physics.solver.row.ConstraintRows.MASS_B;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
-import static dev.cairn.physics.solver.row.ConstraintRows.REACH;
-import static dev.cairn.physics.solver.row.ConstraintRows.SEPARATION;
-import static dev.cairn.physics.solver.row.ConstraintRows.SOURCE;
-import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
-import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
+import static dev.cairn.physics.solver.row.ConstraintRows.*;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;

@@ -5,17 +5,7 @@ import static dev.cairn.physics.solver.body.SolverBodies.LOADED;
 import static dev.cairn.physics.solver.body.SolverBodies.MASS;
 import static dev.cairn.physics.solver.body.SolverBodies.P;
 import static dev.cairn.physics.solver.body.SolverBodies.V;
-import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
-import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
-import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
-import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
-import static dev.cairn.physics.solver.row.ConstraintRows.SEPARATION;
-import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
-import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT1;
-import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT2;
-import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
+import static dev.cairn.physics.solver.row.ConstraintRows.*;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.solver.body.AxisLocks;

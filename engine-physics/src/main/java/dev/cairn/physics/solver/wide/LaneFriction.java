@@ -1,27 +1,7 @@
 package dev.cairn.physics.solver.wide;
 
-import static dev.cairn.physics.solver.row.ConstraintRows.BLOCK;
-import static dev.cairn.physics.solver.row.ConstraintRows.COLD;
-import static dev.cairn.physics.solver.row.ConstraintRows.FIELDS;
-import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
-import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
-import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
-import static dev.cairn.physics.solver.row.ConstraintRows.LEVER;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
-import static dev.cairn.physics.solver.row.ConstraintRows.REACH;
-import static dev.cairn.physics.solver.row.ConstraintRows.START;
-import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
-import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT1;
-import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
-import static dev.cairn.physics.solver.row.ConstraintRows.TWIST;
-import static dev.cairn.physics.solver.row.ConstraintRows.TWIST_MASS;
-import static dev.cairn.physics.solver.row.Scratch.IDLE;
-import static dev.cairn.physics.solver.row.Scratch.LINE;
-import static dev.cairn.physics.solver.row.Scratch.PACKED;
-import static dev.cairn.physics.solver.row.Scratch.RUBS;
-import static dev.cairn.physics.solver.row.Scratch.VA;
-import static dev.cairn.physics.solver.row.Scratch.VB;
+import static dev.cairn.physics.solver.row.ConstraintRows.*;
+import static dev.cairn.physics.solver.row.Scratch.*;
 
 import dev.cairn.physics.solver.kernel.PatchFriction;
 import dev.cairn.physics.solver.kernel.ScalarFriction;

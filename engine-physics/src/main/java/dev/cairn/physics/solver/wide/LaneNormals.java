@@ -1,25 +1,8 @@
 package dev.cairn.physics.solver.wide;
 
 import static dev.cairn.physics.solver.body.SolverBodies.LOADED;
-import static dev.cairn.physics.solver.row.ConstraintRows.ARM_B;
-import static dev.cairn.physics.solver.row.ConstraintRows.COLD;
-import static dev.cairn.physics.solver.row.ConstraintRows.FIELDS;
-import static dev.cairn.physics.solver.row.ConstraintRows.GAP;
-import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
-import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
-import static dev.cairn.physics.solver.row.ConstraintRows.MASS;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
-import static dev.cairn.physics.solver.row.ConstraintRows.SEPARATION;
-import static dev.cairn.physics.solver.row.ConstraintRows.START;
-import static dev.cairn.physics.solver.row.Scratch.IDLE;
-import static dev.cairn.physics.solver.row.Scratch.LINE;
-import static dev.cairn.physics.solver.row.Scratch.PA;
-import static dev.cairn.physics.solver.row.Scratch.PACK;
-import static dev.cairn.physics.solver.row.Scratch.PACKED;
-import static dev.cairn.physics.solver.row.Scratch.PB;
-import static dev.cairn.physics.solver.row.Scratch.VA;
-import static dev.cairn.physics.solver.row.Scratch.VB;
+import static dev.cairn.physics.solver.row.ConstraintRows.*;
+import static dev.cairn.physics.solver.row.Scratch.*;
 
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.Scratch;

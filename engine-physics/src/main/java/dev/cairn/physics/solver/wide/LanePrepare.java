@@ -1,31 +1,7 @@
 package dev.cairn.physics.solver.wide;
 
-import static dev.cairn.physics.solver.row.ConstraintRows.ARM_A;
-import static dev.cairn.physics.solver.row.ConstraintRows.ARM_B;
-import static dev.cairn.physics.solver.row.ConstraintRows.BLOCK;
-import static dev.cairn.physics.solver.row.ConstraintRows.COUNT;
-import static dev.cairn.physics.solver.row.ConstraintRows.FIELDS;
-import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
-import static dev.cairn.physics.solver.row.ConstraintRows.GAP;
-import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
-import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
-import static dev.cairn.physics.solver.row.ConstraintRows.LEVER;
-import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
-import static dev.cairn.physics.solver.row.ConstraintRows.MASS;
-import static dev.cairn.physics.solver.row.ConstraintRows.MASS_A;
-import static dev.cairn.physics.solver.row.ConstraintRows.MASS_B;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
-import static dev.cairn.physics.solver.row.ConstraintRows.REACH;
-import static dev.cairn.physics.solver.row.ConstraintRows.SEPARATION;
-import static dev.cairn.physics.solver.row.ConstraintRows.SOURCE;
-import static dev.cairn.physics.solver.row.ConstraintRows.START;
-import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
-import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT1;
-import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT2;
-import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
-import static dev.cairn.physics.solver.row.ConstraintRows.TWIST;
-import static dev.cairn.physics.solver.row.ConstraintRows.TWIST_MASS;
+import static dev.cairn.physics.solver.row.ConstraintRows.*;
+import static dev.cairn.physics.solver.wide.LaneStaging.*;
 
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.SolverBodies;
@@ -44,50 +20,13 @@ import java.lang.invoke.MethodHandles;
 
 /**
  * Fills constraint rows with one row to a lane: the arithmetic of {@link PrepareRow}, operation by
- * operation. Contacts and bodies are copied to a staging area first, a group at a time; what a lane
- * lacks is staged so that it adds nothing. Made once for each number of lanes, like {@link
- * LaneSweep}; kernels work from array to array for the same reason.
+ * operation. Contacts and bodies are copied to a {@link LaneStaging} area first, a group at a time.
+ * Made once for each number of lanes, like {@link LaneSweep}; kernels work from array to array for
+ * the same reason.
  */
 final class LanePrepare implements RowFiller {
     private static final VectorSpecies<Double> S = LaneSpecies.doubles(MethodHandles.lookup());
     private static final int L = S.length();
-
-    /** Staging, in fields of a group: normal, inverse masses, then these. */
-    private static final int INVERSE_A = 3;
-
-    private static final int INVERSE_B = 4;
-    private static final int FIXED = 5;
-
-    private static final int STIFFNESS = 6;
-    private static final int MU = 7;
-    private static final int POINTS = 8;
-    private static final int ROOT_A = 9;
-    private static final int ROOT_B = 18;
-
-    /** Per point: anchors of A and B, separation, normal impulse, preload. */
-    private static final int STAGED = 27;
-
-    private static final int STAGED_FIELDS = 9;
-    private static final int OLD = 63;
-    private static final int WARM_A = 67;
-    private static final int WARM_B = 73;
-
-    /** The patch's centre from A and from B. */
-    private static final int CENTRE = 79;
-
-    private static final int SUMMED = 85;
-
-    /** Weights of the points in the centre. */
-    private static final int WEIGHT = 86;
-
-    /** Squares and product of the levers of A, square of its twist; then of B. */
-    private static final int DOTS = 90;
-
-    /** How far from the patch's middle a point rubs, over its own distance. */
-    private static final int SHARE = 98;
-
-    /** What came of the look ahead: nobody reads it. */
-    private static final int TOUCHED = 99;
 
     @Override
     public void fill(
@@ -113,13 +52,13 @@ final class LanePrepare implements RowFiller {
             for (int l = 0; l < L; l++) {
                 int count = rows.link[(j + l) * LINK + COUNT];
                 if (count == 0) {
-                    pad(st, l);
+                    LaneStaging.pad(st, l, L);
                     continue;
                 }
                 int source = rows.link[(j + l) * LINK + SOURCE];
                 n = Math.max(n, count);
                 rough |= contacts.friction(source) > 0;
-                stage(rows, bodies, contacts, sub, j + l, source, st, l);
+                LaneStaging.stage(rows, bodies, contacts, sub, j + l, source, st, l, L);
             }
             n = n == 3 ? 4 : n; // the kernels sweep one, two or four points
             rows.points[j / L] = n;
@@ -134,85 +73,7 @@ final class LanePrepare implements RowFiller {
                 clear(d, o, REACH, REACH + 4);
                 clear(d, o, BLOCK, TOTAL + 3);
             }
-            scatter(rows, bodies, j, st);
-        }
-    }
-
-    /** A lane without a contact: no points, no mass, and a normal that can be divided by. */
-    private static void pad(double[] st, int l) {
-        for (int f = 0; f < CENTRE; f++) {
-            st[f * L + l] = 0;
-        }
-        st[L + l] = 1;
-    }
-
-    private static void stage(
-            ConstraintRows rows,
-            SolverBodies bodies,
-            ContactStore c,
-            SubStep sub,
-            int j,
-            int source,
-            double[] st,
-            int l) {
-        int a = rows.link[j * LINK];
-        int b = rows.link[j * LINK + 1];
-        double ma = bodies.state[a + SolverBodies.MASS];
-        double mb = bodies.state[b + SolverBodies.MASS];
-        boolean fixed = ma == 0 || mb == 0;
-        st[l] = c.normalX(source);
-        st[L + l] = c.normalY(source);
-        st[2 * L + l] = c.normalZ(source);
-        st[INVERSE_A * L + l] = ma;
-        st[INVERSE_B * L + l] = mb;
-        st[FIXED * L + l] = fixed ? 1 : 0;
-        st[STIFFNESS * L + l] = sub.stiffness(fixed);
-        st[MU * L + l] = c.friction(source);
-        st[POINTS * L + l] = c.pointCount[source];
-        st[SHARE * L + l] = PrepareRow.share(c, source);
-        copy(bodies.root, (a >> 4) * SolverBodies.ROOT, 9, st, ROOT_A * L + l);
-        copy(bodies.root, (b >> 4) * SolverBodies.ROOT, 9, st, ROOT_B * L + l);
-        copy(bodies.warm, a >> 1, 6, st, WARM_A * L + l);
-        copy(bodies.warm, b >> 1, 6, st, WARM_B * L + l);
-        boolean unloaded = rows.unloaded[j] != 0;
-        int first = ContactStore.POINTS * source;
-        for (int i = 0; i < ContactStore.POINTS; i++) {
-            // a point that is not there stands at the first, with nothing in it
-            boolean there = i < c.pointCount[source];
-            int p = there ? first + i : first;
-            int q = (STAGED + i * STAGED_FIELDS) * L + l;
-            int at = ContactStore.anchor(p);
-            for (int k = 0; k < ContactStore.ANCHORS; k++) {
-                st[q + k * L] = c.anchors[at + k];
-            }
-            st[q + 6 * L] = there ? c.separation[p] : 0;
-            st[q + 7 * L] = there ? c.normalImpulse[p] : 0;
-            st[q + 8 * L] = there && !unloaded ? c.preload[p] : 0;
-        }
-        st[OLD * L + l] = c.frictionImpulseX(source);
-        st[(OLD + 1) * L + l] = c.frictionImpulseY(source);
-        st[(OLD + 2) * L + l] = c.frictionImpulseZ(source);
-        st[(OLD + 3) * L + l] = c.twistImpulse(source);
-    }
-
-    private static void copy(double[] from, int i, int n, double[] st, int o) {
-        for (int k = 0; k < n; k++) {
-            st[o + k * L] = from[i + k];
-        }
-    }
-
-    /** Zeros leave positive, whatever a lane has added to them. */
-    private static void scatter(ConstraintRows rows, SolverBodies bodies, int j, double[] st) {
-        double[] warm = bodies.warm;
-        for (int l = 0; l < L; l++) {
-            int a = rows.link[(j + l) * LINK];
-            int b = rows.link[(j + l) * LINK + 1];
-            for (int k = 0; k < 6 && a != 0; k++) {
-                warm[(a >> 1) + k] = st[(WARM_A + k) * L + l] + 0.0;
-            }
-            for (int k = 0; k < 6 && b != 0; k++) {
-                warm[(b >> 1) + k] = st[(WARM_B + k) * L + l] + 0.0;
-            }
+            LaneStaging.scatter(rows, bodies, j, st, L);
         }
     }
 

@@ -1,23 +1,6 @@
 package dev.cairn.physics.solver.wide;
 
-import static dev.cairn.physics.solver.row.ConstraintRows.ARM_A;
-import static dev.cairn.physics.solver.row.ConstraintRows.ARM_B;
-import static dev.cairn.physics.solver.row.ConstraintRows.COUNT;
-import static dev.cairn.physics.solver.row.ConstraintRows.FIELDS;
-import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
-import static dev.cairn.physics.solver.row.ConstraintRows.GAP;
-import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
-import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
-import static dev.cairn.physics.solver.row.ConstraintRows.LEVER;
-import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
-import static dev.cairn.physics.solver.row.ConstraintRows.MASS;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT;
-import static dev.cairn.physics.solver.row.ConstraintRows.POINT_FIELDS;
-import static dev.cairn.physics.solver.row.ConstraintRows.SOURCE;
-import static dev.cairn.physics.solver.row.ConstraintRows.START;
-import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
-import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT1;
-import static dev.cairn.physics.solver.row.ConstraintRows.TANGENT2;
+import static dev.cairn.physics.solver.row.ConstraintRows.*;
 import static dev.cairn.physics.solver.row.Scratch.LINE;
 import static dev.cairn.physics.solver.row.Scratch.PACKED;
 import static dev.cairn.physics.solver.row.Scratch.VA;

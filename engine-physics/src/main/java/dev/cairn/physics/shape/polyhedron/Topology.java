@@ -1,4 +1,4 @@
-package dev.cairn.physics.shape;
+package dev.cairn.physics.shape.polyhedron;
 
 import java.util.Arrays;
 

@@ -1,4 +1,4 @@
-package dev.cairn.physics.shape;
+package dev.cairn.physics.shape.polyhedron;
 
 import java.util.Arrays;
 
@@ -43,13 +43,10 @@ public final class Polyhedron {
     /**
      * Assembles the topology from vertices and loops.
      *
-     * @param x vertices relative to the centre of mass; copied
-     * @param y see {@code x}
-     * @param z see {@code x}
      * @param loops counter-clockwise loops, every edge in exactly two of them, once in each
      *     direction
      */
-    Polyhedron(double[] x, double[] y, double[] z, int[][] loops) {
+    public Polyhedron(double[] x, double[] y, double[] z, int[][] loops) {
         this(x, y, z, loops, false);
     }
 
@@ -107,7 +104,7 @@ public final class Polyhedron {
      * A block; bit k of a vertex index is the sign of axis k, face 2 k + s looks along axis k with
      * sign s.
      */
-    static Polyhedron box(double hx, double hy, double hz) {
+    public static Polyhedron box(double hx, double hy, double hz) {
         double[] x = new double[8];
         double[] y = new double[8];
         double[] z = new double[8];
@@ -122,149 +119,87 @@ public final class Polyhedron {
         return new Polyhedron(x, y, z, loops, true);
     }
 
-    /**
-     * How many vertices.
-     *
-     * @return at least 4, at most {@link #MAX_VERTICES}
-     */
+    /** The faces, edges and vertices of a shape that has such. */
+    public static Polyhedron of(Polyhedral shape) {
+        return shape.polyhedron;
+    }
+
+    /** How many vertices: at least 4, at most {@link #MAX_VERTICES}. */
     public int vertexCount() {
         return vertex.length >> 2;
     }
 
-    /**
-     * How many faces.
-     *
-     * @return at least 4
-     */
+    /** How many faces: at least 4. */
     public int faceCount() {
         return plane.length >> 2;
     }
 
-    /**
-     * How many edges.
-     *
-     * @return at least 6
-     */
+    /** How many edges: at least 6. There are twice as many slots and spokes. */
     public int edgeCount() {
         return edgeFrom.length;
     }
 
-    /**
-     * Corners of the face that has most.
-     *
-     * @return at least 3
-     */
+    /** Corners of the face that has most. */
     public int largestFace() {
         return largestFace;
     }
 
-    /**
-     * A coordinate of a vertex.
-     *
-     * @param vertex in [0, vertexCount)
-     * @return m, relative to the centre of mass
-     */
+    /** A coordinate of a vertex relative to the centre of mass, m. */
     public double vertexX(int vertex) {
         return this.vertex[4 * vertex];
     }
 
-    /**
-     * A coordinate of a vertex.
-     *
-     * @param vertex in [0, vertexCount)
-     * @return m, relative to the centre of mass
-     */
+    /** See {@link #vertexX}. */
     public double vertexY(int vertex) {
         return this.vertex[4 * vertex + 1];
     }
 
-    /**
-     * A coordinate of a vertex.
-     *
-     * @param vertex in [0, vertexCount)
-     * @return m, relative to the centre of mass
-     */
+    /** See {@link #vertexX}. */
     public double vertexZ(int vertex) {
         return this.vertex[4 * vertex + 2];
     }
 
-    /**
-     * The first slot of a face; its loop ends before {@code faceBegin(face + 1)}.
-     *
-     * @param face in [0, faceCount]
-     * @return the slot
-     */
+    /** The first slot of a face; its loop ends before {@code faceBegin(face + 1)}. */
     public int faceBegin(int face) {
         return faceBegin[face];
     }
 
-    /**
-     * The corner at a slot.
-     *
-     * @param slot in [0, 2 edgeCount)
-     * @return the vertex
-     */
+    /** The vertex that is the corner at a slot. */
     public int slotVertex(int slot) {
         return slotVertex[slot];
     }
 
-    /**
-     * The edge from the corner at a slot to the next corner of the loop.
-     *
-     * @param slot in [0, 2 edgeCount)
-     * @return the edge
-     */
+    /** The edge from the corner at a slot to the next corner of the loop. */
     public int slotEdge(int slot) {
         return slotEdge[slot];
     }
 
     /**
      * Whether the corners of a face are not in one plane: it was merged from nearly coplanar ones,
-     * and the edges between those are not listed.
-     *
-     * @param face in [0, faceCount)
-     * @return true only of faces with more than three corners
+     * and the edges between those are not listed. Never of a triangle.
      */
     public boolean isRough(int face) {
         return rough[face];
     }
 
-    /**
-     * Outward unit normal of a face.
-     *
-     * @param face in [0, faceCount)
-     * @return the x component
-     */
+    /** A component of the outward unit normal of a face. */
     public double normalX(int face) {
         return plane[4 * face];
     }
 
-    /**
-     * Outward unit normal of a face.
-     *
-     * @param face in [0, faceCount)
-     * @return the y component
-     */
+    /** See {@link #normalX}. */
     public double normalY(int face) {
         return plane[4 * face + 1];
     }
 
-    /**
-     * Outward unit normal of a face.
-     *
-     * @param face in [0, faceCount)
-     * @return the z component
-     */
+    /** See {@link #normalX}. */
     public double normalZ(int face) {
         return plane[4 * face + 2];
     }
 
     /**
-     * Distance of a face's plane from the centre of mass: inside means {@code normal . p <=
+     * Distance of a face's plane from the centre of mass, m: inside means {@code normal . p <=
      * offset}.
-     *
-     * @param face in [0, faceCount)
-     * @return m, positive
      */
     public double offset(int face) {
         return plane[4 * face + 3];
@@ -273,129 +208,67 @@ public final class Polyhedron {
     /**
      * Unit vector in the plane of the face, at right angles to the side at a slot, pointing out of
      * the face.
-     *
-     * @param slot in [0, 2 edgeCount)
-     * @return the x component
      */
     public double sideX(int slot) {
         return sidePlane[4 * slot];
     }
 
-    /**
-     * See {@link #sideX}.
-     *
-     * @param slot in [0, 2 edgeCount)
-     * @return the y component
-     */
+    /** See {@link #sideX}. */
     public double sideY(int slot) {
         return sidePlane[4 * slot + 1];
     }
 
-    /**
-     * See {@link #sideX}.
-     *
-     * @param slot in [0, 2 edgeCount)
-     * @return the z component
-     */
+    /** See {@link #sideX}. */
     public double sideZ(int slot) {
         return sidePlane[4 * slot + 2];
     }
 
-    /**
-     * Offset of the side plane at a slot: inside means {@code side . p <= sideOffset}.
-     *
-     * @param slot in [0, 2 edgeCount)
-     * @return m
-     */
+    /** Offset of the side plane at a slot, m: inside means {@code side . p <= sideOffset}. */
     public double sideOffset(int slot) {
         return sidePlane[4 * slot + 3];
     }
 
-    /**
-     * One end of an edge.
-     *
-     * @param edge in [0, edgeCount)
-     * @return the vertex
-     */
+    /** The vertex at one end of an edge. */
     public int edgeFrom(int edge) {
         return edgeFrom[edge];
     }
 
-    /**
-     * The other end of an edge.
-     *
-     * @param edge in [0, edgeCount)
-     * @return the vertex
-     */
+    /** The vertex at the other end of an edge. */
     public int edgeTo(int edge) {
         return edgeTo[edge];
     }
 
-    /**
-     * One of the two faces of an edge.
-     *
-     * @param edge in [0, edgeCount)
-     * @param left to the left of the edge's direction, seen from outside; else the other
-     * @return the face
-     */
+    /** The face to the left of an edge's direction, seen from outside, or the other one. */
     public int edgeFace(int edge, boolean left) {
         return left ? edgeLeft[edge] : edgeRight[edge];
     }
 
-    /**
-     * The first spoke of a vertex; its list ends before {@code spokeBegin(vertex + 1)}.
-     *
-     * @param vertex in [0, vertexCount]
-     * @return the spoke
-     */
+    /** The first spoke of a vertex; its list ends before {@code spokeBegin(vertex + 1)}. */
     public int spokeBegin(int vertex) {
         return spokeBegin[vertex];
     }
 
-    /**
-     * The neighbour at the other end of a spoke.
-     *
-     * @param spoke in [0, 2 edgeCount)
-     * @return the vertex
-     */
+    /** The neighbour at the other end of a spoke. */
     public int spokeVertex(int spoke) {
         return spokeVertex[spoke];
     }
 
-    /**
-     * The edge of a spoke.
-     *
-     * @param spoke in [0, 2 edgeCount)
-     * @return the edge
-     */
+    /** The edge of a spoke. */
     public int spokeEdge(int spoke) {
         return spokeEdge[spoke];
     }
 
-    /**
-     * The face to the left of a spoke; over all spokes of a vertex, each incident face once.
-     *
-     * @param spoke in [0, 2 edgeCount)
-     * @return the face
-     */
+    /** The face left of a spoke; over the spokes of a vertex, each of its faces once. */
     public int spokeFace(int spoke) {
         return spokeFace[spoke];
     }
 
-    /**
-     * The radius of the largest ball around the centre of mass inside.
-     *
-     * @return m
-     */
+    /** The radius of the largest ball around the centre of mass inside, m. */
     public double innerRadius() {
         return innerRadius;
     }
 
-    /**
-     * The radius of the smallest ball around the centre of mass outside.
-     *
-     * @return m
-     */
+    /** The radius of the smallest ball around the centre of mass outside, m. */
     public double outerRadius() {
         return outerRadius;
     }
@@ -563,7 +436,10 @@ public final class Polyhedron {
         return loops;
     }
 
-    void bounds(double qx, double qy, double qz, double qw, double[] dest, int at) {
+    /**
+     * Writes the box around it, turned by a unit quaternion: the lower corner, then the upper one.
+     */
+    public void bounds(double qx, double qy, double qz, double qw, double[] dest, int at) {
         row(
                 dest,
                 at,

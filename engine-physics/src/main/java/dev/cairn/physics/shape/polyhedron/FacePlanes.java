@@ -1,4 +1,4 @@
-package dev.cairn.physics.shape;
+package dev.cairn.physics.shape.polyhedron;
 
 /** The planes of a {@link Polyhedron}'s faces and of their sides. Set-up only. */
 final class FacePlanes {
