@@ -456,6 +456,11 @@ final class BodyTable {
         refreshLists();
         ContactRows.activate(bodies, contacts, broadPhase);
         sleepers.sleep(slot, dynamic, dynamicCount);
+        for (int i = 0; i < dynamicCount; i++) {
+            if (sleepers.asleep(dynamic[i])) {
+                bounds.settle(broadPhase, dynamic[i]);
+            }
+        }
         restBounds();
     }
 

@@ -72,6 +72,22 @@ class SleepTest {
         }
     }
 
+    /** Its box in the trees is made by the call: it has none yet. */
+    @Test
+    void whoIsPutToSleepAtBirthIsMetAndWakes() {
+        try (PhysicsWorld world = world()) {
+            BodyRef box = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 0));
+            box.sleep();
+            world.validate();
+            BodyRef ball = world.add(Body.dynamic().shape(Sphere.of(0.3)).at(0, 2, 0));
+            run(world, 15);
+            assertTrue(box.isAsleep(), "nothing has met it");
+            run(world, 30);
+            assertFalse(box.isAsleep(), "the ball woke it");
+            assertTrue(ball.position().y > box.position().y + 0.7, "the ball is above it");
+        }
+    }
+
     @Test
     void inAWorldWithoutSleepNobodySleeps() {
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {

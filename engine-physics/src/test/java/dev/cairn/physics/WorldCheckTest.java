@@ -12,6 +12,8 @@ import dev.cairn.physics.shape.Sphere;
 
 import org.junit.jupiter.api.Test;
 
+import java.util.Random;
+
 /** {@link PhysicsWorld#validate}: silent about what a step leaves, and tells what was corrupted. */
 final class WorldCheckTest {
     private final PhysicsWorld world = PhysicsWorld.builder().workers(1).build();
@@ -72,6 +74,48 @@ final class WorldCheckTest {
     }
 
     @Test
+    void aWorldOfEveryKindOfShapeIsValid() {
+        Scenes.everyKindOnEveryKind(world);
+        world.validate();
+        run(240);
+    }
+
+    @Test
+    void bodiesThatComeGoSleepAndJumpLeaveTheWorldValid() {
+        Scenes.drop(world, 30, 7);
+        Random random = new Random(3);
+        for (int tick = 0; tick < 300; tick++) {
+            BodyRef one = world.bodies().get(random.nextInt(world.bodyCount()));
+            switch (tick % 15) {
+                case 0 -> world.add(Scenes.any(random, tick).at(0, 8, 0));
+                case 3 -> one.teleport(random.nextDouble(), 6, random.nextDouble());
+                case 6 -> one.remove();
+                case 9 -> one.applyImpulse(0, 1e308, 0);
+                case 12 -> one.sleep();
+                default -> {}
+            }
+            world.validate();
+            run(1);
+        }
+        assertTrue(world.quarantined().size() > 1, "some left the range of numbers");
+    }
+
+    @Test
+    void whoIsPutToSleepFastOrAtOnceIsValid() {
+        world.setGravity(0, 0, 0);
+        BodyRef fast =
+                world.add(Body.dynamic().shape(Sphere.of(0.1)).velocity(0, 0, 0).at(0, 3, 0));
+        run(2);
+        world.add(Body.dynamic().shape(Sphere.of(3)).velocity(0, -200, 0).at(0, 8, 0));
+        run(2);
+        fast.sleep();
+        world.validate();
+        world.add(Body.dynamic().shape(Sphere.of(0.1)).at(50, 3, 0)).sleep();
+        world.validate();
+        run(1);
+    }
+
+    @Test
     void velocity() {
         int s = slot(stack(3));
         bodies.velocityX[s] = Double.NaN;
@@ -112,6 +156,13 @@ final class WorldCheckTest {
         stack(3);
         contacts.normalImpulse[0] = -0.25;
         tells("contact row 0 of ", "ground", "crate", "normal impulse of point 0 is -0.25");
+    }
+
+    @Test
+    void twoRowsOfAPair() {
+        stack(3);
+        contacts.move(1, 0, 1);
+        tells("contact row 1", "the only one of a pair");
     }
 
     @Test

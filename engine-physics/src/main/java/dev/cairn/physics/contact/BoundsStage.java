@@ -166,6 +166,33 @@ public final class BoundsStage {
     }
 
     /**
+     * A body was put to sleep where it is: that may be out of its box, or it never had one. It gets
+     * one, so that it is met.
+     */
+    public void settle(BroadPhase target, int slot) {
+        for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            if (!isIn(target, c)) {
+                refresh(target, slot);
+                return;
+            }
+        }
+    }
+
+    private boolean isIn(BroadPhase target, int c) {
+        Poses p = colliders.poses;
+        tightBox(c);
+        return target.contains(c)
+                && isBetween(target, 6 * c, p.positionX[c])
+                && isBetween(target, 6 * c + 1, p.positionY[c])
+                && isBetween(target, 6 * c + 2, p.positionZ[c]);
+    }
+
+    private boolean isBetween(BroadPhase target, int low, double centre) {
+        double[] fat = target.fatBoxes();
+        return fat[low] <= box[low] + centre && box[low + 3] + centre <= fat[low + 3];
+    }
+
+    /**
      * A body has fallen asleep. Its neighbours see it as one that is awake and at rest: were its
      * margin another one, points would appear, and wake it, because it fell asleep.
      */

@@ -2,6 +2,7 @@ package dev.cairn.physics.state;
 
 import dev.cairn.physics.broadphase.AabbTree;
 import dev.cairn.physics.broadphase.BroadPhase;
+import dev.cairn.physics.broadphase.PairSet;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
@@ -73,8 +74,15 @@ public final class WorldCheck {
         tree("fixed", broadPhase.staticTree());
         tree("moving", broadPhase.dynamicTree());
         islands();
+        PairSet pairs = new PairSet();
         for (int row = 0; row < contacts.count; row++) {
             row(row);
+            int a = contacts.colliderA[row];
+            int b = contacts.colliderB[row];
+            if (!broadPhase.isPair(a, b) || !pairs.add(PairSet.key(a, b))) {
+                String what = "row of colliders " + a + " and " + b;
+                throw fault("contact row " + row, what, row, "the only one of a pair", REPORT);
+            }
         }
     }
 
@@ -210,11 +218,9 @@ public final class WorldCheck {
         for (int i = 0; i < points; i++) {
             int p = ContactStore.POINTS * row + i;
             impulse(where, "normal impulse of point " + i, c.normalImpulse[p]);
-            impulse(where, "normal impulse over the tick of point " + i, c.totalNormalImpulse[p]);
-            if (!Double.isFinite(c.separation[p])) {
-                String what = "separation of point " + i;
-                throw fault(where, what, c.separation[p], "finite", REPORT);
-            }
+            // A sum of changes, which may round to less than 0.
+            finite(where, "normal impulse over the tick of point " + i, c.totalNormalImpulse[p]);
+            finite(where, "separation of point " + i, c.separation[p]);
         }
     }
 
@@ -226,6 +232,12 @@ public final class WorldCheck {
         if (colliders.body[collider] != slot) {
             String bound = colliders.body[collider] + ", whose collider touches";
             throw fault(where, "slot of a body", slot, bound, REPORT);
+        }
+    }
+
+    private static void finite(String where, String what, double value) {
+        if (!Double.isFinite(value)) {
+            throw fault(where, what, value, "finite", REPORT);
         }
     }
 
