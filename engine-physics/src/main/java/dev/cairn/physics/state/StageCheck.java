@@ -16,7 +16,7 @@ public final class StageCheck {
     public static boolean awake(BodyStore bodies, int[] slots, int count) {
         for (int i = 0; i < count; i++) {
             int slot = slots[i];
-            if (i > 0 && slot <= slots[i - 1] || bodies.kind[slot] != BodyStore.DYNAMIC) {
+            if ((i > 0 && slot <= slots[i - 1]) || bodies.kind[slot] != BodyStore.DYNAMIC) {
                 throw new AssertionError("slot " + slot + " at place " + i + " of the awake list");
             }
         }
@@ -73,7 +73,7 @@ public final class StageCheck {
             }
         }
         for (int i = 0; i < c.activeCount; i++) {
-            if (c.active[i] >= c.count || i > 0 && c.active[i] <= c.active[i - 1]) {
+            if (c.active[i] >= c.count || (i > 0 && c.active[i] <= c.active[i - 1])) {
                 throw new AssertionError("row " + c.active[i] + " at active place " + i);
             }
         }

@@ -116,7 +116,7 @@ public final class WorldCheck {
     /** An awake body may have left its box within the last tick: the next one looks first. */
     private void box(int slot) {
         boolean fixed = bodies.kind[slot] == BodyStore.STATIC;
-        if (bodies.kind[slot] == BodyStore.DYNAMIC || fixed && waits.test(slot)) {
+        if (bodies.kind[slot] == BodyStore.DYNAMIC || (fixed && waits.test(slot))) {
             return;
         }
         double[] tight = new double[6];
