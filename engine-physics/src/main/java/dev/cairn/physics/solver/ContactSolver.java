@@ -73,7 +73,7 @@ public final class ContactSolver {
     private final EdgeList list;
     private final Colouring colouring = new Colouring();
     private final Batches batches = new Batches();
-    private final Collector collector = new Collector(colouring, batches);
+    private final Collector collector;
     private final LoadSweep loads = new LoadSweep();
     private final Unloading unloading = new Unloading();
     private final StaticStart start = new StaticStart();
@@ -115,6 +115,8 @@ public final class ContactSolver {
     ContactSolver(Tuning settings, Sweeps floats, Sweeps doubles, ConstraintKind... kinds) {
         sweeps = new Sweeps[] {floats, doubles};
         tick = new SolverContext(settings);
+        boolean guides = settings.count(Tunable.LONE_SWEEPS) > 0;
+        collector = new Collector(colouring, batches, guides);
         list =
                 new EdgeList(
                         floats.lanes(),

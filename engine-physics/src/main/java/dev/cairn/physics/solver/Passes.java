@@ -22,14 +22,9 @@ import dev.cairn.physics.solver.load.Unloading;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.KindRows;
-import dev.cairn.physics.solver.row.RollingRows;
 import dev.cairn.physics.solver.row.RowPrefetch;
 import dev.cairn.physics.solver.row.Scratch;
 import dev.cairn.physics.solver.row.SubStep;
-import dev.cairn.physics.solver.single.InelasticImpact;
-import dev.cairn.physics.solver.single.PinnedCorner;
-import dev.cairn.physics.solver.single.SingleContact;
-import dev.cairn.physics.solver.single.TrapezoidalCorrection;
 import dev.cairn.physics.tuning.Tunable;
 
 /**
@@ -40,12 +35,6 @@ import dev.cairn.physics.tuning.Tunable;
  * <p>Any worker; what ranges may run at the same time is the caller's matter. Does not allocate.
  */
 final class Passes {
-    /** Weights from which on what presses is a blow. */
-    private static final double BLOW = 4;
-
-    /** Arm over inner radius up to which a landing need not mind it. */
-    private static final double SHORT = 0.01;
-
     final SolverContext tick;
     final ConstraintRows rows;
     private final SolverBodies body;
@@ -150,43 +139,14 @@ final class Passes {
             if (rows.isSingle && index == 0) {
                 body.addWarm(i);
             }
-            if (body.guide[i] >= 0 && SingleContact.turns(body.state, i, gain)) {
-                land(sub, i, bench);
-            }
-            if (body.guide[i] >= 0 && renewal.stirs(i)) {
-                PinnedCorner.begin(
-                        tick.bodies, body, i, rows, rows.list.place[body.guide[i]], sub.touch);
+            if (body.guide[i] >= 0) {
+                bench.single.begin(tick, rows, sub, renewal, gain, i);
             }
             Motion.kick(tick.bodies, body, i, g[0], g[1], g[2], sub.seconds);
             if (rows.isSingle) {
                 body.roundVelocity(i);
             }
         }
-    }
-
-    /** The blow of points that land in this sub-step, of a body on one contact. */
-    private void land(SubStep sub, int i, Workbench bench) {
-        int row = rows.list.place[body.guide[i]];
-        if (sub.lone == 0 || !InelasticImpact.isAwaited(rows, row) || isStruck(sub, i, row)) {
-            return;
-        }
-        ConstraintRows window = bench.row.open(rows, row);
-        int place = bench.row.place();
-        InelasticImpact landing = bench.landing;
-        if (landing.run(tick, window, rows.rolling, place, row, i, sub.seconds, sub.lone)) {
-            bench.row.close(rows, row);
-        }
-    }
-
-    /**
-     * Whether a body with rolling friction worth the name has just had a blow. A landing would take
-     * that for what presses until its own blow; bodies with long arms gained energy by it.
-     */
-    private boolean isStruck(SubStep sub, int i, int row) {
-        double mass = body.state[SolverBodies.offset(i) + SolverBodies.MASS];
-        return rows.rolling.has(row)
-                && rows.rolling.get(row, RollingRows.ARM) > SHORT * tick.bodies.innerRadius[i]
-                && RollingRows.normal(rows, row) * mass > BLOW * tick.weight() * sub.seconds;
     }
 
     /** Shows the sweeps a body as it is now. */
@@ -375,25 +335,9 @@ final class Passes {
             add(i);
             if (body.guide[i] < 0) {
                 Motion.keep(tick.bodies, body, i);
-                continue;
+            } else {
+                bench.single.end(tick, rows, sub, renewal, gain, i, bench.scratch);
             }
-            int row = rows.list.place[body.guide[i]];
-            ConstraintRows guides = bench.row.open(rows, row);
-            int place = bench.row.place();
-            if (sub.lone > 0
-                    && renewal.stirs(i)
-                    && bench.pivot.run(tick, guides, rows.rolling, place, i, sub, renewal, row)) {
-                bench.row.close(rows, row);
-                continue;
-            }
-            if (sub.lone > 0) {
-                SingleContact.agree(
-                        guides, rows.rolling, body.state, sub, gain, place, row, i, bench.scratch);
-                bench.row.close(rows, row);
-            }
-            Motion.keep(tick.bodies, body, i);
-            TrapezoidalCorrection.end(
-                    tick.bodies, body, i, guides, rows.rolling, place, row, sub.seconds);
         }
     }
 

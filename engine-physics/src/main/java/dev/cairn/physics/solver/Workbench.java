@@ -3,18 +3,14 @@ package dev.cairn.physics.solver;
 import dev.cairn.physics.solver.direct.DirectSolve;
 import dev.cairn.physics.solver.impact.Impacts;
 import dev.cairn.physics.solver.refresh.RefreshRow;
-import dev.cairn.physics.solver.row.RowWindow;
 import dev.cairn.physics.solver.row.Scratch;
-import dev.cairn.physics.solver.single.InelasticImpact;
-import dev.cairn.physics.solver.single.PinnedCorner;
+import dev.cairn.physics.solver.single.SingleBody;
 
 /** What a worker has for itself while it solves: scratch, and helpers that hold state. */
 final class Workbench {
     final Scratch scratch = new Scratch();
-    final RowWindow row = new RowWindow();
     final RefreshRow renew = new RefreshRow();
-    final InelasticImpact landing = new InelasticImpact();
-    final PinnedCorner pivot = new PinnedCorner();
+    final SingleBody single = new SingleBody();
     final DirectSolve direct = new DirectSolve();
     final Impacts impacts = new Impacts();
 }

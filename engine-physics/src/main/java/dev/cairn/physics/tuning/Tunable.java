@@ -80,8 +80,9 @@ public enum Tunable {
 
     /**
      * Most sweeps in a sub-step over the contact of a body that moves and touches nothing but one
-     * that does not, until its impulses agree; 0 is off. A slide, a stop, a tip follow their closed
-     * forms; what rests and what is stacked pays nothing.
+     * that does not, until its impulses agree. A slide, a stop, a tip follow their closed forms;
+     * what rests and what is stacked pays nothing. 0 turns all help of such bodies off: also the
+     * inelastic impact, the trapezoidal correction and the pinned corner.
      */
     LONE_SWEEPS(true, 32, 0, 4096),
 

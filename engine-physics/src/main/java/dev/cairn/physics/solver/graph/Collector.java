@@ -62,7 +62,16 @@ public final class Collector {
     private boolean sameColours;
     private boolean sameVariants;
 
-    public Collector(Colouring colouring, Batches batches) {
+    /** Whether bodies on one contact are told apart. */
+    private final boolean guides;
+
+    /**
+     * A collector that fills the given parts.
+     *
+     * @param guides whether a body on nothing but one contact is guided by it
+     */
+    public Collector(Colouring colouring, Batches batches, boolean guides) {
+        this.guides = guides;
         this.colouring = colouring;
         this.batches = batches;
     }
@@ -278,7 +287,7 @@ public final class Collector {
                 stacked |= m < list.contacts;
             } else {
                 int i = Math.max(a, b);
-                boolean isOnly = guide[i] == SolverBodies.FREE && m < list.contacts;
+                boolean isOnly = guides && guide[i] == SolverBodies.FREE && m < list.contacts;
                 guide[i] = isOnly ? m : SolverBodies.BOUND;
             }
         }

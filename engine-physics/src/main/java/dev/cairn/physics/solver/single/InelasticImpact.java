@@ -38,7 +38,7 @@ import dev.cairn.physics.solver.row.RollingRows;
  * body at a time, any worker. Does not allocate. Source: G. W. Housner, "The behavior of inverted
  * pendulum structures during earthquakes" (1963), for the law; own study.
  */
-public final class InelasticImpact {
+final class InelasticImpact {
     /** Change of an impulse over the largest one at which normals and friction agree. */
     private static final double AGREES = 1e-12;
 
@@ -76,7 +76,7 @@ public final class InelasticImpact {
     private int points;
 
     /** Whether a row has a point that presses, and one that is open and does not. */
-    public static boolean isAwaited(ConstraintRows rows, int place) {
+    static boolean isAwaited(ConstraintRows rows, int place) {
         int o = rows.base(place);
         int n = rows.points(place);
         boolean opens = false;
@@ -99,7 +99,7 @@ public final class InelasticImpact {
      * @param rounds most rounds of normals and friction
      * @return whether there was one
      */
-    public boolean run(
+    boolean run(
             SolverContext tick,
             ConstraintRows constraintRows,
             RollingRows rowsRolling,

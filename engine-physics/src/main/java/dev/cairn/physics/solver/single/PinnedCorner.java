@@ -44,7 +44,7 @@ import java.util.Arrays;
  * flat or edged and does not move. One body at a time, any worker. Does not allocate. Source: own
  * study; for the splitting see {@link Rotation}.
  */
-public final class PinnedCorner {
+final class PinnedCorner {
     private static final int SWEEPS = 12;
 
     /** Products of inertia over the moments that are none. */
@@ -80,7 +80,7 @@ public final class PinnedCorner {
     private final double[] swept = new double[4];
 
     /** Start of a sub-step, before its kick: remembers where a body is that stands on a point. */
-    public static void begin(
+    static void begin(
             BodyStore b, SolverBodies s, int i, ConstraintRows rows, int place, double touch) {
         double[] d = s.glide;
         int g = MotionRecord.STRIDE * i;
@@ -121,7 +121,7 @@ public final class PinnedCorner {
      * @param kept place of that row's first levers in {@code levers}, and in {@code rolling}
      * @return whether it was held; if not, nothing has changed
      */
-    public boolean run(
+    boolean run(
             SolverContext tick,
             ConstraintRows rows,
             RollingRows rolling,

@@ -26,7 +26,7 @@ import dev.cairn.physics.solver.row.SubStep;
  *
  * <p>Any worker, one to a body. Does not allocate. Source: own study.
  */
-public final class SingleContact {
+final class SingleContact {
     /** Change of an impulse over the largest one at which a contact agrees. */
     private static final double AGREES = 1e-12;
 
@@ -42,7 +42,7 @@ public final class SingleContact {
      * @param place of the only row of body {@code i}
      * @param at its place in {@code rolling}
      */
-    public static void agree(
+    static void agree(
             ConstraintRows rows,
             RollingRows rolling,
             double[] body,
@@ -97,7 +97,7 @@ public final class SingleContact {
      *
      * @param gain what gravity adds to a speed in the sub-step, m/s
      */
-    public static boolean turns(double[] body, int i, double gain) {
+    static boolean turns(double[] body, int i, double gain) {
         double still = STILL * gain;
         return turn(body, SolverBodies.offset(i)) > still * still;
     }

@@ -26,7 +26,7 @@ import dev.cairn.physics.solver.row.RollingRows;
  * <p>Errors at 4 sub-steps without and with: a slide 4e-3 and 1e-14; Housner's block, time to its
  * first impact, 9.3e-3 and 1.4e-3. Any worker, one to a body. Does not allocate.
  */
-public final class TrapezoidalCorrection {
+final class TrapezoidalCorrection {
     /** Square of the share of its speed that is left of a body that friction has stopped. */
     private static final double STOPPED = 1e-12;
 
@@ -49,7 +49,7 @@ public final class TrapezoidalCorrection {
      *
      * @param at place of the row in {@code rolling}
      */
-    public static void end(
+    static void end(
             BodyStore b,
             SolverBodies s,
             int i,
