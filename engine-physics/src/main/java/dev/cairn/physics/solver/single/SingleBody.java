@@ -75,8 +75,7 @@ public final class SingleBody {
             window.close(rows, row);
             return;
         }
-        SingleContact.agree(
-                guide, rows.rolling, bodies.state, sub, gain, place, row, i, scratch);
+        SingleContact.agree(guide, rows.rolling, bodies.state, sub, gain, place, row, i, scratch);
         window.close(rows, row);
         Motion.keep(tick.bodies, bodies, i);
         TrapezoidalCorrection.end(
