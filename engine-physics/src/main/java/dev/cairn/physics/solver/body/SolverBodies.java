@@ -232,7 +232,8 @@ public final class SolverBodies {
         return offset != 0 && shifted[slot(offset)];
     }
 
-    private static double norm(double x, double y, double z) {
+    /** Length of a vector. */
+    public static double norm(double x, double y, double z) {
         return Math.sqrt(x * x + y * y + z * z);
     }
 

@@ -41,12 +41,12 @@ import java.util.Arrays;
  */
 public final class BallImpacts {
     private static final int SWEEPS = 400;
-    private static final int NEWTON_STEPS = 20;
 
     /** Share of a sub-step that is rounding. */
     private static final double SOON = Impacts.SOON;
 
     private final Impacts impacts;
+    private final MeetingTime meeting = new MeetingTime();
     private final RowWindow window = new RowWindow();
 
     /** Share of a gap that is rounding. */
@@ -214,33 +214,11 @@ public final class BallImpacts {
         if (length <= far) {
             return closing < -threshold * length ? since : missed(row, length - far, since);
         }
-        // |p + v t|² = R² first, then Newton's method with the acceleration
-        double vv = vx * vx + vy * vy + vz * vz;
-        double square = closing * closing - vv * (length - far) * (length + far);
-        double t = 0;
-        if (closing < 0 && square > 0) {
-            t = (length - far) * (length + far) / (Math.sqrt(square) - closing);
-        } else if (ax == 0 && ay == 0 && az == 0) {
-            return missed(row, length - far, since);
-        }
-        double speed = 0;
-        double last = Double.POSITIVE_INFINITY;
-        for (int n = 0; n < NEWTON_STEPS && Math.abs(last) > 1e-16 * h; n++) {
-            double x = px + t * (vx + 0.5 * t * ax);
-            double y = py + t * (vy + 0.5 * t * ay);
-            double z = pz + t * (vz + 0.5 * t * az);
-            double r = Math.sqrt(x * x + y * y + z * z);
-            speed = (x * (vx + t * ax) + y * (vy + t * ay) + z * (vz + t * az)) / r;
-            last = (far - r) / speed;
-            if (!(speed < 0) || !(Math.abs(t + last) <= 2 * h)) {
-                return missed(row, length - far, since);
-            }
-            t += last;
-        }
+        double t = meeting.find(px, py, pz, vx, vy, vz, ax, ay, az, far, h);
         if (!(since + t <= h)) {
             return missed(row, length - far, since);
         }
-        if (speed < -threshold) {
+        if (meeting.speed < -threshold) {
             return since + Math.max(0, t);
         }
         separate(row, -(since + t) * alongNormal(row));

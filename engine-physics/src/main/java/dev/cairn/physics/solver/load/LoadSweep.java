@@ -1,5 +1,7 @@
 package dev.cairn.physics.solver.load;
 
+import static dev.cairn.physics.solver.body.SolverBodies.norm;
+
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
@@ -242,10 +244,6 @@ public final class LoadSweep {
     private double pushed(int i) {
         BodyStore b = bodies;
         return norm(b.forceX[i], b.forceY[i], b.forceZ[i]) * b.inverseMass[i] / gravity;
-    }
-
-    private static double norm(double x, double y, double z) {
-        return Math.sqrt(x * x + y * y + z * z);
     }
 
     /** Who is disturbed, and who carries whom; a mark is the same whoever writes it. */
