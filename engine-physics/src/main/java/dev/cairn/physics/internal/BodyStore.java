@@ -290,4 +290,13 @@ public final class BodyStore extends Poses {
         double part = sum - a;
         return (a - (sum - part)) + (b - part);
     }
+
+    /**
+     * The smaller inner radius of two bodies, one of which at least moves; fixed ones have none.
+     */
+    public double innerRadiusOfMoving(int a, int b) {
+        double ofA = kind[a] == DYNAMIC ? innerRadius[a] : Double.MAX_VALUE;
+        double ofB = kind[b] == DYNAMIC ? innerRadius[b] : Double.MAX_VALUE;
+        return Math.min(ofA, ofB);
+    }
 }

@@ -83,7 +83,7 @@ public final class ContactSolver {
     private final BlockJob clearRows = this::clearRows;
     private final BlockJob batch = this::batch;
 
-    private boolean unloaded;
+    private boolean settles;
     private int substepsBefore;
     private int contactTicks;
 
@@ -206,7 +206,7 @@ public final class ContactSolver {
             ensureBenches(jobs.workers());
             for (kind = Batches.FLOATS; kind <= Batches.DOUBLES; kind++) {
                 choose();
-                lockstep[kind].run(sub, chosen[kind], unloaded, benches, jobs);
+                lockstep[kind].run(sub, chosen[kind], settles, benches, jobs);
                 jobs.run(batch, batches.end(kind) - batches.alone(kind));
             }
         }
@@ -227,7 +227,7 @@ public final class ContactSolver {
                         settings.count(Tunable.FLOATS_FROM),
                         jobs);
         t.order = batches.order;
-        unloaded =
+        settles =
                 settings.count(Tunable.UNLOAD_SWEEPS) > 0
                         && unloading.find(
                                 t.bodies,
@@ -248,7 +248,7 @@ public final class ContactSolver {
                     STILL * t.weight() * t.step,
                     t.weight() * t.subStep,
                     settings.count(Tunable.START_SWEEPS));
-            unloaded |= start.found;
+            settles |= start.found;
         }
         t.loaded =
                 (settings.get(Tunable.LOAD_INERTIA) > 0
@@ -308,7 +308,7 @@ public final class ContactSolver {
                 p.impacts(sub, b, head, tail, from, to, own);
             }
             p.kick(sub, k, head, tail, own);
-            if (unloaded && k == 0) {
+            if (settles && k == 0) {
                 p.settle(sub, from, to, own);
             }
             for (int c = first; c < last; c++) {

@@ -57,7 +57,7 @@ final class Lockstep {
     private Sweeps chosen;
     private Workbench[] benches = {};
     private boolean renews;
-    private boolean unloaded;
+    private boolean settles;
     private int domains;
 
     /**
@@ -109,14 +109,14 @@ final class Lockstep {
      *
      * @param pace its sub-steps
      * @param chosen sweeps of this tick
-     * @param unloaded whether a load has gone
+     * @param settles whether warm starts are corrected first, see {@link Passes#settle}
      * @param benches by worker
      */
-    void run(SubStep pace, Sweeps chosen, boolean unloaded, Workbench[] benches, Jobs jobs) {
+    void run(SubStep pace, Sweeps chosen, boolean settles, Workbench[] benches, Jobs jobs) {
         this.pace = pace;
         this.chosen = chosen;
         this.benches = benches;
-        this.unloaded = unloaded;
+        this.settles = settles;
         base = batches.lockstep(kind);
         domains = batches.alone(kind) - base - 1;
         if (isEmpty()) {
@@ -171,7 +171,7 @@ final class Lockstep {
     /** Finds whether the next sub-step begins with work on all rows. */
     private void look() {
         meets = balls || (bounces && passes.isFast(firstBody(), endBody()));
-        apart = meets || (unloaded && substep == 0);
+        apart = meets || (settles && substep == 0);
     }
 
     private int firstBody() {
@@ -189,7 +189,7 @@ final class Lockstep {
             p.impacts(pace, base, firstBody(), endBody(), firstPlace(-1), end, benches[0]);
         }
         jobs.run(kick, bodyBlocks);
-        if (unloaded && substep == 0) {
+        if (settles && substep == 0) {
             p.settle(pace, firstPlace(-1), endPlace(domains - 1), benches[0]);
         }
         jobs.run(biasWithin, domains);

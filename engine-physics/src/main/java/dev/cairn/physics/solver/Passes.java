@@ -74,7 +74,7 @@ final class Passes {
     void ensureCapacity(int slots) {
         renewal.ensureCapacity(slots);
         renewal.ensurePlaces(rows);
-        rows.rolling.begin(tick.contacts.rolls, rows.unloaded.length);
+        rows.rolling.begin(tick.contacts.rolls, rows.settleMark.length);
     }
 
     /** Loads a body that has contacts. */

@@ -182,7 +182,7 @@ public final class PrepareRow implements RowFiller {
         int lanes = rows.lanes;
         int a = rows.link[j * LINK];
         int b = rows.link[j * LINK + 1];
-        boolean unloaded = rows.unloaded[j] != 0;
+        boolean unloaded = rows.settleMark[j] != 0;
         double nx = d[o];
         double ny = d[o + lanes];
         double nz = d[o + 2 * lanes];

@@ -20,7 +20,7 @@ public final class Rescaling {
         int lanes = rows.lanes;
         double more = ratio * ratio - 1;
         for (int j = from; j < to; j++) {
-            if (rows.unloaded[j] != 0) {
+            if (rows.settleMark[j] != 0) {
                 continue;
             }
             int o = rows.base(j);

@@ -143,7 +143,7 @@ public final class ScalarSweep implements ScalarPasses {
         int lanes = rows.lanes;
         for (int round = 0; round < rounds; round++) {
             for (int j = from; j < to; j++) {
-                if (rows.unloaded[j] != 1) {
+                if (rows.settleMark[j] != 1) {
                     continue;
                 }
                 int l = j * LINK;

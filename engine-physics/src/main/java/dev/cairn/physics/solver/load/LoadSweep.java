@@ -81,7 +81,10 @@ public final class LoadSweep {
     private final HeightOrder order = new HeightOrder();
     private double[] load = {};
     private double[] reach = {};
-    private byte[] rough = {};
+
+    /** By body: {@link #HURT}, {@link #FALLS}, both, or 0 where nothing speaks against rest. */
+    private byte[] reason = {};
+
     private byte[] next = {};
 
     /** Rows that carry a body: from {@code first} on, up to the next body's. */
@@ -98,19 +101,14 @@ public final class LoadSweep {
     private boolean raised;
 
     /** Whether a body is hurt, and whether a row carries another body than in the last tick. */
-    private boolean hurt;
-
-    private boolean moved;
+    private boolean hurt, moved;
 
     private boolean stale;
-
     private BodyStore bodies = new BodyStore();
     private ContactStore contacts = new ContactStore();
     private EdgeList list = new EdgeList();
     private int[] guide = {};
-    private double upX;
-    private double upY;
-    private double upZ;
+    private double upX, upY, upZ;
     private double gravity;
     private double stepSeconds;
     private Tuning settings = Tuning.DEFAULT;
@@ -179,7 +177,7 @@ public final class LoadSweep {
             order.ensureCapacity(n);
             load = new double[n];
             reach = new double[n];
-            rough = new byte[n];
+            reason = new byte[n];
             next = new byte[n];
             end = new int[n];
             first = new int[n + 1];
@@ -198,7 +196,7 @@ public final class LoadSweep {
         double inverse = 1 / (gravity * stepSeconds);
         int end = Blocks.end(block, BODIES_PER_BLOCK, b.slotCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
-            rough[i] = 0;
+            reason[i] = 0;
             load[i] = 0;
             reach[i] = 0;
             if (b.kind[i] != BodyStore.DYNAMIC) {
@@ -267,7 +265,7 @@ public final class LoadSweep {
         int source = list.source[m];
         int a = contacts.bodyA[source];
         int b = contacts.bodyB[source];
-        double radius = smaller(a, b);
+        double radius = bodies.innerRadiusOfMoving(a, b);
         double unit = Math.sqrt(gravity * radius);
         int from = ContactStore.POINTS * source;
         int to = from + contacts.pointCount[source];
@@ -275,20 +273,12 @@ public final class LoadSweep {
         for (int p = from; p < to; p++) {
             double s = contacts.separation[p];
             if (s < -DEEP * radius || (moving && disturbed(source, p, a, b, radius, unit))) {
-                rough[a] = HURT;
-                rough[b] = HURT;
+                reason[a] = HURT;
+                reason[b] = HURT;
                 hurt = true; // by whoever finds one
                 return;
             }
         }
-    }
-
-    private double smaller(int a, int b) {
-        return bodies.kind[a] != BodyStore.DYNAMIC
-                ? bodies.innerRadius[b]
-                : bodies.kind[b] != BodyStore.DYNAMIC
-                        ? bodies.innerRadius[a]
-                        : Math.min(bodies.innerRadius[a], bodies.innerRadius[b]);
     }
 
     private boolean disturbed(int source, int p, int a, int b, double radius, double unit) {
@@ -330,7 +320,7 @@ public final class LoadSweep {
             for (int m = 0; m < list.count; m++) {
                 int a = list.slotA[m];
                 int b = list.slotB[m];
-                if ((a | b) >= 0 && rough[a] != rough[b]) {
+                if ((a | b) >= 0 && reason[a] != reason[b]) {
                     next[a] = HURT;
                     next[b] = HURT;
                     any = true;
@@ -340,7 +330,7 @@ public final class LoadSweep {
                 return;
             }
             for (int i = 0; i < bodies.slotCount; i++) {
-                rough[i] |= next[i];
+                reason[i] |= next[i];
                 next[i] = 0;
             }
         }
@@ -384,7 +374,7 @@ public final class LoadSweep {
         if (bodies.kind[above] != BodyStore.DYNAMIC) {
             return -1;
         }
-        double limit = CLOSED * smaller(a, b);
+        double limit = CLOSED * bodies.innerRadiusOfMoving(a, b);
         int end = ContactStore.POINTS * source + contacts.pointCount[source];
         for (int p = ContactStore.POINTS * source; p < end; p++) {
             if (contacts.separation[p] < limit || contacts.normalImpulse[p] > 0) {
@@ -420,17 +410,23 @@ public final class LoadSweep {
     private void ground() {
         for (int k = order.count - 1; k >= 0; k--) {
             int i = order.body[k];
-            boolean stands = false;
-            for (int e = first[i]; !stands && e < first[i + 1]; e++) {
-                int j = under[e];
-                stands =
-                        bodies.kind[j] != BodyStore.DYNAMIC
-                                || (order.isBefore(i, j) && (rough[j] & FALLS) == 0);
-            }
-            if (!stands) {
-                rough[i] |= FALLS;
+            if (!stands(i)) {
+                reason[i] |= FALLS;
             }
         }
+    }
+
+    private boolean stands(int i) {
+        for (int e = first[i]; e < first[i + 1]; e++) {
+            int j = under[e];
+            if (bodies.kind[j] != BodyStore.DYNAMIC) {
+                return true;
+            }
+            if (order.isBefore(i, j) && (reason[j] & FALLS) == 0) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private int below(int m, int i) {
@@ -471,15 +467,15 @@ public final class LoadSweep {
                             Math.min(LARGEST_FLOOR, settings.get(Tunable.INERTIA_FLOOR) * wanted));
             double unrest = b.unrest[i];
             wanted = floor + (wanted - floor) * Math.max(0, Math.min(1, 2 - 2 * unrest / limit));
-            boolean still = rough[i] == 0 && !(unrest > limit);
+            boolean still = reason[i] == 0 && !(unrest > limit);
             b.restTicks[i] = still ? Math.min(HOLD, b.restTicks[i] + 1) : 0;
             double s = b.inertiaScale[i];
             if (b.restTicks[i] < HOLD) {
                 wanted = floor;
             }
-            if ((rough[i] & FALLS) != 0) {
+            if ((reason[i] & FALLS) != 0) {
                 s = 1;
-            } else if (rough[i] != 0) {
+            } else if (reason[i] != 0) {
                 s = floor;
                 b.unrest[i] = Math.max(unrest, 2 * limit);
             } else if (!(s > 0)) {

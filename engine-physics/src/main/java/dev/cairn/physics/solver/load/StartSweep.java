@@ -29,13 +29,13 @@ public final class StartSweep implements StartPass {
         boolean again = true;
         for (int sweep = 0; again; sweep++) {
             for (int j = from; j < to; j++) {
-                if (rows.unloaded[j] == StaticStart.MARK) {
+                if (rows.settleMark[j] == StaticStart.MARK) {
                     again(rows, body, sub, islands, j, scratch.doubles);
                 }
             }
             again = false;
             for (int j = from; j < to; j++) {
-                if (rows.unloaded[j] == StaticStart.MARK) {
+                if (rows.settleMark[j] == StaticStart.MARK) {
                     again |= islands.goesOn(root(rows, body, islands, j));
                 }
             }
@@ -44,17 +44,17 @@ public final class StartSweep implements StartPass {
             }
         }
         for (int j = from; j < to; j++) {
-            if (rows.unloaded[j] == StaticStart.MARK) {
+            if (rows.settleMark[j] == StaticStart.MARK) {
                 int l = j * LINK;
                 double speed = Math.max(speed(body, rows.link[l]), speed(body, rows.link[l + 1]));
                 islands.moves(root(rows, body, islands, j), speed);
             }
         }
         for (int j = from; j < to; j++) {
-            if (rows.unloaded[j] != StaticStart.MARK) {
+            if (rows.settleMark[j] != StaticStart.MARK) {
                 continue;
             }
-            rows.unloaded[j] = 0;
+            rows.settleMark[j] = 0;
             if (islands.isBalanced(root(rows, body, islands, j))) {
                 preload(rows, sub, j);
             } else {
@@ -72,7 +72,8 @@ public final class StartSweep implements StartPass {
         boolean leaps = StaticStart.leaps(sweep);
         for (int pass = leaps ? 0 : 1; pass < 2; pass++) {
             for (int j = from; j < to; j++) {
-                int root = rows.unloaded[j] == StaticStart.MARK ? root(rows, body, islands, j) : -1;
+                int root =
+                        rows.settleMark[j] == StaticStart.MARK ? root(rows, body, islands, j) : -1;
                 if (root < 0 || !islands.isOpen(root)) {
                     continue;
                 }

@@ -116,7 +116,7 @@ public final class StaticStart {
         for (int m = 0; m < list.contacts; m++) {
             int root = island[list.mover(m)];
             if (!swept[root] && VISITS / sweepsLeft[root] >= FEWEST) {
-                list.rows(m).unloaded[list.place[m]] = MARK;
+                list.rows(m).settleMark[list.place[m]] = MARK;
                 all++;
                 found = true;
             }

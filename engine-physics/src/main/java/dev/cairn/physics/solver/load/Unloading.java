@@ -46,7 +46,7 @@ public final class Unloading {
         Arrays.fill(now, 0, b.slotCount, 0.0);
         Arrays.fill(contactsNow, 0, b.slotCount, 0);
         for (int m = 0; m < list.contacts; m++) {
-            list.rows(m).unloaded[list.place[m]] = 0;
+            list.rows(m).settleMark[list.place[m]] = 0;
             int source = list.source[m];
             double sum = force(c, source, perImpulse);
             now[c.bodyA[source]] += sum;
@@ -74,8 +74,8 @@ public final class Unloading {
     /** Takes the marks of the last tick away. */
     private void clear(EdgeList list) {
         if (found) {
-            Arrays.fill(list.floats.unloaded, (byte) 0);
-            Arrays.fill(list.doubles.unloaded, (byte) 0);
+            Arrays.fill(list.floats.settleMark, (byte) 0);
+            Arrays.fill(list.doubles.settleMark, (byte) 0);
             found = false;
         }
     }
@@ -95,7 +95,7 @@ public final class Unloading {
                     continue;
                 }
                 if (m < list.contacts) {
-                    list.rows(m).unloaded[list.place[m]] = 1;
+                    list.rows(m).settleMark[list.place[m]] = 1;
                 }
                 again |= (i >= 0 && !first) || (j >= 0 && !second);
                 if (i >= 0) {

@@ -108,10 +108,10 @@ public final class JacobianRefresh {
     }
 
     public void ensurePlaces(ConstraintRows rows) {
-        if (renewed.length < rows.unloaded.length) {
+        if (renewed.length < rows.settleMark.length) {
             // With the rows, so that a scene that gets wilder later allocates nothing.
-            renewed = new int[rows.unloaded.length];
-            kept = new double[rows.unloaded.length * KEPT];
+            renewed = new int[rows.settleMark.length];
+            kept = new double[rows.settleMark.length * KEPT];
         }
     }
 

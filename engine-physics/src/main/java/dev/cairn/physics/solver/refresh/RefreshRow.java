@@ -181,7 +181,7 @@ public final class RefreshRow {
         }
         row.side(bodies.root, a, 0, n, rough);
         row.side(bodies.root, b, 3, n, rough);
-        row.points(record, k, n, ma + mb, sub.stiffness(fixed), rows.unloaded[j] != 0);
+        row.points(record, k, n, ma + mb, sub.stiffness(fixed), rows.settleMark[j] != 0);
         if (rough) {
             row.reach(n, share);
             row.block(ma + mb, n > 1);

@@ -131,8 +131,11 @@ public final class ConstraintRows implements EdgePlaces {
     /** Whether a row of a group has friction. */
     public boolean[] rough = {};
 
-    /** By place: 1 in the tick in which a load that the contact's island carried has gone. */
-    public byte[] unloaded = {};
+    /**
+     * By place: what the settle pass does to the row. 1 in the tick in which a load that the
+     * contact's island carried has gone, {@code StaticStart.MARK} where its island starts.
+     */
+    public byte[] settleMark = {};
 
     public ConstraintRows(int lanes, int group, boolean isSingle, EdgeList list) {
         this.lanes = lanes;
@@ -178,7 +181,7 @@ public final class ConstraintRows implements EdgePlaces {
         link[l + BODY_B] = offsetB;
         link[l + COUNT] = variant;
         link[l + SOURCE] = source;
-        unloaded[place] = 0;
+        settleMark[place] = 0;
     }
 
     @Override
@@ -191,7 +194,7 @@ public final class ConstraintRows implements EdgePlaces {
     public void ensurePlaces(int wanted) {
         places = wanted;
         if (wanted * LINK > link.length) {
-            int n = Math.max(wanted, Math.max(64, unloaded.length + (unloaded.length >> 1)));
+            int n = Math.max(wanted, Math.max(64, settleMark.length + (settleMark.length >> 1)));
             n = (n + CHUNK - 1) / CHUNK * CHUNK;
             if (isSingle) {
                 floats = new float[START + n * FIELDS];
@@ -199,7 +202,7 @@ public final class ConstraintRows implements EdgePlaces {
                 doubles = new double[START + n * FIELDS];
             }
             link = new int[n * LINK];
-            unloaded = new byte[n];
+            settleMark = new byte[n];
             points = new int[n / lanes];
             rough = new boolean[n / lanes];
         }

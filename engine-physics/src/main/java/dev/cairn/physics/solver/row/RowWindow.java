@@ -26,7 +26,7 @@ public final class RowWindow {
         }
         place = 0;
         System.arraycopy(rows.link, j * LINK, copy.link, 0, LINK);
-        copy.unloaded[0] = rows.unloaded[j];
+        copy.settleMark[0] = rows.settleMark[j];
         int i = rows.base(j);
         int o = copy.base(0);
         for (int f = 0; f < FIELDS; f++) {

@@ -90,7 +90,7 @@ final class LaneStaging {
         copy(bodies.root, (b >> 4) * SolverBodies.ROOT, 9, st, ROOT_B * lanes + l, lanes);
         copy(bodies.warm, a >> 1, 6, st, WARM_A * lanes + l, lanes);
         copy(bodies.warm, b >> 1, 6, st, WARM_B * lanes + l, lanes);
-        boolean unloaded = rows.unloaded[j] != 0;
+        boolean unloaded = rows.settleMark[j] != 0;
         int first = ContactStore.POINTS * source;
         for (int i = 0; i < ContactStore.POINTS; i++) {
             // a point that is not there stands at the first, with nothing in it

@@ -222,7 +222,7 @@ public final class WideSweeps implements Sweeps {
                 c.setFrictionImpulse(j, 0, 0, 0, 0);
                 part(bodies, c, j);
             }
-            rows.unloaded[j] = (byte) ((j + round) % 11 == 0 ? 1 : 0);
+            rows.settleMark[j] = (byte) ((j + round) % 11 == 0 ? 1 : 0);
             bodies.state[(2 * j + 1) * SolverBodies.STRIDE + SolverBodies.MASS] = 0.5;
             bodies.state[(2 * j + 2) * SolverBodies.STRIDE + SolverBodies.MASS] = 0.5;
             for (int slot = 2 * j; slot < 2 * j + 2; slot++) {
