@@ -218,8 +218,7 @@ final class LaneStore implements RowStore {
                             .compare(VectorOperators.LT, still)
                             .and(rests)
                             .and(impulse.compare(VectorOperators.GT, 0.0));
-            var overlap = DoubleVector.zero(S).blend(gap, gap.compare(VectorOperators.LT, 0.0));
-            var learnt = known.sub(k.mul(overlap.mul(gain)));
+            var learnt = known.sub(k.mul(gap.mul(gain)));
             var open =
                     impulse.compare(VectorOperators.EQ, 0.0)
                             .and(gap.compare(VectorOperators.GT, 0.0));
