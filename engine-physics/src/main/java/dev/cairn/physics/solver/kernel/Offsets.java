@@ -11,8 +11,8 @@ import dev.cairn.physics.solver.row.SubStep;
  * rests, a small share of its overlap, or of its gap, moves into an offset of its separation, kept
  * as the load {@code k offset} that it stands for, so that it stays right when the effective mass
  * changes. The point ends with no overlap and an offset that holds its whole load, {@code l' =
- * max(0, l - k gain gap)}: it never pulls, and what has lost a load comes down again.
- * While a point moves, the offset fades; when it opens, fast.
+ * max(0, l - k gain gap)}: it never pulls, and what has lost a load comes down again. While a point
+ * moves, the offset fades; when it opens, fast.
  *
  * <p>Source: own study; the idea is Powell's and Hestenes' method of multipliers (1969).
  */
