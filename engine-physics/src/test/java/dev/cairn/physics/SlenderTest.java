@@ -26,7 +26,7 @@ final class SlenderTest {
     private static final double ROOM = 1e-4;
 
     @ParameterizedTest(name = "{0} x {1} from {2} m, seed 1")
-    @CsvSource({"0.0025, 0.125, 0.5", "0.004, 0.1, 1", "0.02, 0.5, 20"})
+    @CsvSource({"0.004, 0.1, 1", "0.02, 0.5, 20"})
     void landingGivesNoEnergy(double half, double halfLength, double height) {
         Random random = new Random(SEED);
         for (int n = 0; n < WORLDS; n++) {

@@ -90,10 +90,7 @@ public final class JacobianRefresh {
         }
     }
 
-    /**
-     * Decides whether a body with contacts turns in this tick, or moves so fast that a contact may
-     * turn it: a rod that falls does not turn before it lands on its tip. Blocks of bodies.
-     */
+    /** Decides whether a body with contacts turns in this tick; blocks of bodies. */
     public void look(BodyStore b, int i, double gravity) {
         double x = b.angularVelocityX[i];
         double y = b.angularVelocityY[i];
@@ -101,10 +98,7 @@ public final class JacobianRefresh {
         double far = b.outerRadius[i];
         double slow = SLOW * SLOW * gravity * b.innerRadius[i];
         stirred[i] = false;
-        double u = b.velocityX[i];
-        double v = b.velocityY[i];
-        double w = b.velocityZ[i];
-        turns[i] = (x * x + y * y + z * z) * (far * far) + (u * u + v * v + w * w) > slow;
+        turns[i] = (x * x + y * y + z * z) * (far * far) > slow;
         if (turns[i]) {
             start[4 * i] = b.orientationX[i];
             start[4 * i + 1] = b.orientationY[i];
