@@ -218,7 +218,8 @@ final class LaneStore implements RowStore {
                             .compare(VectorOperators.LT, still)
                             .and(rests)
                             .and(impulse.compare(VectorOperators.GT, 0.0));
-            var learnt = known.sub(k.mul(gap.mul(gain)));
+            var overlap = DoubleVector.zero(S).blend(gap, gap.compare(VectorOperators.LT, 0.0));
+            var learnt = known.sub(k.mul(overlap.mul(gain)));
             var open =
                     impulse.compare(VectorOperators.EQ, 0.0)
                             .and(gap.compare(VectorOperators.GT, 0.0));
