@@ -12,11 +12,12 @@ import org.joml.Vector3d;
  * A body in a world. All values are in world axes and SI units; positions named so are those of the
  * origin of the frame that the shape was made in, unless a name says centre of mass.
  *
- * <p>Simulation thread only, and not from inside the physics step. Methods that take a destination
- * or primitives do not allocate. Every method but {@link #entity}, {@link #isAlive}, {@link #name}
- * and {@link #toString} throws {@link BodyRemovedException} once the body is gone. Forces and
- * torques add up and act over the whole next step, then are cleared; impulses act at once. On fixed
- * bodies forces and impulses have no effect.
+ * <p>Simulation thread only, and not from inside the physics step: a method that changes the body
+ * throws {@link IllegalStateException} there, on any thread. Methods that take a destination or
+ * primitives do not allocate. Every method but {@link #entity}, {@link #isAlive}, {@link #name} and
+ * {@link #toString} throws {@link BodyRemovedException} once the body is gone. Forces and torques
+ * add up and act over the whole next step, then are cleared; impulses act at once. On fixed bodies
+ * forces and impulses have no effect.
  */
 public final class BodyRef {
     private final BodyTable table;
@@ -198,7 +199,7 @@ public final class BodyRef {
      * @param fz N, finite
      */
     public void applyForce(double fx, double fy, double fz) {
-        table.access.applyForce(alive(), fx, fy, fz);
+        table.access.applyForce(changed("applyForce"), fx, fy, fz);
     }
 
     /**
@@ -212,7 +213,7 @@ public final class BodyRef {
      * @param pz point, world, m, finite
      */
     public void applyForceAt(double fx, double fy, double fz, double px, double py, double pz) {
-        table.access.applyForceAt(alive(), fx, fy, fz, px, py, pz);
+        table.access.applyForceAt(changed("applyForceAt"), fx, fy, fz, px, py, pz);
     }
 
     /**
@@ -223,7 +224,7 @@ public final class BodyRef {
      * @param tz N m, finite
      */
     public void applyTorque(double tx, double ty, double tz) {
-        table.access.applyTorque(alive(), tx, ty, tz);
+        table.access.applyTorque(changed("applyTorque"), tx, ty, tz);
     }
 
     /**
@@ -234,7 +235,7 @@ public final class BodyRef {
      * @param jz N s, finite
      */
     public void applyImpulse(double jx, double jy, double jz) {
-        table.access.applyImpulse(alive(), jx, jy, jz);
+        table.access.applyImpulse(changed("applyImpulse"), jx, jy, jz);
     }
 
     /**
@@ -248,7 +249,7 @@ public final class BodyRef {
      * @param pz point, world, m, finite
      */
     public void applyImpulseAt(double jx, double jy, double jz, double px, double py, double pz) {
-        table.access.applyImpulseAt(alive(), jx, jy, jz, px, py, pz);
+        table.access.applyImpulseAt(changed("applyImpulseAt"), jx, jy, jz, px, py, pz);
     }
 
     /**
@@ -259,7 +260,7 @@ public final class BodyRef {
      * @param lz N m s, finite
      */
     public void applyAngularImpulse(double lx, double ly, double lz) {
-        table.access.applyAngularImpulse(alive(), lx, ly, lz);
+        table.access.applyAngularImpulse(changed("applyAngularImpulse"), lx, ly, lz);
     }
 
     /**
@@ -268,7 +269,7 @@ public final class BodyRef {
      * @param factor finite; see {@link Body#gravityScale}
      */
     public void setGravityScale(double factor) {
-        table.access.setGravityScale(alive(), factor);
+        table.access.setGravityScale(changed("setGravityScale"), factor);
     }
 
     /**
@@ -278,7 +279,7 @@ public final class BodyRef {
      * @param angular 1/s, 0 to 1e6
      */
     public void setDamping(double linear, double angular) {
-        table.access.setDamping(alive(), linear, angular);
+        table.access.setDamping(changed("setDamping"), linear, angular);
     }
 
     /**
@@ -287,7 +288,7 @@ public final class BodyRef {
      * @param metresPerSecond above 0; infinite for none
      */
     public void setSpeedLimit(double metresPerSecond) {
-        table.access.setSpeedLimit(alive(), metresPerSecond);
+        table.access.setSpeedLimit(changed("setSpeedLimit"), metresPerSecond);
     }
 
     /**
@@ -296,7 +297,7 @@ public final class BodyRef {
      * @param locks the ones it shall not have; none to give all back
      */
     public void setLocks(Lock... locks) {
-        table.access.setLocks(alive(), locks);
+        table.access.setLocks(changed("setLocks"), locks);
     }
 
     /**
@@ -308,7 +309,7 @@ public final class BodyRef {
      * @throws IllegalStateException if the body is fixed
      */
     public void setVelocity(double vx, double vy, double vz) {
-        table.access.setVelocity(alive(), vx, vy, vz);
+        table.access.setVelocity(changed("setVelocity"), vx, vy, vz);
     }
 
     /**
@@ -320,7 +321,7 @@ public final class BodyRef {
      * @throws IllegalStateException if the body is fixed
      */
     public void setAngularVelocity(double wx, double wy, double wz) {
-        table.access.setAngularVelocity(alive(), wx, wy, wz);
+        table.access.setAngularVelocity(changed("setAngularVelocity"), wx, wy, wz);
     }
 
     /**
@@ -332,7 +333,7 @@ public final class BodyRef {
      * @param z m, finite
      */
     public void teleport(double x, double y, double z) {
-        table.access.teleport(alive(), x, y, z);
+        table.access.teleport(changed("teleport"), x, y, z);
     }
 
     /**
@@ -345,7 +346,7 @@ public final class BodyRef {
      * @param rotation unit quaternion worldFromBody, its length within 1e-6 of 1
      */
     public void teleport(double x, double y, double z, Quaterniondc rotation) {
-        table.access.teleport(alive(), x, y, z, Checks.notNull("rotation", rotation));
+        table.access.teleport(changed("teleport"), x, y, z, Checks.notNull("rotation", rotation));
     }
 
     /**
@@ -363,7 +364,7 @@ public final class BodyRef {
      * teleports do so of themselves, if they change anything.
      */
     public void wake() {
-        table.access.wake(alive());
+        table.access.wake(changed("wake"));
     }
 
     /**
@@ -373,7 +374,7 @@ public final class BodyRef {
      * @throws IllegalStateException if the world was built with {@code sleeping(false)}
      */
     public void sleep() {
-        table.access.sleep(alive());
+        table.access.sleep(changed("sleep"));
     }
 
     /**
@@ -383,11 +384,25 @@ public final class BodyRef {
      * @throws IllegalStateException while a step runs
      */
     public void remove() {
-        table.access.remove(alive());
+        table.access.remove(changed("remove"));
     }
 
     int slot() {
         return slot;
+    }
+
+    /** The slot, for a call that changes the body. */
+    private int changed(String call) {
+        if (table.isStepping) {
+            throw new IllegalStateException(
+                    call
+                            + " of "
+                            + this
+                            + " was called while the physics step runs, which reads and writes all"
+                            + " bodies; call it between steps, or from a system before or after"
+                            + " the physics");
+        }
+        return alive();
     }
 
     private int alive() {

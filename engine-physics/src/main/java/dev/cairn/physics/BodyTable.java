@@ -77,6 +77,9 @@ final class BodyTable {
     private @Nullable World world;
     private boolean closed;
 
+    /** While the physics runs nobody else may change a body; read by any thread. */
+    volatile boolean isStepping;
+
     BodyTable(PhysicsSettings settings, ContactStore contacts, EdgeSource[] edges) {
         bounds = new BoundsStage(colliders, settings.tuning());
         this.contacts = contacts;
@@ -270,8 +273,14 @@ final class BodyTable {
         return !closed
                 && bodies.kind[slot] != BodyStore.FREE
                 && bodies.entity[slot] == entity
-                && world().isAlive(entity)
-                && world().has(entity, RigidBody.COMPONENT);
+                && isBody(world(), entity);
+    }
+
+    /** Whether an entity is one of the rows that the physics steps. */
+    private static boolean isBody(World ecs, long entity) {
+        return ecs.isAlive(entity)
+                && ecs.has(entity, RigidBody.COMPONENT)
+                && ecs.has(entity, Pose.COMPONENT);
     }
 
     /** A row of the ECS says that its body is there. */
@@ -309,8 +318,7 @@ final class BodyTable {
         for (int i = 0; i < fixedCount; i++) {
             int slot = fixed[i];
             long entity = bodies.entity[slot];
-            boolean here = ecs.isAlive(entity) && ecs.has(entity, RigidBody.COMPONENT);
-            if (!here && bodies.kind[slot] == BodyStore.STATIC) {
+            if (!isBody(ecs, entity) && bodies.kind[slot] == BodyStore.STATIC) {
                 leave(slot);
             }
         }

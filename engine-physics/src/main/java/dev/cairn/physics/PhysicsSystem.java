@@ -56,7 +56,6 @@ final class PhysicsSystem implements WorldSystem {
     double gravityZ;
     private final BodyIndex index = new BodyIndex(SLOT);
     final SleepView sleepView;
-    private boolean running;
 
     PhysicsSystem(PhysicsSettings settings, double gravityX, double gravityY, double gravityZ) {
         this.settings = settings;
@@ -86,11 +85,11 @@ final class PhysicsSystem implements WorldSystem {
 
     @Override
     public void run(Tick tick) {
-        running = true;
+        table.isStepping = true;
         try {
             step(tick);
         } finally {
-            running = false;
+            table.isStepping = false;
         }
     }
 
@@ -145,7 +144,7 @@ final class PhysicsSystem implements WorldSystem {
     }
 
     boolean isRunning() {
-        return running;
+        return table.isStepping;
     }
 
     /** Bodies whose entity is gone leave. */

@@ -253,11 +253,21 @@ public final class Main {
         } catch (UncheckedIOException unwritable) {
             err.println(oneLine(unwritable));
             return FAILED;
+        } catch (OutOfMemoryError full) {
+            err.printf(
+                    "This needs more than the %d MB that the JVM may use: take fewer bodies, put"
+                            + " fewer of them in one place, or raise -Xmx%n",
+                    Runtime.getRuntime().maxMemory() >> 20);
+            return MISUSED;
         }
     }
 
+    /** A message as one line that a terminal takes for text, whatever a name in it holds. */
     private static String oneLine(Exception failure) {
-        return String.valueOf(failure.getMessage()).strip().replaceAll("\\s*\\R\\s*", " ");
+        return String.valueOf(failure.getMessage())
+                .strip()
+                .replaceAll("\\s*\\R\\s*", " ")
+                .replaceAll("\\p{Cntrl}", "?");
     }
 
     /**

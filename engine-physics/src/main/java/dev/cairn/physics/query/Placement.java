@@ -1,5 +1,6 @@
 package dev.cairn.physics.query;
 
+import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
@@ -46,6 +47,7 @@ public final class Placement {
             double rotationY,
             double rotationZ,
             double rotationW) {
+        Checks.notNull("newShape", newShape);
         finite("originX", originX);
         finite("originY", originY);
         finite("originZ", originZ);
@@ -95,11 +97,12 @@ public final class Placement {
      * @param centreX centre of mass, world, m, finite
      * @param centreY see {@code centreX}
      * @param centreZ see {@code centreX}
-     * @param rotationX unit quaternion, world from shape, taken as it is
+     * @param rotationX unit quaternion, world from shape, finite, else taken as it is
      * @param rotationY see {@code rotationX}
      * @param rotationZ see {@code rotationX}
      * @param rotationW see {@code rotationX}
      * @return this
+     * @throws IllegalArgumentException if the shape is null or a number is not finite
      */
     public Placement setCentre(
             Shape newShape,
@@ -110,6 +113,11 @@ public final class Placement {
             double rotationY,
             double rotationZ,
             double rotationW) {
+        Checks.notNull("newShape", newShape);
+        finite("centreX", centreX);
+        finite("centreY", centreY);
+        finite("centreZ", centreZ);
+        finite("rotation", rotationX + rotationY + rotationZ + rotationW);
         shape = newShape;
         x = centreX;
         y = centreY;

@@ -28,6 +28,9 @@ public final class ObjReader {
     /** The greatest number of {@code v}, {@code vt} or {@code vn} lines, and of triangles. */
     public static final int MAX_ELEMENTS = 4_000_000;
 
+    /** Corners of a face that is cut ear by ear, which takes their square. */
+    private static final int MAX_CONCAVE = 1000;
+
     private static final Set<String> PASSED_OVER =
             Set.of(
                     "o",
@@ -176,18 +179,18 @@ public final class ObjReader {
         if (Files.isDirectory(file)) {
             throw new ObjFormatException(file, 0, "expected an .obj file, found a folder", null);
         }
+        if (!Files.isRegularFile(file)) {
+            // whoever reads a pipe may wait for ever
+            throw new ObjFormatException(
+                    file, 0, "expected an .obj file, found a pipe or a device", null);
+        }
         // Every byte is a character in Latin-1, so names and comments in any encoding pass.
         try (BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1)) {
             String text;
             while ((text = reader.readLine()) != null) {
                 line++;
                 int first = line;
-                while (text.endsWith("\\")) {
-                    String more = reader.readLine();
-                    line++;
-                    text = text.substring(0, text.length() - 1) + " " + (more == null ? "" : more);
-                }
-                statement(text, first);
+                statement(text.endsWith("\\") ? continued(text, reader) : text, first);
             }
         } catch (IOException e) {
             throw new ObjFormatException(file, line, "expected a readable file, found: " + e, e);
@@ -209,6 +212,21 @@ public final class ObjReader {
                     null);
         }
         return builder.build(file.toString(), positions.toArray());
+    }
+
+    /** A line and those that its backslash, and theirs, joins to it. */
+    private String continued(String begun, BufferedReader reader) throws IOException {
+        StringBuilder whole = new StringBuilder();
+        String text = begun;
+        while (text.endsWith("\\")) {
+            whole.append(text, 0, text.length() - 1).append(' ');
+            text = reader.readLine();
+            line++;
+            if (text == null) {
+                return whole.toString();
+            }
+        }
+        return whole.append(text).toString();
     }
 
     private void statement(String raw, int at) {
@@ -314,6 +332,12 @@ public final class ObjReader {
         }
         double[] normal = new double[3];
         Polygons.normal(positions.values, loop, count, normal);
+        if (count > MAX_CONCAVE && !Polygons.isConvex(positions.values, loop, count, normal)) {
+            throw error(
+                    at,
+                    "at most " + MAX_CONCAVE + " corners in a face that is not convex",
+                    count + "; cut it into smaller ones");
+        }
         int[] vertices = new int[count];
         faces++;
         for (int i = 0; i < count; i++) {
@@ -387,6 +411,10 @@ public final class ObjReader {
         for (int v = newest[position]; v >= 0; v = older[v]) {
             if (coordinateOf[v] == coordinate && normalOf[v] == normalKey) {
                 return v;
+            }
+            if (normal < 0 && normalOf[v] < 0 && normalOf[v] != normalKey) {
+                // of an earlier face, and so are all before it
+                break;
             }
         }
         int v = addVertex(position, coordinate, normal, flat);

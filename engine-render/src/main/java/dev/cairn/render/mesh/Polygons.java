@@ -45,7 +45,7 @@ final class Polygons {
 
     /**
      * Cuts a polygon into {@code count - 2} triangles by ear clipping, so that concave ones come
-     * out right too.
+     * out right too. Of a convex one each corner is an ear, so it becomes a fan about its last.
      *
      * @param xyz coordinates of all points
      * @param loop point numbers of the corners
@@ -55,6 +55,17 @@ final class Polygons {
      *     {@code 3 * (count - 2)}
      */
     static void triangulate(double[] xyz, int[] loop, int count, double[] normal, int[] dest) {
+        if (isConvex(xyz, loop, count, normal)) {
+            for (int i = 0; i < count - 3; i++) {
+                dest[3 * i] = count - 1;
+                dest[3 * i + 1] = i;
+                dest[3 * i + 2] = i + 1;
+            }
+            for (int i = 0; i < 3; i++) {
+                dest[3 * (count - 3) + i] = count - 3 + i;
+            }
+            return;
+        }
         int[] left = new int[count];
         for (int i = 0; i < count; i++) {
             left[i] = i;
@@ -87,6 +98,24 @@ final class Polygons {
         dest[written] = left[0];
         dest[written + 1] = left[1];
         dest[written + 2] = left[2];
+    }
+
+    /**
+     * Whether a polygon turns left at each corner and lies left of its last corner's view: then it
+     * goes around once. Takes time in proportion to the corners.
+     */
+    static boolean isConvex(double[] xyz, int[] loop, int count, double[] normal) {
+        int last = 3 * loop[count - 1];
+        for (int i = 0; i < count; i++) {
+            int a = 3 * loop[i];
+            int b = 3 * loop[(i + 1) % count];
+            int c = 3 * loop[(i + 2) % count];
+            if (!(turn(xyz, a, b, c, normal) > 0)
+                    || (i + 2 < count && !(turn(xyz, last, a, b, normal) > 0))) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private static boolean isEar(

@@ -17,6 +17,9 @@ import java.util.Objects;
  * OpenGL; the renderer uploads it with mipmaps when it first draws it.
  */
 public final class Texture {
+    /** A quarter of a GiB while it is read. */
+    private static final int MAX_PIXELS = 1 << 25;
+
     /** One white pixel: the colour of the model shows as it is. */
     public static final Texture WHITE = of("white", 1, 1, new int[] {0xFFFFFFFF});
 
@@ -70,12 +73,27 @@ public final class Texture {
         return new Texture(name, width, height, argb.clone(), 0);
     }
 
+    private static void bound(Path file, long found, String what) {
+        if (found > MAX_PIXELS) {
+            throw new IllegalArgumentException(
+                    file
+                            + ": expected a picture of at most "
+                            + MAX_PIXELS
+                            + " "
+                            + what
+                            + ", found "
+                            + found
+                            + "; make it smaller");
+        }
+    }
+
     /**
      * Reads a {@code .png} (also .jpg, .bmp, .tga) file.
      *
      * @param file where it is
      * @return the texture
-     * @throws IllegalArgumentException naming the file and the reason, if it cannot be read
+     * @throws IllegalArgumentException naming the file and the reason, if it cannot be read, or has
+     *     more than {@value #MAX_PIXELS} pixels or as many bytes
      */
     public static Texture read(Path file) {
         if (!Files.isRegularFile(file)) {
@@ -84,6 +102,7 @@ public final class Texture {
         }
         byte[] bytes;
         try {
+            bound(file, Files.size(file), "bytes");
             bytes = Files.readAllBytes(file);
         } catch (IOException e) {
             throw new IllegalArgumentException(
@@ -95,6 +114,9 @@ public final class Texture {
             IntBuffer width = stack.mallocInt(1);
             IntBuffer height = stack.mallocInt(1);
             IntBuffer channels = stack.mallocInt(1);
+            if (STBImage.stbi_info_from_memory(encoded, width, height, channels)) {
+                bound(file, (long) width.get(0) * height.get(0), "pixels");
+            }
             ByteBuffer pixels = STBImage.stbi_load_from_memory(encoded, width, height, channels, 4);
             if (pixels == null) {
                 throw new IllegalArgumentException(

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -173,6 +174,48 @@ class ObjReaderTest {
                 e.getMessage().contains("mesh.obj:" + (line > 0 ? line + ": " : " ")),
                 e.getMessage());
         assertEquals(1, e.getMessage().lines().count());
+    }
+
+    /** Linear work: a fan is found at once, where ear clipping took the square of the corners. */
+    @Test
+    void faceOfManyCornersIsReadAtOnce() throws IOException {
+        int corners = 300_000;
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < corners; i++) {
+            double angle = 2 * Math.PI * i / corners;
+            text.append("v ").append(Math.cos(angle)).append(' ').append(Math.sin(angle));
+            text.append(" 0\n");
+        }
+        StringBuilder face = new StringBuilder("f");
+        for (int i = 1; i <= corners; i++) {
+            face.append(i % 5 == 0 ? " \\\n " : " ").append(i);
+        }
+        Mesh disc = read(text + "" + face);
+        assertEquals(corners - 2, disc.triangleCount());
+        // a regular polygon in the unit circle: n/2 sin(2 pi/n), less pi by 2e-10; floats
+        assertEquals(Math.PI, area(disc), 1e-4);
+        ObjFormatException told =
+                assertThrows(
+                        ObjFormatException.class, () -> read(text + "v 0 0 0\n" + face + " -1"));
+        assertTrue(told.getMessage().contains("not convex"), told.getMessage());
+    }
+
+    /** A hub of flat faces: each face asks for a vertex of its own at the same place. */
+    @Test
+    void hubOfManyFacesIsReadAtOnce() throws IOException {
+        int faces = 300_000;
+        Mesh mesh = read("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + "f 1 2 3\n".repeat(faces));
+        assertEquals(faces, mesh.triangleCount());
+    }
+
+    @Test
+    void pipeIsRefusedWithoutReadingIt() throws IOException, InterruptedException {
+        Path pipe = folder.resolve("pipe.obj");
+        assumeTrue(
+                Files.isExecutable(Path.of("/usr/bin/mkfifo"))
+                        && new ProcessBuilder("/usr/bin/mkfifo", pipe.toString()).start().waitFor()
+                                == 0);
+        assertThrows(ObjFormatException.class, () -> ObjReader.read(pipe));
     }
 
     @Test

@@ -27,26 +27,88 @@ final class JsonNode {
     private static final Pattern PLACE =
             Pattern.compile("(?s)(.*?)\\s*at line (\\d+) column \\d+ path (\\S*).*");
 
+    /** Gson tells its caller how to read what is no JSON; the author of a file cannot. */
+    private static final Pattern SETTING =
+            Pattern.compile("Use JsonReader\\.setStrictness\\(\\S+ to accept |\\s*See http\\S*");
+
     private static final int SHOWN = 40;
 
-    private final String file;
-    private final int line;
-    private final String path;
+    /** Values in a document: some 110 bytes each. */
+    private static final int MAX_VALUES = 4_000_000;
+
+    private final Document document;
+
+    /** How many values of the document begin before this one. */
+    private final int ordinal;
+
+    private final @Nullable JsonNode parent;
+
+    /** Its name in the parent, or null, and its place in the parent's list. */
+    private final @Nullable String name;
+
+    private final int index;
 
     /** A Map, a List, a Literal, a String, a Boolean, or {@code Null}. */
-    private final Object value;
+    private Object value = Null.NULL;
 
     private record Literal(String text) {}
+
+    /** What is read. Where a value stands is found when it is asked for, by reading again. */
+    private static final class Document {
+        final String file;
+        final String text;
+        int values;
+
+        Document(String file, String text) {
+            this.file = file;
+            this.text = text;
+        }
+
+        JsonReader reader() {
+            JsonReader in = new JsonReader(new StringReader(text));
+            in.setStrictness(Strictness.STRICT);
+            return in;
+        }
+
+        /** The line of a value, from 1; 0 if it is not found. */
+        int line(int ordinal) {
+            JsonReader in = reader();
+            try {
+                for (int n = -1; ; ) {
+                    JsonToken token = in.peek();
+                    boolean isValue =
+                            switch (token) {
+                                case NAME, END_OBJECT, END_ARRAY, END_DOCUMENT -> false;
+                                default -> true;
+                            };
+                    if (token == JsonToken.END_DOCUMENT || (isValue && ++n == ordinal)) {
+                        return lineOf(in);
+                    }
+                    switch (token) {
+                        case BEGIN_OBJECT -> in.beginObject();
+                        case END_OBJECT -> in.endObject();
+                        case BEGIN_ARRAY -> in.beginArray();
+                        case END_ARRAY -> in.endArray();
+                        default -> in.skipValue();
+                    }
+                }
+            } catch (IOException | JsonParseException | IllegalStateException malformed) {
+                return lineOf(in);
+            }
+        }
+    }
 
     private enum Null {
         NULL
     }
 
-    private JsonNode(String file, int line, String path, Object value) {
-        this.file = file;
-        this.line = line;
-        this.path = path;
-        this.value = value;
+    private JsonNode(
+            Document document, @Nullable JsonNode parent, @Nullable String name, int index) {
+        this.document = document;
+        this.parent = parent;
+        this.name = name;
+        this.index = index;
+        ordinal = document.values++;
     }
 
     /**
@@ -58,10 +120,11 @@ final class JsonNode {
      * @throws SceneFileException if it is no JSON
      */
     static JsonNode parse(String file, String text) {
-        JsonReader in = new JsonReader(new StringReader(text));
-        in.setStrictness(Strictness.STRICT);
+        Document document = new Document(file, text);
+        JsonReader in = document.reader();
         try {
-            JsonNode root = read(file, in, "$");
+            JsonNode root = new JsonNode(document, null, null, 0);
+            root.read(in);
             if (in.peek() != JsonToken.END_DOCUMENT) {
                 throw new SceneFileException(
                         file,
@@ -75,11 +138,12 @@ final class JsonNode {
             String said = String.valueOf(malformed.getMessage()).lines().findFirst().orElse("");
             Matcher place = PLACE.matcher(said);
             boolean known = place.matches();
+            String what = known ? place.group(1) : said;
             throw new SceneFileException(
                     file,
                     known ? Integer.parseInt(place.group(2)) : lineOf(in),
                     known && !place.group(3).isEmpty() ? place.group(3) : "$",
-                    "expected JSON (RFC 8259), found: " + (known ? place.group(1) : said),
+                    "expected JSON (RFC 8259), found: " + cut(SETTING.matcher(what).replaceAll("")),
                     malformed);
         }
     }
@@ -89,13 +153,15 @@ final class JsonNode {
         return place.matches() ? Integer.parseInt(place.group(2)) : 0;
     }
 
-    private static JsonNode read(String file, JsonReader in, String path) throws IOException {
+    private void read(JsonReader in) throws IOException {
+        if (ordinal == MAX_VALUES) {
+            throw wrong("at most " + MAX_VALUES + " values", "more");
+        }
         JsonToken token = in.peek();
-        int line = lineOf(in);
-        Object value =
+        value =
                 switch (token) {
-                    case BEGIN_OBJECT -> object(file, in, path);
-                    case BEGIN_ARRAY -> array(file, in, path);
+                    case BEGIN_OBJECT -> object(in);
+                    case BEGIN_ARRAY -> array(in);
                     case NUMBER -> new Literal(in.nextString());
                     case STRING -> in.nextString();
                     case BOOLEAN -> in.nextBoolean();
@@ -103,48 +169,59 @@ final class JsonNode {
                         in.nextNull();
                         yield Null.NULL;
                     }
-                    default ->
-                            throw new SceneFileException(
-                                    file, line, path, "expected a value, found " + token, null);
+                    default -> throw wrong("a value", String.valueOf(token));
                 };
-        return new JsonNode(file, line, path, value);
     }
 
-    private static Map<String, JsonNode> object(String file, JsonReader in, String path)
-            throws IOException {
+    private Map<String, JsonNode> object(JsonReader in) throws IOException {
         Map<String, JsonNode> fields = new LinkedHashMap<>();
         in.beginObject();
         while (in.hasNext()) {
-            String name = in.nextName();
-            JsonNode field = read(file, in, path + "." + name);
-            if (fields.put(name, field) != null) {
-                throw field.wrong("each field once", "\"" + name + "\" again");
+            String key = in.nextName();
+            JsonNode field = new JsonNode(document, this, key, 0);
+            field.read(in);
+            if (fields.put(key, field) != null) {
+                throw field.wrong("each field once", "\"" + cut(key) + "\" again");
             }
         }
         in.endObject();
         return fields;
     }
 
-    private static List<JsonNode> array(String file, JsonReader in, String path)
-            throws IOException {
+    private List<JsonNode> array(JsonReader in) throws IOException {
         List<JsonNode> items = new ArrayList<>();
         in.beginArray();
         while (in.hasNext()) {
-            items.add(read(file, in, path + "[" + items.size() + "]"));
+            JsonNode item = new JsonNode(document, this, null, items.size());
+            item.read(in);
+            items.add(item);
         }
         in.endArray();
         return items;
     }
 
+    /** Where the value is, from the document's root. */
+    private String path() {
+        JsonNode above = parent;
+        if (above == null) {
+            return "$";
+        }
+        return above.path() + (name != null ? "." + name : "[" + index + "]");
+    }
+
+    private SceneFileException failure(String message, @Nullable Throwable cause) {
+        return new SceneFileException(
+                document.file, document.line(ordinal), path(), message, cause);
+    }
+
     /** The exception for this place; the caller throws it. */
     SceneFileException wrong(String expected, String found) {
-        return new SceneFileException(
-                file, line, path, "expected " + expected + ", found " + found, null);
+        return failure("expected " + expected + ", found " + found, null);
     }
 
     /** The exception for a value that was refused further on, in the words of the refusal. */
     SceneFileException refused(RuntimeException cause) {
-        return new SceneFileException(file, line, path, String.valueOf(cause.getMessage()), cause);
+        return failure(String.valueOf(cause.getMessage()), cause);
     }
 
     /** The value in a few words, for messages. */
@@ -287,6 +364,6 @@ final class JsonNode {
 
     @Override
     public String toString() {
-        return path + " = " + shown();
+        return path() + " = " + shown();
     }
 }

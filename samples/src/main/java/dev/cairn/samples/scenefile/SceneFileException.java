@@ -9,6 +9,9 @@ import org.jspecify.annotations.Nullable;
 public final class SceneFileException extends IllegalArgumentException {
     private static final long serialVersionUID = 1;
 
+    /** Characters of a name or path in a message. */
+    private static final int SHOWN = 300;
+
     /** The file as it was given. */
     private final String file;
 
@@ -20,10 +23,23 @@ public final class SceneFileException extends IllegalArgumentException {
 
     SceneFileException(
             String file, int line, String path, String message, @Nullable Throwable cause) {
-        super(file + (line > 0 ? ":" + line : "") + ": " + path + ": " + message, cause);
+        super(
+                shown(file) + (line > 0 ? ":" + line : "") + ": " + shown(path) + ": " + message,
+                cause);
         this.file = file;
         this.line = line;
         this.path = path;
+    }
+
+    /** What a file or its maker chose, on one line of a terminal. */
+    static String shown(String text) {
+        String printable = text.replaceAll("\\p{Cntrl}", "?");
+        int length = printable.length();
+        return length <= SHOWN
+                ? printable
+                : printable.substring(0, SHOWN / 2)
+                        + "..."
+                        + printable.substring(length - SHOWN / 2);
     }
 
     /**

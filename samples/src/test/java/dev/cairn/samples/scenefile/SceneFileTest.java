@@ -412,4 +412,40 @@ class SceneFileTest {
         assertEquals("second", SceneReader.read(file).name());
         assertFalse(Files.exists(folder.resolve("a.json.part")));
     }
+
+    /** A name is a stranger's text: the message is one line of a terminal, and no book. */
+    @Test
+    void messageIsOneShortLineWhateverTheFileHolds() {
+        String name = "\\u001b[31m\\n" + "x".repeat(1_000_000);
+        for (String wrong :
+                List.of(
+                        HEAD + "\"entities\": [{\"" + name + "\": {\"a\": 1}}]}",
+                        HEAD + "\"entities\": [{\"" + name + "\": 1, \"" + name + "\": 1}]}",
+                        HEAD + "\"entities\": [{\"" + name + "\": tru}]}",
+                        HEAD + "\"entities\": [{\"shape\": \"" + name + "\"}]}")) {
+            String told =
+                    assertThrows(
+                                    SceneFileException.class,
+                                    () -> SceneReader.parse("a\u001b[2Jb.json", wrong))
+                            .getMessage();
+            assertTrue(told.length() < 1000, () -> told.length() + " characters");
+            assertTrue(told.chars().noneMatch(Character::isISOControl), told);
+            assertFalse(told.contains("JsonReader"), told);
+        }
+    }
+
+    /** A second a million values, not a minute: the place is looked up for what is wrong only. */
+    @Test
+    void longListIsReadInProportion() {
+        String list = HEAD + "\"entities\": [" + "0,\n".repeat(3_000_000) + "0]}";
+        SceneFileException told =
+                assertThrows(SceneFileException.class, () -> SceneReader.parse("long", list));
+        assertEquals(4, told.line());
+        assertEquals("$.entities[0]", told.path());
+        SceneFileException many =
+                assertThrows(
+                        SceneFileException.class,
+                        () -> SceneReader.parse("many", "[" + "0,".repeat(4_000_000) + "0]"));
+        assertTrue(many.getMessage().contains("at most 4000000 values"), many.getMessage());
+    }
 }

@@ -33,7 +33,8 @@ public final class Lanes {
      * Sweeps of {@code lanes} rows at once.
      *
      * @param lanes 1 (scalar), 4, 8 or 16: as asked for, ready to use, 16 as two vectors of 8; or 0
-     *     for as many numbers as this machine's vectors hold, for use when they are warm
+     *     for as many numbers as this machine's vectors hold, for use when they are warm; where no
+     *     compiler makes vectors, one row at once, with the same bits
      * @param isSingle whether the numbers are floats
      * @param isUrgent whether those that were asked for are made ready at once, which takes a
      *     second, or by their user
@@ -55,7 +56,7 @@ public final class Lanes {
             }
             return RowSweeps.scalar(isSingle);
         }
-        if (lanes == 0 && !Vectors.areCompiled()) {
+        if (!Vectors.areCompiled()) {
             return RowSweeps.scalar(isSingle);
         }
         int wanted = Math.min(LARGEST, lanes == 0 ? Preferred.lanes(isSingle) : lanes);
