@@ -254,12 +254,17 @@ public final class Main {
             err.println(oneLine(unwritable));
             return FAILED;
         } catch (OutOfMemoryError full) {
-            err.printf(
-                    "This needs more than the %d MB that the JVM may use: take fewer bodies, put"
-                            + " fewer of them in one place, or raise -Xmx%n",
-                    Runtime.getRuntime().maxMemory() >> 20);
-            return MISUSED;
+            return outOfMemory("the command", err);
         }
+    }
+
+    /** Says that something asks for too much; returns the exit code. */
+    static int outOfMemory(String what, PrintStream err) {
+        err.printf(
+                "%s needs more than the %d MB that the JVM may use: take fewer bodies, put fewer of"
+                        + " them in one place, or raise -Xmx%n",
+                what, Runtime.getRuntime().maxMemory() >> 20);
+        return MISUSED;
     }
 
     /** A message as one line that a terminal takes for text, whatever a name in it holds. */

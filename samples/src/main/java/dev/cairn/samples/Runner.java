@@ -263,6 +263,11 @@ final class Runner {
     }
 
     private int failed(String what, Throwable failure) {
+        for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
+            if (cause instanceof OutOfMemoryError) {
+                return Main.outOfMemory(what, err);
+            }
+        }
         err.println(what + " failed: " + failure);
         failure.printStackTrace(err);
         return Main.FAILED;
