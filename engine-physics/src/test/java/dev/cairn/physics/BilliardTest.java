@@ -2,6 +2,7 @@ package dev.cairn.physics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Sphere;
 
 import org.joml.Vector3d;
@@ -21,6 +22,51 @@ class BilliardTest {
     private static Vector3d direction(Random random) {
         return new Vector3d(random.nextGaussian(), random.nextGaussian(), random.nextGaussian())
                 .normalize();
+    }
+
+    /** Without friction no contact sees a spin: bounces are those of balls that do not turn. */
+    @ParameterizedTest
+    @ValueSource(doubles = {1e-9, 1, 30, 300})
+    void aSpinTakesNoBounceAway(double spin) {
+        Random random = new Random(SEED);
+        for (int n = 0; n < 100; n++) {
+            double aside = 0.057 * (2 * random.nextDouble() - 1);
+            double speed = 1 + 9 * random.nextDouble();
+            double gravity = n % 2 == 0 ? 0 : 9.81;
+            Vector3d axis = direction(random);
+            Vector3d without = struck(gravity, aside, speed, new Vector3d());
+            Vector3d with = struck(gravity, aside, speed, axis.mul(spin));
+            assertEquals(0, without.distance(with), 1e-9 * speed, "hit " + n + ", m/s");
+        }
+    }
+
+    /** Velocity of a ball at rest after another one has hit it. */
+    private static Vector3d struck(double gravity, double aside, double speed, Vector3d spin) {
+        Material surface = new Material(0, 0.95, 1000);
+        try (PhysicsWorld world =
+                PhysicsWorld.builder().gravity(0, -gravity, 0).sleeping(false).build()) {
+            world.add(
+                    Body.fixed()
+                            .shape(HalfSpace.of())
+                            .material(Material.DEFAULT.withFriction(0).withRestitution(0)));
+            world.add(
+                    Body.dynamic()
+                            .shape(Sphere.of(0.03))
+                            .material(surface)
+                            .at(0, 0.03, 0)
+                            .velocity(speed, 0, 0)
+                            .angularVelocity(spin.x, spin.y, spin.z));
+            BodyRef other =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Sphere.of(0.03))
+                                    .material(surface)
+                                    .at(0.3, 0.03, aside));
+            for (int tick = 0; tick < 40; tick++) {
+                world.step(TICK);
+            }
+            return other.velocity();
+        }
     }
 
     @ParameterizedTest

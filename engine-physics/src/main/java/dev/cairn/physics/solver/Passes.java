@@ -80,7 +80,8 @@ final class Passes {
     /** Loads a body that has contacts. */
     void load(int i, double weight) {
         BodyStore b = tick.bodies;
-        renewal.look(b, i, weight);
+        boolean isBall = body.axes.isIsotropic(i) && b.outerRadius[i] == b.innerRadius[i];
+        renewal.look(b, i, weight, isBall, bouncers.isBouncing(i));
         body.glide[MotionRecord.STRIDE * i + MotionRecord.STRUCK] = 0;
         body.loadBound(b, i, tick.loaded ? b.inertiaScale[i] : 1);
         if (rows.isSingle) {

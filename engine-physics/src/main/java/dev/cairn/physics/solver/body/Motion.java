@@ -217,6 +217,9 @@ public final class Motion {
             v[o + V + 4] += d[q + 1] * x + d[q + 4] * y + d[q + 7] * z;
             v[o + V + 5] += d[q + 2] * x + d[q + 5] * y + d[q + 8] * z;
         }
+        if (s.guide[i] >= 0) {
+            MotionRecord.forced(s, i);
+        }
         int w = (i + 1) * SolverBodies.HALF;
         for (int c = 0; c < 6; c++) {
             v[o + c] += s.warm[w + c];

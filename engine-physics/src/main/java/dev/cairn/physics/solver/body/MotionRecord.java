@@ -10,9 +10,10 @@ public final class MotionRecord {
     /**
      * Doubles to a body of {@link SolverBodies#glide}, world: velocity at the start; velocity that
      * moved it; angular velocity at the start, then what was added to it before the body turned;
-     * angular velocity after the turn; then what a pinned corner needs.
+     * angular velocity after the turn; then what a pinned corner needs; then what the energy bound
+     * needs.
      */
-    public static final int STRIDE = 24;
+    public static final int STRIDE = 30;
 
     /** Movement, angular velocity and orientation at the start. */
     public static final int START = 12;
@@ -23,10 +24,33 @@ public final class MotionRecord {
     /** 1 if an impact has put the start of its path elsewhere. */
     public static final int STRUCK = 23;
 
+    /**
+     * Six numbers, weighted as the state is: velocity of a sub-step without what contacts do in it.
+     */
+    public static final int FREE = 24;
+
     private MotionRecord() {}
 
-    /** Start of a sub-step, before forces. */
+    /** Start of a sub-step, before impacts of the contact. */
+    public static void start(SolverBodies s, int i) {
+        System.arraycopy(s.state, SolverBodies.offset(i) + V, s.glide, STRIDE * i + FREE, 6);
+    }
+
+    /** After forces, before the warm start. */
+    static void forced(SolverBodies s, int i) {
+        addFree(s, i, 1);
+    }
+
+    private static void addFree(SolverBodies s, int i, double sign) {
+        int o = SolverBodies.offset(i) + V;
+        for (int c = 0; c < 6; c++) {
+            s.glide[STRIDE * i + FREE + c] += sign * s.state[o + c];
+        }
+    }
+
+    /** Before forces, after impacts of the contact. */
     static void begin(SolverBodies s, int i) {
+        addFree(s, i, -1);
         int o = SolverBodies.offset(i) + V;
         int g = STRIDE * i;
         for (int axis = 0; axis < 3; axis++) {

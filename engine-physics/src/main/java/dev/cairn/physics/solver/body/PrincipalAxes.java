@@ -28,6 +28,11 @@ public final class PrincipalAxes {
     public double[] data = {};
     boolean[] isotropic = {};
 
+    /** Whether the moments of a body are equal. */
+    public boolean isIsotropic(int i) {
+        return isotropic[i];
+    }
+
     public void ensureCapacity(int slots) {
         if (slots > isotropic.length) {
             int n = Math.max(slots, isotropic.length + (isotropic.length >> 1));

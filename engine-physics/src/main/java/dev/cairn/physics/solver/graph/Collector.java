@@ -294,10 +294,10 @@ public final class Collector {
     }
 
     private void listBouncers() {
-        bouncers.begin(list.contacts);
+        bouncers.begin(list.contacts, slots);
         for (int m = 0; m < list.contacts; m++) {
             if (bounces[m]) {
-                bouncers.add(m);
+                bouncers.add(list, m);
             }
         }
         bouncers.sort(list, batches);

@@ -8,10 +8,11 @@ import dev.cairn.physics.solver.row.SubStep;
  * The offset that removes sag: the outer loop of an augmented Lagrangian, once a tick.
  *
  * <p>A soft contact holds the load {@code l} only with the overlap {@code l / k}. While a point
- * rests, a small share of its overlap moves into an offset of its separation, kept as the load
- * {@code k offset} that it stands for, so that it stays right when the effective mass changes. The
- * point ends with no overlap and an offset that holds its whole load. One-sided: it never pulls.
- * While a point moves, the offset fades; when it opens, fast.
+ * rests, a small share of its overlap, or of its gap, moves into an offset of its separation, kept
+ * as the load {@code k offset} that it stands for, so that it stays right when the effective mass
+ * changes. The point ends with no overlap and an offset that holds its whole load, {@code l' =
+ * max(0, l - k gain gap)}: it never pulls, and what has lost a load comes down again. While a point
+ * moves, the offset fades; when it opens, fast.
  *
  * <p>Source: own study; the idea is Powell's and Hestenes' method of multipliers (1969).
  */
@@ -30,6 +31,7 @@ public final class Offsets {
             ConstraintRows rows, double[] body, ContactStore contacts, int c, int j, SubStep sub) {
         double gain = sub.offsetGain;
         double still = sub.still;
+        double touch = /*(float)*/ sub.touch;
         double[] d = rows.doubles;
         int lanes = rows.lanes;
         int o = rows.base(j);
@@ -55,7 +57,7 @@ public final class Offsets {
                             - RowArithmetic.dot(
                                     d, q + ConstraintRows.ARM_A * lanes, lanes, body, a + 3);
             if (impulse > 0 && rests && Math.abs(speed) < still) {
-                known -= k * ((gap < 0 ? gap : 0) * gain);
+                known -= k * ((gap < 0 || gap > touch ? gap : 0) * gain);
             } else {
                 known *= impulse == 0 && gap > 0 ? OPEN : MOVING;
             }

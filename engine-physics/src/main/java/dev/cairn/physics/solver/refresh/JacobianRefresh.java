@@ -90,15 +90,25 @@ public final class JacobianRefresh {
         }
     }
 
-    /** Decides whether a body with contacts turns in this tick; blocks of bodies. */
-    public void look(BodyStore b, int i, double gravity) {
+    /**
+     * Decides whether a body with contacts turns in this tick, or moves so fast that a contact may
+     * turn it: a rod that falls does not turn before it lands on its tip. Not a ball, whose points
+     * do not move with it. Blocks of bodies.
+     *
+     * @param isBouncing whether a contact of the body has restitution
+     */
+    public void look(BodyStore b, int i, double gravity, boolean isBall, boolean isBouncing) {
         double x = b.angularVelocityX[i];
         double y = b.angularVelocityY[i];
         double z = b.angularVelocityZ[i];
         double far = b.outerRadius[i];
         double slow = SLOW * SLOW * gravity * b.innerRadius[i];
         stirred[i] = false;
-        turns[i] = (x * x + y * y + z * z) * (far * far) > slow;
+        double u = b.velocityX[i];
+        double v = b.velocityY[i];
+        double w = b.velocityZ[i];
+        double moves = isBouncing ? 0 : u * u + v * v + w * w;
+        turns[i] = !isBall && (x * x + y * y + z * z) * (far * far) + moves > slow;
         if (turns[i]) {
             start[4 * i] = b.orientationX[i];
             start[4 * i + 1] = b.orientationY[i];

@@ -178,7 +178,13 @@ public final class RollingRows {
         }
     }
 
-    /** The same, of a row that has been turned to another normal. */
+    /** Scales the impulses of a row, if it has some. */
+    public void scale(int at, double share) {
+        put(at, LAMBDA, share * get(at, LAMBDA));
+        put(at, LAMBDA + 1, share * get(at, LAMBDA + 1));
+    }
+
+    /** As {@link #drop}, of a row that has been turned to another normal. */
     public void aim(ConstraintRows rows, SolverBodies bodies, ContactStore c, int j) {
         drop(rows, bodies.warm, j, j);
         if (has(j)) {

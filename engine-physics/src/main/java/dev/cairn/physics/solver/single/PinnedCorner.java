@@ -47,6 +47,9 @@ import java.util.Arrays;
 final class PinnedCorner {
     private static final int SWEEPS = 12;
 
+    /** Cosine of half the angle, 0.1 rad, by which sweeps and closed form may differ. */
+    private static final double NEAR = 0.99875;
+
     /** Products of inertia over the moments that are none. */
     private static final double DIAGONAL = 1e-15;
 
@@ -149,7 +152,7 @@ final class PinnedCorner {
         step(tick, i, sub.seconds, rolling.has(kept));
         int r = rows.base(place);
         double friction = rows.doubles[r + FRICTION * rows.lanes];
-        if (!isHeld(rows.doubles, r, rows.lanes, side, friction)) {
+        if (!isNear(b, i) || !isHeld(rows.doubles, r, rows.lanes, side, friction)) {
             write(b, i, swept, 0);
             return false;
         }
@@ -348,6 +351,19 @@ final class PinnedCorner {
                                         + z * Rotation.axis(b, i, 2, k));
             }
         }
+    }
+
+    /**
+     * Whether the pose is nearly where the sweeps had it, too: the row's levers and the root of the
+     * inertia are of there, and the next sub-step begins with them.
+     */
+    private boolean isNear(BodyStore b, int i) {
+        double cosine =
+                swept[0] * b.orientationX[i]
+                        + swept[1] * b.orientationY[i]
+                        + swept[2] * b.orientationZ[i]
+                        + swept[3] * b.orientationW[i];
+        return Math.abs(cosine) >= NEAR;
     }
 
     /** Whether the impulse presses, and friction can give it. */

@@ -1,6 +1,7 @@
 package dev.cairn.physics.solver.single;
 
 import dev.cairn.physics.solver.body.Motion;
+import dev.cairn.physics.solver.body.MotionRecord;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
@@ -39,6 +40,7 @@ public final class SingleBody {
             int i) {
         SolverBodies bodies = tick.body;
         int row = rows.list.place[bodies.guide[i]];
+        MotionRecord.start(bodies, i);
         if (SingleContact.turns(bodies.state, i, gain) && InelasticImpact.isAwaited(rows, row)) {
             ConstraintRows guide = window.open(rows, row);
             int place = window.place();
@@ -76,8 +78,9 @@ public final class SingleBody {
             return;
         }
         SingleContact.agree(guide, rows.rolling, bodies.state, sub, gain, place, row, i, scratch);
-        window.close(rows, row);
         Motion.keep(tick.bodies, bodies, i);
+        EnergyBound.end(tick.bodies, bodies, i, guide, rows.rolling, place, row);
+        window.close(rows, row);
         TrapezoidalCorrection.end(
                 tick.bodies, bodies, i, guide, rows.rolling, place, row, sub.seconds);
     }

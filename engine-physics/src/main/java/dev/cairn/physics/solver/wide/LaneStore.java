@@ -195,6 +195,7 @@ final class LaneStore implements RowStore {
         var bx = DoubleVector.fromArray(S, st, VB + 3 * LINE + g);
         var by = DoubleVector.fromArray(S, st, VB + 4 * LINE + g);
         var bz = DoubleVector.fromArray(S, st, VB + 5 * LINE + g);
+        double touch = /*(float)*/ sub.touch;
         for (int i = 0; i < points; i++) {
             int q = o + (POINT + i * POINT_FIELDS) * L;
             var impulse = DoubleVector.fromArray(S, d, q + IMPULSE * L);
@@ -218,8 +219,9 @@ final class LaneStore implements RowStore {
                             .compare(VectorOperators.LT, still)
                             .and(rests)
                             .and(impulse.compare(VectorOperators.GT, 0.0));
-            var overlap = DoubleVector.zero(S).blend(gap, gap.compare(VectorOperators.LT, 0.0));
-            var learnt = known.sub(k.mul(overlap.mul(gain)));
+            var matters =
+                    gap.compare(VectorOperators.LT, 0.0).or(gap.compare(VectorOperators.GT, touch));
+            var learnt = known.sub(k.mul(DoubleVector.zero(S).blend(gap, matters).mul(gain)));
             var open =
                     impulse.compare(VectorOperators.EQ, 0.0)
                             .and(gap.compare(VectorOperators.GT, 0.0));
