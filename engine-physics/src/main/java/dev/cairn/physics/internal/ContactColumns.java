@@ -86,6 +86,15 @@ public class ContactColumns {
      */
     public double[] rollingImpulse = {};
 
+    /** Whether ticks have had different lengths; until then nothing is in {@link #frictionLoad}. */
+    public boolean uneven;
+
+    /**
+     * What friction has held on B on the mean when ticks changed their length, world, N, and its
+     * twist about the normal, N m; four numbers a row.
+     */
+    public double[] frictionLoad = {};
+
     /** Mixed coefficient of restitution, 0..1. */
     public double[] restitution = {};
 

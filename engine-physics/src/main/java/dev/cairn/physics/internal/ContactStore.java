@@ -33,6 +33,17 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         if (rolls) {
             setRollingImpulse(row, 0, 0, 0);
         }
+        if (uneven) {
+            Arrays.fill(frictionLoad, 4 * row, 4 * row + 4, 0.0);
+        }
+    }
+
+    /** Makes room for what contacts learn when ticks change their length; between phases only. */
+    public void beginUneven() {
+        if (!uneven) {
+            uneven = true;
+            columns(new Columns.Growth(bodyA.length));
+        }
     }
 
     /** Makes room for rolling friction; between phases only. */
@@ -135,6 +146,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         if (rolls) {
             rollingArm = c.column("rollingArm", rollingArm);
             rollingImpulse = c.column("rollingImpulse", rollingImpulse, 3);
+        }
+        if (uneven) {
+            frictionLoad = c.column("frictionLoad", frictionLoad, 4);
         }
         touching = c.column("touching", touching);
         cache = c.column("cache", cache);

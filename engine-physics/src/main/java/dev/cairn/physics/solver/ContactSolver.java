@@ -22,6 +22,7 @@ import dev.cairn.physics.solver.row.ConstraintKind;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.RowWindow;
+import dev.cairn.physics.solver.row.SoftPace;
 import dev.cairn.physics.solver.row.SubStep;
 import dev.cairn.physics.solver.wide.Lanes;
 import dev.cairn.physics.solver.wide.WideSweeps;
@@ -83,6 +84,7 @@ public final class ContactSolver {
     private final BlockJob clearRows = this::clearRows;
     private final BlockJob batch = this::batch;
 
+    private final SoftPace softPace = new SoftPace();
     private boolean settles;
     private int substepsBefore;
     private int contactTicks;
@@ -414,15 +416,20 @@ public final class ContactSolver {
      */
     private void timing(double stepSeconds) {
         Tuning settings = tick.settings;
-        if (stepSeconds == tick.step && settings.count(Tunable.SUBSTEPS) == substepsBefore) {
+        int substeps = settings.count(Tunable.SUBSTEPS);
+        tick.softScale = softPace.next(stepSeconds / substeps, stepSeconds);
+        if (stepSeconds == tick.step && substeps == substepsBefore && tick.softScale == 1) {
             tick.impulseScale = 1;
         } else {
-            double longer = (double) substepsBefore / settings.count(Tunable.SUBSTEPS);
+            double longer = (double) substepsBefore / substeps;
             tick.impulseScale = tick.step == 0 ? 1 : stepSeconds / tick.step * longer;
-            substepsBefore = settings.count(Tunable.SUBSTEPS);
-            sub.set(stepSeconds, settings);
+            substepsBefore = substeps;
+            sub.set(stepSeconds, softPace.seconds(), settings);
             tick.step = stepSeconds;
             tick.subStep = sub.seconds;
+        }
+        if (tick.impulseScale != 1) {
+            tick.contacts.beginUneven();
         }
         sub.fillScale = tick.impulseScale;
         sub.still = STILL * tick.weight() * stepSeconds;

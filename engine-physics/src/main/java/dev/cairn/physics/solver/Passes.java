@@ -81,7 +81,7 @@ final class Passes {
     void load(int i, double weight) {
         BodyStore b = tick.bodies;
         boolean isBall = body.axes.isIsotropic(i) && b.outerRadius[i] == b.innerRadius[i];
-        renewal.look(b, i, weight, isBall, bouncers.isBouncing(i));
+        renewal.look(b, i, weight, bouncers.isBouncing(i) ? 0 : tick.step, isBall);
         body.glide[MotionRecord.STRIDE * i + MotionRecord.STRUCK] = 0;
         body.loadBound(b, i, tick.loaded ? b.inertiaScale[i] : 1);
         if (rows.isSingle) {
@@ -100,12 +100,17 @@ final class Passes {
             kinds(kind).prepare(tick, sub, from, to);
             return;
         }
+        boolean learns = tick.settings.get(Tunable.OFFSET_GAIN) > 0;
+        if (tick.impulseScale != 1 && learns) {
+            double before = sub.seconds / tick.impulseScale;
+            Rescaling.keepLoads(rows, tick.contacts, tick.impulseScale, before, from, to);
+        }
         sweeps.fill(rows, body, tick.contacts, sub, from, to, bench.scratch);
         if (rows.rolling.isUsed) {
             rows.rolling.fill(rows, body, tick.contacts, sub.fillScale, from, to);
         }
-        if (tick.impulseScale != 1 && tick.settings.get(Tunable.OFFSET_GAIN) > 0) {
-            Rescaling.carryOver(rows, tick.contacts, tick.impulseScale, from, to);
+        if (tick.softScale != 1 && learns) {
+            Rescaling.carryOver(rows, tick.contacts, tick.softScale, from, to);
         }
     }
 

@@ -67,6 +67,9 @@ public final class Digest {
         for (int i = 3 * row; c.rolls && c.rollingArm[row] > 0 && i < 3 * row + 3; i++) {
             h = mix(h, c.rollingImpulse[i]);
         }
+        for (int i = 4 * row; c.uneven && i < 4 * row + 4; i++) {
+            h = mix(h, c.frictionLoad[i]);
+        }
         int first = ContactStore.POINTS * row;
         for (int p = first; p < first + c.pointCount[row]; p++) {
             h = mix(h, c.feature[p]);

@@ -32,7 +32,7 @@ class EvenStepTest {
         double[] warm = {0.1, 0.5, 0.2, 0.9};
         System.arraycopy(warm, 0, s.contacts.normalImpulse, 0, 4);
         SubStep sub = new SubStep();
-        sub.set(1 / 60.0, SolverScene.DOUBLES);
+        sub.set(1 / 60.0, 1 / 240.0, SolverScene.DOUBLES);
         SolverBodies bodies = new SolverBodies();
         bodies.ensureCapacity(s.bodies.slotCount);
         bodies.axes.update(s.bodies, box);

@@ -58,7 +58,7 @@ class JacobianRefreshTest {
         rows.link[ConstraintRows.BODY_B] = SolverBodies.offset(box);
         rows.link[ConstraintRows.COUNT] = 4;
         renewal.ensurePlaces(rows);
-        renewal.look(s.bodies, box, 9.81, false, false);
+        renewal.look(s.bodies, box, 9.81, 1 / 60.0, false);
         boolean any = renewal.find(rows, s.contacts, s.bodies, 9.81, 0, 1);
         assertEquals(any, renewal.stirs(box));
         return any;

@@ -28,6 +28,9 @@ public final class SolverContext {
     /** This sub-step over the last tick's: the scale of the impulses that are kept. */
     public double impulseScale = 1;
 
+    /** The sub-step that softness goes by over the last tick's. */
+    public double softScale = 1;
+
     /** Whether bodies have the inertia of their load. */
     public boolean loaded;
 

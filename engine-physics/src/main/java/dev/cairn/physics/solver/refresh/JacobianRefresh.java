@@ -36,6 +36,9 @@ public final class JacobianRefresh {
     /** Speed over {@code sqrt(g r)} up to which levers may age by a tick. */
     private static final double SLOW = 0.045;
 
+    /** Way in a tick over the outer radius beyond which levers do not age by a tick at all. */
+    private static final double FAR = 0.1;
+
     /** The row is renewed. */
     private static final int YES = 1;
 
@@ -91,13 +94,13 @@ public final class JacobianRefresh {
     }
 
     /**
-     * Decides whether a body with contacts turns in this tick, or moves so fast that a contact may
-     * turn it: a rod that falls does not turn before it lands on its tip. Not a ball, whose points
-     * do not move with it. Blocks of bodies.
+     * Decides whether a body with contacts turns in this tick, or moves so far that a contact may
+     * turn it far: a rod that falls does not turn before it lands on its tip. Not a ball, whose
+     * points do not move with it. Blocks of bodies.
      *
-     * @param isBouncing whether a contact of the body has restitution
+     * @param step length of the tick, s; 0 if a contact of the body has restitution
      */
-    public void look(BodyStore b, int i, double gravity, boolean isBall, boolean isBouncing) {
+    public void look(BodyStore b, int i, double gravity, double step, boolean isBall) {
         double x = b.angularVelocityX[i];
         double y = b.angularVelocityY[i];
         double z = b.angularVelocityZ[i];
@@ -107,8 +110,8 @@ public final class JacobianRefresh {
         double u = b.velocityX[i];
         double v = b.velocityY[i];
         double w = b.velocityZ[i];
-        double moves = isBouncing ? 0 : u * u + v * v + w * w;
-        turns[i] = !isBall && (x * x + y * y + z * z) * (far * far) + moves > slow;
+        boolean isFar = (u * u + v * v + w * w) * (step * step) > FAR * FAR * (far * far);
+        turns[i] = !isBall && (isFar || (x * x + y * y + z * z) * (far * far) > slow);
         if (turns[i]) {
             start[4 * i] = b.orientationX[i];
             start[4 * i + 1] = b.orientationY[i];

@@ -58,11 +58,15 @@ public final class SubStep {
     /** Most sweeps over a lone contact. */
     public int lone;
 
-    /** Sets what follows from the length of the tick and the settings. */
-    public void set(double stepSeconds, Tuning settings) {
+    /**
+     * Sets what follows from the length of the tick and the settings.
+     *
+     * @param softSeconds length of the sub-step that the softness goes by, see {@link SoftPace}, s
+     */
+    public void set(double stepSeconds, double softSeconds, Tuning settings) {
         count = settings.count(Tunable.SUBSTEPS);
         double h = stepSeconds / count;
-        double hertz = settings.get(Tunable.CONTACT_STIFFNESS) / h;
+        double hertz = settings.get(Tunable.CONTACT_STIFFNESS) / softSeconds;
         double damping = settings.get(Tunable.CONTACT_DAMPING_RATIO);
         Softness soft = Softness.of(hertz, damping, h);
         Softness fixed =

@@ -130,7 +130,7 @@ public final class WideSweeps implements Sweeps {
         bodies.ensureCapacity(2 * ConstraintRows.CHUNK);
         Scratch scratch = new Scratch();
         SubStep sub = new SubStep();
-        sub.set(1 / 60.0, Tuning.DEFAULT);
+        sub.set(1 / 60.0, 1 / 240.0, Tuning.DEFAULT);
         sub.fillScale = 1;
         sub.still = 0.01;
         Random random = new Random(1);
