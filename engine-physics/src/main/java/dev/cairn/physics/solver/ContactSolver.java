@@ -274,6 +274,7 @@ public final class ContactSolver {
                     list,
                     batches,
                     t.loaded ? settings.count(Tunable.DIRECT_FROM) : Integer.MAX_VALUE,
+                    t.weight() * softPace.seconds() * softPace.seconds(),
                     collector.isSame());
         }
     }

@@ -89,7 +89,9 @@ public enum Tunable {
     /**
      * Bodies from end to end of a slender island at rest (a column, a chain, a bridge) from which
      * on its contacts are solved together, by a block LDL^T, besides being swept; 0 is never.
-     * Columns of hundreds stand; what is shorter, wide or in motion pays nothing.
+     * Columns of hundreds stand; what is shorter, wide or in motion pays nothing. Where the inner
+     * radius of a body is less than 3000 {@code g h²} of a sub-step (0.5 m at 1/240 s), from fewer
+     * on, as the root of the radius: cubes of 1 cm from 3 on.
      */
     DIRECT_FROM(true, 24, 0, 1024),
 

@@ -126,6 +126,7 @@ final class ColumnsTest {
         ContactStore contacts = new ContactStore();
         contacts.ensureCapacity(ROWS);
         contacts.beginRolling();
+        contacts.beginUneven();
         contacts.beginMemory(5);
         contacts.columns(new Filler());
         return contacts;

@@ -36,6 +36,15 @@ public final class DirectIslands {
     /** Width of an envelope, in bodies. */
     private static final int WIDE = 4;
 
+    /**
+     * Inner radius over {@code g h²} at which islands are solved directly from {@link
+     * Tunable#DIRECT_FROM} bodies on: 0.5 m at sub-steps of 1/240 s. A contact yields by some share
+     * of {@code g h²} under its load, a stack of n leans on n of them, each under n bodies, and
+     * falls when that makes up for its width: so what is smaller needs it from fewer on, as the
+     * root of its radius.
+     */
+    private static final double STIFF = 3000;
+
     /** Contacts of an island, at most: what is larger is cut into {@link Domains}. */
     private static final int MOST_ROWS = Tunable.LARGE_ISLAND - 1;
 
@@ -74,6 +83,14 @@ public final class DirectIslands {
 
     private int[] tally = {};
 
+    /** By slot: least inner radius of the island whose smallest slot it is, m. */
+    private double[] least = {};
+
+    /** Bodies from end to end of large bodies, and {@code g h²}, m. */
+    private int most;
+
+    private double yield;
+
     /** Who touches whom. */
     private int[] firstNeighbour = new int[1];
 
@@ -97,6 +114,7 @@ public final class DirectIslands {
             open = new int[n];
             of = new int[n];
             tally = new int[n];
+            least = new double[n];
             firstNeighbour = new int[n + 1];
             queue = new int[n];
             level = new int[n];
@@ -112,17 +130,21 @@ public final class DirectIslands {
      * Finds the islands that are long, slender and at rest, and in which batch they are.
      *
      * @param batches knows islands and bodies with contacts
-     * @param from bodies from end to end
+     * @param from bodies from end to end, of bodies that are not small
+     * @param fall {@code g h²} of the sub-step that softness goes by, m
      * @param same whether contacts and bodies are those of the last tick
      */
-    public void update(BodyStore b, EdgeList list, Batches batches, int from, boolean same) {
+    public void update(
+            BodyStore b, EdgeList list, Batches batches, int from, double fall, boolean same) {
         isStale |= !same;
         openCount = 0;
-        if (!rests(b, batches, from)) {
+        most = from;
+        yield = fall;
+        if (from == Integer.MAX_VALUE || !rests(b, batches)) {
             return;
         }
         if (isStale) {
-            find(b, list, batches, from);
+            find(b, list, batches);
         }
         if (count > 0) {
             gate(b, batches);
@@ -130,26 +152,39 @@ public final class DirectIslands {
     }
 
     /** Whether as many bodies are at rest as an island needs at least. */
-    private static boolean rests(BodyStore b, Batches batches, int from) {
+    private boolean rests(BodyStore b, Batches batches) {
         int resting = 0;
-        for (int k = 0; k < batches.boundCount && resting < from; k++) {
-            resting += b.restTicks[batches.bound[k]] >= LoadSweep.HOLD ? 1 : 0;
+        double radius = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < batches.boundCount && resting < most; k++) {
+            int i = batches.bound[k];
+            if (b.restTicks[i] >= LoadSweep.HOLD) {
+                resting++;
+                radius = Math.min(radius, b.innerRadius[i]);
+            }
         }
-        return resting >= from;
+        return resting >= from(radius);
     }
 
-    private void find(BodyStore b, EdgeList list, Batches batches, int from) {
+    /** Bodies from end to end of an island whose smallest body has a radius: 2 or more. */
+    private int from(double radius) {
+        double few = Math.ceil(most * Math.sqrt(radius / (STIFF * yield)));
+        return few < most ? Math.max(2, (int) few) : most;
+    }
+
+    private void find(BodyStore b, EdgeList list, Batches batches) {
         ensureCapacity(b, list);
         count = 0;
         Islands islands = batches.islands(list);
         int[] bound = batches.bound;
         for (int k = 0; k < batches.boundCount; k++) {
             tally[bound[k]] = 0;
+            least[bound[k]] = Double.POSITIVE_INFINITY;
             of[bound[k]] = -1;
         }
         for (int k = 0; k < batches.boundCount; k++) {
             int root = islands.root(bound[k]);
             tally[root]++;
+            least[root] = Math.min(least[root], b.innerRadius[bound[k]]);
             // for now: a body of the island that is not at rest
             of[root] = b.restTicks[bound[k]] >= LoadSweep.HOLD ? of[root] : root;
         }
@@ -163,7 +198,9 @@ public final class DirectIslands {
             int i = bound[k];
             int root = islands.root(i);
             boolean candidate =
-                    tally[root] >= from && tally[root] <= MOST_ROWS && !batches.isSingle[i];
+                    tally[root] >= from(least[root])
+                            && tally[root] <= MOST_ROWS
+                            && !batches.isSingle[i];
             // one that comes to rest is looked at again
             isStale |= candidate && of[root] >= 0;
             candidate &= of[root] < 0;
@@ -179,7 +216,7 @@ public final class DirectIslands {
             int i = bound[k];
             int root = islands.root(i);
             // of the island: -1, or its number, once its smallest slot has been seen
-            of[i] = root != i ? of[root] : of[i] >= 0 && order(i, from) ? count++ : -1;
+            of[i] = root != i ? of[root] : of[i] >= 0 && order(i, from(least[i])) ? count++ : -1;
         }
         sortRows(list);
         int made = factors.length;
