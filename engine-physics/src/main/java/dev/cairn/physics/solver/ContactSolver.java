@@ -418,7 +418,8 @@ public final class ContactSolver {
     private void timing(double stepSeconds) {
         Tuning settings = tick.settings;
         int substeps = settings.count(Tunable.SUBSTEPS);
-        tick.softScale = softPace.next(stepSeconds / substeps, stepSeconds);
+        tick.softScale =
+                softPace.next(stepSeconds / substeps, stepSeconds, substeps != substepsBefore);
         if (stepSeconds == tick.step && substeps == substepsBefore && tick.softScale == 1) {
             tick.impulseScale = 1;
         } else {

@@ -29,13 +29,14 @@ public final class SoftPace {
      *
      * @param subStep of it, s
      * @param step of it, s
+     * @param isAsked whether the user has changed the number of sub-steps: that counts at once
      * @return the new length over the old one, which is 1 but for rare ticks
      */
-    public double next(double subStep, double step) {
+    public double next(double subStep, double step, boolean isAsked) {
         double before = seconds;
         longest = Math.max(longest, subStep);
         elapsed += step;
-        if (subStep > seconds) {
+        if (subStep > seconds || isAsked) {
             seconds = subStep;
         } else if (elapsed >= WINDOW) {
             seconds = longest < SHORTER * seconds ? longest : seconds;
