@@ -1,6 +1,7 @@
 package dev.cairn.physics;
 
 import dev.cairn.core.ecs.EcsSystem;
+import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.Checks;
@@ -21,6 +22,7 @@ import java.util.List;
 public final class PhysicsWorld implements AutoCloseable {
     final PhysicsSystem physics;
     private final World ecs;
+    private final Query bodies;
     private boolean stepping;
     private boolean closed;
 
@@ -28,6 +30,7 @@ public final class PhysicsWorld implements AutoCloseable {
         this.physics = physics;
         this.ecs = ecs;
         physics.table.bind(ecs);
+        this.bodies = ecs.query(RigidBody.COMPONENT);
     }
 
     /**
@@ -185,7 +188,7 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return the number
      */
     public int bodyCount() {
-        return ecs.query(RigidBody.COMPONENT).entityCount();
+        return bodies.entityCount();
     }
 
     /**
@@ -226,6 +229,15 @@ public final class PhysicsWorld implements AutoCloseable {
      */
     public Kinetics kinetics() {
         return Kinetics.of(physics.table.bodies);
+    }
+
+    /**
+     * The same sums without garbage.
+     *
+     * @param sums receives the seven numbers in the order of {@link Kinetics}
+     */
+    public void kinetics(double[] sums) {
+        Kinetics.sum(physics.table.bodies, sums);
     }
 
     /**

@@ -17,7 +17,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.IdentityHashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
@@ -38,9 +37,10 @@ public final class SceneBuilder {
     private final List<BodyRef> bodies = new ArrayList<>();
     private final List<TickHook> before = new ArrayList<>();
     private final List<TickHook> after = new ArrayList<>();
-    private final Map<String, DoubleSupplier> errors = new LinkedHashMap<>();
+    private final ErrorMetrics errors = new ErrorMetrics();
     private final List<ConstantForce> forces = new ArrayList<>();
     private final List<String> remarks = new ArrayList<>();
+    private final List<String> remarksSeen = Collections.unmodifiableList(remarks);
     private final IdentityHashMap<Shape, Model> models = new IdentityHashMap<>();
     private final List<Long> visuals = new ArrayList<>();
     private View view = new View(0, 4, 14, 0, 1, 0);
@@ -424,7 +424,7 @@ public final class SceneBuilder {
      * @param value the metric over the ticks so far; NaN where the closed form does not apply
      */
     public void error(String name, DoubleSupplier value) {
-        errors.put(name, value);
+        errors.declare(name, value);
     }
 
     /**
@@ -451,7 +451,7 @@ public final class SceneBuilder {
      * @return a live, unmodifiable view
      */
     public List<String> remarks() {
-        return Collections.unmodifiableList(remarks);
+        return remarksSeen;
     }
 
     /**
@@ -460,14 +460,12 @@ public final class SceneBuilder {
      * @return values by name, in the order of declaration
      */
     public Map<String, Double> errors() {
-        Map<String, Double> now = new LinkedHashMap<>();
-        errors.forEach((name, metric) -> {
-            double value = metric.getAsDouble();
-            if (!Double.isNaN(value)) {
-                now.put(name, value);
-            }
-        });
-        return now;
+        return errors.now();
+    }
+
+    /** The same without garbage. */
+    ErrorMetrics errorMetrics() {
+        return errors;
     }
 
     /** Runs the scene's hooks before a step of the world. */
