@@ -239,7 +239,7 @@ final class WindowInput {
             panels.input().key(key, action != GLFW_RELEASE, (mods & CONTROL) != 0);
         }
         boolean edits = panels != null && panels.wantsKeys();
-        if (edits && action == GLFW_PRESS) {
+        if (edits && panels != null && action == GLFW_PRESS) {
             whileEditing(key, (mods & CONTROL) != 0, panels);
         }
         if (action == GLFW_RELEASE) {

@@ -41,7 +41,7 @@ public enum MouseButton implements Trigger {
             case LEFT -> "Left button";
             case RIGHT -> "Right button";
             case MIDDLE -> "Middle button";
-            default -> "Button " + (ordinal() + 1);
+            default -> "Button " + name().substring(name().length() - 1);
         };
     }
 
