@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.Shape;
@@ -26,6 +27,7 @@ public final class Body {
     double qz;
     double qw = 1;
     Material material = Material.DEFAULT;
+    Filter filter = Filter.ALL;
     double mass = Double.NaN;
     double inertiaXX = Double.NaN;
     double inertiaYY;
@@ -159,6 +161,17 @@ public final class Body {
      */
     public Body material(Material value) {
         material = Checks.notNull("material", value);
+        return this;
+    }
+
+    /**
+     * Says whom the body collides with; {@link Filter#ALL} by default.
+     *
+     * @param value the filter
+     * @return this
+     */
+    public Body filter(Filter value) {
+        filter = Checks.notNull("filter", value);
         return this;
     }
 

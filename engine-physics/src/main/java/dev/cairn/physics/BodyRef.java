@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.shape.Shape;
 
@@ -7,6 +8,8 @@ import org.joml.Matrix3d;
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
+
+import java.util.List;
 
 /**
  * A body in a world. All values are in world axes and SI units; positions named so are those of the
@@ -378,6 +381,25 @@ public final class BodyRef {
     }
 
     /**
+     * The colliders of the body: most have one. Allocates.
+     *
+     * @return a new list, in the order in which they were given
+     */
+    public List<ColliderRef> colliders() {
+        return table.collision.list(alive());
+    }
+
+    /**
+     * Changes whom the body collides with, all its colliders. Contacts that the new filter refuses
+     * end in the next step, and are told as ended; who rested on the body wakes.
+     *
+     * @param filter the new one
+     */
+    public void setFilter(Filter filter) {
+        table.collision.setFilters(changed("setFilter"), filter);
+    }
+
+    /**
      * Takes the body and its entity out of the world, between steps. Its contacts end with the next
      * step.
      *
@@ -405,7 +427,12 @@ public final class BodyRef {
         return alive();
     }
 
-    private int alive() {
+    void requireBetweenSteps(String call) {
+        changed(call);
+    }
+
+    /** The slot; throws if the body is gone. */
+    int alive() {
         if (!table.isAlive(slot, entity)) {
             throw new BodyRemovedException(
                     this

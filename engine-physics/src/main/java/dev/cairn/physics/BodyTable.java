@@ -3,6 +3,7 @@ package dev.cairn.physics;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.broadphase.BroadPhase;
+import dev.cairn.physics.broadphase.PairFilter;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.internal.BodyMass;
@@ -33,7 +34,9 @@ import java.util.List;
 final class BodyTable {
     final BodyStore bodies = new BodyStore();
     final ColliderStore colliders = new ColliderStore(bodies);
-    final BroadPhase broadPhase = new BroadPhase();
+    private final PairFilter pairFilter = new PairFilter(colliders);
+    final BroadPhase broadPhase = new BroadPhase(pairFilter);
+    final ColliderTable collision = new ColliderTable(this, colliders, broadPhase, pairFilter);
     final BoundsStage bounds;
     final ContactStore contacts;
     private final EdgeSource[] edges;
@@ -238,6 +241,7 @@ final class BodyTable {
         colliders.friction[collider] = body.material.friction();
         colliders.restitution[collider] = body.material.restitution();
         colliders.rollingArm[collider] = body.material.rollingArm();
+        collision.setFilter(collider, body.filter);
         if (body.material.rollingArm() > 0) {
             contacts.beginRolling();
         }
@@ -351,6 +355,7 @@ final class BodyTable {
         for (EdgeSource source : edges) {
             source.leave(slot);
         }
+        pairFilter.leave(slot);
         bodies.kind[slot] = BodyStore.FREE;
         if (goneCount == gone.length) {
             gone = Arrays.copyOf(gone, 2 * goneCount);
@@ -366,6 +371,7 @@ final class BodyTable {
                 free = Arrays.copyOf(free, 2 * freeCount);
             }
             assert bodies.kind[gone[i]] == BodyStore.FREE : "slot " + gone[i] + " has a body";
+            collision.forget(gone[i]);
             colliders.detach(gone[i]);
             free[freeCount++] = gone[i];
         }

@@ -21,6 +21,7 @@ import java.util.List;
 public final class PhysicsWorld implements AutoCloseable {
     final PhysicsSystem physics;
     private final World ecs;
+    private final Collisions collisions;
     private boolean stepping;
     private boolean closed;
 
@@ -28,6 +29,7 @@ public final class PhysicsWorld implements AutoCloseable {
         this.physics = physics;
         this.ecs = ecs;
         physics.table.bind(ecs);
+        collisions = new Collisions(this);
     }
 
     /**
@@ -97,6 +99,15 @@ public final class PhysicsWorld implements AutoCloseable {
      */
     public Contacts contacts() {
         return physics.view;
+    }
+
+    /**
+     * The rules about who collides, beside the filters of colliders.
+     *
+     * @return the same object each time
+     */
+    public Collisions collisions() {
+        return collisions;
     }
 
     /**

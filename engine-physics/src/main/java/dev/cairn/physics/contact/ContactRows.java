@@ -89,6 +89,9 @@ public final class ContactRows {
         every = all;
         int blocks = Blocks.count(candidates, ROWS_PER_BLOCK);
         jobs.run(markJob, blocks);
+        if (broadPhase.isRefiltered()) {
+            markRefused();
+        }
         int block = 0;
         while (block < blocks && partedInBlock[block] == 0) {
             block++;
@@ -146,6 +149,22 @@ public final class ContactRows {
             count += apart ? 1 : 0;
         }
         partedInBlock[block] = count;
+    }
+
+    /** Marks rows that the filters refuse since they were changed; in row order. */
+    private void markRefused() {
+        ContactStore c = contacts;
+        for (int i = 0; i < candidates; i++) {
+            int row = every ? i : c.active[i];
+            int a = c.colliderA[row];
+            int b = c.colliderB[row];
+            if (!parted[row]
+                    && (broadPhase.moved(a) || broadPhase.moved(b))
+                    && !broadPhase.admits(a, b)) {
+                parted[row] = true;
+                partedInBlock[i / ROWS_PER_BLOCK]++;
+            }
+        }
     }
 
     /** Whoever touches a fixed body that was moved wakes. */

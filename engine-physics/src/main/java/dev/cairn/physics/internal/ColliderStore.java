@@ -1,5 +1,6 @@
 package dev.cairn.physics.internal;
 
+import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 
@@ -37,6 +38,9 @@ public final class ColliderStore {
 
     /** Its geometry is about the collider's centre. */
     public Shape[] shape = {};
+
+    /** Whom it collides with. */
+    public Filter[] filter = {};
 
     /** What the shape's surface is made of, see {@link Surface}. */
     public byte[] surface = {};
@@ -88,6 +92,7 @@ public final class ColliderStore {
         body = c.column("body", body);
         next = c.column("next", next);
         shape = c.column("shape", shape);
+        filter = c.column("filter", filter);
         surface = c.column("surface", surface);
         innerRadius = c.column("innerRadius", innerRadius);
         outerRadius = c.column("outerRadius", outerRadius);
@@ -112,6 +117,7 @@ public final class ColliderStore {
         next[collider] = NONE;
         Shape solid = Surface.aboutCentre(geometry);
         shape[collider] = solid;
+        filter[collider] = Filter.ALL;
         surface[collider] = Surface.of(solid);
         bodies.isBall[slot] = solid instanceof Sphere;
         innerRadius[collider] = geometry.innerRadius();
