@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.Shape;
