@@ -108,7 +108,7 @@ final class ArchitectureTest {
                     .that()
                     .resideInAnyPackage("dev.cairn.physics..", "dev.cairn.core.ecs..")
                     .and()
-                    .doNotHaveSimpleName("StepProfile")
+                    .doNotHaveSimpleName("StepClock")
                     .and()
                     .doNotHaveSimpleName("WideSweeps")
                     .and()

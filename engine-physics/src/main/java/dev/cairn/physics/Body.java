@@ -1,6 +1,7 @@
 package dev.cairn.physics;
 
 import dev.cairn.physics.collider.Filter;
+import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.Shape;

@@ -83,9 +83,9 @@ final class BodyAccess {
                 bodies.orientationY[s],
                 bodies.orientationZ[s],
                 bodies.orientationW[s],
-                table.comX[s],
-                table.comY[s],
-                table.comZ[s],
+                table.roster.comX[s],
+                table.roster.comY[s],
+                table.roster.comZ[s],
                 rotated);
         return d.set(
                 bodies.positionX[s] - rotated[0],
@@ -309,13 +309,24 @@ final class BodyAccess {
     /** The ECS is written first: if it refuses (a step runs), nothing has changed. */
     private void place(
             int s, double x, double y, double z, double qx, double qy, double qz, double qw) {
-        Rotations.rotate(qx, qy, qz, qw, table.comX[s], table.comY[s], table.comZ[s], rotated);
+        Rotations.rotate(
+                qx,
+                qy,
+                qz,
+                qw,
+                table.roster.comX[s],
+                table.roster.comY[s],
+                table.roster.comZ[s],
+                rotated);
         double px = Checks.between("x", x + rotated[0], -BoundsStage.LIMIT, BoundsStage.LIMIT);
         double py = Checks.between("y", y + rotated[1], -BoundsStage.LIMIT, BoundsStage.LIMIT);
         double pz = Checks.between("z", z + rotated[2], -BoundsStage.LIMIT, BoundsStage.LIMIT);
-        table.world().set(bodies.entity[s], new Pose(x, y, z, qx, qy, qz, qw, table.jumps[s] + 1));
-        table.jumps[s]++;
-        table.places++;
+        table.world()
+                .set(
+                        bodies.entity[s],
+                        new Pose(x, y, z, qx, qy, qz, qw, table.roster.jumps[s] + 1));
+        table.roster.jumps[s]++;
+        table.roster.places++;
         wake(s);
         bodies.place(s, px, py, pz);
         bodies.orientationX[s] = qx;
@@ -323,7 +334,7 @@ final class BodyAccess {
         bodies.orientationZ[s] = qz;
         bodies.orientationW[s] = qw;
         if (isFixed(s)) {
-            table.addUnplaced(s);
+            table.roster.addUnplaced(s);
         }
     }
 

@@ -13,8 +13,10 @@ public final class ColliderRef {
     private final ColliderTable table;
     private final BodyRef body;
     private final int collider;
+    private final int generation;
 
-    ColliderRef(ColliderTable table, BodyRef body, int collider) {
+    ColliderRef(ColliderTable table, BodyRef body, int collider, int generation) {
+        this.generation = generation;
         this.table = table;
         this.body = body;
         this.collider = collider;
@@ -35,7 +37,7 @@ public final class ColliderRef {
      * @return false after removal
      */
     public boolean isAlive() {
-        return table.isAlive(this, collider);
+        return table.colliders.generation[collider] == generation && body.isAlive();
     }
 
     /**

@@ -23,14 +23,14 @@ final class ColliderTable {
     private final BodyTable table;
     private final BroadPhase broadPhase;
 
-    /** Made when somebody asks; forgotten when the collider goes. */
+    /** Made when somebody asks. */
     private @Nullable ColliderRef[] refs = {};
 
-    ColliderTable(BodyTable table, ColliderStore colliders, BroadPhase broadPhase, PairFilter f) {
+    ColliderTable(BodyTable table) {
         this.table = table;
-        this.colliders = colliders;
-        this.broadPhase = broadPhase;
-        pairFilter = f;
+        colliders = table.colliders;
+        broadPhase = table.broadPhase;
+        pairFilter = table.roster.pairFilter;
     }
 
     /** The reference to a collider that exists; allocates when it is asked for the first time. */
@@ -39,15 +39,16 @@ final class ColliderTable {
             refs = Arrays.copyOf(refs, colliders.body.length);
         }
         ColliderRef ref = refs[collider];
-        if (ref == null) {
-            ref = new ColliderRef(this, table.refs[colliders.body[collider]], collider);
+        if (ref == null || !ref.isAlive()) {
+            ref =
+                    new ColliderRef(
+                            this,
+                            table.refs[colliders.body[collider]],
+                            collider,
+                            colliders.generation[collider]);
             refs[collider] = ref;
         }
         return ref;
-    }
-
-    boolean isAlive(ColliderRef ref, int collider) {
-        return collider < refs.length && refs[collider] == ref && ref.body().isAlive();
     }
 
     List<ColliderRef> list(int body) {
@@ -58,17 +59,6 @@ final class ColliderTable {
             list.add(ref(c));
         }
         return list;
-    }
-
-    /** The colliders of a body go. */
-    void forget(int body) {
-        for (int c = colliders.bodies.collider[body];
-                c != ColliderStore.NONE;
-                c = colliders.next[c]) {
-            if (c < refs.length) {
-                refs[c] = null;
-            }
-        }
     }
 
     // Whom to collide with -----------------------------------------------------------------------

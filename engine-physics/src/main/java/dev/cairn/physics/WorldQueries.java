@@ -345,13 +345,13 @@ public final class WorldQueries {
     /** Looks for colliders that are not within their fat box, once after each change of places. */
     private void begin() {
         world.requireBetweenSteps("a query");
-        if (places == table.places) {
+        if (places == table.roster.places) {
             return;
         }
-        places = table.places;
+        places = table.roster.places;
         astrayCount = 0;
-        for (int i = 0; i < table.unplacedCount; i++) {
-            stray(table.unplaced[i], false);
+        for (int i = 0; i < table.roster.unplacedCount; i++) {
+            stray(table.roster.unplaced[i], false);
         }
         byte[] kind = table.bodies.kind;
         for (int slot = 0; slot < table.bodies.slotCount; slot++) {

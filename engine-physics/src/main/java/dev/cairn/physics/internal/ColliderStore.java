@@ -39,6 +39,9 @@ public final class ColliderStore {
     /** Its geometry is about the collider's centre. */
     public Shape[] shape = {};
 
+    /** Grows when the slot becomes another collider's; so references know that theirs is gone. */
+    public int[] generation = {};
+
     /** Whom it collides with. */
     public Filter[] filter = {};
 
@@ -92,6 +95,7 @@ public final class ColliderStore {
         body = c.column("body", body);
         next = c.column("next", next);
         shape = c.column("shape", shape);
+        generation = c.column("generation", generation);
         filter = c.column("filter", filter);
         surface = c.column("surface", surface);
         innerRadius = c.column("innerRadius", innerRadius);
@@ -136,6 +140,7 @@ public final class ColliderStore {
                 free = Arrays.copyOf(free, 2 * freeCount);
             }
             free[freeCount++] = c;
+            generation[c]++;
         }
     }
 }
