@@ -39,6 +39,7 @@ public final class Body {
     double wx;
     double wy;
     double wz;
+    final List<Collider> colliders = new ArrayList<>();
     final List<Record> components = new ArrayList<>();
     String name = "";
     boolean maySleep = true;
@@ -71,7 +72,7 @@ public final class Body {
     }
 
     /**
-     * Sets the collision shape. Required.
+     * Sets the collision shape. Required, unless there is a {@link #collider}.
      *
      * @param value the shape; shared, not copied (shapes are immutable)
      * @return this
@@ -79,6 +80,30 @@ public final class Body {
     public Body shape(Shape value) {
         shape = Checks.notNull("shape", value);
         return this;
+    }
+
+    /**
+     * Adds a shape with a place, material and filter of its own. A body has what {@link #shape} and
+     * all calls of this say, in this order; its mass is that of all together.
+     *
+     * @param value the collider
+     * @return this
+     */
+    public Body collider(Collider value) {
+        colliders.add(Checks.notNull("collider", value));
+        return this;
+    }
+
+    /** All that the body is made of, with material and filter. */
+    List<Collider> parts() {
+        List<Collider> parts = new ArrayList<>();
+        if (shape != null) {
+            parts.add(Collider.of(shape).orElse(material, filter));
+        }
+        for (Collider collider : colliders) {
+            parts.add(collider.orElse(material, filter));
+        }
+        return parts;
     }
 
     /**

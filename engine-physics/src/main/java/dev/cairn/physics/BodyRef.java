@@ -390,6 +390,19 @@ public final class BodyRef {
     }
 
     /**
+     * Adds a collider to the body; mass, centre and inertia follow, unless they were given. The
+     * body's frame stays where it is, and each of its points keeps its velocity.
+     *
+     * @param collider what it is like; what it does not say is as of the body's first one
+     * @return the collider
+     * @throws IllegalArgumentException if the body would have no finite mass
+     */
+    public ColliderRef add(Collider collider) {
+        int slot = changed("add");
+        return table.collision.add(slot, Checks.notNull("collider", collider));
+    }
+
+    /**
      * Changes whom the body collides with, all its colliders. Contacts that the new filter refuses
      * end in the next step, and are told as ended; who rested on the body wakes.
      *

@@ -13,7 +13,6 @@ import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.shape.MassProperties;
-import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.state.RigidBody;
 import dev.cairn.physics.state.Roster;
 import dev.cairn.physics.state.WorldCheck;
@@ -38,11 +37,6 @@ final class BodyTable {
     final ColliderTable collision;
 
     BodyRef[] refs = new BodyRef[0];
-    Material[] materials = new Material[0];
-
-    /** As the user gave them. */
-    Shape[] shapes = new Shape[0];
-
     private final List<BodyRef> quarantined = new ArrayList<>();
     private boolean closed;
 
@@ -81,23 +75,17 @@ final class BodyTable {
 
     /** Everything that can fail happens before anything changes. */
     BodyRef add(Body body) {
-        Shape shape = body.shape;
-        if (shape == null) {
+        List<Collider> parts = body.parts();
+        if (parts.isEmpty()) {
             throw new IllegalArgumentException(
                     "body"
                             + (body.name.isEmpty() ? "" : " '" + body.name + "'")
                             + " has no shape; call .shape(..) before adding it");
         }
-        MassProperties mass =
-                BodyMass.of(
-                        shape,
-                        body.material.density(),
-                        body.fixed,
-                        body.mass,
-                        body.inertiaXX,
-                        body.inertiaYY,
-                        body.inertiaZZ);
-        double[] inverse = body.fixed ? new double[6] : BodyMass.inverseInertia(mass);
+        MassProperties mass = ColliderTable.mass(parts, body);
+        if (!body.fixed) {
+            BodyMass.inverseInertia(mass); // throws where there is none
+        }
         double[] com = new double[3];
         Rotations.rotate(
                 body.qx, body.qy, body.qz, body.qw, mass.comX(), mass.comY(), mass.comZ(), com);
@@ -111,12 +99,11 @@ final class BodyTable {
         roster.take();
         BodyRef ref = new BodyRef(this, slot, entity, body.name);
         refs[slot] = ref;
-        materials[slot] = body.material;
-        shapes[slot] = shape;
         roster.comX[slot] = mass.comX();
         roster.comY[slot] = mass.comY();
         roster.comZ[slot] = mass.comZ();
-        fill(slot, entity, body, shape, mass, inverse, com);
+        fill(slot, entity, body, mass, com);
+        collision.attach(slot, parts, body);
         roster.born(slot, body.maySleep);
         return ref;
     }
@@ -161,16 +148,12 @@ final class BodyTable {
             int s,
             long entity,
             Body body,
-            Shape shape,
             MassProperties mass,
-            double[] inverse,
             double[] com) {
         BodyStore b = bodies;
         b.clear(s);
         b.kind[s] = body.fixed ? BodyStore.STATIC : BodyStore.DYNAMIC;
         b.entity[s] = entity;
-        b.innerRadius[s] = shape.innerRadius();
-        b.outerRadius[s] = shape.outerRadius();
         b.place(s, body.x + com[0], body.y + com[1], body.z + com[2]);
         b.orientationX[s] = body.qx;
         b.orientationY[s] = body.qy;
@@ -182,7 +165,19 @@ final class BodyTable {
         b.angularVelocityX[s] = body.fixed ? 0 : body.wx;
         b.angularVelocityY[s] = body.fixed ? 0 : body.wy;
         b.angularVelocityZ[s] = body.fixed ? 0 : body.wz;
-        b.inverseMass[s] = body.fixed ? 0 : 1 / mass.mass();
+        setMass(s, mass, body.fixed);
+        b.gravityScale[s] = body.gravityScale;
+        b.linearDamping[s] = body.linearDamping;
+        b.angularDamping[s] = body.angularDamping;
+        b.speedLimit[s] = body.speedLimit;
+        access.restrain(s, body.locks);
+    }
+
+    /** Sets mass, inertia and their inverses, those of a fixed body to 0. */
+    void setMass(int s, MassProperties mass, boolean fixed) {
+        BodyStore b = bodies;
+        double[] inverse = fixed ? new double[6] : BodyMass.inverseInertia(mass);
+        b.inverseMass[s] = fixed ? 0 : 1 / mass.mass();
         b.inertiaXX[s] = mass.ixx();
         b.inertiaYY[s] = mass.iyy();
         b.inertiaZZ[s] = mass.izz();
@@ -195,27 +190,12 @@ final class BodyTable {
         b.inverseInertiaXY[s] = inverse[3];
         b.inverseInertiaXZ[s] = inverse[4];
         b.inverseInertiaYZ[s] = inverse[5];
-        int collider = colliders.attach(s, shape);
-        colliders.friction[collider] = body.material.friction();
-        colliders.restitution[collider] = body.material.restitution();
-        colliders.rollingArm[collider] = body.material.rollingArm();
-        collision.setFilter(collider, body.filter);
-        if (body.material.rollingArm() > 0) {
-            contacts.beginRolling();
-        }
-        b.gravityScale[s] = body.gravityScale;
-        b.linearDamping[s] = body.linearDamping;
-        b.angularDamping[s] = body.angularDamping;
-        b.speedLimit[s] = body.speedLimit;
-        access.restrain(s, body.locks);
     }
 
     private void ensureSlots() {
         int n = bodies.kind.length;
         if (n > refs.length) {
             refs = Arrays.copyOf(refs, n);
-            materials = Arrays.copyOf(materials, n);
-            shapes = Arrays.copyOf(shapes, n);
         }
     }
 

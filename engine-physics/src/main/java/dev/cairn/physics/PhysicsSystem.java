@@ -7,6 +7,7 @@ import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.WorldSystem;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.component.Velocity;
+import dev.cairn.physics.contact.ComposeStage;
 import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.contact.TouchEvents;
@@ -53,6 +54,7 @@ final class PhysicsSystem implements WorldSystem {
 
     private final ContactRows rows;
     private final WakeStage wakes;
+    private final ComposeStage compose;
     private final ManifoldStage manifolds;
     final ContactSolver solver;
     private final Publisher publisher;
@@ -70,6 +72,7 @@ final class PhysicsSystem implements WorldSystem {
         table = new BodyTable(settings, contacts, edges);
         rows = new ContactRows(table.colliders, table.sleepers);
         wakes = new WakeStage(table.sleepers, table.bodies, contacts);
+        compose = new ComposeStage(table.colliders);
         manifolds = new ManifoldStage(table.colliders, table.bounds);
         solver = new ContactSolver(settings.tuning(), kinds);
         publisher = new Publisher(table.roster);
@@ -139,6 +142,7 @@ final class PhysicsSystem implements WorldSystem {
         profile.end(StepStage.SOLVE);
         fallAsleep(tick);
         publishPoses(tick);
+        compose.run(tick.jobs());
         assert StageCheck.poses(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
         profile.end(StepStage.PUBLISH);
         events.update(contacts, tick.jobs());

@@ -1,6 +1,7 @@
 package dev.cairn.physics;
 
 import dev.cairn.core.ecs.World;
+import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.profile.StepProfile;
 import dev.cairn.physics.state.Digest;
@@ -181,7 +182,7 @@ public final class PhysicsWorld implements AutoCloseable {
         List<BodyRef> alive = new ArrayList<>();
         for (int slot = 0; slot < physics.table.bodies.slotCount; slot++) {
             BodyRef ref = physics.table.refs[slot];
-            if (ref.isAlive()) {
+            if (physics.table.bodies.kind[slot] != BodyStore.FREE && ref.isAlive()) {
                 alive.add(ref);
             }
         }

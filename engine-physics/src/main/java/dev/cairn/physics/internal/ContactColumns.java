@@ -95,6 +95,18 @@ public class ContactColumns {
      */
     public double[] frictionLoad = {};
 
+    /**
+     * Whether a body with several colliders has been here; until then there is nothing in {@link
+     * #lever}.
+     */
+    public boolean compounds;
+
+    /**
+     * From the centre of mass of A to the centre of its collider, then the same of B, world axes at
+     * the start of the tick, m; six numbers a row, what its anchors contain.
+     */
+    public double[] lever = {};
+
     /** Mixed coefficient of restitution, 0..1. */
     public double[] restitution = {};
 

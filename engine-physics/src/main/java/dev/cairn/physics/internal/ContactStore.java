@@ -46,6 +46,14 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         }
     }
 
+    /** Makes room for colliders that are not about their bodies' centres; between phases only. */
+    public void beginCompounds() {
+        if (!compounds) {
+            compounds = true;
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
     /** Makes room for rolling friction; between phases only. */
     public void beginRolling() {
         if (!rolls) {
@@ -147,6 +155,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
             rollingArm = c.column("rollingArm", rollingArm);
             rollingImpulse = c.column("rollingImpulse", rollingImpulse, 3);
         }
+        if (compounds) {
+            lever = c.column("lever", lever, 6);
+        }
         if (uneven) {
             frictionLoad = c.column("frictionLoad", frictionLoad, 4);
         }
@@ -189,7 +200,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     }
 
     /**
-     * Says whose contact a row is, and of what surfaces.
+     * Says whose contact a row is, of what surfaces, and with what friction and restitution.
      *
      * @param colliders whose bodies are found
      * @param a the lower collider
@@ -202,5 +213,39 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         bodyB[row] = colliders.body[b];
         surfaceA[row] = colliders.surface[a];
         surfaceB[row] = colliders.surface[b];
+        mix(row, colliders, a, b);
+    }
+
+    /** Friction, restitution and rolling friction of two surfaces that meet. */
+    private void mix(int row, ColliderStore colliders, int a, int b) {
+        setFriction(row, Math.sqrt(colliders.friction[a] * colliders.friction[b]));
+        restitution[row] = Math.max(colliders.restitution[a], colliders.restitution[b]);
+        if (rolls) {
+            rollingArm[row] = Math.max(colliders.rollingArm[a], colliders.rollingArm[b]);
+        }
+    }
+
+    /** A collider's surface is another one; between steps. */
+    public void mix(int collider, ColliderStore colliders) {
+        for (int row = 0; row < count; row++) {
+            if (colliderA[row] == collider || colliderB[row] == collider) {
+                mix(row, colliders, colliderA[row], colliderB[row]);
+            }
+        }
+    }
+
+    /**
+     * A collider's shape is another one: what its rows remember of the old one is forgotten, but
+     * that they touch, and where and with what impulses; between steps.
+     */
+    public void renew(int collider, ColliderStore colliders) {
+        for (int row = 0; row < count; row++) {
+            if (colliderA[row] == collider || colliderB[row] == collider) {
+                join(row, colliders, colliderA[row], colliderB[row]);
+                cache[row] = 0;
+                keeps[row] = false;
+                Arrays.fill(memory, remembered * row, remembered * row + remembered, 0);
+            }
+        }
     }
 }

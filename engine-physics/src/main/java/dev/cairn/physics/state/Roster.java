@@ -54,6 +54,8 @@ public final class Roster {
 
     private int[] free = new int[16];
     private int freeCount;
+    private int[] goneChildren = new int[16];
+    private int goneChildCount;
     private int[] gone = new int[16];
     private int goneCount;
 
@@ -109,6 +111,32 @@ public final class Roster {
             freeCount--;
         } else {
             bodies.slotCount++;
+        }
+    }
+
+    /** Takes a slot for one of several colliders of a body; no body is in it. */
+    public int takeChild() {
+        int slot = nextSlot();
+        take();
+        bodies.clear(slot);
+        return slot;
+    }
+
+    /** A child leaves its body; its slot is free after its rows have left. */
+    public void leaveChild(int collider) {
+        broadPhase.remove(collider);
+        if (goneChildCount == goneChildren.length) {
+            goneChildren = Arrays.copyOf(goneChildren, 2 * goneChildCount);
+        }
+        goneChildren[goneChildCount++] = collider;
+    }
+
+    /** A body is made of something else now: it wakes, and its boxes are found anew. */
+    public void changed(int slot) {
+        places++;
+        sleepers.wake(slot);
+        if (bodies.kind[slot] == BodyStore.STATIC) {
+            addUnplaced(slot);
         }
     }
 
@@ -233,15 +261,28 @@ public final class Roster {
 
     /** After the rows of the gone bodies have left. */
     public void freeGone() {
+        while (goneChildCount > 0) {
+            addFree(goneChildren[--goneChildCount]);
+        }
         for (int i = goneCount - 1; i >= 0; i--) {
-            if (freeCount == free.length) {
-                free = Arrays.copyOf(free, 2 * freeCount);
+            int slot = gone[i];
+            assert bodies.kind[slot] == BodyStore.FREE : "slot " + slot + " has a body";
+            for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+                if (c != slot) {
+                    addFree(c);
+                }
             }
-            assert bodies.kind[gone[i]] == BodyStore.FREE : "slot " + gone[i] + " has a body";
-            colliders.detach(gone[i]);
-            free[freeCount++] = gone[i];
+            colliders.detach(slot);
+            addFree(slot);
         }
         goneCount = 0;
+    }
+
+    private void addFree(int slot) {
+        if (freeCount == free.length) {
+            free = Arrays.copyOf(free, 2 * freeCount);
+        }
+        free[freeCount++] = slot;
     }
 
     private void rebuildLists() {
