@@ -144,12 +144,7 @@ final class BodyTable {
         return records;
     }
 
-    private void fill(
-            int s,
-            long entity,
-            Body body,
-            MassProperties mass,
-            double[] com) {
+    private void fill(int s, long entity, Body body, MassProperties mass, double[] com) {
         BodyStore b = bodies;
         b.clear(s);
         b.kind[s] = body.fixed ? BodyStore.STATIC : BodyStore.DYNAMIC;

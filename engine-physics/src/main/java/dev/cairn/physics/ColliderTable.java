@@ -38,7 +38,6 @@ final class ColliderTable {
     /** By body: mass and inertia that the user gave instead, or NaN. */
     private double[] kilograms = {}, inertiaXX = {}, inertiaYY = {}, inertiaZZ = {};
 
-
     ColliderTable(BodyTable table) {
         this.table = table;
         colliders = table.colliders;
@@ -75,8 +74,7 @@ final class ColliderTable {
 
     /** Mass, centre and inertia of parts, or what the user gave instead. */
     static MassProperties mass(List<Collider> parts, Body body) {
-        return mass(
-                parts, body.fixed, body.mass, body.inertiaXX, body.inertiaYY, body.inertiaZZ);
+        return mass(parts, body.fixed, body.mass, body.inertiaXX, body.inertiaYY, body.inertiaZZ);
     }
 
     private static MassProperties mass(
@@ -350,8 +348,7 @@ final class ColliderTable {
         for (int c = colliders.bodies.collider[body];
                 c != ColliderStore.NONE && c != body;
                 c = colliders.next[c]) {
-            System.arraycopy(
-                    local(body, specs[c]), 0, colliders.local, ColliderStore.LOCAL * c, 7);
+            System.arraycopy(local(body, specs[c]), 0, colliders.local, ColliderStore.LOCAL * c, 7);
         }
         measure(body);
         table.roster.changed(body);

@@ -204,10 +204,7 @@ class CompoundTest {
                                 .collider(Collider.of(Box.of(.4, .05, .05)));
             }
             world.add(
-                    body.at(
-                                    2 * random.nextDouble() - 1,
-                                    1 + .6 * i,
-                                    2 * random.nextDouble() - 1)
+                    body.at(2 * random.nextDouble() - 1, 1 + .6 * i, 2 * random.nextDouble() - 1)
                             .rotation(
                                     new Quaterniond()
                                             .rotateXYZ(
@@ -308,10 +305,7 @@ class CompoundTest {
             assertSame(body, queries.rayCast(-9, 0, 5, 1, 0, 0, 99, hit));
             assertEquals(11, hit.distance(), 1e-12);
             List<BodyRef> all = new ArrayList<>();
-            assertEquals(
-                    1,
-                    queries.overlaps(
-                            new Placement().set(Box.of(9, 9, 9), 0, 0, 0), all));
+            assertEquals(1, queries.overlaps(new Placement().set(Box.of(9, 9, 9), 0, 0, 0), all));
         }
     }
 

@@ -290,8 +290,8 @@ public final class BoundsStage {
 
     /**
      * The centre of a child goes with v + w x o, o from the body's centre. In the time t it leaves
-     * that line by at most |o| (a t + w² t²/2), a what torques may add to the spin w; and never
-     * by more than 2 |o|.
+     * that line by at most |o| (a t + w² t²/2), a what torques may add to the spin w; and never by
+     * more than 2 |o|.
      */
     private byte lookAtChild(int s, int c, double vx, double vy, double vz, double spin) {
         BodyStore b = bodies;
