@@ -155,6 +155,11 @@ final class ColliderTable {
         colliders.friction[c] = material.friction();
         colliders.restitution[c] = material.restitution();
         colliders.rollingArm[c] = material.rollingArm();
+        colliders.mixing[c] =
+                (byte)
+                        (material.frictionMix().ordinal()
+                                | material.restitutionMix().ordinal() << 4);
+        colliders.userData[c] = part.userData;
         if (material.rollingArm() > 0) {
             contacts().beginRolling();
         }
@@ -164,7 +169,7 @@ final class ColliderTable {
     /** Another surface; contacts have it from the next step on. */
     void setMaterial(int c, Material material) {
         surface(c, specs[c].material(Checks.notNull("material", material)));
-        contacts().mix(c, colliders);
+        contacts().mixAll(c, colliders);
         table.roster.changed(colliders.body[c]);
     }
 

@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.collider.ContactHook;
 import dev.cairn.physics.internal.Checks;
 
 import org.jspecify.annotations.Nullable;
@@ -33,6 +34,16 @@ public final class Collisions {
     public void setPairFilter(@Nullable BiPredicate<ColliderRef, ColliderRef> collide) {
         world.requireBetweenSteps("setPairFilter");
         table.ask(collide);
+    }
+
+    /**
+     * Chooses who looks at each contact before it is solved, and may change it for the step.
+     *
+     * @param hook the hook; {@code null} for none
+     */
+    public void setHook(@Nullable ContactHook hook) {
+        world.requireBetweenSteps("setHook");
+        world.physics.hooks.set(hook);
     }
 
     /**

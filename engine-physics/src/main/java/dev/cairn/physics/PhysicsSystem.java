@@ -9,6 +9,7 @@ import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.contact.ComposeStage;
 import dev.cairn.physics.contact.ContactRows;
+import dev.cairn.physics.contact.HookStage;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.contact.WakeStage;
@@ -55,6 +56,7 @@ final class PhysicsSystem implements WorldSystem {
     private final ContactRows rows;
     private final WakeStage wakes;
     private final ComposeStage compose;
+    final HookStage hooks;
     private final ManifoldStage manifolds;
     final ContactSolver solver;
     private final Publisher publisher;
@@ -72,6 +74,7 @@ final class PhysicsSystem implements WorldSystem {
         table = new BodyTable(settings, contacts, edges);
         rows = new ContactRows(table.colliders, table.sleepers);
         wakes = new WakeStage(table.sleepers, table.bodies, contacts);
+        hooks = new HookStage(table.colliders, contacts);
         compose = new ComposeStage(table.colliders);
         manifolds = new ManifoldStage(table.colliders, table.bounds);
         solver = new ContactSolver(settings.tuning(), kinds);
@@ -128,6 +131,7 @@ final class PhysicsSystem implements WorldSystem {
         manifolds.run(contacts, tick.stepSeconds(), tick.jobs());
         profile.end(StepStage.POINTS);
         wakes.run(table.bounds, table.broadPhase, manifolds, tick.stepSeconds(), tick.jobs());
+        hooks.run(tick.jobs());
         table.roster.refreshLists();
         if (table.roster.dynamicCount > 0) {
             solver.step(

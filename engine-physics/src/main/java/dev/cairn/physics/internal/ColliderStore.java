@@ -1,8 +1,11 @@
 package dev.cairn.physics.internal;
 
 import dev.cairn.physics.collider.Filter;
+import dev.cairn.physics.collider.Mix;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+
+import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
 
@@ -52,6 +55,12 @@ public final class ColliderStore {
 
     /** Newton's coefficient of restitution, 0..1. */
     public double[] restitution = {};
+
+    /** Rules by which friction (lower four bits) and restitution are mixed, see {@link Mix}. */
+    public byte[] mixing = {};
+
+    /** What the user attached. */
+    public @Nullable Object[] userData = {};
 
     /** Arm of rolling friction, m. */
     public double[] rollingArm = {};
@@ -114,6 +123,8 @@ public final class ColliderStore {
         outerRadius = c.column("outerRadius", outerRadius);
         friction = c.column("friction", friction);
         restitution = c.column("restitution", restitution);
+        mixing = c.column("mixing", mixing);
+        userData = c.column("userData", userData);
         rollingArm = c.column("rollingArm", rollingArm);
         if (compounds) {
             local = c.column("local", local, LOCAL);

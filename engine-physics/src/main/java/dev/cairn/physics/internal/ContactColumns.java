@@ -95,6 +95,12 @@ public class ContactColumns {
      */
     public double[] frictionLoad = {};
 
+    /** Whether a user's hook has been here; until then nothing is in {@link #hookMemory}. */
+    public boolean hooked;
+
+    /** What the hook remembers of the row. */
+    public int[] hookMemory = {};
+
     /**
      * Whether a body with several colliders has been here; until then there is nothing in {@link
      * #lever}.
