@@ -6,8 +6,8 @@ import dev.cairn.physics.internal.Checks;
 /**
  * What a body's surface and substance are like. Immutable; any thread.
  *
- * <p>Two materials meet with the friction {@code sqrt(a * b)} and the larger restitution, unless one
- * names another rule (see {@link Mix}), and with the larger rolling arm of the two.
+ * <p>Two materials meet with the friction {@code sqrt(a * b)} and the larger restitution, unless
+ * one names another rule (see {@link Mix}), and with the larger rolling arm of the two.
  *
  * <p>Rolling friction is Coulomb's (1785): a contact that is pressed with the force N resists
  * rolling with a torque of up to {@code b N} about axes in the contact plane, b being a length, the
@@ -93,8 +93,7 @@ public record Material(
      * @return a new material
      */
     public Material withFriction(double value) {
-        return new Material(
-                value, restitution, density, rollingArm, frictionMix, restitutionMix);
+        return new Material(value, restitution, density, rollingArm, frictionMix, restitutionMix);
     }
 
     /**
@@ -114,8 +113,7 @@ public record Material(
      * @return a new material
      */
     public Material withDensity(double value) {
-        return new Material(
-                friction, restitution, value, rollingArm, frictionMix, restitutionMix);
+        return new Material(friction, restitution, value, rollingArm, frictionMix, restitutionMix);
     }
 
     /**
@@ -136,8 +134,7 @@ public record Material(
      * @return a new material
      */
     public Material withMix(Mix ofFriction, Mix ofRestitution) {
-        return new Material(
-                friction, restitution, density, rollingArm, ofFriction, ofRestitution);
+        return new Material(friction, restitution, density, rollingArm, ofFriction, ofRestitution);
     }
 
     /**

@@ -67,8 +67,7 @@ class ContactHookTest {
             world.collisions().setHook(ONE_WAY);
             world.add(platform());
             BodyRef jumper =
-                    world.add(
-                            Body.dynamic().shape(Box.cube(.2)).at(0, -1, 0).velocity(0, 6, 0));
+                    world.add(Body.dynamic().shape(Box.cube(.2)).at(0, -1, 0).velocity(0, 6, 0));
             for (int i = 0; i < 240; i++) {
                 world.step(Scenes.STEP);
             }
@@ -85,8 +84,7 @@ class ContactHookTest {
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             world.collisions().setHook(contact -> contact.surface(.25, 0));
             world.add(Body.fixed().shape(Box.of(50, .5, 50)).at(0, -.5, 0));
-            BodyRef block =
-                    world.add(Body.dynamic().shape(Box.of(.5, .1, .5)).at(0, .1, 0));
+            BodyRef block = world.add(Body.dynamic().shape(Box.of(.5, .1, .5)).at(0, .1, 0));
             for (int i = 0; i < 30; i++) {
                 world.step(Scenes.STEP);
             }
@@ -113,14 +111,13 @@ class ContactHookTest {
                                 .workers(workers)
                                 .build()) {
                     world.collisions()
-                            .setHook(
-                                    contact -> {
-                                        contact.surface(contact.friction() / 2, .3);
-                                        contact.remember(contact.memory() + 1);
-                                        if (contact.memory() % 50 == 49) {
-                                            contact.disable();
-                                        }
-                                    });
+                            .setHook(contact -> {
+                                contact.surface(contact.friction() / 2, .3);
+                                contact.remember(contact.memory() + 1);
+                                if (contact.memory() % 50 == 49) {
+                                    contact.disable();
+                                }
+                            });
                     Scenes.everyKindOnEveryKind(world);
                     for (int i = 0; i < 120; i++) {
                         world.step(Scenes.STEP);
