@@ -390,6 +390,16 @@ public final class BodyRef {
     }
 
     /**
+     * The body's contacts in the last step. Allocates; its cost is that of a walk over all
+     * contacts.
+     *
+     * @return their numbers in {@link PhysicsWorld#contacts}, ascending
+     */
+    public int[] contacts() {
+        return table.view().of(alive());
+    }
+
+    /**
      * Adds a collider to the body; mass, centre and inertia follow, unless they were given. The
      * body's frame stays where it is, and each of its points keeps its velocity.
      *

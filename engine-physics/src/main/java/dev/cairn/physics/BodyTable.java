@@ -17,6 +17,8 @@ import dev.cairn.physics.state.RigidBody;
 import dev.cairn.physics.state.Roster;
 import dev.cairn.physics.state.WorldCheck;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -39,6 +41,7 @@ final class BodyTable {
     BodyRef[] refs = new BodyRef[0];
     private final List<BodyRef> quarantined = new ArrayList<>();
     private boolean closed;
+    private @Nullable ContactView view;
 
     /** While the physics runs nobody else may change a body; read by any thread. */
     volatile boolean isStepping;
@@ -53,6 +56,18 @@ final class BodyTable {
         this.contacts = contacts;
         access = new BodyAccess(this);
         collision = new ColliderTable(this);
+    }
+
+    /** What users see of contacts. */
+    ContactView view() {
+        if (view == null) {
+            throw new IllegalStateException("the physics is not complete yet");
+        }
+        return view;
+    }
+
+    void show(ContactView value) {
+        view = value;
     }
 
     World world() {

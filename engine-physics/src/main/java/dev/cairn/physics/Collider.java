@@ -3,6 +3,7 @@ package dev.cairn.physics;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.Rotations;
+import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Quaterniond;
@@ -20,6 +21,7 @@ public final class Collider {
     final @Nullable Material material;
     final @Nullable Filter filter;
     final @Nullable Object userData;
+    final boolean sensor;
 
     /** The shape in the body's frame. */
     final Shape placed;
@@ -29,7 +31,9 @@ public final class Collider {
             double[] pose,
             @Nullable Material material,
             @Nullable Filter filter,
-            @Nullable Object userData) {
+            @Nullable Object userData,
+            boolean sensor) {
+        this.sensor = sensor;
         this.shape = shape;
         x = pose[0];
         y = pose[1];
@@ -53,7 +57,7 @@ public final class Collider {
      */
     public static Collider of(Shape shape) {
         double[] pose = {0, 0, 0, 0, 0, 0, 1};
-        return new Collider(Checks.notNull("shape", shape), pose, null, null, null);
+        return new Collider(Checks.notNull("shape", shape), pose, null, null, null, false);
     }
 
     /**
@@ -69,7 +73,7 @@ public final class Collider {
         Checks.finite("y", bodyY);
         Checks.finite("z", bodyZ);
         double[] pose = {bodyX, bodyY, bodyZ, qx, qy, qz, qw};
-        return new Collider(shape, pose, material, filter, userData);
+        return new Collider(shape, pose, material, filter, userData, sensor);
     }
 
     /**
@@ -83,7 +87,7 @@ public final class Collider {
         Quaterniondc q = Checks.notNull("rotation", bodyFromShape);
         double f = Rotations.inverseLength("rotation", q.x(), q.y(), q.z(), q.w());
         double[] pose = {x, y, z, q.x() * f, q.y() * f, q.z() * f, q.w() * f};
-        return new Collider(shape, pose, material, filter, userData);
+        return new Collider(shape, pose, material, filter, userData, sensor);
     }
 
     /**
@@ -93,7 +97,8 @@ public final class Collider {
      * @return a new description
      */
     public Collider material(Material value) {
-        return new Collider(shape, pose(), Checks.notNull("material", value), filter, userData);
+        Checks.notNull("material", value);
+        return new Collider(shape, pose(), value, filter, userData, sensor);
     }
 
     /**
@@ -103,7 +108,8 @@ public final class Collider {
      * @return a new description
      */
     public Collider filter(Filter value) {
-        return new Collider(shape, pose(), material, Checks.notNull("filter", value), userData);
+        Checks.notNull("filter", value);
+        return new Collider(shape, pose(), material, value, userData, sensor);
     }
 
     /**
@@ -113,7 +119,24 @@ public final class Collider {
      * @return a new description
      */
     public Collider userData(@Nullable Object value) {
-        return new Collider(shape, pose(), material, filter, value);
+        return new Collider(shape, pose(), material, filter, value, sensor);
+    }
+
+    /**
+     * Says whether the collider only tells who is in it, see {@link Contacts#entered}; it pushes
+     * nothing, weighs nothing beside colliders that are none, wakes nobody, and does not see other
+     * sensors. False by default.
+     *
+     * @param value true for a sensor
+     * @return a new description
+     * @throws IllegalArgumentException if it is a half-space, which has no end
+     */
+    public Collider sensor(boolean value) {
+        if (value && shape instanceof HalfSpace) {
+            throw new IllegalArgumentException(
+                    "a half-space cannot be a sensor, for it has no end; use a large box");
+        }
+        return new Collider(shape, pose(), material, filter, userData, value);
     }
 
     private double[] pose() {
@@ -127,7 +150,8 @@ public final class Collider {
                 pose(),
                 material == null ? otherMaterial : material,
                 filter == null ? otherFilter : filter,
-                userData);
+                userData,
+                sensor);
     }
 
     Material material() {

@@ -25,11 +25,9 @@ public final class ColliderRef {
         this.collider = collider;
     }
 
-    /** It has another slot; returns the one before. */
-    int move(int slot) {
-        int before = collider;
+    /** It has another slot, or -1 for none. */
+    void move(int slot) {
         collider = slot;
-        return before;
     }
 
     /**
@@ -39,6 +37,15 @@ public final class ColliderRef {
      */
     public BodyRef body() {
         return body;
+    }
+
+    /**
+     * Whether it only tells who is in it.
+     *
+     * @return true for a sensor
+     */
+    public boolean isSensor() {
+        return table.spec(alive()).sensor;
     }
 
     /**

@@ -29,8 +29,8 @@ final class ColliderTable {
     private final BodyTable table;
     private final BroadPhase broadPhase;
 
-    /** Made when somebody asks. */
-    private @Nullable ColliderRef[] refs = {};
+    /** By slot; that of a collider that is gone stays until the slot is used again. */
+    private ColliderRef[] refs = {};
 
     /** What each collider was made of, with material and filter. */
     private Collider[] specs = {};
@@ -45,15 +45,9 @@ final class ColliderTable {
         pairFilter = table.roster.pairFilter;
     }
 
-    /** The reference to a collider that exists; allocates when it is asked for the first time. */
+    /** The reference to a collider, or to the last one in its slot. */
     ColliderRef ref(int collider) {
-        BodyRef body = table.refs[colliders.body[collider]];
-        ColliderRef ref = refs[collider];
-        if (ref == null || ref.body() != body) {
-            ref = new ColliderRef(this, body, collider);
-            refs[collider] = ref;
-        }
-        return ref;
+        return refs[collider];
     }
 
     Collider spec(int collider) {
@@ -85,8 +79,14 @@ final class ColliderTable {
             return BodyMass.of(only.placed, density, fixed, mass, xx, yy, zz);
         }
         List<MassProperties> all = new ArrayList<>();
+        boolean solid = false;
         for (Collider part : parts) {
-            all.add(part.placed.massProperties(part.material().density()));
+            solid |= !part.sensor;
+        }
+        for (Collider part : parts) {
+            if (!part.sensor || !solid) {
+                all.add(part.placed.massProperties(part.material().density()));
+            }
         }
         return BodyMass.of(parts, BodyMass.sum(all), fixed, mass, xx, yy, zz);
     }
@@ -111,7 +111,7 @@ final class ColliderTable {
 
     private void only(int body, Collider part) {
         colliders.attach(body, part.placed);
-        surface(body, part);
+        begin(body, part);
     }
 
     private int child(int body, Collider part) {
@@ -120,7 +120,7 @@ final class ColliderTable {
         contacts().beginCompounds();
         pairFilter.begin(); // parts of a body do not meet
         colliders.append(body, c, solid(part), local(body, part));
-        surface(c, part);
+        begin(c, part);
         return c;
     }
 
@@ -149,6 +149,12 @@ final class ColliderTable {
         return pose;
     }
 
+    /** A collider that is new in its slot. */
+    private void begin(int c, Collider part) {
+        refs[c] = new ColliderRef(this, table.refs[colliders.body[c]], c);
+        surface(c, part);
+    }
+
     private void surface(int c, Collider part) {
         Material material = part.material();
         specs[c] = part;
@@ -157,9 +163,14 @@ final class ColliderTable {
         colliders.rollingArm[c] = material.rollingArm();
         colliders.mixing[c] =
                 (byte)
-                        (material.frictionMix().ordinal()
-                                | material.restitutionMix().ordinal() << 4);
+                        (material.frictionMix().strength()
+                                | material.restitutionMix().strength() << 4);
         colliders.userData[c] = part.userData;
+        colliders.sensor[c] = part.sensor;
+        if (part.sensor) {
+            colliders.sensors = true;
+            pairFilter.begin(); // two sensors do not meet
+        }
         if (material.rollingArm() > 0) {
             contacts().beginRolling();
         }
@@ -261,6 +272,12 @@ final class ColliderTable {
     void replace(int collider, Collider part) {
         int body = colliders.body[collider];
         Collider whole = part.orElse(specs[collider].material(), specs[collider].filter());
+        if (whole.sensor != specs[collider].sensor) {
+            throw new IllegalArgumentException(
+                    ref(collider)
+                            + (whole.sensor ? " is no sensor" : " is a sensor")
+                            + ", and stays so; remove it and add another one");
+        }
         List<Collider> parts = parts(body);
         int at = 0;
         for (int c = colliders.bodies.collider[body]; c != collider; c = colliders.next[c]) {
@@ -329,18 +346,11 @@ final class ColliderTable {
     private void takeOut(int body, int collider) {
         colliders.remove(body, collider);
         table.roster.leaveChild(collider);
-        ColliderRef ref = refs[collider];
-        if (ref != null) {
-            ref.move(-1);
-            refs[collider] = null;
-        }
+        refs[collider].move(-1); // it stays here, for the events of its end
     }
 
     private void move(ColliderRef ref, int collider) {
-        int before = ref.move(collider);
-        if (before >= 0) {
-            refs[before] = null;
-        }
+        ref.move(collider);
         refs[collider] = ref;
     }
 

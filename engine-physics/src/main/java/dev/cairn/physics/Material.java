@@ -146,7 +146,7 @@ public record Material(
      * @return the mixed Coulomb coefficient
      */
     public static double mixFriction(Material a, Material b) {
-        int rules = a.frictionMix.ordinal() | b.frictionMix.ordinal() << 4;
+        int rules = a.frictionMix.strength() | b.frictionMix.strength() << 4;
         return Mix.of(rules, a.friction, b.friction, Math.sqrt(a.friction * b.friction));
     }
 
@@ -159,7 +159,7 @@ public record Material(
      * @return the mixed coefficient of restitution
      */
     public static double mixRestitution(Material a, Material b) {
-        int rules = a.restitutionMix.ordinal() | b.restitutionMix.ordinal() << 4;
+        int rules = a.restitutionMix.strength() | b.restitutionMix.strength() << 4;
         double larger = Math.max(a.restitution, b.restitution);
         return Mix.of(rules, a.restitution, b.restitution, larger);
     }

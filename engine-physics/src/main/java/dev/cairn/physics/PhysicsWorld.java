@@ -82,6 +82,7 @@ public final class PhysicsWorld implements AutoCloseable {
         } finally {
             stepping = false;
         }
+        physics.view.tell();
     }
 
     /**

@@ -65,6 +65,7 @@ public final class WorldQueries {
     private int place;
     private @Nullable Predicate<BodyRef> filter;
     private @Nullable Filter bits;
+    private boolean sensors;
 
     WorldQueries(PhysicsWorld world) {
         this.world = world;
@@ -91,6 +92,17 @@ public final class WorldQueries {
      */
     public WorldQueries withFilter(@Nullable Filter asks) {
         bits = asks;
+        return this;
+    }
+
+    /**
+     * Says whether sensors are looked at too; by default they are not.
+     *
+     * @param value true to find sensors
+     * @return this
+     */
+    public WorldQueries withSensors(boolean value) {
+        sensors = value;
         return this;
     }
 
@@ -324,7 +336,8 @@ public final class WorldQueries {
 
     private boolean isWanted(int collider) {
         BodyRef body = table.refs[table.colliders.body[collider]];
-        return (bits == null || bits.meets(table.colliders.filter[collider]))
+        return (!table.colliders.sensor[collider] || sensors)
+                && (bits == null || bits.meets(table.colliders.filter[collider]))
                 && body.isAlive()
                 && (filter == null || filter.test(body));
     }

@@ -11,10 +11,10 @@ import java.util.Arrays;
  * Which pairs of colliders whose boxes overlap become pairs: the one place where that is said,
  * before a pair gets a row. While {@link #active} is false all do, and nobody asks.
  *
- * <p>A pair is refused if it is of one body, of two bodies that were taken {@link #apart}, if the
- * two filters do not meet, or if the user's test says so. Changes are made between steps on the
- * simulation thread; {@link #admits} from blocks of a stage, {@link #passes} on the simulation
- * thread and in a fixed order. Allocates only when something grows.
+ * <p>A pair is refused if it is of one body, or of two sensors, of two bodies that were taken
+ * {@link #apart}, if the two filters do not meet, or if the user's test says so. Changes are made
+ * between steps on the simulation thread; {@link #admits} from blocks of a stage, {@link #passes}
+ * on the simulation thread and in a fixed order. Allocates only when something grows.
  */
 public final class PairFilter {
     /** A question of the user about a pair, lower collider first. */
@@ -123,6 +123,9 @@ public final class PairFilter {
         int i = colliders.body[a];
         int j = colliders.body[b];
         if (i == j || (excluded.size() > 0 && excluded.contains(PairSet.key(i, j)))) {
+            return false;
+        }
+        if (colliders.sensors && colliders.sensor[a] && colliders.sensor[b]) {
             return false;
         }
         Filter one = colliders.filter[a];

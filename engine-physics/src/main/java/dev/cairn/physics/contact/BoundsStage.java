@@ -139,7 +139,8 @@ public final class BoundsStage {
             box[at + 4] += p.positionY[c];
             box[at + 5] += p.positionZ[c];
             setAhead(c, 0, 0, 0, 0);
-            target.place(c, true, box, at);
+            // a sensor of a fixed body also meets what is fixed
+            target.place(c, !colliders.sensor[c], box, at);
         }
     }
 

@@ -59,6 +59,12 @@ public final class ColliderStore {
     /** Rules by which friction (lower four bits) and restitution are mixed, see {@link Mix}. */
     public byte[] mixing = {};
 
+    /** Whether any collider is, or was, a sensor. */
+    public boolean sensors;
+
+    /** Whether it only tells who is in it, and pushes nothing. */
+    public boolean[] sensor = {};
+
     /** What the user attached. */
     public @Nullable Object[] userData = {};
 
@@ -124,6 +130,7 @@ public final class ColliderStore {
         friction = c.column("friction", friction);
         restitution = c.column("restitution", restitution);
         mixing = c.column("mixing", mixing);
+        sensor = c.column("sensor", sensor);
         userData = c.column("userData", userData);
         rollingArm = c.column("rollingArm", rollingArm);
         if (compounds) {

@@ -95,6 +95,12 @@ public class ContactColumns {
      */
     public double[] frictionLoad = {};
 
+    /** Whether somebody wants hits; until then nothing is in {@link #approach}. */
+    public boolean hits;
+
+    /** How fast the two approached before they touched, m/s. */
+    public double[] approach = {};
+
     /** Whether a user's hook has been here; until then nothing is in {@link #hookMemory}. */
     public boolean hooked;
 

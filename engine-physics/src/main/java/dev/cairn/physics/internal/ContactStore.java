@@ -56,6 +56,14 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         }
     }
 
+    /** Makes room for speeds of approach; between phases only. */
+    public void beginHits() {
+        if (!hits) {
+            hits = true;
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
     /** Makes room for what a user's hook remembers; between phases only. */
     public void beginHooks() {
         if (!hooked) {
@@ -175,6 +183,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         if (rolls) {
             rollingArm = c.column("rollingArm", rollingArm);
             rollingImpulse = c.column("rollingImpulse", rollingImpulse, 3);
+        }
+        if (hits) {
+            approach = c.column("approach", approach);
         }
         if (hooked) {
             hookMemory = c.column("hookMemory", hookMemory);
