@@ -198,7 +198,9 @@ public final class PairTimes {
         Fastest fastest = new Fastest();
         try (StageSet set = new StageSet(kind)) {
             // The stage goes without lanes until their kernels are compiled.
-            if (!(BoxWarmUp.await() & RoundWarmUp.await())) {
+            boolean boxes = BoxWarmUp.await();
+            boolean rounds = RoundWarmUp.await();
+            if (!boxes || !rounds) {
                 System.out.print(" (without lanes)");
             }
             long until = THREADS.getCurrentThreadCpuTime() + LEAST_TIME;
