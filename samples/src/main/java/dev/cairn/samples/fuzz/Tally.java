@@ -11,11 +11,31 @@ import java.util.TreeMap;
 
 /** Counts worlds and broken laws by corner of the space of worlds. One thread. */
 public final class Tally {
-    /** By corner: worlds, then breaches by law. */
-    private final Map<String, Map<String, int[]>> corners = new LinkedHashMap<>();
+    /** How many worlds, and how many of them broke which law. */
+    private static final class Row {
+        int worlds;
+        final Map<Law, Integer> broken = new EnumMap<>(Law.class);
+
+        void add(Map<Law, Breach> laws) {
+            worlds++;
+            laws.keySet().forEach(law -> broken.merge(law, 1, Integer::sum));
+        }
+
+        void write(StringBuilder text, String name) {
+            text.append("| ").append(name).append(" | ").append(worlds).append(" |");
+            for (Law law : Law.values()) {
+                Integer count = broken.get(law);
+                text.append(count == null ? " |" : " %d |".formatted(count));
+            }
+            text.append('\n');
+        }
+    }
+
+    /** By dimension and corner. */
+    private final Map<String, Map<String, Row>> corners = new LinkedHashMap<>();
 
     private final Map<Law, Double> worst = new EnumMap<>(Law.class);
-    private final int[] total = new int[Law.values().length + 1];
+    private final Row total = new Row();
     private int failing;
 
     /** Nothing counted yet. */
@@ -59,7 +79,7 @@ public final class Tally {
                         ? "nothing"
                         : fuzz.room() < Double.POSITIVE_INFINITY ? "room" : "floor",
                 broken);
-        tally(total, broken);
+        total.add(broken);
         failing += broken.isEmpty() ? 0 : 1;
         for (Breach breach : broken.values()) {
             worst.merge(breach.law(), breach.value(), Math::max);
@@ -71,17 +91,9 @@ public final class Tally {
     }
 
     private void count(String dimension, String corner, Map<Law, Breach> broken) {
-        tally(
-                corners.computeIfAbsent(dimension, key -> new TreeMap<>())
-                        .computeIfAbsent(corner, key -> new int[Law.values().length + 1]),
-                broken);
-    }
-
-    private static void tally(int[] row, Map<Law, Breach> broken) {
-        row[0]++;
-        for (Law law : broken.keySet()) {
-            row[1 + law.ordinal()]++;
-        }
+        corners.computeIfAbsent(dimension, key -> new TreeMap<>())
+                .computeIfAbsent(corner, key -> new Row())
+                .add(broken);
     }
 
     /** How many worlds broke a law. */
@@ -97,7 +109,7 @@ public final class Tally {
             text.append(' ').append(law).append(" |");
         }
         text.append("\n|").append("---|".repeat(2 + Law.values().length)).append('\n');
-        row(text, "all", total);
+        total.write(text, "all");
         text.append("| worst | |");
         for (Law law : Law.values()) {
             Double value = worst.get(law);
@@ -105,15 +117,7 @@ public final class Tally {
         }
         text.append('\n');
         corners.forEach((dimension, rows) ->
-                rows.forEach((corner, row) -> row(text, dimension + " " + corner, row)));
+                rows.forEach((corner, row) -> row.write(text, dimension + " " + corner)));
         return text.toString();
-    }
-
-    private static void row(StringBuilder text, String name, int[] row) {
-        text.append("| ").append(name).append(" | ").append(row[0]).append(" |");
-        for (int i = 1; i < row.length; i++) {
-            text.append(row[i] == 0 ? " |" : " %d |".formatted(row[i]));
-        }
-        text.append('\n');
     }
 }
