@@ -94,7 +94,7 @@ final class WindowLoop {
                 long now = System.nanoTime();
                 double elapsed = Math.min((now - before) * 1e-9, 0.1);
                 before = now;
-                applyWishes(window);
+                applyWishes();
                 readSizes(window);
                 if (iconified || size(0) == 0 || size(1) == 0) {
                     glfwWaitEventsTimeout(HIDDEN_SECONDS);
@@ -232,7 +232,7 @@ final class WindowLoop {
         }
     }
 
-    private void applyWishes(long window) {
+    private void applyWishes() {
         WindowWishes wishes = application.wishes();
         String text = wishes.takeNotice();
         if (text != null) {
