@@ -18,6 +18,8 @@ import dev.cairn.physics.state.RigidBody;
 import dev.cairn.physics.state.Roster;
 import dev.cairn.physics.state.WorldCheck;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -27,6 +29,9 @@ import java.util.List;
  * {@link Roster}; what is born is checked and filled in here.
  */
 final class BodyTable {
+    /** Of a kinematic body: room for some ticks until what the step computes with ends. */
+    private static final double MOST_SPEED = 1e59;
+
     final Roster roster;
     final BodyStore bodies;
     final ColliderStore colliders;
@@ -35,12 +40,20 @@ final class BodyTable {
     final Sleepers sleepers;
     final ContactStore contacts;
     final BodyAccess access;
+    final BodyChanges changes;
 
     BodyRef[] refs = new BodyRef[0];
     Material[] materials = new Material[0];
 
     /** As the user gave them. */
     Shape[] shapes = new Shape[0];
+
+    @Nullable Object[] userData = {};
+
+    /**
+     * Mass and inertia that the user stated, four to a slot; NaN for what follows from the shape.
+     */
+    double[] stated = {};
 
     private final List<BodyRef> quarantined = new ArrayList<>();
     private boolean closed;
@@ -57,6 +70,7 @@ final class BodyTable {
         sleepers = roster.sleepers;
         this.contacts = contacts;
         access = new BodyAccess(this);
+        changes = new BodyChanges(this);
     }
 
     World world() {
@@ -86,22 +100,18 @@ final class BodyTable {
                             + (body.name.isEmpty() ? "" : " '" + body.name + "'")
                             + " has no shape; call .shape(..) before adding it");
         }
-        MassProperties mass =
-                BodyMass.of(
-                        shape,
-                        body.material.density(),
-                        body.fixed,
-                        body.mass,
-                        body.inertiaXX,
-                        body.inertiaYY,
-                        body.inertiaZZ);
-        double[] inverse = body.fixed ? new double[6] : BodyMass.inverseInertia(mass);
+        double[] inertia = {body.inertiaXX, body.inertiaYY, body.inertiaZZ};
+        MassProperties mass = mass(shape, body.material, body.type, body.mass, inertia);
         double[] com = new double[3];
         Rotations.rotate(
                 body.qx, body.qy, body.qz, body.qw, mass.comX(), mass.comY(), mass.comZ(), com);
         checkReach("x", body.x + com[0]);
         checkReach("y", body.y + com[1]);
         checkReach("z", body.z + com[2]);
+        if (body.type == BodyType.KINEMATIC) {
+            checkSpeed("velocity", body.vx, body.vy, body.vz, 1);
+            checkSpeed("angular velocity", body.wx, body.wy, body.wz, shape.outerRadius());
+        }
         int slot = roster.nextSlot();
         ensureSlots();
         Record[] records = records(body, slot);
@@ -111,12 +121,72 @@ final class BodyTable {
         refs[slot] = ref;
         materials[slot] = body.material;
         shapes[slot] = shape;
-        roster.comX[slot] = mass.comX();
-        roster.comY[slot] = mass.comY();
-        roster.comZ[slot] = mass.comZ();
-        fill(slot, entity, body, shape, mass, inverse, com);
+        userData[slot] = body.userData;
+        stated[4 * slot] = body.mass;
+        System.arraycopy(inertia, 0, stated, 4 * slot + 1, 3);
+        fill(slot, entity, body, shape);
+        setMass(slot, body.type, mass);
+        bodies.place(slot, body.x + com[0], body.y + com[1], body.z + com[2]);
         roster.born(slot, body.maySleep);
         return ref;
+    }
+
+    /** What a body of this type weighs, or a message that says why it cannot be one. */
+    static MassProperties mass(
+            Shape shape, Material material, BodyType type, double kilograms, double[] inertia) {
+        return BodyMass.of(
+                shape,
+                material.density(),
+                type != BodyType.DYNAMIC,
+                kilograms,
+                inertia[0],
+                inertia[1],
+                inertia[2]);
+    }
+
+    /** Kind, mass, inertia and centre of mass. */
+    void setMass(int s, BodyType type, MassProperties mass) {
+        boolean moves = type == BodyType.DYNAMIC;
+        double[] inverse = moves ? BodyMass.inverseInertia(mass) : new double[6];
+        BodyStore b = bodies;
+        b.kind[s] =
+                switch (type) {
+                    case FIXED -> BodyStore.STATIC;
+                    case KINEMATIC -> BodyStore.KINEMATIC;
+                    case DYNAMIC -> BodyStore.DYNAMIC;
+                };
+        roster.comX[s] = mass.comX();
+        roster.comY[s] = mass.comY();
+        roster.comZ[s] = mass.comZ();
+        b.inverseMass[s] = moves ? 1 / mass.mass() : 0;
+        b.inertiaXX[s] = mass.ixx();
+        b.inertiaYY[s] = mass.iyy();
+        b.inertiaZZ[s] = mass.izz();
+        b.inertiaXY[s] = mass.ixy();
+        b.inertiaXZ[s] = mass.ixz();
+        b.inertiaYZ[s] = mass.iyz();
+        b.inverseInertiaXX[s] = inverse[0];
+        b.inverseInertiaYY[s] = inverse[1];
+        b.inverseInertiaZZ[s] = inverse[2];
+        b.inverseInertiaXY[s] = inverse[3];
+        b.inverseInertiaXZ[s] = inverse[4];
+        b.inverseInertiaYZ[s] = inverse[5];
+    }
+
+    /** A speed that a step can go on from, of a body that nothing slows down. */
+    static void checkSpeed(String what, double x, double y, double z, double radius) {
+        double largest = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+        if (!(largest <= MOST_SPEED && largest * radius <= MOST_SPEED)) {
+            throw new IllegalArgumentException(
+                    what
+                            + " of a kinematic body is ("
+                            + x
+                            + ", "
+                            + y
+                            + ", "
+                            + z
+                            + "); its surface may move at 1e59 m/s at most, so choose less");
+        }
     }
 
     private static void checkReach(String name, double value) {
@@ -127,11 +197,12 @@ final class BodyTable {
     }
 
     private Record[] records(Body body, int slot) {
-        int own = body.fixed ? 2 : 3;
+        boolean fixed = body.type == BodyType.FIXED;
+        int own = fixed ? 2 : 3;
         Record[] records = new Record[own + body.components.size()];
         records[0] = new Pose(body.x, body.y, body.z, body.qx, body.qy, body.qz, body.qw, 0);
         records[1] = new RigidBody(slot);
-        if (!body.fixed) {
+        if (!fixed) {
             records[2] = new Velocity(body.vx, body.vy, body.vz, body.wx, body.wy, body.wz);
         }
         for (int i = 0; i < body.components.size(); i++) {
@@ -155,44 +226,23 @@ final class BodyTable {
         return records;
     }
 
-    private void fill(
-            int s,
-            long entity,
-            Body body,
-            Shape shape,
-            MassProperties mass,
-            double[] inverse,
-            double[] com) {
+    private void fill(int s, long entity, Body body, Shape shape) {
         BodyStore b = bodies;
         b.clear(s);
-        b.kind[s] = body.fixed ? BodyStore.STATIC : BodyStore.DYNAMIC;
         b.entity[s] = entity;
         b.innerRadius[s] = shape.innerRadius();
         b.outerRadius[s] = shape.outerRadius();
-        b.place(s, body.x + com[0], body.y + com[1], body.z + com[2]);
         b.orientationX[s] = body.qx;
         b.orientationY[s] = body.qy;
         b.orientationZ[s] = body.qz;
         b.orientationW[s] = body.qw;
-        b.velocityX[s] = body.fixed ? 0 : body.vx;
-        b.velocityY[s] = body.fixed ? 0 : body.vy;
-        b.velocityZ[s] = body.fixed ? 0 : body.vz;
-        b.angularVelocityX[s] = body.fixed ? 0 : body.wx;
-        b.angularVelocityY[s] = body.fixed ? 0 : body.wy;
-        b.angularVelocityZ[s] = body.fixed ? 0 : body.wz;
-        b.inverseMass[s] = body.fixed ? 0 : 1 / mass.mass();
-        b.inertiaXX[s] = mass.ixx();
-        b.inertiaYY[s] = mass.iyy();
-        b.inertiaZZ[s] = mass.izz();
-        b.inertiaXY[s] = mass.ixy();
-        b.inertiaXZ[s] = mass.ixz();
-        b.inertiaYZ[s] = mass.iyz();
-        b.inverseInertiaXX[s] = inverse[0];
-        b.inverseInertiaYY[s] = inverse[1];
-        b.inverseInertiaZZ[s] = inverse[2];
-        b.inverseInertiaXY[s] = inverse[3];
-        b.inverseInertiaXZ[s] = inverse[4];
-        b.inverseInertiaYZ[s] = inverse[5];
+        boolean fixed = body.type == BodyType.FIXED;
+        b.velocityX[s] = fixed ? 0 : body.vx;
+        b.velocityY[s] = fixed ? 0 : body.vy;
+        b.velocityZ[s] = fixed ? 0 : body.vz;
+        b.angularVelocityX[s] = fixed ? 0 : body.wx;
+        b.angularVelocityY[s] = fixed ? 0 : body.wy;
+        b.angularVelocityZ[s] = fixed ? 0 : body.wz;
         int collider = colliders.attach(s, shape);
         colliders.friction[collider] = body.material.friction();
         colliders.restitution[collider] = body.material.restitution();
@@ -213,6 +263,8 @@ final class BodyTable {
             refs = Arrays.copyOf(refs, n);
             materials = Arrays.copyOf(materials, n);
             shapes = Arrays.copyOf(shapes, n);
+            userData = Arrays.copyOf(userData, n);
+            stated = Arrays.copyOf(stated, 4 * n);
         }
     }
 
@@ -222,6 +274,11 @@ final class BodyTable {
     void quarantine(int slot) {
         roster.stop(slot);
         quarantined.add(refs[slot]);
+    }
+
+    /** A body that was quarantined may move again. */
+    void release(int slot) {
+        quarantined.remove(refs[slot]);
     }
 
     /** Those that are still there, in the order in which they were quarantined. */

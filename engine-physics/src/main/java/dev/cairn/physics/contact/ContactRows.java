@@ -198,11 +198,7 @@ public final class ContactRows {
             int a = (int) (keys[i] >>> 32);
             int b = (int) keys[i];
             c.join(row, colliders, a, b);
-            c.setFriction(row, Math.sqrt(colliders.friction[a] * colliders.friction[b]));
-            c.restitution[row] = Math.max(colliders.restitution[a], colliders.restitution[b]);
-            if (c.rolls) {
-                c.rollingArm[row] = Math.max(colliders.rollingArm[a], colliders.rollingArm[b]);
-            }
+            c.mix(row, colliders);
         }
     }
 }

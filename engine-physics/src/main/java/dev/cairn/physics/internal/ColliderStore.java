@@ -120,6 +120,21 @@ public final class ColliderStore {
     }
 
     /**
+     * Gives a collider, the only one of its body, another shape.
+     *
+     * @param collider whose
+     * @param geometry about the body's centre of mass
+     */
+    public void replace(int collider, Shape geometry) {
+        Shape solid = Surface.aboutCentre(geometry);
+        shape[collider] = solid;
+        surface[collider] = Surface.of(solid);
+        bodies.isBall[body[collider]] = solid instanceof Sphere;
+        innerRadius[collider] = geometry.innerRadius();
+        outerRadius[collider] = geometry.outerRadius();
+    }
+
+    /**
      * Frees the slots of a body's colliders, which have no rows any more.
      *
      * @param slot of the body

@@ -95,6 +95,17 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         return bodyB[active[i]];
     }
 
+    /** Friction, restitution and rolling of a row, mixed of those of its two colliders. */
+    public void mix(int row, ColliderStore colliders) {
+        int a = colliderA[row];
+        int b = colliderB[row];
+        setFriction(row, Math.sqrt(colliders.friction[a] * colliders.friction[b]));
+        restitution[row] = Math.max(colliders.restitution[a], colliders.restitution[b]);
+        if (rolls) {
+            rollingArm[row] = Math.max(colliders.rollingArm[a], colliders.rollingArm[b]);
+        }
+    }
+
     /** Nothing: rows leave with their pairs, when the boxes have parted. */
     @Override
     public void leave(int slot) {}
