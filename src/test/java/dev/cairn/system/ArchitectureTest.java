@@ -17,7 +17,7 @@ import java.util.Set;
  * The house rules of the architecture: arrows run one way, and nothing in a step can break its
  * determinism.
  */
-@AnalyzeClasses(packages = "dev.cairn", importOptions = EngineClasses.class)
+@AnalyzeClasses(packages = "dev.cairn", importOptions = ShippedClasses.class)
 final class ArchitectureTest {
     /** Functions of {@link Math} whose result may differ between JVMs and processors. */
     private static final Set<String> PLATFORM_MATH =

@@ -19,7 +19,7 @@ import java.util.stream.Collectors;
 /**
  * The packages of the physics are chapters: each knows the ones before it, and none in a circle.
  */
-@AnalyzeClasses(packages = "dev.cairn.physics", importOptions = EngineClasses.class)
+@AnalyzeClasses(packages = "dev.cairn.physics", importOptions = ShippedClasses.class)
 final class PhysicsChaptersTest {
     /** Files that one folder may hold before it wants sections. */
     private static final int MOST_FILES = 25;

@@ -5,6 +5,7 @@ import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.Rotations;
+import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Matrix3d;
@@ -77,15 +78,43 @@ final class BodyAccess {
     }
 
     Shape shape(int s) {
-        return table.shapes[s];
+        return table.collision.spec(bodies.collider[s]).placed;
     }
 
     Material material(int s) {
-        return table.materials[s];
+        return table.collision.spec(bodies.collider[s]).material();
     }
 
     double mass(int s) {
         return isUnmoved(s) ? Double.POSITIVE_INFINITY : 1 / bodies.inverseMass[s];
+    }
+
+    /**
+     * Another mass, centre and inertia. The body's frame stays where it is; the centre takes over
+     * the velocity v + w x d of where it is now.
+     */
+    void setMass(int s, MassProperties p) {
+        BodyStore b = bodies;
+        Rotations.rotate(
+                b.orientationX[s],
+                b.orientationY[s],
+                b.orientationZ[s],
+                b.orientationW[s],
+                p.comX() - table.roster.comX[s],
+                p.comY() - table.roster.comY[s],
+                p.comZ() - table.roster.comZ[s],
+                rotated);
+        table.roster.comX[s] = p.comX();
+        table.roster.comY[s] = p.comY();
+        table.roster.comZ[s] = p.comZ();
+        b.move(s, rotated[0], rotated[1], rotated[2]);
+        double wx = b.angularVelocityX[s];
+        double wy = b.angularVelocityY[s];
+        double wz = b.angularVelocityZ[s];
+        b.velocityX[s] += wy * rotated[2] - wz * rotated[1];
+        b.velocityY[s] += wz * rotated[0] - wx * rotated[2];
+        b.velocityZ[s] += wx * rotated[1] - wy * rotated[0];
+        table.setMass(s, p, isUnmoved(s));
     }
 
     /** R I⁻¹ Rᵀ. */
@@ -407,6 +436,7 @@ final class BodyAccess {
         bodies.orientationY[s] = qy;
         bodies.orientationZ[s] = qz;
         bodies.orientationW[s] = qw;
+        table.colliders.compose(s);
         if (isUnmoved(s)) {
             table.roster.motion.forget(s);
             table.roster.addUnplaced(s);

@@ -4,7 +4,6 @@ import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
 
@@ -17,7 +16,6 @@ import dev.cairn.physics.shape.Shape;
 final class BodyChanges {
     private final BodyTable table;
     private final BodyStore bodies;
-    private final double[] arm = new double[3];
 
     BodyChanges(BodyTable table) {
         this.table = table;
@@ -28,8 +26,8 @@ final class BodyChanges {
         if (table.access.type(s) == type) {
             return;
         }
-        MassProperties mass =
-                BodyTable.mass(table.shapes[s], table.materials[s], type, stated(s, 0), inertia(s));
+        boolean moves = type == BodyType.DYNAMIC;
+        MassProperties mass = table.collision.massAs(s, !moves);
         long entity = bodies.entity[s];
         boolean wasFixed = table.access.isFixed(s);
         wakeAround(s);
@@ -43,117 +41,48 @@ final class BodyChanges {
             table.world().remove(entity, Velocity.COMPONENT);
             bodies.stop(s);
         }
-        apply(s, type, mass);
-        table.roster.changed(s);
+        bodies.kind[s] = BodyTable.kind(type);
+        table.access.setMass(s, mass);
+        learn(s);
+        table.roster.retyped(s);
     }
 
     void setShape(int s, Shape shape) {
-        BodyType type = table.access.type(s);
-        MassProperties mass =
-                BodyTable.mass(shape, table.materials[s], type, stated(s, 0), inertia(s));
+        int c = bodies.collider[s];
+        if (table.colliders.next[c] != ColliderStore.NONE) {
+            throw new IllegalStateException(
+                    table.refs[s]
+                            + " has several colliders; choose one of colliders() and replace that");
+        }
         wakeAround(s);
-        table.shapes[s] = shape;
-        bodies.innerRadius[s] = shape.innerRadius();
-        bodies.outerRadius[s] = shape.outerRadius();
-        table.colliders.replace(bodies.collider[s], shape);
-        apply(s, type, mass);
+        table.collision.replace(c, Collider.of(shape));
         table.contacts.forget(s);
-        table.roster.changed(s);
+        learn(s);
     }
 
     void setMaterial(int s, Material material) {
-        BodyType type = table.access.type(s);
-        MassProperties mass =
-                BodyTable.mass(table.shapes[s], material, type, stated(s, 0), inertia(s));
         wakeAround(s);
-        table.materials[s] = material;
-        ColliderStore k = table.colliders;
-        for (int c = bodies.collider[s]; c != ColliderStore.NONE; c = k.next[c]) {
-            k.friction[c] = material.friction();
-            k.restitution[c] = material.restitution();
-            k.rollingArm[c] = material.rollingArm();
-        }
-        if (material.rollingArm() > 0) {
-            table.contacts.beginRolling();
-        }
-        ContactStore rows = table.contacts;
-        for (int row = 0; row < rows.count; row++) {
-            if (rows.bodyA[row] == s || rows.bodyB[row] == s) {
-                rows.mix(row, k);
-            }
-        }
-        apply(s, type, mass);
+        table.collision.setMaterials(s, material);
+        learn(s);
     }
 
     void setMass(int s, double kilograms) {
-        MassProperties mass =
-                BodyTable.mass(
-                        table.shapes[s],
-                        table.materials[s],
-                        table.access.type(s),
-                        kilograms,
-                        inertia(s));
         wakeAround(s);
-        table.stated[4 * s] = kilograms;
-        apply(s, table.access.type(s), mass);
+        table.collision.stateMass(s, kilograms);
+        learn(s);
     }
 
     void setInertia(int s, double xx, double yy, double zz) {
         Body.checkInertia(xx, yy, zz);
-        double[] stated = {xx, yy, zz};
-        MassProperties mass =
-                BodyTable.mass(
-                        table.shapes[s],
-                        table.materials[s],
-                        table.access.type(s),
-                        stated(s, 0),
-                        stated);
         wakeAround(s);
-        System.arraycopy(stated, 0, table.stated, 4 * s + 1, 3);
-        apply(s, table.access.type(s), mass);
+        table.collision.stateInertia(s, xx, yy, zz);
+        learn(s);
     }
 
-    private double stated(int s, int at) {
-        return table.stated[4 * s + at];
-    }
-
-    private double[] inertia(int s) {
-        return new double[] {stated(s, 1), stated(s, 2), stated(s, 3)};
-    }
-
-    /** Mass and centre; the velocity is that of the body's new centre, {@code v + w x d}. */
-    private void apply(int s, BodyType type, MassProperties mass) {
-        BodyStore b = bodies;
-        rotate(s, table.roster.comX[s], table.roster.comY[s], table.roster.comZ[s]);
-        double x = arm[0];
-        double y = arm[1];
-        double z = arm[2];
-        table.setMass(s, type, mass);
-        rotate(s, mass.comX(), mass.comY(), mass.comZ());
-        double dx = arm[0] - x;
-        double dy = arm[1] - y;
-        double dz = arm[2] - z;
-        if (dx != 0 || dy != 0 || dz != 0) {
-            b.move(s, dx, dy, dz);
-            b.velocityX[s] += b.angularVelocityY[s] * dz - b.angularVelocityZ[s] * dy;
-            b.velocityY[s] += b.angularVelocityZ[s] * dx - b.angularVelocityX[s] * dz;
-            b.velocityZ[s] += b.angularVelocityX[s] * dy - b.angularVelocityY[s] * dx;
-        }
-        // what was learnt of its loads was another body's
-        b.inertiaScale[s] = 0;
-        b.restTicks[s] = 0;
-    }
-
-    private void rotate(int s, double x, double y, double z) {
-        Rotations.rotate(
-                bodies.orientationX[s],
-                bodies.orientationY[s],
-                bodies.orientationZ[s],
-                bodies.orientationW[s],
-                x,
-                y,
-                z,
-                arm);
+    /** What was learnt of the body's loads was another body's. */
+    private void learn(int s) {
+        bodies.inertiaScale[s] = 0;
+        bodies.restTicks[s] = 0;
     }
 
     /** The body, and whoever has a contact with it, which may be asleep on a fixed one. */

@@ -1,11 +1,14 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Quaterniondc;
 import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
+
+import java.util.List;
 
 /**
  * A body in a world: reads it, see {@link BodyState}, and changes it. All values are in world axes
@@ -345,6 +348,7 @@ public final class BodyRef extends BodyState {
      *
      * @param shape the new one; shared, not copied
      * @throws IllegalArgumentException if a dynamic body cannot have it
+     * @throws IllegalStateException if the body has several colliders: replace one of these
      */
     public void setShape(Shape shape) {
         table.changes.setShape(changed("setShape"), Checks.notNull("shape", shape));
@@ -423,6 +427,48 @@ public final class BodyRef extends BodyState {
     }
 
     /**
+     * The colliders of the body: most have one. Allocates.
+     *
+     * @return a new list, in the order in which they were given
+     */
+    public List<ColliderRef> colliders() {
+        return table.collision.list(alive());
+    }
+
+    /**
+     * The body's contacts in the last step. Allocates; its cost is that of a walk over all
+     * contacts.
+     *
+     * @return their numbers in {@link PhysicsWorld#contacts}, ascending
+     */
+    public int[] contacts() {
+        return table.view().of(alive());
+    }
+
+    /**
+     * Adds a collider to the body; mass, centre and inertia follow, unless they were given. The
+     * body's frame stays where it is, and each of its points keeps its velocity.
+     *
+     * @param collider what it is like; what it does not say is as of the body's first one
+     * @return the collider
+     * @throws IllegalArgumentException if the body would have no finite mass
+     */
+    public ColliderRef add(Collider collider) {
+        int slot = changed("add");
+        return table.collision.add(slot, Checks.notNull("collider", collider));
+    }
+
+    /**
+     * Changes whom the body collides with, all its colliders. Contacts that the new filter refuses
+     * end in the next step, and are told as ended; who rested on the body wakes.
+     *
+     * @param filter the new one
+     */
+    public void setFilter(Filter filter) {
+        table.collision.setFilters(changed("setFilter"), filter);
+    }
+
+    /**
      * Takes the body and its entity out of the world, between steps. Its contacts end with the next
      * step.
      *
@@ -430,5 +476,9 @@ public final class BodyRef extends BodyState {
      */
     public void remove() {
         table.access.remove(changed("remove"));
+    }
+
+    void requireBetweenSteps(String call) {
+        changed(call);
     }
 }

@@ -13,7 +13,6 @@ import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.shape.MassProperties;
-import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.state.RigidBody;
 import dev.cairn.physics.state.Roster;
 import dev.cairn.physics.state.WorldCheck;
@@ -41,22 +40,13 @@ final class BodyTable {
     final ContactStore contacts;
     final BodyAccess access;
     final BodyChanges changes;
+    final ColliderTable collision;
 
     BodyRef[] refs = new BodyRef[0];
-    Material[] materials = new Material[0];
-
-    /** As the user gave them. */
-    Shape[] shapes = new Shape[0];
-
     @Nullable Object[] userData = {};
-
-    /**
-     * Mass and inertia that the user stated, four to a slot; NaN for what follows from the shape.
-     */
-    double[] stated = {};
-
     private final List<BodyRef> quarantined = new ArrayList<>();
     private boolean closed;
+    private @Nullable ContactView view;
 
     /** While the physics runs nobody else may change a body; read by any thread. */
     volatile boolean isStepping;
@@ -70,7 +60,20 @@ final class BodyTable {
         sleepers = roster.sleepers;
         this.contacts = contacts;
         access = new BodyAccess(this);
+        collision = new ColliderTable(this);
         changes = new BodyChanges(this);
+    }
+
+    /** What users see of contacts. */
+    ContactView view() {
+        if (view == null) {
+            throw new IllegalStateException("the physics is not complete yet");
+        }
+        return view;
+    }
+
+    void show(ContactView value) {
+        view = value;
     }
 
     World world() {
@@ -93,15 +96,17 @@ final class BodyTable {
 
     /** Everything that can fail happens before anything changes. */
     BodyRef add(Body body) {
-        Shape shape = body.shape;
-        if (shape == null) {
+        List<Collider> parts = body.parts();
+        if (parts.isEmpty()) {
             throw new IllegalArgumentException(
                     "body"
                             + (body.name.isEmpty() ? "" : " '" + body.name + "'")
                             + " has no shape; call .shape(..) before adding it");
         }
-        double[] inertia = {body.inertiaXX, body.inertiaYY, body.inertiaZZ};
-        MassProperties mass = mass(shape, body.material, body.type, body.mass, inertia);
+        MassProperties mass = ColliderTable.mass(parts, body);
+        if (body.type == BodyType.DYNAMIC) {
+            BodyMass.inverseInertia(mass); // throws where there is none
+        }
         double[] com = new double[3];
         Rotations.rotate(
                 body.qx, body.qy, body.qz, body.qw, mass.comX(), mass.comY(), mass.comZ(), com);
@@ -110,7 +115,7 @@ final class BodyTable {
         checkReach("z", body.z + com[2]);
         if (body.type == BodyType.KINEMATIC) {
             checkSpeed("velocity", body.vx, body.vy, body.vz, 1);
-            checkSpeed("angular velocity", body.wx, body.wy, body.wz, shape.outerRadius());
+            checkSpeed("angular velocity", body.wx, body.wy, body.wz, outerRadius(parts, mass));
         }
         int slot = roster.nextSlot();
         ensureSlots();
@@ -119,58 +124,35 @@ final class BodyTable {
         roster.take();
         BodyRef ref = new BodyRef(this, slot, entity, body.name);
         refs[slot] = ref;
-        materials[slot] = body.material;
-        shapes[slot] = shape;
         userData[slot] = body.userData;
-        stated[4 * slot] = body.mass;
-        System.arraycopy(inertia, 0, stated, 4 * slot + 1, 3);
-        fill(slot, entity, body, shape);
-        setMass(slot, body.type, mass);
-        bodies.place(slot, body.x + com[0], body.y + com[1], body.z + com[2]);
+        roster.comX[slot] = mass.comX();
+        roster.comY[slot] = mass.comY();
+        roster.comZ[slot] = mass.comZ();
+        fill(slot, entity, body, mass, com);
+        collision.attach(slot, parts, body);
         roster.born(slot, body.maySleep);
         return ref;
     }
 
-    /** What a body of this type weighs, or a message that says why it cannot be one. */
-    static MassProperties mass(
-            Shape shape, Material material, BodyType type, double kilograms, double[] inertia) {
-        return BodyMass.of(
-                shape,
-                material.density(),
-                type != BodyType.DYNAMIC,
-                kilograms,
-                inertia[0],
-                inertia[1],
-                inertia[2]);
+    static byte kind(BodyType type) {
+        return switch (type) {
+            case FIXED -> BodyStore.STATIC;
+            case KINEMATIC -> BodyStore.KINEMATIC;
+            case DYNAMIC -> BodyStore.DYNAMIC;
+        };
     }
 
-    /** Kind, mass, inertia and centre of mass. */
-    void setMass(int s, BodyType type, MassProperties mass) {
-        boolean moves = type == BodyType.DYNAMIC;
-        double[] inverse = moves ? BodyMass.inverseInertia(mass) : new double[6];
-        BodyStore b = bodies;
-        b.kind[s] =
-                switch (type) {
-                    case FIXED -> BodyStore.STATIC;
-                    case KINEMATIC -> BodyStore.KINEMATIC;
-                    case DYNAMIC -> BodyStore.DYNAMIC;
-                };
-        roster.comX[s] = mass.comX();
-        roster.comY[s] = mass.comY();
-        roster.comZ[s] = mass.comZ();
-        b.inverseMass[s] = moves ? 1 / mass.mass() : 0;
-        b.inertiaXX[s] = mass.ixx();
-        b.inertiaYY[s] = mass.iyy();
-        b.inertiaZZ[s] = mass.izz();
-        b.inertiaXY[s] = mass.ixy();
-        b.inertiaXZ[s] = mass.ixz();
-        b.inertiaYZ[s] = mass.iyz();
-        b.inverseInertiaXX[s] = inverse[0];
-        b.inverseInertiaYY[s] = inverse[1];
-        b.inverseInertiaZZ[s] = inverse[2];
-        b.inverseInertiaXY[s] = inverse[3];
-        b.inverseInertiaXZ[s] = inverse[4];
-        b.inverseInertiaYZ[s] = inverse[5];
+    /** At least as far as any point of the parts is from the centre of mass. */
+    private static double outerRadius(List<Collider> parts, MassProperties mass) {
+        double outer = 0;
+        for (Collider part : parts) {
+            MassProperties own = part.placed.massProperties(1);
+            double x = own.comX() - mass.comX();
+            double y = own.comY() - mass.comY();
+            double z = own.comZ() - mass.comZ();
+            outer = Math.max(outer, Math.sqrt(x * x + y * y + z * z) + part.placed.outerRadius());
+        }
+        return outer;
     }
 
     /** A speed that a step can go on from, of a body that nothing slows down. */
@@ -226,30 +208,24 @@ final class BodyTable {
         return records;
     }
 
-    private void fill(int s, long entity, Body body, Shape shape) {
+    private void fill(int s, long entity, Body body, MassProperties mass, double[] com) {
         BodyStore b = bodies;
         b.clear(s);
+        boolean fixed = body.type == BodyType.FIXED;
+        b.kind[s] = kind(body.type);
         b.entity[s] = entity;
-        b.innerRadius[s] = shape.innerRadius();
-        b.outerRadius[s] = shape.outerRadius();
+        b.place(s, body.x + com[0], body.y + com[1], body.z + com[2]);
         b.orientationX[s] = body.qx;
         b.orientationY[s] = body.qy;
         b.orientationZ[s] = body.qz;
         b.orientationW[s] = body.qw;
-        boolean fixed = body.type == BodyType.FIXED;
         b.velocityX[s] = fixed ? 0 : body.vx;
         b.velocityY[s] = fixed ? 0 : body.vy;
         b.velocityZ[s] = fixed ? 0 : body.vz;
         b.angularVelocityX[s] = fixed ? 0 : body.wx;
         b.angularVelocityY[s] = fixed ? 0 : body.wy;
         b.angularVelocityZ[s] = fixed ? 0 : body.wz;
-        int collider = colliders.attach(s, shape);
-        colliders.friction[collider] = body.material.friction();
-        colliders.restitution[collider] = body.material.restitution();
-        colliders.rollingArm[collider] = body.material.rollingArm();
-        if (body.material.rollingArm() > 0) {
-            contacts.beginRolling();
-        }
+        setMass(s, mass, body.type != BodyType.DYNAMIC);
         b.gravityScale[s] = body.gravityScale;
         b.linearDamping[s] = body.linearDamping;
         b.angularDamping[s] = body.angularDamping;
@@ -257,14 +233,30 @@ final class BodyTable {
         access.restrain(s, body.locks);
     }
 
+    /** Sets mass, inertia and their inverses, those of a fixed body to 0. */
+    void setMass(int s, MassProperties mass, boolean fixed) {
+        BodyStore b = bodies;
+        double[] inverse = fixed ? new double[6] : BodyMass.inverseInertia(mass);
+        b.inverseMass[s] = fixed ? 0 : 1 / mass.mass();
+        b.inertiaXX[s] = mass.ixx();
+        b.inertiaYY[s] = mass.iyy();
+        b.inertiaZZ[s] = mass.izz();
+        b.inertiaXY[s] = mass.ixy();
+        b.inertiaXZ[s] = mass.ixz();
+        b.inertiaYZ[s] = mass.iyz();
+        b.inverseInertiaXX[s] = inverse[0];
+        b.inverseInertiaYY[s] = inverse[1];
+        b.inverseInertiaZZ[s] = inverse[2];
+        b.inverseInertiaXY[s] = inverse[3];
+        b.inverseInertiaXZ[s] = inverse[4];
+        b.inverseInertiaYZ[s] = inverse[5];
+    }
+
     private void ensureSlots() {
         int n = bodies.kind.length;
         if (n > refs.length) {
             refs = Arrays.copyOf(refs, n);
-            materials = Arrays.copyOf(materials, n);
-            shapes = Arrays.copyOf(shapes, n);
             userData = Arrays.copyOf(userData, n);
-            stated = Arrays.copyOf(stated, 4 * n);
         }
     }
 

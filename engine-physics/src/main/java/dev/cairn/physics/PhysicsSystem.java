@@ -7,8 +7,11 @@ import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.WorldSystem;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.component.Velocity;
+import dev.cairn.physics.contact.ComposeStage;
 import dev.cairn.physics.contact.ContactRows;
+import dev.cairn.physics.contact.HookStage;
 import dev.cairn.physics.contact.ManifoldStage;
+import dev.cairn.physics.contact.SensorStage;
 import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.contact.WakeStage;
 import dev.cairn.physics.internal.ContactStore;
@@ -53,6 +56,9 @@ final class PhysicsSystem implements WorldSystem {
 
     private final ContactRows rows;
     private final WakeStage wakes;
+    private final ComposeStage compose;
+    final SensorStage sensors;
+    final HookStage hooks;
     private final ManifoldStage manifolds;
     final ContactSolver solver;
     private final Publisher publisher;
@@ -70,10 +76,14 @@ final class PhysicsSystem implements WorldSystem {
         table = new BodyTable(settings, contacts, edges);
         rows = new ContactRows(table.colliders, table.sleepers);
         wakes = new WakeStage(table.sleepers, table.bodies, contacts);
+        sensors = new SensorStage(table.colliders, table.broadPhase);
+        hooks = new HookStage(table.colliders, contacts);
+        compose = new ComposeStage(table.colliders);
         manifolds = new ManifoldStage(table.colliders, table.bounds);
         solver = new ContactSolver(settings.tuning(), kinds);
         publisher = new Publisher(table.roster);
-        view = new ContactView(table, contacts);
+        view = new ContactView(table, contacts, events, sensors);
+        table.show(view);
         sleepView = new SleepView(table);
     }
 
@@ -102,6 +112,7 @@ final class PhysicsSystem implements WorldSystem {
     private void step(Tick tick) {
         profile.begin();
         events.clear();
+        sensors.clear();
         readRoster(tick);
         profile.end(StepStage.ROSTER);
         assert StageCheck.awake(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
@@ -117,8 +128,9 @@ final class PhysicsSystem implements WorldSystem {
         table.broadPhase.findPairs(tick.jobs());
         assert StageCheck.newPairs(table.broadPhase);
         profile.end(StepStage.PAIRS);
-        rows.update(contacts, table.broadPhase, events, tick.jobs());
-        assert StageCheck.rows(contacts, table.colliders, table.bodies, table.broadPhase);
+        rows.update(contacts, table.broadPhase, events, sensors, tick.jobs());
+        assert StageCheck.rows(
+                contacts, sensors.count(), table.colliders, table.bodies, table.broadPhase);
         table.broadPhase.endTick();
         wakes.refresh(table.bounds, table.broadPhase);
         table.roster.freeGone();
@@ -126,6 +138,8 @@ final class PhysicsSystem implements WorldSystem {
         manifolds.run(contacts, tick.stepSeconds(), tick.jobs());
         profile.end(StepStage.POINTS);
         wakes.run(table.bounds, table.broadPhase, manifolds, tick.stepSeconds(), tick.jobs());
+        hooks.run(tick.jobs());
+        events.approach(contacts, table.bodies, tick.jobs());
         table.roster.refreshLists();
         if (table.roster.dynamicCount > 0) {
             solver.step(
@@ -142,10 +156,12 @@ final class PhysicsSystem implements WorldSystem {
         profile.end(StepStage.SOLVE);
         fallAsleep(tick);
         publishPoses(tick);
+        compose.run(tick.jobs());
+        sensors.run(tick.jobs());
         assert StageCheck.poses(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
         profile.end(StepStage.PUBLISH);
         events.update(contacts, tick.jobs());
-        view.update(events);
+        view.update();
         sleepView.update();
         profile.end(StepStage.TOUCH);
         profile.end(table.bodies.slotCount, contacts.count);

@@ -1,6 +1,7 @@
 package dev.cairn.physics;
 
 import dev.cairn.core.ecs.World;
+import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.profile.StepProfile;
 import dev.cairn.physics.state.Digest;
@@ -21,6 +22,7 @@ import java.util.List;
 public final class PhysicsWorld implements AutoCloseable {
     final PhysicsSystem physics;
     private final World ecs;
+    private final Collisions collisions;
     private boolean stepping;
     private boolean closed;
 
@@ -28,6 +30,7 @@ public final class PhysicsWorld implements AutoCloseable {
         this.physics = physics;
         this.ecs = ecs;
         physics.table.roster.bind(ecs);
+        collisions = new Collisions(this);
     }
 
     /**
@@ -79,6 +82,7 @@ public final class PhysicsWorld implements AutoCloseable {
         } finally {
             stepping = false;
         }
+        physics.view.tell();
     }
 
     /**
@@ -97,6 +101,15 @@ public final class PhysicsWorld implements AutoCloseable {
      */
     public Contacts contacts() {
         return physics.view;
+    }
+
+    /**
+     * The rules about who collides, beside the filters of colliders.
+     *
+     * @return the same object each time
+     */
+    public Collisions collisions() {
+        return collisions;
     }
 
     /**
@@ -182,7 +195,7 @@ public final class PhysicsWorld implements AutoCloseable {
         List<BodyRef> alive = new ArrayList<>();
         for (int slot = 0; slot < physics.table.bodies.slotCount; slot++) {
             BodyRef ref = physics.table.refs[slot];
-            if (ref.isAlive()) {
+            if (physics.table.bodies.kind[slot] != BodyStore.FREE && ref.isAlive()) {
                 alive.add(ref);
             }
         }

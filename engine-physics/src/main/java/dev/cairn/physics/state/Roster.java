@@ -3,6 +3,7 @@ package dev.cairn.physics.state;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.broadphase.BroadPhase;
+import dev.cairn.physics.broadphase.PairFilter;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.internal.BodyStore;
@@ -27,7 +28,8 @@ import java.util.Arrays;
 public final class Roster {
     public final BodyStore bodies = new BodyStore();
     public final ColliderStore colliders = new ColliderStore(bodies);
-    public final BroadPhase broadPhase = new BroadPhase();
+    public final PairFilter pairFilter = new PairFilter(colliders);
+    public final BroadPhase broadPhase = new BroadPhase(pairFilter);
     public final BoundsStage bounds;
     public final Sleepers sleepers;
     private final EdgeSource[] edges;
@@ -57,6 +59,8 @@ public final class Roster {
 
     private int[] free = new int[16];
     private int freeCount;
+    private int[] goneChildren = new int[16];
+    private int goneChildCount;
     private int[] gone = new int[16];
     private int goneCount;
 
@@ -115,6 +119,32 @@ public final class Roster {
         }
     }
 
+    /** Takes a slot for one of several colliders of a body; no body is in it. */
+    public int takeChild() {
+        int slot = nextSlot();
+        take();
+        bodies.clear(slot);
+        return slot;
+    }
+
+    /** A child leaves its body; its slot is free after its rows have left. */
+    public void leaveChild(int collider) {
+        broadPhase.remove(collider);
+        if (goneChildCount == goneChildren.length) {
+            goneChildren = Arrays.copyOf(goneChildren, 2 * goneChildCount);
+        }
+        goneChildren[goneChildCount++] = collider;
+    }
+
+    /** A body is made of something else now: it wakes, and its boxes are found anew. */
+    public void changed(int slot) {
+        places++;
+        sleepers.wake(slot);
+        if (stands(slot)) {
+            addUnplaced(slot);
+        }
+    }
+
     /** The body of a slot that was taken is complete. */
     public void born(int slot, boolean maySleep) {
         jumps[slot] = 0;
@@ -132,8 +162,8 @@ public final class Roster {
         return bodies.kind[slot] == BodyStore.STATIC || bodies.kind[slot] == BodyStore.KINEMATIC;
     }
 
-    /** A body is of another type or shape: boxes and lists are made anew. */
-    public void changed(int slot) {
+    /** A body is of another type: boxes and lists are made anew. */
+    public void retyped(int slot) {
         listsStale = true;
         places++;
         motion.born(slot);
@@ -248,6 +278,7 @@ public final class Roster {
         for (EdgeSource source : edges) {
             source.leave(slot);
         }
+        pairFilter.leave(slot);
         bodies.kind[slot] = BodyStore.FREE;
         if (goneCount == gone.length) {
             gone = Arrays.copyOf(gone, 2 * goneCount);
@@ -257,15 +288,28 @@ public final class Roster {
 
     /** After the rows of the gone bodies have left. */
     public void freeGone() {
+        while (goneChildCount > 0) {
+            addFree(goneChildren[--goneChildCount]);
+        }
         for (int i = goneCount - 1; i >= 0; i--) {
-            if (freeCount == free.length) {
-                free = Arrays.copyOf(free, 2 * freeCount);
+            int slot = gone[i];
+            assert bodies.kind[slot] == BodyStore.FREE : "slot " + slot + " has a body";
+            for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+                if (c != slot) {
+                    addFree(c);
+                }
             }
-            assert bodies.kind[gone[i]] == BodyStore.FREE : "slot " + gone[i] + " has a body";
-            colliders.detach(gone[i]);
-            free[freeCount++] = gone[i];
+            colliders.detach(slot);
+            addFree(slot);
         }
         goneCount = 0;
+    }
+
+    private void addFree(int slot) {
+        if (freeCount == free.length) {
+            free = Arrays.copyOf(free, 2 * freeCount);
+        }
+        free[freeCount++] = slot;
     }
 
     private void rebuildLists() {
