@@ -68,7 +68,13 @@ final class ColliderTable {
 
     /** Mass, centre and inertia of parts, or what the user gave instead. */
     static MassProperties mass(List<Collider> parts, Body body) {
-        return mass(parts, body.type != BodyType.DYNAMIC, body.mass, body.inertiaXX, body.inertiaYY, body.inertiaZZ);
+        return mass(
+                parts,
+                body.type != BodyType.DYNAMIC,
+                body.mass,
+                body.inertiaXX,
+                body.inertiaYY,
+                body.inertiaZZ);
     }
 
     private static MassProperties mass(
