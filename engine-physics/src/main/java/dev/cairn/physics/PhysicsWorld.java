@@ -194,8 +194,11 @@ public final class PhysicsWorld implements AutoCloseable {
     public List<BodyRef> bodies() {
         List<BodyRef> alive = new ArrayList<>();
         for (int slot = 0; slot < physics.table.bodies.slotCount; slot++) {
+            if (physics.table.bodies.kind[slot] == BodyStore.FREE) {
+                continue; // a free slot, or one of a collider
+            }
             BodyRef ref = physics.table.refs[slot];
-            if (physics.table.bodies.kind[slot] != BodyStore.FREE && ref.isAlive()) {
+            if (ref.isAlive()) {
                 alive.add(ref);
             }
         }
