@@ -1,6 +1,7 @@
 package dev.cairn.physics;
 
 import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.joint.Jointed;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Matrix3d;
@@ -19,7 +20,7 @@ import org.joml.Vector3d;
  * add up and act over the whole next step, then are cleared; impulses act at once. On fixed bodies
  * forces and impulses have no effect.
  */
-public final class BodyRef {
+public final class BodyRef implements Jointed {
     private final BodyTable table;
     private final int slot;
     private final long entity;
@@ -37,6 +38,7 @@ public final class BodyRef {
      *
      * @return its id
      */
+    @Override
     public long entity() {
         return entity;
     }
@@ -391,6 +393,10 @@ public final class BodyRef {
         return slot;
     }
 
+    boolean isOf(BodyTable other) {
+        return table == other;
+    }
+
     /** The slot, for a call that changes the body. */
     private int changed(String call) {
         if (table.isStepping) {
@@ -405,7 +411,7 @@ public final class BodyRef {
         return alive();
     }
 
-    private int alive() {
+    int alive() {
         if (!table.isAlive(slot, entity)) {
             throw new BodyRemovedException(
                     this

@@ -12,11 +12,16 @@ import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.contact.WakeStage;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
+import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.joint.Joints;
 import dev.cairn.physics.solver.ContactSolver;
+import dev.cairn.physics.solver.joint.JointRows;
 import dev.cairn.physics.solver.row.ConstraintKind;
 import dev.cairn.physics.state.BodyIndex;
 import dev.cairn.physics.state.StageCheck;
+
+import org.jspecify.annotations.Nullable;
 
 /**
  * One tick of the physics, as a system of the ECS named {@value #NAME}: reads {@link RigidBody},
@@ -35,8 +40,12 @@ final class PhysicsSystem implements WorldSystem {
     final BodyTable table;
     final ContactStore contacts = new ContactStore();
 
+    final JointStore joints = new JointStore();
+
     /** The kinds of constraints beside contacts, in the order in which they are solved. */
-    private final ConstraintKind[] kinds = {};
+    private final ConstraintKind[] kinds = {
+        new ConstraintKind(joints, new JointRows(joints, true), new JointRows(joints, false))
+    };
 
     /** All that binds bodies, contacts first. */
     final EdgeSource[] edges = ConstraintKind.sources(contacts, kinds);
@@ -45,6 +54,9 @@ final class PhysicsSystem implements WorldSystem {
     final ContactView view;
     PhysicsSettings settings;
     final StepProfile profile = new StepProfile();
+
+    /** Set once, before the first step. */
+    @Nullable Joints jointList;
 
     private final ContactRows rows;
     private final WakeStage wakes;
@@ -128,6 +140,9 @@ final class PhysicsSystem implements WorldSystem {
                     tick.jobs());
         }
         profile.end(StepStage.SOLVE);
+        if (jointList != null) {
+            jointList.afterStep();
+        }
         fallAsleep(tick);
         publishPoses(tick);
         assert StageCheck.poses(table.bodies, table.dynamic, table.dynamicCount);

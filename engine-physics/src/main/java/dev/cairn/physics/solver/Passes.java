@@ -9,6 +9,8 @@ import dev.cairn.physics.solver.direct.DirectIslands;
 import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.Bouncers;
 import dev.cairn.physics.solver.impact.Impacts;
+import dev.cairn.physics.solver.joint.Assemblies;
+import dev.cairn.physics.solver.joint.Assembly;
 import dev.cairn.physics.solver.kernel.Rescaling;
 import dev.cairn.physics.solver.kernel.ScalarPasses;
 import dev.cairn.physics.solver.kernel.ScalarSweep;
@@ -47,6 +49,7 @@ final class Passes {
     private final StaticStart start;
     final DirectIslands direct;
     final Bouncers bouncers;
+    final Assemblies assemblies;
 
     /**
      * Passes over the rows of one precision.
@@ -54,13 +57,16 @@ final class Passes {
      * @param bouncers the contacts with restitution
      * @param start the islands that begin at rest
      * @param direct the islands that are solved directly
+     * @param assemblies what hangs together by joints
      */
     Passes(
             SolverContext tick,
             ConstraintRows rows,
             Bouncers bouncers,
             StaticStart start,
-            DirectIslands direct) {
+            DirectIslands direct,
+            Assemblies assemblies) {
+        this.assemblies = assemblies;
         this.bouncers = bouncers;
         this.tick = tick;
         this.rows = rows;
@@ -82,6 +88,9 @@ final class Passes {
         BodyStore b = tick.bodies;
         boolean isBall = body.axes.isIsotropic(i) && b.outerRadius[i] == b.innerRadius[i];
         renewal.look(b, i, weight, bouncers.isBouncing(i) ? 0 : tick.step, isBall);
+        if (!isBall && assemblies.binds(i)) {
+            renewal.turnAlways(b, i);
+        }
         body.glide[MotionRecord.STRIDE * i + MotionRecord.STRUCK] = 0;
         body.loadBound(b, i, tick.loaded ? b.inertiaScale[i] : 1);
         if (rows.isSingle) {
@@ -280,6 +289,78 @@ final class Passes {
                 soft,
                 tick.weight() * sub.seconds,
                 bench.scratch.doubles);
+    }
+
+    /** The whole tick of a batch of assemblies that touch nothing. */
+    void swing(SubStep sub, int batch, int from, int to, Workbench bench) {
+        for (int a = assemblies.first(batch); a < assemblies.first(batch + 1); a++) {
+            bench.swing.run(tick, sub, assemblies.store, assemblies.at(a));
+        }
+        storeBodies(from, to);
+    }
+
+    /**
+     * Joints' impulses of the last sub-step, for contacts to be swept with.
+     *
+     * @param index of the sub-step
+     * @param from first batch
+     */
+    void beginJoints(SubStep sub, int index, int from, int to, Workbench bench) {
+        for (int a = assemblies.first(from); a < assemblies.first(to); a++) {
+            open(sub, a, bench);
+            if (index == 0) {
+                bench.joints.begin();
+            }
+            bench.joints.warm(index == 0 ? sub.fillScale : 1);
+            show(assemblies.at(a));
+        }
+    }
+
+    /** Closes joints at the end of the bias pass. */
+    void closeJoints(SubStep sub, int from, int to, Workbench bench) {
+        for (int a = assemblies.first(from); a < assemblies.first(to); a++) {
+            takeOver(assemblies.at(a));
+            open(sub, a, bench);
+            bench.joints.position(sub.seconds, false);
+            show(assemblies.at(a));
+        }
+    }
+
+    /** Gives joints the derivatives of the new poses. */
+    void turnJoints(SubStep sub, int from, int to, Workbench bench) {
+        for (int a = assemblies.first(from); a < assemblies.first(to); a++) {
+            open(sub, a, bench);
+            bench.joints.turn(renewal);
+            bench.joints.beginVelocity(true);
+            show(assemblies.at(a));
+        }
+    }
+
+    /** Stops what joints do not allow, at the end of the relax pass. */
+    void stopJoints(SubStep sub, int from, int to, Workbench bench) {
+        for (int a = assemblies.first(from); a < assemblies.first(to); a++) {
+            takeOver(assemblies.at(a));
+            open(sub, a, bench);
+            bench.joints.velocity(sub.seconds);
+            show(assemblies.at(a));
+        }
+    }
+
+    private void open(SubStep sub, int a, Workbench bench) {
+        bench.joints.open(tick, sub, assemblies.store, assemblies.at(a));
+    }
+
+    private void show(Assembly assembly) {
+        for (int i : assembly.body) {
+            round(i);
+        }
+    }
+
+    private void takeOver(Assembly assembly) {
+        for (int i : assembly.body) {
+            add(i);
+            round(i);
+        }
     }
 
     /** What the contacts of such an island have learnt of their loads. */

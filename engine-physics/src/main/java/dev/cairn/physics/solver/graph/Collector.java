@@ -7,6 +7,7 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.EdgePlaces;
 
@@ -27,6 +28,9 @@ public final class Collector {
     private final Colouring colouring;
     private final Batches batches;
     private final PairOrder order = new PairOrder();
+
+    /** Those of this tick. */
+    public final Assemblies assemblies;
 
     /** Those of this tick. */
     public final Bouncers bouncers = new Bouncers();
@@ -70,7 +74,9 @@ public final class Collector {
      *
      * @param guides whether a body on nothing but one contact is guided by it
      */
-    public Collector(Colouring colouring, Batches batches, boolean guides) {
+    public Collector(
+            Colouring colouring, Batches batches, Assemblies assemblies, boolean guides) {
+        this.assemblies = assemblies;
         this.guides = guides;
         this.colouring = colouring;
         this.batches = batches;
@@ -106,11 +112,12 @@ public final class Collector {
         sameBodies = sameList || list();
         sameBodies &= slots == bodies.slotCount;
         sameBodies &= workers == workerCount;
+        sameBodies &= !assemblies.update(list, bodies.slotCount);
         if (!sameBodies) {
             slots = bodies.slotCount;
             workers = workerCount;
             bind(guide);
-            batches.cut(list, slots, guide, workerCount, floatsFrom);
+            batches.cut(list, slots, guide, workerCount, floatsFrom, assemblies);
         }
         if (!sameList || !sameBodies) {
             listBouncers();
