@@ -299,6 +299,8 @@ public final class ContactSolver {
         }
         int first = colouring.firstColour[b];
         int last = colouring.firstColour[b + 1];
+        int firstJoined = assemblies.first(b);
+        int endJoined = assemblies.first(b + 1);
         int[] start = colouring.start;
         int[] end = colouring.end;
         int head = batches.firstBody[b];
@@ -322,11 +324,11 @@ public final class ContactSolver {
             if (settles && k == 0) {
                 p.settle(sub, from, to, own);
             }
-            p.beginJoints(sub, k, b, b + 1, own);
+            p.beginJoints(sub, k, firstJoined, endJoined, own);
             for (int c = first; c < last; c++) {
                 p.bias(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
             }
-            p.closeJoints(sub, b, b + 1, own);
+            p.closeJoints(sub, firstJoined, endJoined, own);
             for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, true, own);
             }
@@ -340,14 +342,14 @@ public final class ContactSolver {
                 p.renewBodies(head, tail);
                 p.renewRows(sub, k, from, to, own);
             }
-            p.turnJoints(sub, b, b + 1, own);
+            p.turnJoints(sub, firstJoined, endJoined, own);
             for (int c = first; c < last; c++) {
                 p.relax(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
             }
             for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, false, own);
             }
-            p.stopJoints(sub, b, b + 1, own);
+            p.stopJoints(sub, firstJoined, endJoined, own);
             p.finish(sub, head, tail, own);
         }
         p.storeBodies(head, tail);

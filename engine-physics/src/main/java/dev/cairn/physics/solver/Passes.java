@@ -303,13 +303,13 @@ final class Passes {
      * Joints' impulses of the last sub-step, for contacts to be swept with.
      *
      * @param index of the sub-step
-     * @param from first batch
+     * @param from first assembly
      */
     void beginJoints(SubStep sub, int index, int from, int to, Workbench bench) {
-        for (int a = assemblies.first(from); a < assemblies.first(to); a++) {
+        for (int a = from; a < to; a++) {
             open(sub, a, bench);
             if (index == 0) {
-                bench.joints.begin();
+                bench.joints.begin(sub);
             }
             bench.joints.warm(index == 0 ? sub.fillScale : 1);
             show(assemblies.at(a));
@@ -318,7 +318,7 @@ final class Passes {
 
     /** Closes joints at the end of the bias pass. */
     void closeJoints(SubStep sub, int from, int to, Workbench bench) {
-        for (int a = assemblies.first(from); a < assemblies.first(to); a++) {
+        for (int a = from; a < to; a++) {
             takeOver(assemblies.at(a));
             open(sub, a, bench);
             bench.joints.position(sub.seconds, false);
@@ -328,7 +328,7 @@ final class Passes {
 
     /** Gives joints the derivatives of the new poses. */
     void turnJoints(SubStep sub, int from, int to, Workbench bench) {
-        for (int a = assemblies.first(from); a < assemblies.first(to); a++) {
+        for (int a = from; a < to; a++) {
             open(sub, a, bench);
             bench.joints.turn(renewal);
             bench.joints.beginVelocity(true);
@@ -338,7 +338,7 @@ final class Passes {
 
     /** Stops what joints do not allow, at the end of the relax pass. */
     void stopJoints(SubStep sub, int from, int to, Workbench bench) {
-        for (int a = assemblies.first(from); a < assemblies.first(to); a++) {
+        for (int a = from; a < to; a++) {
             takeOver(assemblies.at(a));
             open(sub, a, bench);
             bench.joints.velocity(sub.seconds);

@@ -50,6 +50,14 @@ public final class Assembly {
     /** Room to take a movement back: numbers of {@link JointSolve#KEPT} to a body. */
     final double[] kept;
 
+    /** By body: its frequency under tension, rad/s; root of the share of its turns by joints. */
+    final double[] quick;
+
+    final double[] slow;
+
+    /** By body: what tension turns it back with, see {@link Tension}; 9 to a body. */
+    final double[] taut;
+
     /** Whether {@link #derivative} is that of the present poses. */
     boolean isFresh;
 
@@ -76,6 +84,9 @@ public final class Assembly {
         isActive = new boolean[n];
         compliance = new double[n];
         impulse = new double[n];
+        quick = new double[body.length];
+        slow = new double[body.length];
+        taut = new double[9 * body.length];
         kept = new double[JointSolve.KEPT * body.length];
     }
 }

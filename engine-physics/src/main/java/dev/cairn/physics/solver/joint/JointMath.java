@@ -38,8 +38,8 @@ public final class JointMath {
     /** Origins relative to the bodies' centres; that of B relative to A's; the gap between them. */
     private final double[] armA = new double[3];
 
-    private final double[] armB = new double[3];
-    private final double[] reach = new double[3];
+    final double[] armB = new double[3];
+    final double[] reach = new double[3];
     private final double[] gap = new double[3];
 
     /** Frame of B in that of A. */

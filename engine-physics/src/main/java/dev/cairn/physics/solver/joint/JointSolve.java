@@ -56,6 +56,7 @@ public final class JointSolve {
     /** Turning speed at which a joint that is out of place is turned back, rad/s. */
     private static final double TURN_BACK = 10;
 
+    private final Tension tension = new Tension();
     private final JointMath math = new JointMath();
     private SolverContext tick = NONE;
     private Assembly s = EMPTY;
@@ -74,6 +75,11 @@ public final class JointSolve {
         s = assembly;
         store = joints;
         push = sub.pushSpeed;
+    }
+
+    private double slow(int joint, int side) {
+        int i = s.end[2 * joint + side];
+        return i < 0 ? 1 : s.slow[i];
     }
 
     // Rows ----------------------------------------------------------------------------------------
@@ -95,7 +101,7 @@ public final class JointSolve {
                 int row = store.firstRow[j] + r - s.firstRow[k];
                 s.start[r] = math.measure(store, j, store.law[row]);
                 math.derive(store, j, store.law[row], s.derivative, JointMath.JACOBIAN * r);
-                s.compliance[r] = scale(r, 0, offset(k, 0)) + scale(r, 6, offset(k, 1));
+                s.compliance[r] = scale(r, 0, k, 0) + scale(r, 6, k, 1);
             }
         }
         s.isFresh = true;
@@ -103,7 +109,9 @@ public final class JointSolve {
     }
 
     /** Scales the derivatives of a row for one body; its share in the row's inverse mass. */
-    private double scale(int r, int side, int o) {
+    private double scale(int r, int side, int joint, int end) {
+        int o = offset(joint, end);
+        double slow = slow(joint, end);
         int at = JointMath.JACOBIAN * r + side;
         if (o == 0) {
             Arrays.fill(s.scaled, at, at + 6, 0.0);
@@ -117,7 +125,10 @@ public final class JointSolve {
         for (int c = 0; c < 3; c++) {
             s.scaled[at + c] = root * d[at + c];
             s.scaled[at + 3 + c] =
-                    l[q + c] * d[at + 3] + l[q + 3 + c] * d[at + 4] + l[q + 6 + c] * d[at + 5];
+                    slow
+                            * (l[q + c] * d[at + 3]
+                                    + l[q + 3 + c] * d[at + 4]
+                                    + l[q + 6 + c] * d[at + 5]);
             sum += s.scaled[at + c] * s.scaled[at + c];
             sum += s.scaled[at + 3 + c] * s.scaled[at + 3 + c];
         }
@@ -137,7 +148,7 @@ public final class JointSolve {
                 double root = l * Math.sqrt(tick.body.state[o + SolverBodies.MASS]);
                 for (int c = 0; c < 3; c++) {
                     change(o, c, root * s.scaled[at + c]);
-                    change(o, 3 + c, l * s.scaled[at + 3 + c]);
+                    change(o, 3 + c, slow(k, side) * l * s.scaled[at + 3 + c]);
                 }
             }
         }
@@ -156,9 +167,12 @@ public final class JointSolve {
             int o = offset(k, side);
             int at = JointMath.JACOBIAN * r + 6 * side;
             double part = 0;
+            double turn = 0;
             for (int c = 0; c < 3; c++) {
-                part += s.derivative[at + c] * v[o + c] + s.scaled[at + 3 + c] * v[o + 3 + c];
+                part += s.derivative[at + c] * v[o + c];
+                turn += s.scaled[at + 3 + c] * v[o + 3 + c];
             }
+            part += turn / slow(k, side);
             sum += side == 0 ? -part : part;
         }
         return sum;
@@ -265,6 +279,7 @@ public final class JointSolve {
      */
     public void warm(double scale) {
         derive();
+        brake();
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 s.impulse[r] = scale * store.before[row(k, r)];
@@ -274,8 +289,9 @@ public final class JointSolve {
     }
 
     /** Begin of a tick: bodies may be elsewhere, and weigh otherwise. */
-    public void begin() {
+    public void begin(SubStep sub) {
         s.isFresh = false;
+        tension.slowDown(tick, store, s, sub.seconds);
     }
 
     /**
@@ -287,6 +303,22 @@ public final class JointSolve {
         for (int i : s.body) {
             if (!renewal.stirs(i)) {
                 Swing.renew(tick, i);
+            }
+        }
+    }
+
+    /**
+     * Bodies of an assembly that is too taut for the step move with the velocity of its end, as
+     * those with contacts do: that takes energy rather than giving it.
+     */
+    private void brake() {
+        boolean isTaut = false;
+        for (double x : s.slow) {
+            isTaut |= x < 1;
+        }
+        for (int i : s.body) {
+            if (isTaut) {
+                tick.body.state[SolverBodies.offset(i) + SolverBodies.LOADED] = 1;
             }
         }
     }

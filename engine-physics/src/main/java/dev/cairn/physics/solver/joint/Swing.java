@@ -7,6 +7,8 @@ import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.row.SubStep;
 
+import java.util.Arrays;
+
 /**
  * The whole tick of an assembly that touches nothing, as flight is that of a single body.
  *
@@ -17,20 +19,36 @@ import dev.cairn.physics.solver.row.SubStep;
  * time, where single steps gain 1.3e-5. Limits, motors, springs and damping know a direction of
  * time: with them it is single steps.
  *
+ * <p>A light link under tension is a string that swings the faster the more it bears. Where that is
+ * fast against the step, see {@link Tension}, each sub-step is cut into more.
+ *
  * <p>One to a worker. Does not allocate.
  */
 public final class Swing {
     private static final double OUTER = 1.3512071919596578;
 
+    /** Frequency times step up to which a step is accurate; beyond 2 it would be unstable. */
+    private static final double SLOW = 0.4;
+
+    private static final int MOST = 27;
+
+    private final Tension tension = new Tension();
     private final JointSolve solve = new JointSolve();
 
     /** Runs a tick. */
     public void run(SolverContext tick, SubStep sub, JointStore store, Assembly s) {
         solve.open(tick, sub, store, s);
         s.isFresh = false;
+        Arrays.fill(s.slow, 1.0);
         boolean isReversible = isReversible(tick.bodies, store, s);
+        double quick = sub.seconds * tension.quickest(tick, store, s);
+        int parts = parts(quick);
         for (int k = 0; k < sub.count; k++) {
-            if (isReversible) {
+            if (parts > 1) {
+                for (int n = 0; n < parts; n++) {
+                    step(tick, s, sub.seconds / parts);
+                }
+            } else if (isReversible) {
                 step(tick, s, OUTER * sub.seconds);
                 step(tick, s, (1 - 2 * OUTER) * sub.seconds);
                 step(tick, s, OUTER * sub.seconds);
@@ -38,6 +56,19 @@ public final class Swing {
                 step(tick, s, sub.seconds);
             }
         }
+    }
+
+    /** Steps to a sub-step; more than one only where a taut link swings so fast that it must be. */
+    private static int parts(double quick) {
+        if (quick <= SLOW) {
+            return 1;
+        }
+        // few numbers, so that a tension that changes a little does not change the steps
+        int parts = 3;
+        while (parts < MOST && quick > SLOW * parts) {
+            parts += parts / 2 + parts % 2;
+        }
+        return parts;
     }
 
     private static boolean isReversible(BodyStore b, JointStore store, Assembly s) {
