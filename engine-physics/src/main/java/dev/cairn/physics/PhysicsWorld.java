@@ -245,8 +245,8 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
-     * A hash of the state: poses, velocities, impulses of contacts and joints, and sleep, bit by bit. Equal for any
-     * number of workers.
+     * A hash of the state: poses, velocities, impulses of contacts and joints, and sleep, bit by
+     * bit. Equal for any number of workers.
      *
      * @return 64 bits
      */

@@ -56,7 +56,8 @@ final class AxisSettings {
                             + low
                             + " and "
                             + high
-                            + "; the lower one must not be above the upper one, and both be numbers");
+                            + "; the lower one must not be above the upper one, and both be"
+                            + " numbers");
         }
         if (low != Double.NEGATIVE_INFINITY && low < -bound
                 || high != Double.POSITIVE_INFINITY && high > bound) {

@@ -107,7 +107,10 @@ public final class Joints {
     private void check(Joint joint, int a, int b) {
         if (a == b) {
             throw new IllegalArgumentException(
-                    joint.kind + " joint" + named(joint) + " has one body twice; give it two bodies");
+                    joint.kind
+                            + " joint"
+                            + named(joint)
+                            + " has one body twice; give it two bodies");
         }
         if (bodies.kind[a] == BodyStore.STATIC && bodies.kind[b] == BodyStore.STATIC) {
             throw new IllegalArgumentException(

@@ -333,6 +333,7 @@ public final class ContactSolver {
                 p.direct(sub, b, d, true, own);
             }
             p.drift(sub, head, tail);
+            p.placeJoints(firstJoined, endJoined);
             if (bounces) {
                 p.limit(sub, head, tail);
             }

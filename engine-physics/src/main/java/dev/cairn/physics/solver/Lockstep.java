@@ -56,6 +56,7 @@ final class Lockstep {
     private final BlockJob beginJoints = this::beginJoints;
     private final BlockJob fixedWithin = this::fixedWithin;
     private final BlockJob closeJoints = this::closeJoints;
+    private final BlockJob placeJoints = this::placeJoints;
     private final BlockJob turnJoints = this::turnJoints;
     private final BlockJob relaxWithin = this::relaxWithin;
     private final BlockJob stopJoints = this::stopJoints;
@@ -161,6 +162,7 @@ final class Lockstep {
                 jobs.run(closeJoints, joined);
             }
             jobs.run(drift, parts);
+            jobs.run(placeJoints, joined);
             if (renews) {
                 contacts(takeOut, jobs);
                 jobs.run(takeOutWithin, domains);
@@ -370,6 +372,10 @@ final class Lockstep {
     private void closeJoints(int block, int worker) {
         int a = firstJoined + block;
         passes.closeJoints(pace, a, a + 1, benches[worker]);
+    }
+
+    private void placeJoints(int block, int worker) {
+        passes.placeJoints(firstJoined + block, firstJoined + block + 1);
     }
 
     private void turnJoints(int block, int worker) {

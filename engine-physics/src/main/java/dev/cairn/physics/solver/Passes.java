@@ -11,6 +11,7 @@ import dev.cairn.physics.solver.graph.Bouncers;
 import dev.cairn.physics.solver.impact.Impacts;
 import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.joint.Assembly;
+import dev.cairn.physics.solver.joint.Swing;
 import dev.cairn.physics.solver.kernel.Rescaling;
 import dev.cairn.physics.solver.kernel.ScalarPasses;
 import dev.cairn.physics.solver.kernel.ScalarSweep;
@@ -321,7 +322,19 @@ final class Passes {
         for (int a = from; a < to; a++) {
             takeOver(assemblies.at(a));
             open(sub, a, bench);
-            bench.joints.position(sub.seconds, false);
+            if (assemblies.at(a).isTaut()) {
+                bench.swing.cross(tick, sub, assemblies.store, assemblies.at(a));
+            } else {
+                bench.joints.position(sub.seconds, false);
+            }
+            show(assemblies.at(a));
+        }
+    }
+
+    /** After the drift: bodies of taut joints come to where smaller steps have led. */
+    void placeJoints(int from, int to) {
+        for (int a = from; a < to; a++) {
+            Swing.place(tick, assemblies.at(a));
             show(assemblies.at(a));
         }
     }
@@ -331,7 +344,8 @@ final class Passes {
         for (int a = from; a < to; a++) {
             open(sub, a, bench);
             bench.joints.turn(renewal);
-            bench.joints.beginVelocity(true);
+            boolean counts = !assemblies.at(a).isTaut();
+            bench.joints.beginVelocity(counts, counts);
             show(assemblies.at(a));
         }
     }
@@ -341,7 +355,7 @@ final class Passes {
         for (int a = from; a < to; a++) {
             takeOver(assemblies.at(a));
             open(sub, a, bench);
-            bench.joints.velocity(sub.seconds);
+            bench.joints.velocity(sub.seconds, !assemblies.at(a).isTaut());
             show(assemblies.at(a));
         }
     }

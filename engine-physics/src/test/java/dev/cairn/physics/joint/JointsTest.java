@@ -73,10 +73,9 @@ final class JointsTest {
                         }
                     }
                     double drift = world.kineticEnergy() + world.potentialEnergy() - start;
-                    System.out.println(
-                            ball + " " + slant + ": gap " + worst + ", energy "
-                                    + drift / (5.2 * (ball + 10) * G));
-                    assertTrue(worst < 1e-9, "a link opens");
+                    // the links swing among each other, and strike
+                    assertTrue(drift < 1e-4 * 5 * ball * G, "energy " + drift);
+                    assertEquals(0, worst, 1e-9, "a link opens");
                     Vector3d f = joints.get(0).force(new Vector3d());
                     if (slant == 0) {
                         assertEquals((10 + ball) * G, f.y, 1e-6 * ball * G, "what hangs on it");
@@ -115,13 +114,17 @@ final class JointsTest {
                 world.step(STEP);
             }
             Kinetics after = world.kinetics();
-            System.out.println(before + "\n" + after);
             double worst = 0;
             for (JointRef j : world.joints().all()) {
                 worst = Math.max(worst, j.gap());
             }
-            System.out.println("gap " + worst);
-            assertTrue(worst < 1e-8, "gap " + worst);
+            assertEquals(0, worst, 1e-12, "a joint opens");
+            assertEquals(before.momentumX(), after.momentumX(), 1e-12);
+            assertEquals(before.momentumY(), after.momentumY(), 1e-12);
+            assertEquals(before.momentumZ(), after.momentumZ(), 1e-12);
+            assertEquals(before.angularMomentumX(), after.angularMomentumX(), 1e-10);
+            assertEquals(before.angularMomentumY(), after.angularMomentumY(), 1e-10);
+            assertEquals(before.angularMomentumZ(), after.angularMomentumZ(), 1e-10);
         }
     }
 
@@ -149,10 +152,8 @@ final class JointsTest {
     void sleepsAndWakes() {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
             BodyRef peg = world.add(Body.fixed().shape(Sphere.of(0.05)).at(0, 3, 1));
-            BodyRef arm =
-                    world.add(Body.dynamic().shape(Box.of(0.1, 0.5, 0.1)).at(0, 2.5, 0));
-            BodyRef other =
-                    world.add(Body.dynamic().shape(Box.of(0.1, 0.5, 0.1)).at(0, 1.4, 0));
+            BodyRef arm = world.add(Body.dynamic().shape(Box.of(0.1, 0.5, 0.1)).at(0, 2.5, 0));
+            BodyRef other = world.add(Body.dynamic().shape(Box.of(0.1, 0.5, 0.1)).at(0, 1.4, 0));
             world.add(Joint.hinge(peg, arm).at(0, 3, 0).axis(0, 0, 1).motor(0, 3));
             world.add(Joint.hinge(arm, other).at(0, 1.95, 0).axis(0, 0, 1).motor(0, 3));
             arm.applyImpulse(20, 0, 0);
@@ -199,7 +200,7 @@ final class JointsTest {
                 for (JointRef j : world.joints().all()) {
                     worst = Math.max(worst, j.gap());
                 }
-                System.out.println("chains on the floor: gap " + worst);
+                assertEquals(0, worst, 1e-9, "a link opens");
                 expected = expected == 0 ? world.digest() : expected;
                 assertEquals(expected, world.digest(), workers + " workers");
             }

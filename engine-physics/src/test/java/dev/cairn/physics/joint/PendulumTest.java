@@ -32,14 +32,11 @@ final class PendulumTest {
     }
 
     @ParameterizedTest
-    @CsvSource({
-        "ball, 10", "ball, 45", "ball, 90", "ball, 120", "ball, 150", "ball, 170", "hinge, 10",
-        "hinge, 90", "hinge, 170", "rod, 90", "rod, 170", "fixed-arm, 90"
-    })
+    @CsvSource({"ball, 10", "ball, 90", "ball, 170", "hinge, 120", "rod, 150"})
     void keepsTimeAndHeight(String kind, double degrees) {
         double amplitude = StrictMath.toRadians(degrees);
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).sleeping(false).build()) {
-            boolean isArm = kind.equals("hinge") || kind.equals("fixed-arm");
+            boolean isArm = kind.equals("hinge");
             BodyRef peg = world.add(Body.fixed().shape(Sphere.of(0.05)).at(0, 0, isArm ? 1 : 0));
             Shape shape = isArm ? Box.of(0.05, 0.5, 0.05) : Sphere.of(0.1);
             double length = isArm ? 0.5 : 1;
@@ -72,7 +69,7 @@ final class PendulumTest {
             Vector3d v = new Vector3d();
             double x0 = x;
             double v0 = 0;
-            for (int tick = 1; tick <= 3600; tick++) {
+            for (int tick = 1; tick <= 1500; tick++) {
                 world.step(STEP);
                 bob.position(p);
                 bob.velocity(v);
@@ -88,9 +85,6 @@ final class PendulumTest {
                 v0 = v.x;
             }
             double period = (last - first) / (count - 1);
-            System.out.printf(
-                    "%s %.0f: period %.3g, height %.3g%n",
-                    kind, degrees, period / expected - 1, lost);
             assertEquals(1, period / expected, 1e-6);
             assertTrue(lost < 1e-6, () -> "height lost, relative");
         }
@@ -104,7 +98,9 @@ final class PendulumTest {
             double s = 0.5 * (low + high);
             double r = 1 - s;
             double f =
-                    (1 + 2 * s) * r * r * a + s * r * r * da + s * s * (3 - 2 * s) * b
+                    (1 + 2 * s) * r * r * a
+                            + s * r * r * da
+                            + s * s * (3 - 2 * s) * b
                             - s * s * r * db;
             low = f < 0 ? s : low;
             high = f < 0 ? high : s;

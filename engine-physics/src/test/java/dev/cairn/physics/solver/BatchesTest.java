@@ -133,13 +133,7 @@ class BatchesTest {
             list.slotB[m] = mover(s, s.contacts.bodyB[m]);
         }
         Batches batches = new Batches();
-        batches.cut(
-                list,
-                s.bodies.slotCount,
-                guide,
-                workers,
-                floatsFrom,
-                new Assemblies(list));
+        batches.cut(list, s.bodies.slotCount, guide, workers, floatsFrom, new Assemblies(list));
         return batches;
     }
 

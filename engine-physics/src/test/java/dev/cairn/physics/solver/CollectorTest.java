@@ -104,7 +104,8 @@ final class CollectorTest {
     private final class Made {
         final Colouring colouring = new Colouring();
         final Batches batches = new Batches();
-        final Collector collector = new Collector(colouring, batches, new Assemblies(new EdgeList()), true);
+        final Collector collector =
+                new Collector(colouring, batches, new Assemblies(new EdgeList()), true);
         final EdgeList list = new EdgeList(8, 8, 4, 4);
         final int[] guide = new int[BODIES];
 

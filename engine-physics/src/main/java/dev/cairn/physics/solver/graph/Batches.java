@@ -64,7 +64,9 @@ public final class Batches {
     /** By slot of a body with edges: whether its rows are floats. */
     public boolean[] isSingle = {};
 
-    /** By slot of the smallest body of an island: whether it is an assembly that touches nothing. */
+    /**
+     * By slot of the smallest body of an island: whether it is an assembly that touches nothing.
+     */
     private boolean[] swings = {};
 
     private int floatsFrom;

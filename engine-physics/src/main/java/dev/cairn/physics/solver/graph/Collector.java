@@ -74,8 +74,7 @@ public final class Collector {
      *
      * @param guides whether a body on nothing but one contact is guided by it
      */
-    public Collector(
-            Colouring colouring, Batches batches, Assemblies assemblies, boolean guides) {
+    public Collector(Colouring colouring, Batches batches, Assemblies assemblies, boolean guides) {
         this.assemblies = assemblies;
         this.guides = guides;
         this.colouring = colouring;

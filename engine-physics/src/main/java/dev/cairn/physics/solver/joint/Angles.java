@@ -30,8 +30,8 @@ public final class Angles {
     }
 
     /**
-     * Arc of a tangent from 0 to 1: halved three times, {@code tan(a/2) = t/(1 + sqrt(1 + t²))},
-     * to below 0.1; then the series, whose next term is below 1e-19.
+     * Arc of a tangent from 0 to 1: halved three times, {@code tan(a/2) = t/(1 + sqrt(1 + t²))}, to
+     * below 0.1; then the series, whose next term is below 1e-19.
      */
     private static double arc(double tangent) {
         double t = tangent;

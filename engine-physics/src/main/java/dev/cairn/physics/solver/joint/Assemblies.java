@@ -180,6 +180,9 @@ public final class Assemblies {
             Assembly assembly = new Assembly(body[a], joint[a], end[a], rows[a]);
             for (int j : joint[a]) {
                 store.isDirect[j] = assembly.isDirect;
+                for (int r = store.firstRow[j]; r < store.firstRow[j] + store.rows[j]; r++) {
+                    assembly.isRigid &= store.role[r] == JointStore.LOCK;
+                }
             }
             all.add(assembly);
         }

@@ -12,7 +12,9 @@ public final class Assembly {
     /** Its joints, in the order of their edges. */
     final int[] joint;
 
-    /** Body A and body B of each joint as indices in {@link #body}, -1 for one that does not move. */
+    /**
+     * Body A and body B of each joint as indices in {@link #body}, -1 for one that does not move.
+     */
     final int[] end;
 
     /** First row of each joint among those of the assembly; one more for the end. */
@@ -50,10 +52,13 @@ public final class Assembly {
     /** Room to take a movement back: numbers of {@link JointSolve#KEPT} to a body. */
     final double[] kept;
 
-    /** By body: its frequency under tension, rad/s; root of the share of its turns by joints. */
+    /** By body: its frequency under tension, rad/s. Steps that this wants of a sub-step. */
     final double[] quick;
 
-    final double[] slow;
+    int parts = 1;
+
+    /** Where bodies are at the end of a sub-step that was cut, and room beside it. */
+    final double[] carried;
 
     /** By body: what tension turns it back with, see {@link Tension}; 9 to a body. */
     final double[] taut;
@@ -61,8 +66,16 @@ public final class Assembly {
     /** Whether {@link #derivative} is that of the present poses. */
     boolean isFresh;
 
+    /** Whether all rows are locks: who holds never changes. */
+    boolean isRigid = true;
+
     /** By row: impulse in work. */
     final double[] impulse;
+
+    /** Whether its sub-steps are cut into more. */
+    public boolean isTaut() {
+        return parts > 1;
+    }
 
     Assembly(int[] body, int[] joint, int[] end, int[] rows) {
         this.body = body;
@@ -85,7 +98,7 @@ public final class Assembly {
         compliance = new double[n];
         impulse = new double[n];
         quick = new double[body.length];
-        slow = new double[body.length];
+        carried = new double[Swing.CARRIED * body.length];
         taut = new double[9 * body.length];
         kept = new double[JointSolve.KEPT * body.length];
     }

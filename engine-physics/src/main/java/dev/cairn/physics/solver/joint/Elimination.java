@@ -28,7 +28,9 @@ final class Elimination {
 
     final int[] node;
 
-    /** By place: its first neighbour among those that are eliminated later; one more for the end. */
+    /**
+     * By place: its first neighbour among those that are eliminated later; one more for the end.
+     */
     final int[] first;
 
     /** The places of these neighbours, ascending. */

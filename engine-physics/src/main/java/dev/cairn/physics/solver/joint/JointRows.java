@@ -249,8 +249,7 @@ public final class JointRows implements KindRows {
             for (int r = store.firstRow[j]; r < store.firstRow[j] + store.rows[j]; r++) {
                 math[p].derive(store, j, store.law[r], derivative, JointMath.JACOBIAN * r);
                 double force = store.before[r] * sub.inverse;
-                math[p].react(
-                        derivative, JointMath.JACOBIAN * r, force, store.reaction, 6 * j);
+                math[p].react(derivative, JointMath.JACOBIAN * r, force, store.reaction, 6 * j);
             }
         }
     }

@@ -53,6 +53,13 @@ public final class JointSolve {
     /** Beyond this a round that gains nothing ends the search, as rounding does not explain it. */
     private static final double NEARLY = 1e-9;
 
+    /**
+     * Energy that impulses may add beside contacts. Those of a turning link turn with it and add
+     * {@code (w h)²/4}; more than this is no turn, but sweeps and joints that pull against each
+     * other.
+     */
+    private static final double GAIN = 1.05;
+
     /** Turning speed at which a joint that is out of place is turned back, rad/s. */
     private static final double TURN_BACK = 10;
 
@@ -77,11 +84,6 @@ public final class JointSolve {
         push = sub.pushSpeed;
     }
 
-    private double slow(int joint, int side) {
-        int i = s.end[2 * joint + side];
-        return i < 0 ? 1 : s.slow[i];
-    }
-
     // Rows ----------------------------------------------------------------------------------------
 
     private int offset(int joint, int side) {
@@ -101,7 +103,7 @@ public final class JointSolve {
                 int row = store.firstRow[j] + r - s.firstRow[k];
                 s.start[r] = math.measure(store, j, store.law[row]);
                 math.derive(store, j, store.law[row], s.derivative, JointMath.JACOBIAN * r);
-                s.compliance[r] = scale(r, 0, k, 0) + scale(r, 6, k, 1);
+                s.compliance[r] = scale(r, 0, offset(k, 0)) + scale(r, 6, offset(k, 1));
             }
         }
         s.isFresh = true;
@@ -109,9 +111,7 @@ public final class JointSolve {
     }
 
     /** Scales the derivatives of a row for one body; its share in the row's inverse mass. */
-    private double scale(int r, int side, int joint, int end) {
-        int o = offset(joint, end);
-        double slow = slow(joint, end);
+    private double scale(int r, int side, int o) {
         int at = JointMath.JACOBIAN * r + side;
         if (o == 0) {
             Arrays.fill(s.scaled, at, at + 6, 0.0);
@@ -125,10 +125,7 @@ public final class JointSolve {
         for (int c = 0; c < 3; c++) {
             s.scaled[at + c] = root * d[at + c];
             s.scaled[at + 3 + c] =
-                    slow
-                            * (l[q + c] * d[at + 3]
-                                    + l[q + 3 + c] * d[at + 4]
-                                    + l[q + 6 + c] * d[at + 5]);
+                    l[q + c] * d[at + 3] + l[q + 3 + c] * d[at + 4] + l[q + 6 + c] * d[at + 5];
             sum += s.scaled[at + c] * s.scaled[at + c];
             sum += s.scaled[at + 3 + c] * s.scaled[at + 3 + c];
         }
@@ -148,7 +145,7 @@ public final class JointSolve {
                 double root = l * Math.sqrt(tick.body.state[o + SolverBodies.MASS]);
                 for (int c = 0; c < 3; c++) {
                     change(o, c, root * s.scaled[at + c]);
-                    change(o, 3 + c, slow(k, side) * l * s.scaled[at + 3 + c]);
+                    change(o, 3 + c, l * s.scaled[at + 3 + c]);
                 }
             }
         }
@@ -167,12 +164,9 @@ public final class JointSolve {
             int o = offset(k, side);
             int at = JointMath.JACOBIAN * r + 6 * side;
             double part = 0;
-            double turn = 0;
             for (int c = 0; c < 3; c++) {
-                part += s.derivative[at + c] * v[o + c];
-                turn += s.scaled[at + 3 + c] * v[o + 3 + c];
+                part += s.derivative[at + c] * v[o + c] + s.scaled[at + 3 + c] * v[o + 3 + c];
             }
-            part += turn / slow(k, side);
             sum += side == 0 ? -part : part;
         }
         return sum;
@@ -279,10 +273,11 @@ public final class JointSolve {
      */
     public void warm(double scale) {
         derive();
-        brake();
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                s.impulse[r] = scale * store.before[row(k, r)];
+                int row = row(k, r);
+                double whole = s.parts * (store.before[row] + store.after[row]);
+                s.impulse[r] = scale * (s.parts > 1 ? whole : store.before[row]);
                 push(k, r, s.impulse[r]);
             }
         }
@@ -291,7 +286,7 @@ public final class JointSolve {
     /** Begin of a tick: bodies may be elsewhere, and weigh otherwise. */
     public void begin(SubStep sub) {
         s.isFresh = false;
-        tension.slowDown(tick, store, s, sub.seconds);
+        s.parts = Swing.parts(sub.seconds * tension.quickest(tick, store, s));
     }
 
     /**
@@ -307,18 +302,11 @@ public final class JointSolve {
         }
     }
 
-    /**
-     * Bodies of an assembly that is too taut for the step move with the velocity of its end, as
-     * those with contacts do: that takes energy rather than giving it.
-     */
-    private void brake() {
-        boolean isTaut = false;
-        for (double x : s.slow) {
-            isTaut |= x < 1;
-        }
-        for (int i : s.body) {
-            if (isTaut) {
-                tick.body.state[SolverBodies.offset(i) + SolverBodies.LOADED] = 1;
+    /** Takes the impulses back. */
+    void release() {
+        for (int k = 0; k < s.joint.length; k++) {
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                set(k, r, 0);
             }
         }
     }
@@ -334,25 +322,31 @@ public final class JointSolve {
      *
      * @param seconds length of the sub-step
      * @param stay whether the bodies are moved then
-     * @return whether they were
      */
-    public boolean position(double seconds, boolean stay) {
+    public void position(double seconds, boolean stay) {
         h = seconds;
         changes = 0;
         activate(true);
+        double most = stay ? Double.POSITIVE_INFINITY : GAIN * kinetic();
         double last = Double.POSITIVE_INFINITY;
         for (int round = 0; round < ROUNDS; round++) {
             keep();
             move();
             measure();
-            boolean changed = hold(round);
-            double worst = residuals();
-            boolean ends = worst <= CLOSED || (worst > 0.3 * last && worst <= NEARLY);
-            if (ends && !changed) {
-                return end(stay);
+            if (!s.isRigid) {
+                restore();
             }
-            restore();
-            if (!(worst <= 4 * Math.max(last, NEARLY)) && round > 1) {
+            boolean changed = !s.isRigid && hold(round);
+            double worst = residuals();
+            boolean ends = !changed && (worst <= CLOSED || (worst > 0.3 * last && worst <= NEARLY));
+            if (s.isRigid && !(ends && stay)) {
+                restore();
+            }
+            if (ends && kinetic() <= most) {
+                end(stay && !s.isRigid);
+                return;
+            }
+            if (ends || (round > 1 && !(worst <= 4 * Math.max(last, NEARLY)))) {
                 project();
                 break;
             }
@@ -360,14 +354,27 @@ public final class JointSolve {
             factor(true);
             correct();
         }
-        keep();
-        move();
-        return end(stay);
+        end(stay);
     }
 
-    private boolean end(boolean stay) {
-        if (!stay) {
-            restore();
+    /** Energy of motion of the bodies, J. */
+    private double kinetic() {
+        double[] v = tick.body.state;
+        double sum = 0;
+        for (int i : s.body) {
+            int o = SolverBodies.offset(i);
+            double linear = v[o] * v[o] + v[o + 1] * v[o + 1] + v[o + 2] * v[o + 2];
+            double mass = v[o + SolverBodies.MASS];
+            sum += mass > 0 ? linear / mass : 0;
+            sum += v[o + 3] * v[o + 3] + v[o + 4] * v[o + 4] + v[o + 5] * v[o + 5];
+        }
+        return 0.5 * sum;
+    }
+
+    /** Keeps the impulses; moves the bodies if that is still to be done. */
+    private void end(boolean moves) {
+        if (moves) {
+            move();
         }
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
@@ -378,7 +385,6 @@ public final class JointSolve {
                 }
             }
         }
-        return stay;
     }
 
     /** Half of the spring again; of a damper that would turn the motion round, less. */
@@ -398,7 +404,9 @@ public final class JointSolve {
         return s.impulse[r] + (1 - 1 / x) * d * step;
     }
 
-    /** Who holds at first: limits as they were, motors and springs unless they were at their most. */
+    /**
+     * Who holds at first: limits as they were, motors and springs unless they were at their most.
+     */
     private void activate(boolean moves) {
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
@@ -406,11 +414,11 @@ public final class JointSolve {
                 boolean bound = store.held[row] != 0;
                 s.isActive[r] =
                         switch (store.role[row]) {
-                            case JointStore.LIMIT -> bound;
-                            case JointStore.MOTOR -> !bound;
-                            case JointStore.SPRING -> moves && !bound && isSprung(r, row);
-                            default -> true;
-                        }
+                                    case JointStore.LIMIT -> bound;
+                                    case JointStore.MOTOR -> !bound;
+                                    case JointStore.SPRING -> moves && !bound && isSprung(r, row);
+                                    default -> true;
+                                }
                                 && s.compliance[r] > 0;
                 if (bound && store.role[row] >= JointStore.MOTOR && moves) {
                     set(k, r, store.held[row] * bound(row));
@@ -622,11 +630,7 @@ public final class JointSolve {
 
     /** Where Newton's method fails: no impulses but those that stop the rows' speed. */
     private void project() {
-        for (int k = 0; k < s.joint.length; k++) {
-            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                set(k, r, 0);
-            }
-        }
+        release();
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 s.now[r] = speed(k, r);
@@ -642,8 +646,9 @@ public final class JointSolve {
      * After the bodies have moved, and their roots are those of their present orientation.
      *
      * @param warm whether to begin with the impulses of the last sub-step
+     * @param counts whether what is found are the impulses of the sub-step
      */
-    public void beginVelocity(boolean warm) {
+    public void beginVelocity(boolean warm, boolean counts) {
         s.isFresh = false;
         derive();
         activate(false);
@@ -655,13 +660,17 @@ public final class JointSolve {
                 first = role == JointStore.SPRING ? store.after[row] : first;
                 first = role == JointStore.MOTOR && !s.isActive[r] ? store.before[row] : first;
                 s.impulse[r] = 0;
-                set(k, r, first);
+                set(k, r, counts ? first : 0);
             }
         }
     }
 
-    /** Takes from the velocities what the joints do not allow. */
-    public void velocity(double seconds) {
+    /**
+     * Takes from the velocities what the joints do not allow.
+     *
+     * @param counts whether its impulses are those of the sub-step
+     */
+    public void velocity(double seconds, boolean counts) {
         h = seconds;
         changes = 0;
         double first = 0;
@@ -684,7 +693,9 @@ public final class JointSolve {
             factor(false);
             correct();
         }
-        end();
+        if (counts) {
+            end();
+        }
     }
 
     /** Lets limits go that would pull, and holds motors to their most. */

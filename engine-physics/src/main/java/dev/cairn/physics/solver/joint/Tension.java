@@ -14,14 +14,8 @@ import java.util.Arrays;
  * L^T} the largest frequency squared is at most the norm of {@code L^T G L}. A scheme of second
  * order that takes constraint forces from the step's ends, as RATTLE does, is stable up to a
  * frequency of 2/h.
- *
- * <p>With contacts the step is what it is. There a link answers joints with so much more inertia
- * that its frequency is {@link #STABLE} over h, which changes no force at rest: what load-proportional inertia
- * is to stacks. Its angular momentum is not kept meanwhile.
  */
 final class Tension {
-    private static final double STABLE = 0.8;
-
     /** What is left of a frequency after a tick, if forces tell of a smaller one. */
     private static final double FADES = 0.95;
 
@@ -56,15 +50,6 @@ final class Tension {
             worst = Math.max(worst, s.quick[n]);
         }
         return worst;
-    }
-
-    /** Finds the bodies that answer joints slower, for a sub-step of h. */
-    void slowDown(SolverContext tick, JointStore store, Assembly s, double h) {
-        quickest(tick, store, s);
-        for (int n = 0; n < s.body.length; n++) {
-            double x = h * s.quick[n] / STABLE;
-            s.slow[n] = x > 1 ? 1 / x : 1;
-        }
     }
 
     private static void add(double[] f, int at, double sign, double[] r, double[] g, int o) {
