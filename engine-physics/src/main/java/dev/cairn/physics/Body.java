@@ -1,5 +1,7 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.collider.Filter;
+import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.Shape;
@@ -26,6 +28,7 @@ public final class Body {
     double qz;
     double qw = 1;
     Material material = Material.DEFAULT;
+    Filter filter = Filter.ALL;
     double mass = Double.NaN;
     double inertiaXX = Double.NaN;
     double inertiaYY;
@@ -36,6 +39,7 @@ public final class Body {
     double wx;
     double wy;
     double wz;
+    final List<Collider> colliders = new ArrayList<>();
     final List<Record> components = new ArrayList<>();
     String name = "";
     boolean maySleep = true;
@@ -68,7 +72,7 @@ public final class Body {
     }
 
     /**
-     * Sets the collision shape. Required.
+     * Sets the collision shape. Required, unless there is a {@link #collider}.
      *
      * @param value the shape; shared, not copied (shapes are immutable)
      * @return this
@@ -76,6 +80,30 @@ public final class Body {
     public Body shape(Shape value) {
         shape = Checks.notNull("shape", value);
         return this;
+    }
+
+    /**
+     * Adds a shape with a place, material and filter of its own. A body has what {@link #shape} and
+     * all calls of this say, in this order; its mass is that of all together.
+     *
+     * @param value the collider
+     * @return this
+     */
+    public Body collider(Collider value) {
+        colliders.add(Checks.notNull("collider", value));
+        return this;
+    }
+
+    /** All that the body is made of, with material and filter. */
+    List<Collider> parts() {
+        List<Collider> parts = new ArrayList<>();
+        if (shape != null) {
+            parts.add(Collider.of(shape).orElse(material, filter));
+        }
+        for (Collider collider : colliders) {
+            parts.add(collider.orElse(material, filter));
+        }
+        return parts;
     }
 
     /**
@@ -159,6 +187,17 @@ public final class Body {
      */
     public Body material(Material value) {
         material = Checks.notNull("material", value);
+        return this;
+    }
+
+    /**
+     * Says whom the body collides with; {@link Filter#ALL} by default.
+     *
+     * @param value the filter
+     * @return this
+     */
+    public Body filter(Filter value) {
+        filter = Checks.notNull("filter", value);
         return this;
     }
 

@@ -5,6 +5,7 @@ import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.Rotations;
+import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Matrix3d;
@@ -47,15 +48,43 @@ final class BodyAccess {
     }
 
     Shape shape(int s) {
-        return table.shapes[s];
+        return table.collision.spec(bodies.collider[s]).placed;
     }
 
     Material material(int s) {
-        return table.materials[s];
+        return table.collision.spec(bodies.collider[s]).material();
     }
 
     double mass(int s) {
         return isFixed(s) ? Double.POSITIVE_INFINITY : 1 / bodies.inverseMass[s];
+    }
+
+    /**
+     * Another mass, centre and inertia. The body's frame stays where it is; the centre takes over
+     * the velocity v + w x d of where it is now.
+     */
+    void setMass(int s, MassProperties p) {
+        BodyStore b = bodies;
+        Rotations.rotate(
+                b.orientationX[s],
+                b.orientationY[s],
+                b.orientationZ[s],
+                b.orientationW[s],
+                p.comX() - table.roster.comX[s],
+                p.comY() - table.roster.comY[s],
+                p.comZ() - table.roster.comZ[s],
+                rotated);
+        table.roster.comX[s] = p.comX();
+        table.roster.comY[s] = p.comY();
+        table.roster.comZ[s] = p.comZ();
+        b.move(s, rotated[0], rotated[1], rotated[2]);
+        double wx = b.angularVelocityX[s];
+        double wy = b.angularVelocityY[s];
+        double wz = b.angularVelocityZ[s];
+        b.velocityX[s] += wy * rotated[2] - wz * rotated[1];
+        b.velocityY[s] += wz * rotated[0] - wx * rotated[2];
+        b.velocityZ[s] += wx * rotated[1] - wy * rotated[0];
+        table.setMass(s, p, isFixed(s));
     }
 
     /** R I⁻¹ Rᵀ. */
@@ -83,9 +112,9 @@ final class BodyAccess {
                 bodies.orientationY[s],
                 bodies.orientationZ[s],
                 bodies.orientationW[s],
-                table.comX[s],
-                table.comY[s],
-                table.comZ[s],
+                table.roster.comX[s],
+                table.roster.comY[s],
+                table.roster.comZ[s],
                 rotated);
         return d.set(
                 bodies.positionX[s] - rotated[0],
@@ -309,21 +338,33 @@ final class BodyAccess {
     /** The ECS is written first: if it refuses (a step runs), nothing has changed. */
     private void place(
             int s, double x, double y, double z, double qx, double qy, double qz, double qw) {
-        Rotations.rotate(qx, qy, qz, qw, table.comX[s], table.comY[s], table.comZ[s], rotated);
+        Rotations.rotate(
+                qx,
+                qy,
+                qz,
+                qw,
+                table.roster.comX[s],
+                table.roster.comY[s],
+                table.roster.comZ[s],
+                rotated);
         double px = Checks.between("x", x + rotated[0], -BoundsStage.LIMIT, BoundsStage.LIMIT);
         double py = Checks.between("y", y + rotated[1], -BoundsStage.LIMIT, BoundsStage.LIMIT);
         double pz = Checks.between("z", z + rotated[2], -BoundsStage.LIMIT, BoundsStage.LIMIT);
-        table.world().set(bodies.entity[s], new Pose(x, y, z, qx, qy, qz, qw, table.jumps[s] + 1));
-        table.jumps[s]++;
-        table.places++;
+        table.world()
+                .set(
+                        bodies.entity[s],
+                        new Pose(x, y, z, qx, qy, qz, qw, table.roster.jumps[s] + 1));
+        table.roster.jumps[s]++;
+        table.roster.places++;
         wake(s);
         bodies.place(s, px, py, pz);
         bodies.orientationX[s] = qx;
         bodies.orientationY[s] = qy;
         bodies.orientationZ[s] = qz;
         bodies.orientationW[s] = qw;
+        table.colliders.compose(s);
         if (isFixed(s)) {
-            table.addUnplaced(s);
+            table.roster.addUnplaced(s);
         }
     }
 

@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.joint.Jointed;
 import dev.cairn.physics.shape.Shape;
@@ -8,6 +9,8 @@ import org.joml.Matrix3d;
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
+
+import java.util.List;
 
 /**
  * A body in a world. All values are in world axes and SI units; positions named so are those of the
@@ -380,6 +383,48 @@ public final class BodyRef implements Jointed {
     }
 
     /**
+     * The colliders of the body: most have one. Allocates.
+     *
+     * @return a new list, in the order in which they were given
+     */
+    public List<ColliderRef> colliders() {
+        return table.collision.list(alive());
+    }
+
+    /**
+     * The body's contacts in the last step. Allocates; its cost is that of a walk over all
+     * contacts.
+     *
+     * @return their numbers in {@link PhysicsWorld#contacts}, ascending
+     */
+    public int[] contacts() {
+        return table.view().of(alive());
+    }
+
+    /**
+     * Adds a collider to the body; mass, centre and inertia follow, unless they were given. The
+     * body's frame stays where it is, and each of its points keeps its velocity.
+     *
+     * @param collider what it is like; what it does not say is as of the body's first one
+     * @return the collider
+     * @throws IllegalArgumentException if the body would have no finite mass
+     */
+    public ColliderRef add(Collider collider) {
+        int slot = changed("add");
+        return table.collision.add(slot, Checks.notNull("collider", collider));
+    }
+
+    /**
+     * Changes whom the body collides with, all its colliders. Contacts that the new filter refuses
+     * end in the next step, and are told as ended; who rested on the body wakes.
+     *
+     * @param filter the new one
+     */
+    public void setFilter(Filter filter) {
+        table.collision.setFilters(changed("setFilter"), filter);
+    }
+
+    /**
      * Takes the body and its entity out of the world, between steps. Its contacts end with the next
      * step.
      *
@@ -411,6 +456,11 @@ public final class BodyRef implements Jointed {
         return alive();
     }
 
+    void requireBetweenSteps(String call) {
+        changed(call);
+    }
+
+    /** The slot; throws if the body is gone. */
     int alive() {
         if (!table.isAlive(slot, entity)) {
             throw new BodyRemovedException(

@@ -1,14 +1,15 @@
 package dev.cairn.physics;
 
-import dev.cairn.core.ecs.EcsSystem;
 import dev.cairn.core.ecs.World;
-import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.joint.Joint;
 import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.joint.Jointed;
 import dev.cairn.physics.joint.Joints;
+import dev.cairn.physics.profile.StepProfile;
 import dev.cairn.physics.state.Digest;
+import dev.cairn.physics.state.RigidBody;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -25,15 +26,17 @@ import java.util.List;
 public final class PhysicsWorld implements AutoCloseable {
     final PhysicsSystem physics;
     private final World ecs;
+    private final Collisions collisions;
     private boolean stepping;
     private boolean closed;
 
     private final Joints joints;
 
-    private PhysicsWorld(PhysicsSystem physics, World ecs) {
+    PhysicsWorld(PhysicsSystem physics, World ecs) {
         this.physics = physics;
         this.ecs = ecs;
-        physics.table.bind(ecs);
+        physics.table.roster.bind(ecs);
+        collisions = new Collisions(this);
         joints = new Joints(physics.joints, physics.table.bodies, new JointHost());
         physics.jointList = joints;
     }
@@ -43,8 +46,8 @@ public final class PhysicsWorld implements AutoCloseable {
      *
      * @return a builder with the defaults
      */
-    public static Builder builder() {
-        return new Builder();
+    public static PhysicsWorldBuilder builder() {
+        return new PhysicsWorldBuilder();
     }
 
     /**
@@ -110,6 +113,16 @@ public final class PhysicsWorld implements AutoCloseable {
         }
 
         @Override
+        public void apart(int a, int b) {
+            physics.table.collision.apart(a, b);
+        }
+
+        @Override
+        public void together(int a, int b) {
+            physics.table.collision.together(a, b);
+        }
+
+        @Override
         public void requireBetweenSteps(String call) {
             PhysicsWorld.this.requireBetweenSteps(call);
         }
@@ -135,6 +148,7 @@ public final class PhysicsWorld implements AutoCloseable {
         } finally {
             stepping = false;
         }
+        physics.view.tell();
     }
 
     /**
@@ -153,6 +167,15 @@ public final class PhysicsWorld implements AutoCloseable {
      */
     public Contacts contacts() {
         return physics.view;
+    }
+
+    /**
+     * The rules about who collides, beside the filters of colliders.
+     *
+     * @return the same object each time
+     */
+    public Collisions collisions() {
+        return collisions;
     }
 
     /**
@@ -200,9 +223,7 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return a new list
      */
     public List<BodyRef> quarantined() {
-        List<BodyRef> list = new ArrayList<>(physics.table.quarantined);
-        list.removeIf(ref -> !ref.isAlive());
-        return list;
+        return physics.table.quarantined();
     }
 
     /**
@@ -228,7 +249,7 @@ public final class PhysicsWorld implements AutoCloseable {
         List<BodyRef> alive = new ArrayList<>();
         for (int slot = 0; slot < physics.table.bodies.slotCount; slot++) {
             BodyRef ref = physics.table.refs[slot];
-            if (ref.isAlive()) {
+            if (physics.table.bodies.kind[slot] != BodyStore.FREE && ref.isAlive()) {
                 alive.add(ref);
             }
         }
@@ -317,7 +338,7 @@ public final class PhysicsWorld implements AutoCloseable {
     public void setPaused(boolean paused) {
         requireOpen("setPaused");
         if (!paused && isPaused()) {
-            physics.table.clearAllForces();
+            physics.table.roster.clearAllForces();
         }
         ecs.schedule().setEnabled(PhysicsSystem.NAME, !paused);
     }
@@ -417,141 +438,6 @@ public final class PhysicsWorld implements AutoCloseable {
         if (closed) {
             throw new IllegalStateException(
                     call + " was called on a world that is closed; build another one");
-        }
-    }
-
-    /** Describes a world. One thread at a time. */
-    public static final class Builder {
-        private double gravityX;
-        private double gravityY = -9.81;
-        private double gravityZ;
-        private @Nullable Jobs jobs;
-        private int workers;
-        private PhysicsSettings settings = PhysicsSettings.DEFAULT;
-        private long seed;
-        private final List<EcsSystem> systems = new ArrayList<>();
-
-        private Builder() {}
-
-        /**
-         * Sets the gravity; (0, -9.81, 0) by default.
-         *
-         * @param x m/s², finite
-         * @param y m/s², finite
-         * @param z m/s², finite
-         * @return this
-         */
-        public Builder gravity(double x, double y, double z) {
-            Checks.finite("gravity x", x);
-            Checks.finite("gravity y", y);
-            Checks.finite("gravity z", z);
-            gravityX = x;
-            gravityY = y;
-            gravityZ = z;
-            return this;
-        }
-
-        /**
-         * Sets how many threads work at a step, the caller included; by default as many as there
-         * are processors. The results do not depend on it.
-         *
-         * @param count 1 to {@link Jobs#MAX_WORKERS}
-         * @return this
-         */
-        public Builder workers(int count) {
-            workers = Checks.between("workers", count, 1, Jobs.MAX_WORKERS);
-            jobs = null;
-            return this;
-        }
-
-        /**
-         * Gives the workers, instead of {@link #workers}. The caller closes them, after the world.
-         *
-         * @param value the workers
-         * @return this
-         */
-        public Builder jobs(Jobs value) {
-            jobs = Checks.notNull("jobs", value);
-            return this;
-        }
-
-        /**
-         * Sets the solver's sub-steps of a tick; 4 by default.
-         *
-         * @param count 1 to 64
-         * @return this
-         */
-        public Builder substeps(int count) {
-            settings = settings.withSubsteps(count);
-            return this;
-        }
-
-        /**
-         * Says whether bodies that have come to rest fall asleep; true by default. A body asleep
-         * costs nothing and wakes as soon as anything happens to it. Measurements of accuracy want
-         * false, so that what they see at rest is the solver's doing.
-         *
-         * @param value false to keep all bodies awake
-         * @return this
-         */
-        public Builder sleeping(boolean value) {
-            settings = settings.withSleeping(value);
-            return this;
-        }
-
-        /**
-         * Sets all tunables.
-         *
-         * @param value the settings
-         * @return this
-         */
-        public Builder settings(PhysicsSettings value) {
-            settings = Checks.notNull("settings", value);
-            return this;
-        }
-
-        /**
-         * Sets the seed of the systems' random streams; 0 by default. The physics itself uses none.
-         *
-         * @param value any
-         * @return this
-         */
-        public Builder seed(long value) {
-            seed = value;
-            return this;
-        }
-
-        /**
-         * Adds systems of the user to the schedule, beside the physics.
-         *
-         * @param values systems; the order of registration does not matter
-         * @return this
-         */
-        public Builder systems(EcsSystem... values) {
-            Checks.notNull("systems", values);
-            for (EcsSystem system : values) {
-                systems.add(Checks.notNull("system", system));
-            }
-            return this;
-        }
-
-        /**
-         * Makes the world.
-         *
-         * @return an empty world
-         */
-        public PhysicsWorld build() {
-            PhysicsSystem physics = new PhysicsSystem(settings, gravityX, gravityY, gravityZ);
-            List<EcsSystem> all = new ArrayList<>(systems);
-            all.add(physics);
-            World.Builder builder =
-                    World.builder().systems(all.toArray(new EcsSystem[0])).seed(seed);
-            if (jobs != null) {
-                builder.jobs(jobs);
-            } else {
-                builder.workers(workers == 0 ? Jobs.defaultWorkers() : workers);
-            }
-            return new PhysicsWorld(physics, builder.build());
         }
     }
 }

@@ -5,6 +5,7 @@ import dev.cairn.physics.broadphase.BoxWalk;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.RayWalk;
 import dev.cairn.physics.broadphase.TreeWalk;
+import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.ColliderStore;
@@ -63,6 +64,8 @@ public final class WorldQueries {
 
     private int place;
     private @Nullable Predicate<BodyRef> filter;
+    private @Nullable Filter bits;
+    private boolean sensors;
 
     WorldQueries(PhysicsWorld world) {
         this.world = world;
@@ -77,6 +80,29 @@ public final class WorldQueries {
      */
     public WorldQueries filter(@Nullable Predicate<BodyRef> wanted) {
         filter = wanted;
+        return this;
+    }
+
+    /**
+     * Chooses whom the following questions are about: colliders that one with this filter would
+     * meet. It holds together with {@link #filter}.
+     *
+     * @param asks filter of who asks; {@code null} for all colliders, whatever theirs is
+     * @return this
+     */
+    public WorldQueries withFilter(@Nullable Filter asks) {
+        bits = asks;
+        return this;
+    }
+
+    /**
+     * Says whether sensors are looked at too; by default they are not.
+     *
+     * @param value true to find sensors
+     * @return this
+     */
+    public WorldQueries withSensors(boolean value) {
+        sensors = value;
         return this;
     }
 
@@ -310,7 +336,10 @@ public final class WorldQueries {
 
     private boolean isWanted(int collider) {
         BodyRef body = table.refs[table.colliders.body[collider]];
-        return body.isAlive() && (filter == null || filter.test(body));
+        return (!table.colliders.sensor[collider] || sensors)
+                && (bits == null || bits.meets(table.colliders.filter[collider]))
+                && body.isAlive()
+                && (filter == null || filter.test(body));
     }
 
     private void aim(int c) {
@@ -329,13 +358,13 @@ public final class WorldQueries {
     /** Looks for colliders that are not within their fat box, once after each change of places. */
     private void begin() {
         world.requireBetweenSteps("a query");
-        if (places == table.places) {
+        if (places == table.roster.places) {
             return;
         }
-        places = table.places;
+        places = table.roster.places;
         astrayCount = 0;
-        for (int i = 0; i < table.unplacedCount; i++) {
-            stray(table.unplaced[i], false);
+        for (int i = 0; i < table.roster.unplacedCount; i++) {
+            stray(table.roster.unplaced[i], false);
         }
         byte[] kind = table.bodies.kind;
         for (int slot = 0; slot < table.bodies.slotCount; slot++) {

@@ -7,6 +7,7 @@ import com.sun.management.ThreadMXBean;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.tuning.Precision;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -133,7 +134,7 @@ class AllocationTest {
      * profiles behind with which the Vector API's vectors are objects; the system tests measure
      * lanes in a JVM of their own.
      */
-    private static PhysicsWorld.Builder scalar() {
+    private static PhysicsWorldBuilder scalar() {
         return PhysicsWorld.builder().settings(PhysicsSettings.DEFAULT.withLanes(1));
     }
 

@@ -9,8 +9,10 @@ import dev.cairn.core.ecs.Access;
 import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.WorldSystem;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.state.RigidBody;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;

@@ -3,8 +3,8 @@ package dev.cairn.samples;
 import dev.cairn.physics.Contacts;
 import dev.cairn.physics.Kinetics;
 import dev.cairn.physics.PhysicsWorld;
-import dev.cairn.physics.StepProfile;
-import dev.cairn.physics.StepStage;
+import dev.cairn.physics.profile.StepProfile;
+import dev.cairn.physics.profile.StepStage;
 
 import org.jspecify.annotations.Nullable;
 

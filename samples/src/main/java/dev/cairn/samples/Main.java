@@ -1,6 +1,7 @@
 package dev.cairn.samples;
 
 import dev.cairn.samples.accuracy.AccuracyCommand;
+import dev.cairn.samples.fuzz.FuzzCommand;
 
 import org.jspecify.annotations.Nullable;
 
@@ -46,6 +47,7 @@ import java.util.Map;
             "  samples --headless --scene-file five.json --picture five.png",
             "  samples --scene room,pyramid,obj-drop --contact-sheet scenes.png",
             "  samples accuracy --quick      (compares with closed forms; accuracy --help)",
+            "  samples fuzz --worlds 1000    (random worlds against laws; fuzz --help)",
             "",
             "Exit codes: 0 done; 1 a scene failed; 2 the options make no sense (one line says why)."
         })
@@ -203,10 +205,13 @@ public final class Main {
      * @return the exit code
      */
     public static int run(String[] arguments, PrintStream out, PrintStream err, boolean display) {
-        if (arguments.length > 0 && arguments[0].equals("accuracy")) {
+        String first = arguments.length > 0 ? arguments[0] : "";
+        if (first.equals("accuracy") || first.equals("fuzz")) {
+            String[] rest = Arrays.copyOfRange(arguments, 1, arguments.length);
             try {
-                return AccuracyCommand.run(
-                        Arrays.copyOfRange(arguments, 1, arguments.length), out, err, onTerminal());
+                return first.equals("fuzz")
+                        ? FuzzCommand.run(rest, out, err, onTerminal())
+                        : AccuracyCommand.run(rest, out, err, onTerminal());
             } catch (UncheckedIOException unwritable) {
                 err.println(oneLine(unwritable));
                 return FAILED;

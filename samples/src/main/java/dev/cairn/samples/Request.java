@@ -2,7 +2,7 @@ package dev.cairn.samples;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.PhysicsSettings;
-import dev.cairn.physics.Precision;
+import dev.cairn.physics.tuning.Precision;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneFileException;

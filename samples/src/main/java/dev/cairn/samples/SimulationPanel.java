@@ -1,7 +1,7 @@
 package dev.cairn.samples;
 
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.StepStage;
+import dev.cairn.physics.profile.StepStage;
 import dev.cairn.render.app.DebugLayer;
 import dev.cairn.render.app.View;
 import dev.cairn.render.ui.TextBuffer;

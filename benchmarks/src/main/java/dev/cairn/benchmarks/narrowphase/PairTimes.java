@@ -4,8 +4,8 @@ import dev.cairn.benchmarks.peer.PairCalls;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.NarrowPhase.Method;
 import dev.cairn.physics.narrowphase.pair.Manifold;
-import dev.cairn.physics.narrowphase.wide.BoxAxes;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
+import dev.cairn.physics.narrowphase.wide.RoundWarmUp;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
@@ -35,9 +35,6 @@ public final class PairTimes {
     private static final long LEAST_TIME = 2_000_000_000L;
 
     private static final int PEER_REPETITIONS = 300;
-
-    /** How long the kernels may take to compile, ns. */
-    private static final long LONGEST_WARM_UP = 60_000_000_000L;
 
     /** Sets of pairs, 256 each, whose iterations are counted. */
     private static final int ITERATION_SETS = 40;
@@ -197,20 +194,13 @@ public final class PairTimes {
         return steps[steps.length / 2] + "/" + rare + "/" + steps[steps.length - 1];
     }
 
-    private static boolean ready() {
-        return BoxWarmUp.ready() || !BoxAxes.wide();
-    }
-
     private static double stage(PairSet.Kind kind) {
         Fastest fastest = new Fastest();
         try (StageSet set = new StageSet(kind)) {
-            // The stage goes without lanes until their kernels are compiled in the background.
-            long patience = System.nanoTime() + LONGEST_WARM_UP;
-            for (int k = 0; !ready() && System.nanoTime() < patience; k++) {
-                set.move(k);
-                set.run();
-            }
-            if (!ready()) {
+            // The stage goes without lanes until their kernels are compiled.
+            boolean boxes = BoxWarmUp.await();
+            boolean rounds = RoundWarmUp.await();
+            if (!boxes || !rounds) {
                 System.out.print(" (without lanes)");
             }
             long until = THREADS.getCurrentThreadCpuTime() + LEAST_TIME;

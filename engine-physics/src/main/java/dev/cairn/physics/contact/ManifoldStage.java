@@ -15,6 +15,7 @@ import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
 import dev.cairn.physics.narrowphase.wide.RecycledBatch;
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
+import dev.cairn.physics.narrowphase.wide.RoundWarmUp;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Moved;
 
@@ -58,6 +59,11 @@ public final class ManifoldStage {
     private double reach;
     private int boxBlocks, roundBlocks;
 
+    /** Ticks in which lanes were wanted, and whether they are used in this one. */
+    private int boxTicks, roundTicks;
+
+    private boolean boxesInLanes, roundsInLanes;
+
     /**
      * A stage.
      *
@@ -94,6 +100,8 @@ public final class ManifoldStage {
         kinds.sort(rows, jobs);
         int round = kinds.begin(PairKinds.ROUND);
         int others = kinds.begin(PairKinds.OTHERS);
+        boxesInLanes = round >= PAIRS_FOR_LANES && BoxWarmUp.ready(++boxTicks);
+        roundsInLanes = others - round >= PAIRS_FOR_LANES && RoundWarmUp.ready(++roundTicks);
         boxBlocks = Blocks.count(round, BOXES_PER_BLOCK);
         roundBlocks = Blocks.count(others - round, ROUND_PER_BLOCK);
         int rest = Blocks.count(rows.activeCount - others, OTHERS_PER_BLOCK);
@@ -109,29 +117,33 @@ public final class ManifoldStage {
         int others = kinds.begin(PairKinds.OTHERS);
         if (block < boxBlocks) {
             int begin = Blocks.begin(block, BOXES_PER_BLOCK);
-            boxes(begin, Blocks.end(block, BOXES_PER_BLOCK, round) - begin, own);
+            int end = Blocks.end(block, BOXES_PER_BLOCK, round);
+            boxes(begin, end - begin, own);
+            points.fromBodies(kinds.order(), begin, end);
             return;
         }
         int b = block - boxBlocks;
         if (b < roundBlocks) {
+            int begin = round + Blocks.begin(b, ROUND_PER_BLOCK);
             int end = round + Blocks.end(b, ROUND_PER_BLOCK, others - round);
-            round(round + Blocks.begin(b, ROUND_PER_BLOCK), end, own);
+            round(begin, end, own);
+            points.fromBodies(kinds.order(), begin, end);
             return;
         }
         b -= roundBlocks;
         int[] order = kinds.order();
         int end = others + Blocks.end(b, OTHERS_PER_BLOCK, contacts.activeCount - others);
-        for (int i = others + Blocks.begin(b, OTHERS_PER_BLOCK); i < end; i++) {
+        int begin = others + Blocks.begin(b, OTHERS_PER_BLOCK);
+        for (int i = begin; i < end; i++) {
             collide(order[i], own);
         }
+        points.fromBodies(order, begin, end);
     }
 
     private void round(int begin, int end, Scratch own) {
-        int pairs = kinds.begin(PairKinds.OTHERS) - kinds.begin(PairKinds.ROUND);
-        boolean wide = pairs >= PAIRS_FOR_LANES && BoxWarmUp.ready();
         for (int i = begin; i < end; i += RoundBatch.CAPACITY) {
             int last = Math.min(end, i + RoundBatch.CAPACITY);
-            if (wide) {
+            if (roundsInLanes) {
                 int left = roundRows.run(i, last - i, own.roundRows);
                 for (int k = 0; k < left; k++) {
                     collide(own.roundRows.left[k], own);
@@ -177,10 +189,9 @@ public final class ManifoldStage {
     }
 
     private void boxes(int begin, int count, Scratch own) {
-        boolean lanes = kinds.begin(PairKinds.ROUND) >= PAIRS_FOR_LANES && BoxWarmUp.ready();
-        int moved = lanes ? renewWide(begin, count, own) : renewOnes(begin, count, own);
+        int moved = boxesInLanes ? renewWide(begin, count, own) : renewOnes(begin, count, own);
         BoxContacts batch = own.boxes;
-        batch.useLanes(lanes && moved >= MOVED_FOR_LANES);
+        batch.useLanes(boxesInLanes && moved >= MOVED_FOR_LANES);
         batch.run(moved);
         for (int i = 0; i < moved; i++) {
             int row = own.row[i];

@@ -289,22 +289,4 @@ public final class JointStore implements EdgeSource {
             }
         }
     }
-
-    /**
-     * Whether two bodies are held by a joint that keeps them from colliding.
-     *
-     * @param a slot of a body
-     * @param b slot of another one
-     */
-    public boolean keepsApart(int a, int b) {
-        for (int j = 0; j < count; j++) {
-            if (isThere[j]
-                    && isEnabled[j]
-                    && !collides[j]
-                    && ((bodyA[j] == a && bodyB[j] == b) || (bodyA[j] == b && bodyB[j] == a))) {
-                return true;
-            }
-        }
-        return false;
-    }
 }

@@ -139,6 +139,7 @@ public final class JointRef {
             joints.store.isEnabled[j] = value;
             joints.store.clear(j);
             joints.store.revision++;
+            joints.separate(j);
             joints.wake(j);
         }
     }
@@ -152,6 +153,7 @@ public final class JointRef {
         int j = changed("remove");
         joints.wake(j);
         joints.store.remove(j);
+        joints.separate(j);
     }
 
     /**

@@ -37,6 +37,22 @@ public final class Joints {
         void wake(int slot);
 
         /**
+         * Two bodies shall not collide, for one reason more.
+         *
+         * @param a slot of a body
+         * @param b slot of another one
+         */
+        void apart(int a, int b);
+
+        /**
+         * One reason of {@link #apart} is gone.
+         *
+         * @param a slot of a body
+         * @param b slot of another one
+         */
+        void together(int a, int b);
+
+        /**
          * Throws if a step runs or the world is closed.
          *
          * @param call name of the method, for the message
@@ -48,6 +64,10 @@ public final class Joints {
     final BodyStore bodies;
     final Host host;
     private JointRef[] refs = new JointRef[0];
+
+    /** By joint: whether it keeps its bodies from colliding. */
+    private boolean[] isApart = {};
+
     final JointValues values = new JointValues();
     private final JointFrames frames = new JointFrames();
     private final Vector3d point = new Vector3d();
@@ -60,6 +80,7 @@ public final class Joints {
      * @param bodies of the world
      * @param host the world
      */
+    @SuppressWarnings("exports") // only the world, which is in this module, makes one
     public Joints(JointStore store, BodyStore bodies, Host host) {
         this.store = store;
         this.bodies = bodies;
@@ -95,12 +116,14 @@ public final class Joints {
         rows.write(store, j);
         if (refs.length <= j) {
             refs = Arrays.copyOf(refs, store.isThere.length);
+            isApart = Arrays.copyOf(isApart, store.isThere.length);
         }
+        isApart[j] = false;
         refs[j] = ref;
         ref.index = j;
         ref.stamp = store.stamp[j];
-        host.wake(a);
-        host.wake(b);
+        separate(j);
+        wake(j);
         return ref;
     }
 
@@ -194,6 +217,7 @@ public final class Joints {
             if (load(j, 0) > store.breakForce[j] || load(j, 3) > store.breakTorque[j]) {
                 store.isEnabled[j] = false;
                 store.revision++;
+                separate(j);
                 broken.add(refs[j]);
             }
         }
@@ -204,6 +228,17 @@ public final class Joints {
         double[] r = store.reaction;
         int k = 6 * j + from;
         return Math.sqrt(r[k] * r[k] + r[k + 1] * r[k + 1] + r[k + 2] * r[k + 2]);
+    }
+
+    /** Keeps the bodies of a joint from colliding if they should not, now that it has changed. */
+    void separate(int j) {
+        boolean wanted = store.isThere[j] && store.isEnabled[j] && !store.collides[j];
+        if (wanted && !isApart[j]) {
+            host.apart(store.bodyA[j], store.bodyB[j]);
+        } else if (!wanted && isApart[j]) {
+            host.together(store.bodyA[j], store.bodyB[j]);
+        }
+        isApart[j] = wanted;
     }
 
     /** Moves the point of A. */

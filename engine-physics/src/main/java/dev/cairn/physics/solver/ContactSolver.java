@@ -42,10 +42,10 @@ public final class ContactSolver {
     private static final int BODIES_PER_BLOCK = 128;
     private static final int ROWS_PER_BLOCK = 256;
 
-    /** With fewer contacts the scalar sweeps are fast enough, and need no warm-up. */
-    private static final int WIDE_FROM = 256;
-
-    /** Contacts times ticks after which a smaller scene pays for the wide sweeps' warm-up. */
+    /**
+     * Contacts times ticks after which a scene is worth the wide sweeps' warm-up. A tick counts for
+     * at most a hundredth of it: a large scene's scalar code shall be compiled before.
+     */
     private static final int WORTH_WIDE = 32_768;
 
     /**
@@ -406,13 +406,13 @@ public final class ContactSolver {
         if (passes[k].rows.places > 0 && sweeps[k] instanceof WideSweeps wide && !wide.isWarm()) {
             chosen[k] = narrow[k];
             // Not places: how many there are depends on the lanes.
-            contactTicks = Math.min(WORTH_WIDE, contactTicks + list.count);
+            contactTicks += Math.min(WORTH_WIDE / 100, list.count);
             if (tick.settings.count(Tunable.LANES) != 0
                     && k == Batches.FLOATS
                     && settings().count(Tunable.FLOATS_FROM) > 0) {
                 wide.finish();
                 chosen[k] = wide;
-            } else if (list.count >= WIDE_FROM || contactTicks == WORTH_WIDE) {
+            } else if (contactTicks >= WORTH_WIDE) {
                 wide.begin();
             }
         }

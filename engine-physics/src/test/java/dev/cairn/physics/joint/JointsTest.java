@@ -9,6 +9,7 @@ import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Kinetics;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.PhysicsWorldBuilder;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Sphere;
@@ -24,7 +25,7 @@ final class JointsTest {
     private static final double STEP = 1 / 60.0;
     private static final double G = 9.81;
 
-    private static PhysicsWorld.Builder still() {
+    private static PhysicsWorldBuilder still() {
         return PhysicsWorld.builder().workers(1).sleeping(false);
     }
 

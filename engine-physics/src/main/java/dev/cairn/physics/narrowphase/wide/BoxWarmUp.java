@@ -1,134 +1,81 @@
 package dev.cairn.physics.narrowphase.wide;
 
-import org.jspecify.annotations.Nullable;
+import dev.cairn.physics.internal.KernelWarmUp;
 
 import java.util.Random;
 
-/**
- * Runs the wide kernels of boxes and of round shapes in a thread of their own until the compiler is
- * done with them. Code of the Vector API that is not compiled yet is some hundred times slower than
- * scalar code, and its vectors are objects on the heap. The lanes give the same bits as the scalar
- * path, so it does not matter to the result when the change comes.
- */
-public final class BoxWarmUp {
-    private static final int LEAST = 12_000;
-    private static final int MOST = 100_000;
+/** Warms up the wide kernels of boxes: those that moved, and those that have hardly moved. */
+public final class BoxWarmUp extends KernelWarmUp {
+    private static final BoxWarmUp KERNELS = new BoxWarmUp();
 
-    /** So many rounds in a row must be fast: none takes {@link #SLOW} times the best. */
-    private static final int IN_A_ROW = 200;
-
+    /** A round is slow when it takes so many times the best. */
     private static final int SLOW = 4;
-    private static final Object LOCK = new Object();
 
-    private static volatile @Nullable Thread thread;
-    private static volatile boolean ready;
+    private final BoxBatch batch = new BoxBatch();
+    private final RecycledBatch kept = new RecycledBatch();
+    private final double[] numbers = new double[RecycledBatch.KEPT * RecycledBatch.CAPACITY];
+    private final Random random = new Random(1);
+    private long scalar = Long.MAX_VALUE;
+    private long axes = Long.MAX_VALUE;
+    private long faces = Long.MAX_VALUE;
 
-    private BoxWarmUp() {}
-
-    /**
-     * Whether the kernels are compiled; starts the thread at the first call. Any thread; allocates
-     * at the first call only. Returns false on a machine without lanes.
-     */
-    public static boolean ready() {
-        if (thread == null && BoxAxes.wide()) {
-            begin();
-        }
-        return ready;
+    private BoxWarmUp() {
+        super("cairn-warm-up-boxes", 3_000, 100_000);
     }
 
     /**
-     * Waits until the thread has come to its end, some seconds; for tests. Any thread.
+     * Whether the kernels are compiled; begins with that once they were wanted for long enough. Any
+     * thread. False on a machine without lanes.
+     *
+     * @param ticks in which the caller would have used them so far
+     */
+    public static boolean ready(int ticks) {
+        return BoxAxes.wide() && KERNELS.isReadyAfter(ticks);
+    }
+
+    /**
+     * Waits until they are compiled, some seconds. Any thread.
      *
      * @return {@link #ready}
-     * @throws InterruptedException if the caller is interrupted
      */
-    public static boolean finish() throws InterruptedException {
-        if (!ready() && BoxAxes.wide()) {
-            begin().join();
-        }
-        return ready;
+    public static boolean await() {
+        return BoxAxes.wide() && KERNELS.finish();
     }
 
-    private static Thread begin() {
-        synchronized (LOCK) {
-            Thread known = thread;
-            if (known != null) {
-                return known;
-            }
-            Thread made = new Thread(BoxWarmUp::run, "cairn-warm-up-boxes");
-            made.setDaemon(true);
-            made.start();
-            thread = made;
-            return made;
+    @Override
+    protected boolean run(int round) {
+        fill(batch.data, random);
+        if (round % 3 == 1) {
+            stack(batch.data, random, round % 2 == 0);
         }
+        long start = System.nanoTime();
+        BoxAxes.scalar(batch, BoxBatch.CAPACITY);
+        long second = System.nanoTime();
+        BoxAxes.faces(batch, BoxBatch.CAPACITY);
+        BoxAxes.edges(batch, round % 4 == 0 ? random.nextInt() & round : -1);
+        long third = System.nanoTime();
+        choose(batch.data, round);
+        long fourth = System.nanoTime();
+        BoxAxes.choose(batch, BoxBatch.CAPACITY);
+        BoxAxes.corners(batch, BoxBatch.CAPACITY);
+        BoxAxes.clipAligned(batch, BoxBatch.CAPACITY);
+        BoxAxes.crossings(batch, -1);
+        BoxAxes.world(batch, BoxBatch.CAPACITY);
+        kept.run(RecycledBatch.CAPACITY, numbers, 0, 1, 1);
+        long end = System.nanoTime();
+        int places = 1 + round % RecycledBatch.CAPACITY;
+        int first = random.nextInt((RecycledBatch.CAPACITY - places) / RecycledBatch.ROWS + 1);
+        kept.run(places, numbers, first * RecycledBatch.ROWS * RecycledBatch.KEPT, 1, 1);
+        scalar = Math.min(scalar, second - start);
+        axes = Math.min(axes, third - second);
+        faces = Math.min(faces, end - fourth);
+        return third - second < SLOW * axes && end - fourth < SLOW * faces;
     }
 
-    private static void run() {
-        BoxBatch batch = new BoxBatch();
-        RoundBatch pairs = new RoundBatch();
-        RecycledBatch kept = new RecycledBatch();
-        double[] numbers = new double[RecycledBatch.KEPT * RecycledBatch.CAPACITY];
-        Random random = new Random(1);
-        long scalar = Long.MAX_VALUE;
-        long axes = Long.MAX_VALUE;
-        long faces = Long.MAX_VALUE;
-        long others = Long.MAX_VALUE;
-        int hysteresis = 0;
-        for (int round = 0; round < MOST; round++) {
-            fill(batch.data, random);
-            if (round % 3 == 1) {
-                stack(batch.data, random, round % 2 == 0);
-            }
-            long start = System.nanoTime();
-            BoxAxes.scalar(batch, BoxBatch.CAPACITY);
-            long second = System.nanoTime();
-            BoxAxes.faces(batch, BoxBatch.CAPACITY);
-            BoxAxes.edges(batch, round % 4 == 0 ? random.nextInt() & round : -1);
-            long third = System.nanoTime();
-            choose(batch.data, round);
-            long fourth = System.nanoTime();
-            BoxAxes.choose(batch, BoxBatch.CAPACITY);
-            BoxAxes.corners(batch, BoxBatch.CAPACITY);
-            BoxAxes.clipAligned(batch, BoxBatch.CAPACITY);
-            BoxAxes.crossings(batch, -1);
-            BoxAxes.world(batch, BoxBatch.CAPACITY);
-            long end = System.nanoTime();
-            System.arraycopy(batch.data, 0, pairs.data, 0, RoundBatch.CAPACITY * 20);
-            long fifth = System.nanoTime();
-            pairs.run(RoundBatch.CAPACITY, true, true, 1, 1);
-            pairs.run(RoundBatch.CAPACITY, true, false, 1, 1);
-            pairs.run(RoundBatch.CAPACITY, false, true, 1, 1);
-            pairs.run(RoundBatch.CAPACITY, false, false, 1, 1);
-            // All parallel: these take another kernel.
-            System.arraycopy(
-                    pairs.data,
-                    RoundBatch.TURN_A,
-                    pairs.data,
-                    RoundBatch.TURN_B,
-                    4 * RoundBatch.CAPACITY);
-            pairs.run(RoundBatch.CAPACITY, true, true, 1, 1);
-            kept.run(RecycledBatch.CAPACITY, numbers, 0, 1, 1);
-            long sixth = System.nanoTime();
-            others = Math.min(others, sixth - fifth);
-            int places = 1 + round % RecycledBatch.CAPACITY;
-            int first = random.nextInt((RecycledBatch.CAPACITY - places) / RecycledBatch.ROWS + 1);
-            kept.run(places, numbers, first * RecycledBatch.ROWS * RecycledBatch.KEPT, 1, 1);
-            pairs.run(1 + round % RoundBatch.CAPACITY, round % 2 == 0, round % 4 < 2, 1, 1);
-            scalar = Math.min(scalar, second - start);
-            axes = Math.min(axes, third - second);
-            faces = Math.min(faces, end - fourth);
-            boolean isFast =
-                    third - second < SLOW * axes
-                            && end - fourth < SLOW * faces
-                            && sixth - fifth < SLOW * others;
-            hysteresis = isFast ? hysteresis + 1 : 0;
-            // compiled, all after the axes costs no more than the scalar axes
-            boolean paysOff = axes < scalar && faces < scalar && others < 2 * scalar;
-            if (round > LEAST && paysOff && (hysteresis >= IN_A_ROW || round == MOST - 1)) {
-                ready = true;
-                return;
-            }
-        }
+    /** Compiled, all that follows the axes costs no more than the scalar axes. */
+    @Override
+    protected boolean paysOff() {
+        return axes < scalar && faces < 1.5 * scalar;
     }
 
     /** Pairs of unlike boxes in any pose. */
@@ -163,7 +110,8 @@ public final class BoxWarmUp {
         }
     }
 
-    private static void turn(double[] t, int at, Random random) {
+    /** A random orientation, in columns of a batch's length. */
+    static void turn(double[] t, int at, Random random) {
         double x = random.nextDouble() - 0.5;
         double y = random.nextDouble() - 0.5;
         double z = random.nextDouble() - 0.5;

@@ -5,7 +5,6 @@ import static dev.cairn.physics.solver.row.ConstraintRows.FRICTION;
 import static dev.cairn.physics.solver.row.ConstraintRows.IMPULSE;
 import static dev.cairn.physics.solver.row.ConstraintRows.LAMBDA;
 import static dev.cairn.physics.solver.row.ConstraintRows.LINK;
-import static dev.cairn.physics.solver.row.ConstraintRows.REACH;
 import static dev.cairn.physics.solver.row.ConstraintRows.SUM;
 import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
 
@@ -15,6 +14,7 @@ import dev.cairn.physics.solver.body.MotionRecord;
 import dev.cairn.physics.solver.body.Rotation;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
+import dev.cairn.physics.solver.kernel.RowArithmetic;
 import dev.cairn.physics.solver.kernel.ScalarFriction;
 import dev.cairn.physics.solver.kernel.WarmStart;
 import dev.cairn.physics.solver.row.ConstraintRows;
@@ -218,15 +218,13 @@ public final class Impacts {
                         + d[o + lanes] * (f[4] - f[1])
                         + d[o + 2 * lanes] * (f[5] - f[2]);
         double time = Double.POSITIVE_INFINITY;
-        double radius = 0;
         for (int p = 0; p < points; p++) {
             time = Math.min(time, timeOfImpact(blow.gap(p), blow.speed(p), an, h, threshold));
-            radius = Math.max(radius, d[o + (REACH + p) * lanes]);
         }
         if (time == Double.POSITIVE_INFINITY) {
             return false;
         }
-        double flush = FLUSH * radius;
+        double flush = FLUSH * RowArithmetic.reach(d, o, lanes, points);
         for (int p = 0; p < points; p++) {
             double v = blow.speed(p);
             double now = blow.gap(p);

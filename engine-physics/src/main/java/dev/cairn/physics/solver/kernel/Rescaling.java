@@ -31,6 +31,9 @@ public final class Rescaling {
             int from,
             int to) {
         for (int j = from; j < to; j++) {
+            if (rows.points(j) == 0) {
+                continue; // fills a group of lanes up, and belongs to no contact
+            }
             int source = rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE];
             int first = ContactStore.POINTS * source;
             for (int p = first; p < first + rows.points(j) && ratio > 1; p++) {

@@ -184,10 +184,7 @@ final class InelasticImpact {
     }
 
     private void strike(double time, double h, int rounds) {
-        double radius = 0;
-        for (int p = 0; p < points; p++) {
-            radius = Math.max(radius, d[o + (REACH + p) * lanes]);
-        }
+        double radius = RowArithmetic.reach(d, o, lanes, points);
         for (int p = 0; p < points; p++) {
             double s = d[blow.point(p) + SEPARATION * lanes];
             reached[p] = s + time * (blow.speed(p) + 0.5 * time * along(p, held));

@@ -1,6 +1,7 @@
 package dev.cairn.physics.solver.wide;
 
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.KernelWarmUp;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.kernel.RowSweeps;
 import dev.cairn.physics.solver.kernel.Sweeps;
@@ -16,34 +17,24 @@ import java.util.Arrays;
 import java.util.Random;
 
 /**
- * The wide sweeps, once the compiler is done with them; the scalar ones before that.
- *
- * <p>Code of the Vector API that is not compiled yet is some hundred times slower than scalar code,
- * and allocates. So the kernels are run on made-up rows until they are fast: in a thread of their
- * own when the number of lanes was left to the machine, at once when it was asked for. Since both
- * give the same bits, it does not matter to the result when the change comes.
+ * The wide sweeps, once the compiler is done with them; the scalar ones before that. They are
+ * warmed up on made-up rows: in the background when the number of lanes was left to the machine, at
+ * once when it was asked for.
  */
 public final class WideSweeps implements Sweeps {
     private static final Logger LOG = System.getLogger("dev.cairn.physics");
-    private static final int ROUNDS = 20_000;
-    private static final int LEAST = 3_000;
-
-    /**
-     * So many rounds in a row must be fast before the kernels are used. Rounds differ, and a kernel
-     * that is not compiled yet is a hundred times slower; who interrupts the thread breaks a row.
-     */
-    private static final int CALM = 200;
 
     private final Sweeps wide;
     private final Sweeps scalar;
     private final boolean isSingle;
-    private boolean begun;
-    private volatile boolean warm;
+    private final WarmUp warmUp;
+    private volatile boolean isWanted;
 
     public WideSweeps(Sweeps wide, boolean isSingle) {
         this.wide = wide;
         this.isSingle = isSingle;
         scalar = RowSweeps.scalar(isSingle);
+        warmUp = new WarmUp();
     }
 
     @Override
@@ -60,7 +51,8 @@ public final class WideSweeps implements Sweeps {
             int from,
             int to,
             Scratch scratch) {
-        (warm ? wide : scalar).fill(rows, bodies, contacts, sub, from, to, scratch);
+        (warmUp.isReady() || isWanted ? wide : scalar)
+                .fill(rows, bodies, contacts, sub, from, to, scratch);
     }
 
     @Override
@@ -71,7 +63,7 @@ public final class WideSweeps implements Sweeps {
             int from,
             int to,
             Scratch scratch) {
-        (warm ? wide : scalar).bias(rows, bodies, sub, from, to, scratch);
+        (warmUp.isReady() || isWanted ? wide : scalar).bias(rows, bodies, sub, from, to, scratch);
     }
 
     @Override
@@ -82,7 +74,7 @@ public final class WideSweeps implements Sweeps {
             int from,
             int to,
             Scratch scratch) {
-        (warm ? wide : scalar).relax(rows, bodies, sub, from, to, scratch);
+        (warmUp.isReady() || isWanted ? wide : scalar).relax(rows, bodies, sub, from, to, scratch);
     }
 
     @Override
@@ -94,91 +86,88 @@ public final class WideSweeps implements Sweeps {
             int from,
             int to,
             Scratch scratch) {
-        (warm ? wide : scalar).store(rows, bodies, contacts, sub, from, to, scratch);
+        (warmUp.isReady() || isWanted ? wide : scalar)
+                .store(rows, bodies, contacts, sub, from, to, scratch);
     }
 
     /** Whether the wide sweeps are in use. */
     public boolean isWarm() {
-        return warm;
+        return warmUp.isReady() || isWanted;
     }
 
     /** Starts to warm up in the background, once. */
-    public synchronized void begin() {
-        if (!begun) {
-            begun = true;
-            Thread thread = new Thread(() -> warmUp(false), "cairn-warm-up");
-            thread.setDaemon(true);
-            thread.start();
-        }
+    public void begin() {
+        warmUp.begin();
     }
 
-    /** Warms up now, unless that has been done. */
-    public synchronized void finish() {
-        if (!warm) {
-            begun = true;
-            warmUp(true);
-            warm = true;
-        }
+    /** Warms up now, unless that has been done, and uses them even if they do not pay off. */
+    public void finish() {
+        warmUp.finish();
+        isWanted = true;
     }
 
-    private void warmUp(boolean wanted) {
-        EdgeList list = new EdgeList(lanes(), lanes(), lanes(), lanes());
-        ConstraintRows rows = isSingle ? list.floats : list.doubles;
-        ContactStore contacts = new ContactStore();
-        contacts.ensureCapacity(ConstraintRows.CHUNK);
-        SolverBodies bodies = new SolverBodies();
-        bodies.ensureCapacity(2 * ConstraintRows.CHUNK);
-        Scratch scratch = new Scratch();
-        SubStep sub = new SubStep();
-        sub.set(1 / 60.0, 1 / 240.0, Tuning.DEFAULT);
-        sub.fillScale = 1;
-        sub.still = 0.01;
-        Random random = new Random(1);
-        long bestWide = Long.MAX_VALUE;
-        long bestScalar = Long.MAX_VALUE;
-        int calm = 0;
-        for (int round = 0; round < ROUNDS; round++) {
+    /** Rounds of both sweeps over the same rows. */
+    private final class WarmUp extends KernelWarmUp {
+        private final EdgeList list = new EdgeList(lanes(), lanes(), lanes(), lanes());
+        private final ConstraintRows rows = isSingle ? list.floats : list.doubles;
+        private final ContactStore contacts = new ContactStore();
+        private final SolverBodies bodies = new SolverBodies();
+        private final Scratch scratch = new Scratch();
+        private final SubStep sub = new SubStep();
+        private final Random random = new Random(1);
+        private long bestWide = Long.MAX_VALUE;
+        private long bestScalar = Long.MAX_VALUE;
+
+        WarmUp() {
+            super("cairn-warm-up", 3_000, 20_000);
+        }
+
+        @Override
+        protected boolean run(int round) {
+            if (round == 0) {
+                contacts.ensureCapacity(ConstraintRows.CHUNK);
+                bodies.ensureCapacity(2 * ConstraintRows.CHUNK);
+                sub.set(1 / 60.0, 1 / 240.0, Tuning.DEFAULT);
+                sub.fillScale = 1;
+                sub.still = 0.01;
+            }
+            long scalarNanos = time(scalar, round);
+            long wideNanos = time(wide, round);
+            if (round % 2 == 0) {
+                bestScalar = Math.min(bestScalar, scalarNanos);
+                bestWide = Math.min(bestWide, wideNanos);
+            }
+            return wideNanos < 2 * scalarNanos;
+        }
+
+        private long time(Sweeps sweeps, int round) {
             fill(rows, bodies, contacts, random, round);
             int to = rows.places;
             long start = System.nanoTime();
-            scalar.fill(rows, bodies, contacts, sub, 0, to, scratch);
-            scalar.bias(rows, bodies, sub, 0, to, scratch);
-            scalar.relax(rows, bodies, sub, 0, to, scratch);
-            scalar.store(rows, bodies, contacts, sub, 0, to, scratch);
-            long middle = System.nanoTime();
-            fill(rows, bodies, contacts, random, round);
-            long begin = System.nanoTime();
-            wide.fill(rows, bodies, contacts, sub, 0, to, scratch);
-            wide.bias(rows, bodies, sub, 0, to, scratch);
-            wide.relax(rows, bodies, sub, 0, to, scratch);
-            wide.store(rows, bodies, contacts, sub, 0, to, scratch);
-            long end = System.nanoTime();
-            if (round % 2 == 0) {
-                bestScalar = Math.min(bestScalar, middle - start);
-                bestWide = Math.min(bestWide, end - begin);
-            }
-            calm = end - begin < 2 * (middle - start) ? calm + 1 : 0;
-            if (round > LEAST && bestWide < bestScalar && calm >= CALM) {
-                warm = true;
-                return;
-            }
+            sweeps.fill(rows, bodies, contacts, sub, 0, to, scratch);
+            sweeps.bias(rows, bodies, sub, 0, to, scratch);
+            sweeps.relax(rows, bodies, sub, 0, to, scratch);
+            sweeps.store(rows, bodies, contacts, sub, 0, to, scratch);
+            return System.nanoTime() - start;
         }
-        if (bestWide < bestScalar) {
-            warm = true;
-            return;
+
+        @Override
+        protected boolean paysOff() {
+            return bestWide < bestScalar;
         }
-        LOG.log(
-                Level.WARNING,
-                (wanted
-                                ? "The contact solver is slower with the lanes that were asked for:"
-                                        + " sweeps of "
-                                : "The contact solver stays scalar: sweeps of ")
-                        + lanes()
-                        + " lanes took "
-                        + bestWide
-                        + " ns on this JVM, scalar ones "
-                        + bestScalar
-                        + " ns. The results are the same.");
+
+        @Override
+        protected void giveUp() {
+            LOG.log(
+                    Level.WARNING,
+                    "The contact solver gains nothing from sweeps of "
+                            + lanes()
+                            + " lanes and stays scalar, unless lanes were asked for: they took "
+                            + bestWide
+                            + " ns on this JVM, scalar ones "
+                            + bestScalar
+                            + " ns. The results are the same.");
+        }
     }
 
     /**

@@ -1,0 +1,164 @@
+package dev.cairn.samples.fuzz;
+
+import dev.cairn.physics.Body;
+import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.PhysicsSettings;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.samples.scenefile.BodyKind;
+import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.SceneFile;
+import dev.cairn.samples.scenefile.Turn;
+import dev.cairn.samples.scenefile.Xyz;
+
+import org.joml.Quaterniond;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A world to be tried: a scene, and what a scene file does not say. Immutable.
+ *
+ * @param seed of the generator
+ * @param index of the world
+ * @param family what it was drawn from
+ * @param scene what is in it; sub-steps and number of ticks are those of its run
+ * @param pace how long its ticks are
+ * @param sleeping whether bodies may sleep
+ * @param room half the inner width of the closed room around it, from 0 to twice that above the
+ *     floor, m; infinite if there is none
+ */
+public record FuzzWorld(
+        long seed,
+        long index,
+        Family family,
+        SceneFile scene,
+        Pace pace,
+        boolean sleeping,
+        double room) {
+
+    /** Whether nothing fixed is there and nothing pulls. */
+    public boolean isFree() {
+        return scene.gravity().equals(Xyz.ZERO)
+                && scene.entities().stream().allMatch(e -> e.body() == BodyKind.DYNAMIC);
+    }
+
+    /** How many bodies move. */
+    public int movers() {
+        return (int) scene.entities().stream().filter(e -> e.body() == BodyKind.DYNAMIC).count();
+    }
+
+    /**
+     * The same with another scene.
+     *
+     * @param value the scene
+     * @return a copy
+     */
+    public FuzzWorld withScene(SceneFile value) {
+        return new FuzzWorld(seed, index, family, value, pace, sleeping, room);
+    }
+
+    /**
+     * The same with ticks of another length.
+     *
+     * @param value the pace
+     * @return a copy
+     */
+    public FuzzWorld withPace(Pace value) {
+        return new FuzzWorld(seed, index, family, scene, value, sleeping, room);
+    }
+
+    /**
+     * The same for another number of ticks.
+     *
+     * @param ticks at least 1
+     * @param substeps 1 to 64
+     * @return a copy
+     */
+    public FuzzWorld lasting(int ticks, int substeps) {
+        SceneFile s = scene;
+        SceneFile.TickSpec tick =
+                new SceneFile.TickSpec(s.tick().seconds(), substeps, ticks, Math.min(ticks, 1));
+        return withScene(
+                new SceneFile(
+                        s.name(),
+                        s.description(),
+                        s.gravity(),
+                        tick,
+                        s.camera(),
+                        s.light(),
+                        s.entities()));
+    }
+
+    /** The lengths of its ticks, s. */
+    public double[] tickSeconds() {
+        return pace.seconds(scene.tick().seconds(), scene.tick().ticks(), seed + index);
+    }
+
+    /**
+     * The settings of its run.
+     *
+     * @param lanes rows at once, 1, 4, 8 or 16
+     * @return the defaults but for sub-steps, sleep and lanes
+     */
+    public PhysicsSettings settings(int lanes) {
+        return PhysicsSettings.DEFAULT
+                .withSubsteps(scene.tick().substeps())
+                .withSleeping(sleeping)
+                .withLanes(lanes);
+    }
+
+    /**
+     * Builds the world.
+     *
+     * @param workers threads
+     * @param settings see {@link #settings}
+     * @param bodies receives its bodies, in the order of the scene
+     * @return a world, to be closed
+     */
+    public PhysicsWorld build(int workers, PhysicsSettings settings, List<BodyRef> bodies) {
+        PhysicsWorld world =
+                PhysicsWorld.builder()
+                        .gravity(scene.gravity().x(), scene.gravity().y(), scene.gravity().z())
+                        .workers(workers)
+                        .settings(settings)
+                        .build();
+        for (EntitySpec entity : scene.entities()) {
+            bodies.add(world.add(body(entity)));
+        }
+        return world;
+    }
+
+    private static Body body(EntitySpec e) {
+        Turn q = e.rotation();
+        Body body =
+                (e.body() == BodyKind.FIXED ? Body.fixed() : Body.dynamic())
+                        .shape(e.shape().collider(e.scale()))
+                        .at(e.position().x(), e.position().y(), e.position().z())
+                        .rotation(new Quaterniond(q.x(), q.y(), q.z(), q.w()))
+                        .material(e.material())
+                        .velocity(e.velocity().x(), e.velocity().y(), e.velocity().z())
+                        .angularVelocity(
+                                e.angularVelocity().x(),
+                                e.angularVelocity().y(),
+                                e.angularVelocity().z());
+        Double mass = e.mass();
+        if (mass != null) {
+            body.mass(mass);
+        }
+        return body;
+    }
+
+    /** The scene without one entity. */
+    FuzzWorld without(int entity) {
+        List<EntitySpec> rest = new ArrayList<>(scene.entities());
+        rest.remove(entity);
+        return withScene(scene.withEntities(rest));
+    }
+
+    /** The scene with another entity in the place of one. */
+    FuzzWorld with(int entity, EntitySpec other) {
+        List<EntitySpec> all = new ArrayList<>(scene.entities());
+        all.set(entity, other);
+        return withScene(scene.withEntities(all));
+    }
+}

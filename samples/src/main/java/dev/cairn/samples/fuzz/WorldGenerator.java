@@ -1,0 +1,337 @@
+package dev.cairn.samples.fuzz;
+
+import dev.cairn.physics.Material;
+import dev.cairn.render.camera.Light;
+import dev.cairn.samples.scenefile.BodyKind;
+import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.LookSpec;
+import dev.cairn.samples.scenefile.SceneFile;
+import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
+import dev.cairn.samples.scenefile.SceneFile.TickSpec;
+import dev.cairn.samples.scenefile.ShapeSpec;
+import dev.cairn.samples.scenefile.Turn;
+import dev.cairn.samples.scenefile.Xyz;
+
+import org.jspecify.annotations.Nullable;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+
+/**
+ * Draws worlds from a seed: the same seed and index give the same world, on every machine.
+ *
+ * <p>Nothing overlaps at the start, since pushing it out is energy that nobody put in: bodies are
+ * placed by the balls around them, or stacked with gaps of zero. One thread; an object to a world.
+ */
+public final class WorldGenerator {
+    private static final double G = 9.81;
+    private static final double TAU = 2 * Math.PI;
+
+    /** Odd, so that neighbouring indices share no stream. */
+    private static final long STRIDE = 0x9E3779B97F4A7C15L;
+
+    private final long seed;
+    private final long index;
+    private final Family family;
+    private final SplittableRandom random;
+    private final List<EntitySpec> entities = new ArrayList<>();
+    private final List<double[]> balls = new ArrayList<>();
+
+    private WorldGenerator(long seed, long index, Family family, SplittableRandom random) {
+        this.seed = seed;
+        this.index = index;
+        this.family = family;
+        this.random = random;
+    }
+
+    /**
+     * Draws a world.
+     *
+     * @param seed any
+     * @param index of the world among those of the seed, at least 0
+     * @param only the family, or null for one at random
+     * @return the world
+     */
+    public static FuzzWorld world(long seed, long index, @Nullable Family only) {
+        SplittableRandom random = new SplittableRandom(seed * STRIDE + index).split();
+        double u = random.nextDouble();
+        Family drawn =
+                u < 0.4
+                        ? Family.HOUSE
+                        : u < 0.6 ? Family.ROOM : u < 0.75 ? Family.SPACE : Family.WIDE;
+        return new WorldGenerator(seed, index, only == null ? drawn : only, random).draw();
+    }
+
+    private FuzzWorld draw() {
+        boolean wide = family == Family.WIDE;
+        boolean space = family == Family.SPACE || (wide && random.nextInt(4) == 0);
+        boolean closed = !space && (family == Family.ROOM || (wide && random.nextInt(3) == 0));
+        double size = wide ? power(-3, 3) : power(-1.7, 0.3);
+        double base = wide && random.nextInt(3) == 0 ? power(-3, -1.5) : 1.0 / 60;
+        Pace pace = Pace.EVEN;
+        int substeps = 4;
+        if (wide) {
+            substeps = 1 << random.nextInt(5);
+            pace = Pace.values()[Math.max(0, random.nextInt(8) - 4)];
+        }
+        boolean sleeping = random.nextInt(4) == 0;
+        int count = count();
+        double restitution = restitution();
+        boolean tower = !space && !closed && random.nextInt(8) == 0;
+        if (tower) {
+            tower(count, size);
+        } else {
+            scatter(count, size, space, restitution, base);
+        }
+        double room = Double.POSITIVE_INFINITY;
+        Material ground = new Material(friction(), restitution, 1000);
+        if (closed) {
+            room = closeRoom(ground);
+        } else if (!space) {
+            floor(ground, size);
+        }
+        int ticks = sleeping ? 360 : 90 + random.nextInt(90);
+        SceneFile scene =
+                new SceneFile(
+                        "fuzz %d/%d".formatted(seed, index),
+                        "%s, ticks %s".formatted(family, pace),
+                        space ? Xyz.ZERO : new Xyz(0, -G, 0),
+                        new TickSpec(base, substeps, ticks, 1),
+                        camera(size),
+                        Light.DAYLIGHT,
+                        entities);
+        return new FuzzWorld(seed, index, family, scene, pace, sleeping, room);
+    }
+
+    /** Small ones are more frequent: they say more plainly what is wrong. */
+    private int count() {
+        return switch (random.nextInt(4)) {
+            case 0 -> 1;
+            case 1 -> 2 + random.nextInt(3);
+            case 2 -> 2 + random.nextInt(8);
+            default -> 1 + random.nextInt(30);
+        };
+    }
+
+    private double restitution() {
+        int kind = random.nextInt(4);
+        return kind < 2 ? 0 : kind == 2 ? random.nextDouble() : 1;
+    }
+
+    private double friction() {
+        return random.nextInt(4) == 0 ? 0 : 2 * random.nextDouble();
+    }
+
+    private double power(double least, double most) {
+        return StrictMath.pow(10, least + (most - least) * random.nextDouble());
+    }
+
+    private double signed() {
+        return 2 * random.nextDouble() - 1;
+    }
+
+    private Turn turn() {
+        if (random.nextInt(4) == 0) {
+            return Turn.NONE;
+        }
+        return Turn.about(new Xyz(signed(), signed(), signed() + 1e-3), 360 * random.nextDouble());
+    }
+
+    // Bodies -------------------------------------------------------------------------------------
+
+    private void scatter(int count, double size, boolean space, double restitution, double tick) {
+        boolean column = random.nextBoolean();
+        double most = 0;
+        for (int i = 0; i < count; i++) {
+            double own = size * power(-0.7, 0);
+            ShapeSpec shape = shape(own);
+            double radius = Extent.outer(shape);
+            most = Math.max(most, radius);
+            double width = column ? 0.5 * most : 2 * most * Math.cbrt(count);
+            Xyz at = free(radius, width, space);
+            boolean peg = !space && random.nextInt(10) == 0;
+            EntitySpec entity =
+                    EntitySpec.of("", peg ? BodyKind.FIXED : BodyKind.DYNAMIC, shape)
+                            .at(at, turn())
+                            .withMaterial(
+                                    new Material(friction(), restitution, power(2, 4)),
+                                    family == Family.WIDE ? power(-3, 3) : null);
+            entities.add(peg ? entity : moving(entity, at, radius, space, tick));
+        }
+    }
+
+    /** A place for a ball among those before, wider and higher until it is free. */
+    private Xyz free(double radius, double width, boolean space) {
+        double wide = width;
+        for (int attempt = 0; ; attempt++) {
+            double x = wide * signed();
+            double z = wide * signed();
+            double y =
+                    space
+                            ? wide * signed()
+                            : radius * 1.02 + (wide + 2 * radius) * random.nextDouble();
+            boolean isFree = true;
+            for (double[] ball : balls) {
+                double dx = x - ball[0];
+                double dy = y - ball[1];
+                double dz = z - ball[2];
+                double reach = 1.01 * (radius + ball[3]);
+                isFree &= dx * dx + dy * dy + dz * dz > reach * reach;
+            }
+            if (isFree) {
+                balls.add(new double[] {x, y, z, radius});
+                return new Xyz(x, y, z);
+            }
+            wide *= 1.05;
+        }
+    }
+
+    /** In space bodies fly at the middle, so that they meet. */
+    private EntitySpec moving(
+            EntitySpec entity, Xyz at, double radius, boolean space, double tick) {
+        double fast = family == Family.WIDE ? Math.sqrt(G * radius) * power(-1, 1.5) : 10;
+        if (family == Family.ROOM) {
+            fast = 20;
+        }
+        double speed = random.nextInt(3) == 0 && !space ? 0 : fast * random.nextDouble();
+        double away = Math.sqrt(at.x() * at.x() + at.y() * at.y() + at.z() * at.z()) + 1e-9;
+        Xyz v =
+                space
+                        ? new Xyz(
+                                speed * (0.3 * signed() - at.x() / away),
+                                speed * (0.3 * signed() - at.y() / away),
+                                speed * (0.3 * signed() - at.z() / away))
+                        : new Xyz(speed * signed(), speed * signed(), speed * signed());
+        // house: rims up to 10 m/s; wide: up to several turns a tick
+        double spin =
+                random.nextInt(3) == 0
+                        ? 0
+                        : family == Family.WIDE
+                                ? power(-2, 0.5) * TAU / tick
+                                : random.nextDouble() * 10 / radius;
+        return entity.moving(v, new Xyz(spin * signed(), spin * signed(), spin * signed()));
+    }
+
+    /** Boxes put on one another exactly, at rest. */
+    private void tower(int count, double size) {
+        double top = 0;
+        double half = size;
+        for (int i = 0; i < Math.min(count, 10); i++) {
+            half *= 0.9 + 0.1 * random.nextDouble();
+            double height = half * power(-1, 0);
+            EntitySpec box =
+                    EntitySpec.of(
+                                    "",
+                                    BodyKind.DYNAMIC,
+                                    new ShapeSpec.BoxShape(new Xyz(half, height, half)))
+                            .at(
+                                    new Xyz(0, top + height, 0),
+                                    Turn.about(new Xyz(0, 1, 0), 20 * signed()))
+                            .withMaterial(new Material(0.3 + friction(), 0, 1000), null);
+            entities.add(box);
+            top += 2 * height;
+        }
+    }
+
+    private ShapeSpec shape(double size) {
+        boolean wide = family == Family.WIDE;
+        double thin = random.nextInt(3) == 0 ? size : size * power(wide ? -4 : -1.7, 0);
+        double broad = random.nextBoolean() ? thin : thin + (size - thin) * random.nextDouble();
+        return switch (random.nextInt(7)) {
+            case 0 -> new ShapeSpec.SphereShape(size);
+            case 1 -> new ShapeSpec.TurnedShape("capsule", thin, size);
+            case 2 -> turned("cylinder", thin, size);
+            case 3 -> turned("cone", thin, size);
+            case 4 -> hull(thin, broad, size);
+            default -> new ShapeSpec.BoxShape(shuffled(thin, broad, size));
+        };
+    }
+
+    /** A rod or a disc. */
+    private ShapeSpec turned(String type, double thin, double size) {
+        return random.nextBoolean()
+                ? new ShapeSpec.TurnedShape(type, thin, size)
+                : new ShapeSpec.TurnedShape(type, size, thin);
+    }
+
+    private Xyz shuffled(double a, double b, double c) {
+        return switch (random.nextInt(3)) {
+            case 0 -> new Xyz(a, b, c);
+            case 1 -> new Xyz(c, a, b);
+            default -> new Xyz(b, c, a);
+        };
+    }
+
+    /** Eight points, one in each octant, so that they are in no plane. */
+    private ShapeSpec hull(double a, double b, double c) {
+        Xyz half = shuffled(a, b, c);
+        List<Xyz> points = new ArrayList<>();
+        for (int k = 0; k < 8; k++) {
+            points.add(
+                    new Xyz(
+                            ((k & 1) == 0 ? half.x() : -half.x())
+                                    * (0.5 + 0.5 * random.nextDouble()),
+                            ((k & 2) == 0 ? half.y() : -half.y())
+                                    * (0.5 + 0.5 * random.nextDouble()),
+                            ((k & 4) == 0 ? half.z() : -half.z())
+                                    * (0.5 + 0.5 * random.nextDouble())));
+        }
+        return new ShapeSpec.HullShape(points);
+    }
+
+    // Surroundings -------------------------------------------------------------------------------
+
+    private void floor(Material ground, double size) {
+        EntitySpec floor =
+                random.nextBoolean()
+                        ? EntitySpec.of("floor", BodyKind.FIXED, new ShapeSpec.GroundShape())
+                        : slab(new Xyz(0, -size, 0), new Xyz(1000 * size, size, 1000 * size));
+        entities.add(floor.withMaterial(ground, null));
+    }
+
+    private static EntitySpec slab(Xyz at, Xyz half) {
+        return EntitySpec.of("wall", BodyKind.FIXED, new ShapeSpec.BoxShape(half))
+                .at(at, Turn.NONE);
+    }
+
+    /** Six slabs around what is there; half its inner width. */
+    private double closeRoom(Material ground) {
+        double half = 0;
+        for (double[] ball : balls) {
+            half = Math.max(half, Math.abs(ball[0]) + 1.02 * ball[3]);
+            half = Math.max(half, Math.abs(ball[2]) + 1.02 * ball[3]);
+            half = Math.max(half, 0.5 * (ball[1] + 1.02 * ball[3]));
+        }
+        double thick = 0.5 * half;
+        double far = half + 2 * thick;
+        for (int side = -1; side <= 1; side += 2) {
+            double out = side * (half + thick);
+            entities.add(wall(out, half, 0, thick, far, far, ground));
+            entities.add(wall(0, half + out, 0, far, thick, far, ground));
+            entities.add(wall(0, half, out, far, far, thick, ground));
+        }
+        return half;
+    }
+
+    private static EntitySpec wall(
+            double x, double y, double z, double hx, double hy, double hz, Material ground) {
+        EntitySpec slab = slab(new Xyz(x, y, z), new Xyz(hx, hy, hz)).withMaterial(ground, null);
+        return slab.withLook(new LookSpec(y < 0, null, null, 0, null, Xyz.ONE));
+    }
+
+    private CameraSpec camera(double size) {
+        double far = 4 * size;
+        for (double[] ball : balls) {
+            far =
+                    Math.max(
+                            far,
+                            2
+                                    * Math.sqrt(
+                                            ball[0] * ball[0]
+                                                    + ball[1] * ball[1]
+                                                    + ball[2] * ball[2]));
+        }
+        return new CameraSpec(new Xyz(0, 0.5 * far, 1.5 * far), new Xyz(0, 0.2 * far, 0), 50);
+    }
+}
