@@ -38,18 +38,6 @@ public final class JointStore implements EdgeSource {
     /** Distance of the origins, m. */
     public static final byte DISTANCE = 13;
 
-    /**
-     * Sum of the turns of A and, times the ratio, of B, each about its own axis 0, rad; counted
-     * from tick to tick.
-     */
-    public static final byte GEAR = 14;
-
-    /** Turn of A about its axis 0 times the ratio, less the way of B along its axis 0, m. */
-    public static final byte RACK = 15;
-
-    /** Distance of A from its pulley and, times the ratio, that of B from its own, m. */
-    public static final byte PULLEY = 16;
-
     // What a row wants ----------------------------------------------------------------------------
 
     /** It is 0. */
@@ -93,15 +81,6 @@ public final class JointStore implements EdgeSource {
 
     /** Origin and quaternion in A, then in B. */
     public double[] frame = {};
-
-    /** Two points, world, m, of a pulley; 6 to a joint. */
-    public double[] ground = {};
-
-    /** Ratio of a gear, rack or pulley. */
-    public double[] ratio = {};
-
-    /** What a counted row has counted, and the parts of it that it saw last; 3 to a joint. */
-    public double[] counted = {};
 
     /** First row of the joint and how many it has. */
     public int[] firstRow = {};
@@ -168,7 +147,6 @@ public final class JointStore implements EdgeSource {
         isEnabled[j] = true;
         collides[j] = false;
         Arrays.fill(reaction, 6 * j, 6 * j + 6, 0.0);
-        Arrays.fill(counted, 3 * j, 3 * j + 3, 0.0);
         resize(j, rowsWanted);
         return j;
     }
@@ -220,9 +198,6 @@ public final class JointStore implements EdgeSource {
         bodyA = Arrays.copyOf(bodyA, n);
         bodyB = Arrays.copyOf(bodyB, n);
         frame = Arrays.copyOf(frame, FRAME * n);
-        ground = Arrays.copyOf(ground, 6 * n);
-        ratio = Arrays.copyOf(ratio, n);
-        counted = Arrays.copyOf(counted, 3 * n);
         firstRow = Arrays.copyOf(firstRow, n);
         rows = Arrays.copyOf(rows, n);
         room = Arrays.copyOf(room, n);

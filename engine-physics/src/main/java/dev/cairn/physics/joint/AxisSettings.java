@@ -59,8 +59,8 @@ final class AxisSettings {
                             + "; the lower one must not be above the upper one, and both be"
                             + " numbers");
         }
-        if (low != Double.NEGATIVE_INFINITY && low < -bound
-                || high != Double.POSITIVE_INFINITY && high > bound) {
+        boolean isLow = low != Double.NEGATIVE_INFINITY && low < -bound;
+        if (isLow || (high != Double.POSITIVE_INFINITY && high > bound)) {
             throw new IllegalArgumentException(
                     "limits of "
                             + axis

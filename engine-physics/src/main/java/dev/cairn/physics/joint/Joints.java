@@ -209,12 +209,8 @@ public final class Joints {
     public void afterStep() {
         broken.clear();
         for (int j = 0; j < store.count; j++) {
-            if (!store.isEnabled[j]
-                    || store.breakForce[j] == Double.POSITIVE_INFINITY
-                            && store.breakTorque[j] == Double.POSITIVE_INFINITY) {
-                continue;
-            }
-            if (load(j, 0) > store.breakForce[j] || load(j, 3) > store.breakTorque[j]) {
+            boolean breaks = load(j, 0) > store.breakForce[j] || load(j, 3) > store.breakTorque[j];
+            if (breaks && store.isEnabled[j]) {
                 store.isEnabled[j] = false;
                 store.revision++;
                 separate(j);

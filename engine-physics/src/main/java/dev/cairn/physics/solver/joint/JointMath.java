@@ -153,7 +153,7 @@ public final class JointMath {
 
     /** Whether a row measures an angle. */
     static boolean isAngle(int law) {
-        return law >= JointStore.TURN && law <= JointStore.CROSS || law == JointStore.GEAR;
+        return law >= JointStore.TURN && law <= JointStore.CROSS;
     }
 
     /**
