@@ -25,6 +25,10 @@ public final class ColliderRef {
         this.collider = collider;
     }
 
+    int slot() {
+        return collider;
+    }
+
     /** It has another slot, or -1 for none. */
     void move(int slot) {
         collider = slot;

@@ -301,6 +301,17 @@ class CompoundTest {
                 assertEquals(8, hit.distance(), 1e-12);
                 world.step(Scenes.STEP);
             }
+            List<WorldQueries.Met> met = new ArrayList<>();
+            assertEquals(2, queries.rayCastAll(0, 0, 9, 0, 0, -1, 99, met));
+            assertEquals(3, met.get(0).hit().distance(), 1e-12);
+            assertSame(body.colliders().get(0), met.get(0).collider());
+            assertEquals(13, met.get(1).hit().distance(), 1e-12);
+            assertSame(body.colliders().get(1), met.get(1).collider());
+            Placement ball = new Placement().set(Sphere.of(.5), 0, 0, 9);
+            assertEquals(2, queries.shapeCastAll(ball, 0, 0, -1, 99, met));
+            assertEquals(2.5, met.get(2).hit().distance(), 1e-9);
+            assertEquals(12.5, met.get(3).hit().distance(), 1e-9);
+            assertEquals(1, queries.rayCastAll(0, 0, 9, 0, 0, -1, 5, met));
             body.teleport(3, 0, 0);
             assertSame(body, queries.rayCast(-9, 0, 5, 1, 0, 0, 99, hit));
             assertEquals(11, hit.distance(), 1e-12);

@@ -5,6 +5,7 @@ import dev.cairn.samples.scenes.BigOnSmall;
 import dev.cairn.samples.scenes.BouncingBall;
 import dev.cairn.samples.scenes.BoxPit;
 import dev.cairn.samples.scenes.Cards;
+import dev.cairn.samples.scenes.Carried;
 import dev.cairn.samples.scenes.Cradle;
 import dev.cairn.samples.scenes.CubesOnPlane;
 import dev.cairn.samples.scenes.Dzhanibekov;
@@ -75,7 +76,10 @@ public final class SceneRegistry {
                     SlipToRoll.scene(),
                     FrictionStop.scene(),
                     RollingResistance.scene(),
-                    Shapes.scene());
+                    Shapes.scene(),
+                    Carried.platform(),
+                    Carried.lift(),
+                    Carried.turntable());
 
     private SceneRegistry() {}
 

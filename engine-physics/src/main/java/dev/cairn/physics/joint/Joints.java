@@ -135,7 +135,7 @@ public final class Joints {
                             + named(joint)
                             + " has one body twice; give it two bodies");
         }
-        if (bodies.kind[a] == BodyStore.STATIC && bodies.kind[b] == BodyStore.STATIC) {
+        if (!moves(a) && !moves(b)) {
             throw new IllegalArgumentException(
                     joint.kind
                             + " joint"
@@ -147,6 +147,10 @@ public final class Joints {
             throw new IllegalArgumentException(
                     joint.kind + " joint" + named(joint) + " has no place; call .at(x, y, z)");
         }
+    }
+
+    private boolean moves(int slot) {
+        return bodies.kind[slot] == BodyStore.DYNAMIC || bodies.kind[slot] == BodyStore.ASLEEP;
     }
 
     private static String named(Joint joint) {

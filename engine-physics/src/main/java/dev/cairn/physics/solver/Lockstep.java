@@ -57,6 +57,7 @@ final class Lockstep {
     private final BlockJob fixedWithin = this::fixedWithin;
     private final BlockJob closeJoints = this::closeJoints;
     private final BlockJob placeJoints = this::placeJoints;
+    private final BlockJob lookBack = this::lookBack;
     private final BlockJob turnJoints = this::turnJoints;
     private final BlockJob relaxWithin = this::relaxWithin;
     private final BlockJob stopJoints = this::stopJoints;
@@ -161,8 +162,13 @@ final class Lockstep {
                 jobs.run(fixedWithin, domains);
                 jobs.run(closeJoints, joined);
             }
+            passes.carry(pace, base, benches[0]);
+            passes.moveSides(pace, base);
             jobs.run(drift, parts);
-            jobs.run(placeJoints, joined);
+            if (joined > 0) {
+                jobs.run(placeJoints, joined);
+                jobs.run(lookBack, bodyBlocks);
+            }
             if (renews) {
                 contacts(takeOut, jobs);
                 jobs.run(takeOutWithin, domains);
@@ -341,7 +347,9 @@ final class Lockstep {
         if (joined == 0) {
             fixedWithin(block, worker);
         }
+        p.carry(pace, b, benches[worker]);
         drift(batches.firstBody[b], batches.firstBody[b + 1], p);
+        p.moveSides(pace, b);
     }
 
     private void fixedWithin(int block, int worker) {
@@ -390,6 +398,16 @@ final class Lockstep {
 
     private void drift(int head, int tail, Passes p) {
         p.drift(pace, head, tail);
+        if (joined == 0) {
+            lookBack(head, tail, p);
+        }
+    }
+
+    private void lookBack(int block, int worker) {
+        lookBack(bodiesFrom(block), bodiesTo(block), passes);
+    }
+
+    private void lookBack(int head, int tail, Passes p) {
         if (bounces) {
             p.limit(pace, head, tail);
         }
