@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
@@ -75,6 +76,14 @@ class NothingLostTest extends WindowFixture {
         assertEquals(0, ended());
     }
 
+    private String kept() {
+        try {
+            return Files.readString(keys());
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
+    }
+
     private void keysAreKeptAndRebound() throws IOException, InterruptedException {
         Seen start = now();
         type("key", "F7");
@@ -93,7 +102,7 @@ class NothingLostTest extends WindowFixture {
         click("sink");
         type("key", "F6");
         await("the new key", seen -> seen.is("sinkKeys", "F6"));
-        assertTrue(Files.readString(keys()).contains("sink = F6"), Files.readString(keys()));
+        await("the new key to be kept", seen -> kept().contains("sink = F6"));
     }
 
     /** Ten ticks in a row, panels open, a body in the hand. */
