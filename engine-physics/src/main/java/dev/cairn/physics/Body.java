@@ -7,6 +7,7 @@ import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Quaterniondc;
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
@@ -18,7 +19,7 @@ import java.util.List;
  * was made in. One thread at a time.
  */
 public final class Body {
-    final boolean fixed;
+    final BodyType type;
     @Nullable Shape shape;
     double x;
     double y;
@@ -49,8 +50,10 @@ public final class Body {
     double speedLimit = Double.POSITIVE_INFINITY;
     int locks;
 
-    private Body(boolean fixed) {
-        this.fixed = fixed;
+    @Nullable Object userData;
+
+    private Body(BodyType type) {
+        this.type = type;
     }
 
     /**
@@ -59,7 +62,18 @@ public final class Body {
      * @return a new description
      */
     public static Body dynamic() {
-        return new Body(false);
+        return new Body(BodyType.DYNAMIC);
+    }
+
+    /**
+     * A body that moves as it is told, by {@link #velocity} or {@link BodyRef#moveTo}: a platform,
+     * a lift, a turntable, a hand. It pushes and carries what it touches with the velocity of its
+     * surface, and nothing stops it: neither a wall nor what is between it and a wall.
+     *
+     * @return a new description
+     */
+    public static Body kinematic() {
+        return new Body(BodyType.KINEMATIC);
     }
 
     /**
@@ -68,7 +82,7 @@ public final class Body {
      * @return a new description
      */
     public static Body fixed() {
-        return new Body(true);
+        return new Body(BodyType.FIXED);
     }
 
     /**
@@ -122,6 +136,17 @@ public final class Body {
         y = worldY;
         z = worldZ;
         return this;
+    }
+
+    /**
+     * Places the origin of the shape's frame.
+     *
+     * @param world m, finite
+     * @return this
+     */
+    public Body at(Vector3dc world) {
+        Checks.notNull("world", world);
+        return at(world.x(), world.y(), world.z());
     }
 
     /**
@@ -233,6 +258,14 @@ public final class Body {
      *     matter can be arranged so
      */
     public Body inertia(double xx, double yy, double zz) {
+        checkInertia(xx, yy, zz);
+        inertiaXX = xx;
+        inertiaYY = yy;
+        inertiaZZ = zz;
+        return this;
+    }
+
+    static void checkInertia(double xx, double yy, double zz) {
         Checks.positive("inertia xx", xx);
         Checks.positive("inertia yy", yy);
         Checks.positive("inertia zz", zz);
@@ -249,10 +282,6 @@ public final class Body {
                             + ") kg m²; none may be larger than the sum of the other two, since"
                             + " each is a sum of squares of distances: reduce the largest");
         }
-        inertiaXX = xx;
-        inertiaYY = yy;
-        inertiaZZ = zz;
-        return this;
     }
 
     /**
@@ -271,6 +300,28 @@ public final class Body {
         vy = worldY;
         vz = worldZ;
         return this;
+    }
+
+    /**
+     * Sets the velocity of the centre of mass at the start.
+     *
+     * @param world m/s, finite
+     * @return this
+     */
+    public Body velocity(Vector3dc world) {
+        Checks.notNull("world", world);
+        return velocity(world.x(), world.y(), world.z());
+    }
+
+    /**
+     * Sets the angular velocity at the start.
+     *
+     * @param world rad/s, finite
+     * @return this
+     */
+    public Body angularVelocity(Vector3dc world) {
+        Checks.notNull("world", world);
+        return angularVelocity(world.x(), world.y(), world.z());
     }
 
     /**
@@ -364,6 +415,18 @@ public final class Body {
      */
     public Body canSleep(boolean value) {
         maySleep = value;
+        return this;
+    }
+
+    /**
+     * Hangs any object of the user on the body; {@code null} by default. The physics never looks at
+     * it.
+     *
+     * @param value anything
+     * @return this
+     */
+    public Body userData(@Nullable Object value) {
+        userData = value;
         return this;
     }
 

@@ -28,6 +28,9 @@ import java.util.List;
  * {@link Roster}; what is born is checked and filled in here.
  */
 final class BodyTable {
+    /** Of a kinematic body: room for some ticks until what the step computes with ends. */
+    private static final double MOST_SPEED = 1e59;
+
     final Roster roster;
     final BodyStore bodies;
     final ColliderStore colliders;
@@ -36,9 +39,11 @@ final class BodyTable {
     final Sleepers sleepers;
     final ContactStore contacts;
     final BodyAccess access;
+    final BodyChanges changes;
     final ColliderTable collision;
 
     BodyRef[] refs = new BodyRef[0];
+    @Nullable Object[] userData = {};
     private final List<BodyRef> quarantined = new ArrayList<>();
     private boolean closed;
     private @Nullable ContactView view;
@@ -56,6 +61,7 @@ final class BodyTable {
         this.contacts = contacts;
         access = new BodyAccess(this);
         collision = new ColliderTable(this);
+        changes = new BodyChanges(this);
     }
 
     /** What users see of contacts. */
@@ -98,7 +104,7 @@ final class BodyTable {
                             + " has no shape; call .shape(..) before adding it");
         }
         MassProperties mass = ColliderTable.mass(parts, body);
-        if (!body.fixed) {
+        if (body.type == BodyType.DYNAMIC) {
             BodyMass.inverseInertia(mass); // throws where there is none
         }
         double[] com = new double[3];
@@ -107,6 +113,10 @@ final class BodyTable {
         checkReach("x", body.x + com[0]);
         checkReach("y", body.y + com[1]);
         checkReach("z", body.z + com[2]);
+        if (body.type == BodyType.KINEMATIC) {
+            checkSpeed("velocity", body.vx, body.vy, body.vz, 1);
+            checkSpeed("angular velocity", body.wx, body.wy, body.wz, outerRadius(parts, mass));
+        }
         int slot = roster.nextSlot();
         ensureSlots();
         Record[] records = records(body, slot);
@@ -114,6 +124,7 @@ final class BodyTable {
         roster.take();
         BodyRef ref = new BodyRef(this, slot, entity, body.name);
         refs[slot] = ref;
+        userData[slot] = body.userData;
         roster.comX[slot] = mass.comX();
         roster.comY[slot] = mass.comY();
         roster.comZ[slot] = mass.comZ();
@@ -121,6 +132,43 @@ final class BodyTable {
         collision.attach(slot, parts, body);
         roster.born(slot, body.maySleep);
         return ref;
+    }
+
+    static byte kind(BodyType type) {
+        return switch (type) {
+            case FIXED -> BodyStore.STATIC;
+            case KINEMATIC -> BodyStore.KINEMATIC;
+            case DYNAMIC -> BodyStore.DYNAMIC;
+        };
+    }
+
+    /** At least as far as any point of the parts is from the centre of mass. */
+    private static double outerRadius(List<Collider> parts, MassProperties mass) {
+        double outer = 0;
+        for (Collider part : parts) {
+            MassProperties own = part.placed.massProperties(1);
+            double x = own.comX() - mass.comX();
+            double y = own.comY() - mass.comY();
+            double z = own.comZ() - mass.comZ();
+            outer = Math.max(outer, Math.sqrt(x * x + y * y + z * z) + part.placed.outerRadius());
+        }
+        return outer;
+    }
+
+    /** A speed that a step can go on from, of a body that nothing slows down. */
+    static void checkSpeed(String what, double x, double y, double z, double radius) {
+        double largest = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+        if (!(largest <= MOST_SPEED && largest * radius <= MOST_SPEED)) {
+            throw new IllegalArgumentException(
+                    what
+                            + " of a kinematic body is ("
+                            + x
+                            + ", "
+                            + y
+                            + ", "
+                            + z
+                            + "); its surface may move at 1e59 m/s at most, so choose less");
+        }
     }
 
     private static void checkReach(String name, double value) {
@@ -131,11 +179,12 @@ final class BodyTable {
     }
 
     private Record[] records(Body body, int slot) {
-        int own = body.fixed ? 2 : 3;
+        boolean fixed = body.type == BodyType.FIXED;
+        int own = fixed ? 2 : 3;
         Record[] records = new Record[own + body.components.size()];
         records[0] = new Pose(body.x, body.y, body.z, body.qx, body.qy, body.qz, body.qw, 0);
         records[1] = new RigidBody(slot);
-        if (!body.fixed) {
+        if (!fixed) {
             records[2] = new Velocity(body.vx, body.vy, body.vz, body.wx, body.wy, body.wz);
         }
         for (int i = 0; i < body.components.size(); i++) {
@@ -162,20 +211,21 @@ final class BodyTable {
     private void fill(int s, long entity, Body body, MassProperties mass, double[] com) {
         BodyStore b = bodies;
         b.clear(s);
-        b.kind[s] = body.fixed ? BodyStore.STATIC : BodyStore.DYNAMIC;
+        boolean fixed = body.type == BodyType.FIXED;
+        b.kind[s] = kind(body.type);
         b.entity[s] = entity;
         b.place(s, body.x + com[0], body.y + com[1], body.z + com[2]);
         b.orientationX[s] = body.qx;
         b.orientationY[s] = body.qy;
         b.orientationZ[s] = body.qz;
         b.orientationW[s] = body.qw;
-        b.velocityX[s] = body.fixed ? 0 : body.vx;
-        b.velocityY[s] = body.fixed ? 0 : body.vy;
-        b.velocityZ[s] = body.fixed ? 0 : body.vz;
-        b.angularVelocityX[s] = body.fixed ? 0 : body.wx;
-        b.angularVelocityY[s] = body.fixed ? 0 : body.wy;
-        b.angularVelocityZ[s] = body.fixed ? 0 : body.wz;
-        setMass(s, mass, body.fixed);
+        b.velocityX[s] = fixed ? 0 : body.vx;
+        b.velocityY[s] = fixed ? 0 : body.vy;
+        b.velocityZ[s] = fixed ? 0 : body.vz;
+        b.angularVelocityX[s] = fixed ? 0 : body.wx;
+        b.angularVelocityY[s] = fixed ? 0 : body.wy;
+        b.angularVelocityZ[s] = fixed ? 0 : body.wz;
+        setMass(s, mass, body.type != BodyType.DYNAMIC);
         b.gravityScale[s] = body.gravityScale;
         b.linearDamping[s] = body.linearDamping;
         b.angularDamping[s] = body.angularDamping;
@@ -206,6 +256,7 @@ final class BodyTable {
         int n = bodies.kind.length;
         if (n > refs.length) {
             refs = Arrays.copyOf(refs, n);
+            userData = Arrays.copyOf(userData, n);
         }
     }
 
@@ -215,6 +266,11 @@ final class BodyTable {
     void quarantine(int slot) {
         roster.stop(slot);
         quarantined.add(refs[slot]);
+    }
+
+    /** A body that was quarantined may move again. */
+    void release(int slot) {
+        quarantined.remove(refs[slot]);
     }
 
     /** Those that are still there, in the order in which they were quarantined. */

@@ -68,7 +68,13 @@ final class ColliderTable {
 
     /** Mass, centre and inertia of parts, or what the user gave instead. */
     static MassProperties mass(List<Collider> parts, Body body) {
-        return mass(parts, body.fixed, body.mass, body.inertiaXX, body.inertiaYY, body.inertiaZZ);
+        return mass(
+                parts,
+                body.type != BodyType.DYNAMIC,
+                body.mass,
+                body.inertiaXX,
+                body.inertiaYY,
+                body.inertiaZZ);
     }
 
     private static MassProperties mass(
@@ -304,7 +310,11 @@ final class ColliderTable {
 
     /** Throws before anything is changed. */
     private MassProperties massNow(int body, List<Collider> parts) {
-        boolean fixed = colliders.bodies.inverseMass[body] == 0;
+        return mass(body, parts, colliders.bodies.inverseMass[body] == 0);
+    }
+
+    /** The same for a body that nothing moves, or that is moved. */
+    private MassProperties mass(int body, List<Collider> parts, boolean fixed) {
         MassProperties p =
                 mass(
                         parts,
@@ -367,6 +377,55 @@ final class ColliderTable {
         }
         measure(body);
         table.roster.changed(body);
+    }
+
+    /** Mass, centre and inertia of a body as it would be if it moved, or did not. */
+    MassProperties massAs(int body, boolean fixed) {
+        return mass(body, parts(body), fixed);
+    }
+
+    /** States mass and inertia; what is NaN follows from the parts. */
+    private void state(int body, double mass, double xx, double yy, double zz) {
+        double[] old = {kilograms[body], inertiaXX[body], inertiaYY[body], inertiaZZ[body]};
+        set(body, mass, xx, yy, zz);
+        MassProperties p;
+        try {
+            p = massNow(body, parts(body));
+        } catch (IllegalArgumentException refusal) {
+            set(body, old[0], old[1], old[2], old[3]);
+            throw refusal;
+        }
+        settle(body, p);
+    }
+
+    private void set(int body, double mass, double xx, double yy, double zz) {
+        kilograms[body] = mass;
+        inertiaXX[body] = xx;
+        inertiaYY[body] = yy;
+        inertiaZZ[body] = zz;
+    }
+
+    void stateMass(int body, double mass) {
+        state(body, mass, inertiaXX[body], inertiaYY[body], inertiaZZ[body]);
+    }
+
+    void stateInertia(int body, double xx, double yy, double zz) {
+        state(body, kilograms[body], xx, yy, zz);
+    }
+
+    /** Another surface of all colliders of a body, and the mass that follows from its density. */
+    void setMaterials(int body, Material material) {
+        List<Collider> parts = new ArrayList<>();
+        for (Collider part : parts(body)) {
+            parts.add(part.material(material));
+        }
+        MassProperties p = massNow(body, parts);
+        for (int c = colliders.bodies.collider[body];
+                c != ColliderStore.NONE;
+                c = colliders.next[c]) {
+            setMaterial(c, material);
+        }
+        settle(body, p);
     }
 
     // Whom to collide with -----------------------------------------------------------------------

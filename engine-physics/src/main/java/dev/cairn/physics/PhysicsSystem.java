@@ -116,6 +116,7 @@ final class PhysicsSystem implements WorldSystem {
         readRoster(tick);
         profile.end(StepStage.ROSTER);
         assert StageCheck.awake(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
+        table.roster.beginMotion(tick.stepSeconds());
         moveBounds(tick);
         assert StageCheck.boxes(
                 table.bodies,
@@ -150,6 +151,8 @@ final class PhysicsSystem implements WorldSystem {
                     tick.stepSeconds(),
                     tick.jobs());
         }
+        table.roster.motion.end(
+                table.roster.kinematic, table.roster.kinematicCount, tick.stepSeconds());
         profile.end(StepStage.SOLVE);
         fallAsleep(tick);
         publishPoses(tick);
@@ -235,8 +238,7 @@ final class PhysicsSystem implements WorldSystem {
         if (publisher.failures() == 0) {
             return;
         }
-        for (int i = 0; i < table.roster.dynamicCount; i++) {
-            int slot = table.roster.dynamic[i];
+        for (int slot = 0; slot < table.bodies.slotCount; slot++) {
             if (publisher.takeFailure(slot)) {
                 quarantine(slot);
                 table.roster.addUnplaced(slot);

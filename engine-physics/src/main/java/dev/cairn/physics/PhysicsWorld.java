@@ -161,6 +161,18 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
+     * The bodies that a kinematic one presses against a body that gives no way: what holds them on
+     * both sides comes nearer. Their contacts overlap more and more, with impulses that stay
+     * bounded, until they slip out or the user does something. Between steps; allocates.
+     *
+     * @return those of the last step, in the order of their contacts, each once
+     */
+    public List<BodyRef> crushed() {
+        requireBetweenSteps("crushed");
+        return Crush.find(physics);
+    }
+
+    /**
      * The body of an entity.
      *
      * @param entity an entity

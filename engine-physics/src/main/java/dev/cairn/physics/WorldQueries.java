@@ -468,11 +468,14 @@ public final class WorldQueries {
         places = table.roster.places;
         astrayCount = 0;
         for (int i = 0; i < table.roster.unplacedCount; i++) {
-            stray(table.roster.unplaced[i], false);
+            // the others follow below
+            if (table.bodies.kind[table.roster.unplaced[i]] == BodyStore.STATIC) {
+                stray(table.roster.unplaced[i], false);
+            }
         }
         byte[] kind = table.bodies.kind;
         for (int slot = 0; slot < table.bodies.slotCount; slot++) {
-            if (kind[slot] == BodyStore.DYNAMIC || kind[slot] == BodyStore.ASLEEP) {
+            if (kind[slot] != BodyStore.FREE && kind[slot] != BodyStore.STATIC) {
                 stray(slot, true);
             }
         }

@@ -6,6 +6,7 @@ import dev.cairn.samples.scenes.BouncingBall;
 import dev.cairn.samples.scenes.BoxPit;
 import dev.cairn.samples.scenes.Cards;
 import dev.cairn.samples.scenes.CompoundPile;
+import dev.cairn.samples.scenes.Carried;
 import dev.cairn.samples.scenes.Cradle;
 import dev.cairn.samples.scenes.CubesOnPlane;
 import dev.cairn.samples.scenes.Dzhanibekov;
@@ -79,7 +80,10 @@ public final class SceneRegistry {
                     SlipToRoll.scene(),
                     FrictionStop.scene(),
                     RollingResistance.scene(),
-                    Shapes.scene());
+                    Shapes.scene(),
+                    Carried.platform(),
+                    Carried.lift(),
+                    Carried.turntable());
 
     private SceneRegistry() {}
 

@@ -144,6 +144,34 @@ public final class BoundsStage {
         }
     }
 
+    /**
+     * Places a kinematic body that moves: where it is, where it will be, and what its turn may
+     * carry out in between.
+     *
+     * @param stepSeconds length of the tick, s
+     */
+    public void placeDriven(BroadPhase target, int slot, double stepSeconds) {
+        broadPhase = target;
+        BodyStore b = bodies;
+        step = stepSeconds;
+        double spin =
+                Math.sqrt(
+                        b.angularVelocityX[slot] * b.angularVelocityX[slot]
+                                + b.angularVelocityY[slot] * b.angularVelocityY[slot]
+                                + b.angularVelocityZ[slot] * b.angularVelocityZ[slot]);
+        for (int c = b.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            double vx = b.velocityX[slot];
+            double vy = b.velocityY[slot];
+            double vz = b.velocityZ[slot];
+            if (c == slot) {
+                look(c, vx, vy, vz, spin, 0);
+            } else {
+                lookAtChild(slot, c, vx, vy, vz, spin);
+            }
+            target.place(c, true, box, 6 * c);
+        }
+    }
+
     /** About the collider's centre. */
     private void tightBox(int c) {
         Poses p = colliders.poses;

@@ -132,6 +132,7 @@ public final class ContactSolver {
                             tick,
                             k == Batches.FLOATS ? list.floats : list.doubles,
                             collector.bouncers,
+                            collector.sides,
                             start,
                             direct);
             lockstep[k] = new Lockstep(passes[k], colouring, batches, narrow[k], k);
@@ -203,6 +204,10 @@ public final class ContactSolver {
                 passes[k].ensureCapacity(bodies.slotCount);
             }
         }
+        if (collector.sides.count() > 0) {
+            tick.body.ensureCapacity(bodies.slotCount + collector.sides.count());
+        }
+        collector.sides.load(bodies, tick.body);
         jobs.run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK));
         if (list.count > 0) {
             ensureBenches(jobs.workers());
@@ -320,7 +325,9 @@ public final class ContactSolver {
             for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, true, own);
             }
+            p.carry(sub, b, own);
             p.drift(sub, head, tail);
+            p.moveSides(sub, b);
             if (bounces) {
                 p.limit(sub, head, tail);
             }

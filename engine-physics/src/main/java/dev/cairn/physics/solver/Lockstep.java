@@ -143,6 +143,8 @@ final class Lockstep {
             }
             colours(bias, jobs);
             direct(true, jobs);
+            passes.carry(pace, base, benches[0]);
+            passes.moveSides(pace, base);
             jobs.run(drift, parts);
             if (renews) {
                 contacts(takeOut, jobs);
@@ -316,7 +318,9 @@ final class Lockstep {
         for (int c = colouring.firstFixed[b]; c < colouring.firstColour[b + 1]; c++) {
             bias(c, worker, passes);
         }
+        p.carry(pace, b, benches[worker]);
         drift(batches.firstBody[b], batches.firstBody[b + 1], p);
+        p.moveSides(pace, b);
     }
 
     private void drift(int head, int tail, Passes p) {

@@ -1,6 +1,7 @@
 package dev.cairn.physics.solver;
 
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.solver.body.DrivenSides;
 import dev.cairn.physics.solver.body.Motion;
 import dev.cairn.physics.solver.body.MotionRecord;
 import dev.cairn.physics.solver.body.SolverBodies;
@@ -47,11 +48,13 @@ final class Passes {
     private final StaticStart start;
     final DirectIslands direct;
     final Bouncers bouncers;
+    private final DrivenSides sides;
 
     /**
      * Passes over the rows of one precision.
      *
      * @param bouncers the contacts with restitution
+     * @param sides kinematic bodies that move
      * @param start the islands that begin at rest
      * @param direct the islands that are solved directly
      */
@@ -59,9 +62,11 @@ final class Passes {
             SolverContext tick,
             ConstraintRows rows,
             Bouncers bouncers,
+            DrivenSides sides,
             StaticStart start,
             DirectIslands direct) {
         this.bouncers = bouncers;
+        this.sides = sides;
         this.tick = tick;
         this.rows = rows;
         body = tick.body;
@@ -74,6 +79,9 @@ final class Passes {
     void ensureCapacity(int slots) {
         renewal.ensureCapacity(slots);
         renewal.ensurePlaces(rows);
+        for (int k = 0; k < sides.count(); k++) {
+            renewal.keep(sides.slot(k));
+        }
         rows.rolling.begin(tick.contacts.rolls, rows.settleMark.length);
     }
 
@@ -212,6 +220,21 @@ final class Passes {
         }
     }
 
+    /** Friction of a batch on kinematic bodies, before its bodies move. */
+    void carry(SubStep sub, int batch, Workbench bench) {
+        for (int k = sides.from(batch); k < sides.from(batch + 1); k++) {
+            int m = sides.edge(k);
+            if (m < rows.list.contacts) {
+                one.carry(rows, body, sub, rows.list.place[m], bench.scratch);
+            }
+        }
+    }
+
+    /** Moves the kinematic bodies that a batch touches. */
+    void moveSides(SubStep sub, int batch) {
+        sides.move(body, batch, sub.seconds, rows.isSingle);
+    }
+
     /** What the bias pass did is part of the warm start, before levers change. */
     void keep(int from, int to) {
         for (int k = from; k < to; k++) {
@@ -305,7 +328,7 @@ final class Passes {
 
     /** Whether a body of a batch may bounce in the next sub-step, see {@link #limit}. */
     boolean isFast(int head, int tail) {
-        return Impacts.isFast(tick, head, tail);
+        return Impacts.isFast(tick, sides, head, tail);
     }
 
     /**

@@ -42,11 +42,16 @@ public final class Roster {
 
     private long[] seen = {};
 
-    /** Slots of dynamic bodies that are awake, and of fixed ones, each ascending. */
-    public int[] dynamic = {}, fixed = {};
+    /** Slots of dynamic bodies that are awake, of fixed and of kinematic ones, each ascending. */
+    public int[] dynamic = {}, fixed = {}, kinematic = {};
 
     public int dynamicCount;
     public int fixedCount;
+    public int kinematicCount;
+
+    /** What the kinematic ones do. */
+    public final KinematicMotion motion = new KinematicMotion(bodies);
+
     private boolean listsStale;
 
     /** How often {@link #sweep} ran: entities may have moved between chunks since. */
@@ -135,7 +140,7 @@ public final class Roster {
     public void changed(int slot) {
         places++;
         sleepers.wake(slot);
-        if (bodies.kind[slot] == BodyStore.STATIC) {
+        if (stands(slot)) {
             addUnplaced(slot);
         }
     }
@@ -146,7 +151,28 @@ public final class Roster {
         sleepers.born(slot, maySleep);
         listsStale = true;
         places++;
-        if (bodies.kind[slot] == BodyStore.STATIC) {
+        motion.born(slot);
+        if (stands(slot)) {
+            addUnplaced(slot);
+        }
+    }
+
+    /** Whether nothing moves a body, but for itself. */
+    private boolean stands(int slot) {
+        return bodies.kind[slot] == BodyStore.STATIC || bodies.kind[slot] == BodyStore.KINEMATIC;
+    }
+
+    /** A body is of another type: boxes and lists are made anew. */
+    public void retyped(int slot) {
+        listsStale = true;
+        places++;
+        motion.born(slot);
+        for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            broadPhase.remove(c);
+        }
+        sleepers.rowsWillBeStale();
+        sleepers.renew(slot);
+        if (stands(slot)) {
             addUnplaced(slot);
         }
     }
@@ -157,6 +183,7 @@ public final class Roster {
         broadPhase.ensureSlots(capacity);
         bounds.ensureSlots(capacity);
         sleepers.ensureSlots(capacity);
+        motion.ensureSlots(capacity);
         if (capacity > jumps.length) {
             int n = bodies.kind.length;
             comX = Arrays.copyOf(comX, n);
@@ -206,7 +233,7 @@ public final class Roster {
         rosters++;
         for (int slot = 0; slot < bodies.slotCount; slot++) {
             byte kind = bodies.kind[slot];
-            if ((kind == BodyStore.DYNAMIC || kind == BodyStore.ASLEEP) && seen[slot] != tick) {
+            if (kind != BodyStore.FREE && kind != BodyStore.STATIC && seen[slot] != tick) {
                 leave(slot);
             }
         }
@@ -290,14 +317,18 @@ public final class Roster {
         if (dynamic.length < n) {
             dynamic = new int[bodies.kind.length];
             fixed = new int[bodies.kind.length];
+            kinematic = new int[bodies.kind.length];
         }
         dynamicCount = 0;
         fixedCount = 0;
+        kinematicCount = 0;
         for (int slot = 0; slot < n; slot++) {
             if (bodies.kind[slot] == BodyStore.DYNAMIC) {
                 dynamic[dynamicCount++] = slot;
             } else if (bodies.kind[slot] == BodyStore.STATIC) {
                 fixed[fixedCount++] = slot;
+            } else if (bodies.kind[slot] == BodyStore.KINEMATIC) {
+                kinematic[kinematicCount++] = slot;
             }
         }
         listsStale = false;
@@ -310,9 +341,22 @@ public final class Roster {
         unplaced[unplacedCount++] = slot;
     }
 
+    /** Kinematic bodies start to move, go on, or stop. */
+    public void beginMotion(double stepSeconds) {
+        motion.begin(kinematic, kinematicCount, stepSeconds);
+        for (int i = 0; i < kinematicCount; i++) {
+            boolean changes = motion.takeChange(kinematic[i]);
+            if (bodies.isDriven(kinematic[i])) {
+                bounds.placeDriven(broadPhase, kinematic[i], stepSeconds);
+            } else if (changes) {
+                bounds.placeFixed(broadPhase, kinematic[i]);
+            }
+        }
+    }
+
     private void placeFixed() {
         for (int i = 0; i < unplacedCount; i++) {
-            if (bodies.kind[unplaced[i]] == BodyStore.STATIC) {
+            if (stands(unplaced[i])) {
                 bounds.placeFixed(broadPhase, unplaced[i]);
             }
         }
@@ -332,12 +376,7 @@ public final class Roster {
     public void stop(int slot) {
         BodyStore b = bodies;
         b.kind[slot] = BodyStore.STATIC;
-        b.velocityX[slot] = 0;
-        b.velocityY[slot] = 0;
-        b.velocityZ[slot] = 0;
-        b.angularVelocityX[slot] = 0;
-        b.angularVelocityY[slot] = 0;
-        b.angularVelocityZ[slot] = 0;
+        b.stop(slot);
         b.inverseMass[slot] = 0;
         b.inverseInertiaXX[slot] = 0;
         b.inverseInertiaYY[slot] = 0;

@@ -3,6 +3,7 @@ package dev.cairn.samples.scenefile;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.Visual;
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.BodyType;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
@@ -100,14 +101,11 @@ public final class SceneExport {
         }
         Material material = body.material();
         boolean ownMass =
-                !body.isFixed()
+                body.type() == BodyType.DYNAMIC
                         && body.mass()
                                 != 1 / (1 / body.shape().massProperties(material.density()).mass());
         EntitySpec entity =
-                EntitySpec.of(
-                                body.name(),
-                                body.isFixed() ? BodyKind.FIXED : BodyKind.DYNAMIC,
-                                shape(body.shape()))
+                EntitySpec.of(body.name(), kind(body), shape(body.shape()))
                         .at(
                                 new Xyz(pose.x(), pose.y(), pose.z()),
                                 new Turn(pose.qx(), pose.qy(), pose.qz(), pose.qw()))
@@ -123,6 +121,14 @@ public final class SceneExport {
         Vector3d v = body.velocity();
         Vector3d w = body.angularVelocity();
         return entity.moving(new Xyz(v.x, v.y, v.z), new Xyz(w.x, w.y, w.z));
+    }
+
+    private static BodyKind kind(BodyRef body) {
+        return switch (body.type()) {
+            case FIXED -> BodyKind.FIXED;
+            case KINEMATIC -> BodyKind.KINEMATIC;
+            case DYNAMIC -> BodyKind.DYNAMIC;
+        };
     }
 
     private static ShapeSpec shape(Shape shape) {

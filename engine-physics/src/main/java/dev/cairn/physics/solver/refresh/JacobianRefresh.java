@@ -120,6 +120,12 @@ public final class JacobianRefresh {
         }
     }
 
+    /** Levers of a kinematic body do not turn with it within the tick. */
+    public void keep(int slot) {
+        turns[slot] = false;
+        stirred[slot] = false;
+    }
+
     public void ensurePlaces(ConstraintRows rows) {
         if (renewed.length < rows.settleMark.length) {
             // With the rows, so that a scene that gets wilder later allocates nothing.
@@ -153,7 +159,7 @@ public final class JacobianRefresh {
                             && movesB
                             && c.restitution[source] == 0
                             && passes(b, i, j, gravity))) {
-                renewed[place] = how(rows, c, place, source, movesA, movesB);
+                renewed[place] = how(rows, c, b, place, source, movesA, movesB);
                 any = true;
                 RefreshRow.keep(c, source, kept, KEPT * place);
                 if (movesA) {
@@ -213,6 +219,7 @@ public final class JacobianRefresh {
     private int how(
             ConstraintRows rows,
             ContactStore c,
+            BodyStore b,
             int place,
             int source,
             boolean movesA,
@@ -234,6 +241,11 @@ public final class JacobianRefresh {
             // two bodies share one point: a ball's own, since on a ball a lever off its normal
             // would lift
             how |= isCorneredA == isCorneredB ? BETWEEN : isCorneredA ? OF_B : OF_A;
+        }
+        if (movesA && movesB && b.driven > 0) {
+            // what stands or rolls on a kinematic body meets it at its own point
+            how = b.isDriven(i) ? (how & ~BETWEEN) | OF_B : how;
+            how = b.isDriven(k) ? (how & ~BETWEEN) | OF_A : how;
         }
         return how;
     }
