@@ -4,12 +4,14 @@ import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.Visual;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.Collider;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.Light;
 import dev.cairn.render.mesh.Model;
+import dev.cairn.render.mesh.ModelGroup;
 
 import org.jspecify.annotations.Nullable;
 
@@ -219,6 +221,23 @@ public final class SceneBuilder {
      */
     public BodyRef add(Shape shape, Visual look, Body body) {
         return remember(world.add(body.shape(shape).with(look)));
+    }
+
+    /**
+     * Adds a body of several shapes, drawn as they are.
+     *
+     * @param parts what it is made of
+     * @param rgb its colour
+     * @param body all else
+     * @return the body in the world
+     */
+    public BodyRef addParts(List<Collider> parts, int rgb, Body body) {
+        List<Model> look = new ArrayList<>();
+        for (Collider part : parts) {
+            look.add(Model.of(part.placed()).color(rgb));
+            body.collider(part);
+        }
+        return remember(world.add(body.with(new Visual(new ModelGroup(look)))));
     }
 
     /**
