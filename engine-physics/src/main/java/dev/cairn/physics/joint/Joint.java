@@ -57,7 +57,7 @@ public final class Joint {
     }
 
     private AxisSettings of(JointAxis axis) {
-        return axes[Checks.notNull("axis", axis).ordinal()];
+        return axes[Checks.notNull("axis", axis).index];
     }
 
     // Kinds ---------------------------------------------------------------------------------------
@@ -406,13 +406,8 @@ public final class Joint {
      * @return this
      */
     public Joint limits(JointAxis axis, double lower, double upper) {
-        of(axis).limit(axis.toString(), lower, upper, isAngle(axis) ? Math.PI : Double.MAX_VALUE);
+        of(axis).limit(axis.toString(), lower, upper, axis.isAngle ? Math.PI : Double.MAX_VALUE);
         return this;
-    }
-
-    static boolean isAngle(JointAxis axis) {
-        return axis.ordinal() >= JointAxis.TWIST.ordinal()
-                && axis.ordinal() <= JointAxis.CONE.ordinal();
     }
 
     /**

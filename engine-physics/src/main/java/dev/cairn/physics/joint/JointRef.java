@@ -44,7 +44,7 @@ public final class JointRef {
             return;
         }
         double wanted = length > 0 ? length : distance;
-        AxisSettings s = axes[main.ordinal()];
+        AxisSettings s = axes[main.index];
         if (s.isLocked && !(wanted > 0)) {
             throw new IllegalArgumentException(
                     "rod joint has the length 0; give two points apart, or use Joint.ball");
@@ -220,7 +220,7 @@ public final class JointRef {
     // Retuning ------------------------------------------------------------------------------------
 
     private AxisSettings of(JointAxis axis) {
-        return axes[Checks.notNull("axis", axis).ordinal()];
+        return axes[Checks.notNull("axis", axis).index];
     }
 
     private void retune(int j, boolean isOther) {
@@ -325,11 +325,7 @@ public final class JointRef {
      */
     public void limits(JointAxis axis, double lower, double upper) {
         int j = changed("limits");
-        of(axis).limit(
-                        axis.toString(),
-                        lower,
-                        upper,
-                        Joint.isAngle(axis) ? Math.PI : Double.MAX_VALUE);
+        of(axis).limit(axis.toString(), lower, upper, axis.isAngle ? Math.PI : Double.MAX_VALUE);
         retune(j, true);
     }
 

@@ -11,7 +11,7 @@ final class JointValues {
     double of(Joints joints, int j, JointAxis axis) {
         int law =
                 switch (axis) {
-                    case X, Y, Z -> JointStore.SLIDE + axis.ordinal();
+                    case X, Y, Z -> JointStore.SLIDE + axis.index;
                     case TWIST -> JointStore.TWIST;
                     case SWING_Y -> JointStore.SWING;
                     case SWING_Z -> JointStore.SWING + 1;

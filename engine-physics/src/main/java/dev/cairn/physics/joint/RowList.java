@@ -23,9 +23,9 @@ final class RowList {
         for (int k = 0; k < 3; k++) {
             axis(axes[k], JointStore.SLIDE + k);
         }
-        AxisSettings twist = axes[JointAxis.TWIST.ordinal()];
-        AxisSettings swingY = axes[JointAxis.SWING_Y.ordinal()];
-        AxisSettings swingZ = axes[JointAxis.SWING_Z.ordinal()];
+        AxisSettings twist = axes[JointAxis.TWIST.index];
+        AxisSettings swingY = axes[JointAxis.SWING_Y.index];
+        AxisSettings swingZ = axes[JointAxis.SWING_Z.index];
         boolean isStiff = swingY.isLocked && swingZ.isLocked;
         if (isStiff && twist.isLocked) {
             for (int k = 0; k < 3; k++) {
@@ -40,8 +40,8 @@ final class RowList {
             axis(swingY, JointStore.SWING);
             axis(swingZ, JointStore.SWING + 1);
         }
-        axis(axes[JointAxis.CONE.ordinal()], JointStore.CONE);
-        axis(axes[JointAxis.DISTANCE.ordinal()], JointStore.DISTANCE);
+        axis(axes[JointAxis.CONE.index], JointStore.CONE);
+        axis(axes[JointAxis.DISTANCE.index], JointStore.DISTANCE);
         axis(axes[Joint.CROSS], JointStore.CROSS);
     }
 
