@@ -31,6 +31,11 @@ import dev.cairn.samples.scenes.StackOfBoxes;
 import dev.cairn.samples.scenes.StaticCubes;
 import dev.cairn.samples.scenes.Tumble;
 import dev.cairn.samples.scenes.Washer;
+import dev.cairn.samples.scenes.joint.Car;
+import dev.cairn.samples.scenes.joint.Chains;
+import dev.cairn.samples.scenes.joint.Figures;
+import dev.cairn.samples.scenes.joint.Mechanisms;
+import dev.cairn.samples.scenes.joint.Pendulums;
 
 import java.util.List;
 
@@ -79,7 +84,19 @@ public final class SceneRegistry {
                     Shapes.scene(),
                     Carried.platform(),
                     Carried.lift(),
-                    Carried.turntable());
+                    Carried.turntable(),
+                    Pendulums.single(),
+                    Pendulums.twofold(),
+                    Chains.light(),
+                    Chains.heavy(),
+                    Chains.bridge(),
+                    Chains.grid(),
+                    Figures.scene(),
+                    Mechanisms.door(),
+                    Mechanisms.sliderCrank(),
+                    Mechanisms.fourBar(),
+                    Mechanisms.robotArm(),
+                    Car.scene());
 
     private SceneRegistry() {}
 
