@@ -33,7 +33,6 @@ import dev.cairn.samples.scenes.Tumble;
 import dev.cairn.samples.scenes.Washer;
 import dev.cairn.samples.scenes.joint.Car;
 import dev.cairn.samples.scenes.joint.Chains;
-import dev.cairn.samples.scenes.joint.Figures;
 import dev.cairn.samples.scenes.joint.Mechanisms;
 import dev.cairn.samples.scenes.joint.Pendulums;
 
@@ -87,11 +86,7 @@ public final class SceneRegistry {
                     Carried.turntable(),
                     Pendulums.single(),
                     Pendulums.twofold(),
-                    Chains.light(),
                     Chains.heavy(),
-                    Chains.bridge(),
-                    Chains.grid(),
-                    Figures.scene(),
                     Mechanisms.door(),
                     Mechanisms.sliderCrank(),
                     Mechanisms.fourBar(),

@@ -43,7 +43,9 @@ public final class Car {
             scene.add(
                     Capsule.of(0.12, 1.5),
                     Palette.body(3),
-                    Body.fixed().at(3 + 1.7 * k, -0.03, 0.4 * (k % 2)).rotationAbout(1, 0, 0, 1.5707963));
+                    Body.fixed()
+                            .at(3 + 1.7 * k, -0.03, 0.4 * (k % 2))
+                            .rotationAbout(1, 0, 0, 1.5707963));
         }
         BodyRef body =
                 scene.add(

@@ -20,9 +20,9 @@ import java.util.List;
 /**
  * Mechanisms in a plane, a door and a robot's arm.
  *
- * <p>Truth: the slider of a crank of radius r and a rod of length l is at {@code r cos a + sqrt(l² -
- * r² sin² a)}; in a parallelogram both cranks have one angle; a motor that holds an arm level bears
- * {@code m g L}.
+ * <p>Truth: the slider of a crank of radius r and a rod of length l is at {@code r cos a + sqrt(l²
+ * - r² sin² a)}; the end of a rocker is where two circles meet; a motor that holds an arm level
+ * bears {@code m g L}.
  */
 public final class Mechanisms {
     private static final double G = 9.81;
@@ -61,8 +61,7 @@ public final class Mechanisms {
     }
 
     private static BodyRef ground(SceneBuilder scene, double x, double y) {
-        return scene.add(
-                Box.of(0.15, 0.15, 0.05), Palette.body(3), Body.fixed().at(x, y, -0.4));
+        return scene.add(Box.of(0.15, 0.15, 0.05), Palette.body(3), Body.fixed().at(x, y, -0.4));
     }
 
     private static void buildSliderCrank(SceneBuilder scene) {
@@ -111,8 +110,8 @@ public final class Mechanisms {
         return new SampleScene(
                 "four-bar",
                 "Four bars",
-                "A crank drives another one by a coupler of the length of the ground: they keep"
-                        + " one angle. Three of its rows are redundant.",
+                "A crank turns and a rocker rocks, tied by a coupler; the rocker's place follows"
+                        + " from the crank's. Three of the rows are redundant.",
                 "joints",
                 List.of(Parameter.real("speed", 3, 0.1, 20, "of the crank, rad/s")),
                 600,
@@ -121,31 +120,52 @@ public final class Mechanisms {
     }
 
     private static void buildFourBar(SceneBuilder scene) {
+        double crank = 0.5;
+        double coupler = 1.8;
+        double rocker = 1.2;
+        double span = 2;
+        double[] end = new double[2];
+        meet(0, crank, coupler, span, 0, rocker, end);
         BodyRef left = ground(scene, 0, 2);
-        BodyRef right = ground(scene, 2, 2);
-        BodyRef one = bar(scene, 0, 0, 2, 0.3, 2.4, 0);
-        BodyRef two = bar(scene, 0, 2, 2, 2.3, 2.4, 0);
-        BodyRef coupler = bar(scene, 1, 0.3, 2.4, 2.3, 2.4, 0.2);
+        BodyRef right = ground(scene, span, 2);
+        BodyRef one = bar(scene, 0, 0, 2, 0, 2 + crank, 0);
+        BodyRef two = bar(scene, 0, span, 2, end[0], 2 + end[1], 0);
+        BodyRef rod = bar(scene, 1, 0, 2 + crank, end[0], 2 + end[1], 0.2);
         PhysicsWorld world = scene.world();
+        world.collisions().exclude(one, two);
         world.add(
                 Joint.hinge(left, one)
                         .at(0, 2, 0)
                         .axis(0, 0, 1)
                         .motor(scene.get("speed"), Double.POSITIVE_INFINITY));
-        world.add(Joint.hinge(right, two).at(2, 2, 0).axis(0, 0, 1));
-        world.add(Joint.hinge(one, coupler).at(0.3, 2.4, 0.1).axis(0, 0, 1));
-        world.add(Joint.hinge(two, coupler).at(2.3, 2.4, 0.1).axis(0, 0, 1));
+        world.add(Joint.hinge(right, two).at(span, 2, 0).axis(0, 0, 1));
+        world.add(Joint.hinge(one, rod).at(0, 2 + crank, 0.1).axis(0, 0, 1));
+        world.add(Joint.hinge(two, rod).at(end[0], 2 + end[1], 0.1).axis(0, 0, 1));
         scene.view(new SceneBuilder.View(1, 2.2, 4, 1, 2, 0));
         Vector3d p = new Vector3d();
-        Vector3d q = new Vector3d();
         double[] worst = {0};
         scene.afterTick((tick, seconds) -> {
             one.position(p);
-            two.position(q).sub(p);
-            worst[0] = Math.max(worst[0], q.distance(2, 0, 0));
+            meet(2 * p.x, 2 * (p.y - 2), coupler, span, 0, rocker, end);
+            two.position(p);
+            double dx = 2 * p.x - span - end[0];
+            double dy = 2 * (p.y - 2) - end[1];
+            worst[0] = Math.max(worst[0], Math.sqrt(dx * dx + dy * dy));
         });
         scene.error("positionMetres", () -> worst[0]);
         Gaps.watch(scene, "gapMetres", 1);
+    }
+
+    /** The upper point at a distance from each of two points. */
+    private static void meet(
+            double x0, double y0, double r0, double x1, double y1, double r1, double[] into) {
+        double dx = x1 - x0;
+        double dy = y1 - y0;
+        double d = Math.sqrt(dx * dx + dy * dy);
+        double along = (r0 * r0 - r1 * r1 + d * d) / (2 * d);
+        double up = Math.sqrt(r0 * r0 - along * along);
+        into[0] = x0 + (along * dx - up * dy) / d;
+        into[1] = y0 + (along * dy + up * dx) / d;
     }
 
     /**
@@ -169,11 +189,12 @@ public final class Mechanisms {
     private static void buildDoor(SceneBuilder scene) {
         scene.floor(6, 6, 0.5, 0);
         BodyRef frame =
-                scene.add(
-                        Box.of(0.1, 1.2, 0.1), Palette.body(3), Body.fixed().at(-0.7, 1.2, 0));
+                scene.add(Box.of(0.1, 1.2, 0.1), Palette.body(3), Body.fixed().at(-0.7, 1.2, 0));
         BodyRef leaf =
                 scene.add(
-                        Box.of(0.5, 1, 0.04), Palette.body(1), Body.dynamic().mass(20).at(0, 1.1, 0));
+                        Box.of(0.5, 1, 0.04),
+                        Palette.body(1),
+                        Body.dynamic().mass(20).at(0, 1.1, 0));
         scene.add(
                 Sphere.of(0.15),
                 Palette.body(4),
@@ -190,7 +211,9 @@ public final class Mechanisms {
                 scene.add(Box.of(0.1, 0.8, 0.1), Palette.body(3), Body.fixed().at(2, 0.8, 0));
         BodyRef arm =
                 scene.add(
-                        Box.of(0.5, 0.05, 0.05), Palette.body(0), Body.dynamic().mass(4).at(2.6, 1.5, 0));
+                        Box.of(0.5, 0.05, 0.05),
+                        Palette.body(0),
+                        Body.dynamic().mass(4).at(2.6, 1.5, 0));
         JointRef motor =
                 scene.world()
                         .add(

@@ -70,8 +70,7 @@ public final class Pendulums {
     private static void buildSingle(SceneBuilder scene) {
         double amplitude = Math.toRadians(scene.get("degrees"));
         BodyRef peg = scene.add(Sphere.of(0.03), Palette.body(3), Body.fixed().at(0, 2, 0));
-        BodyRef bob =
-                ball(scene, StrictMath.sin(amplitude), 2 - StrictMath.cos(amplitude), 0);
+        BodyRef bob = ball(scene, StrictMath.sin(amplitude), 2 - StrictMath.cos(amplitude), 0);
         PhysicsWorld world = scene.world();
         world.add(Joint.rod(peg, bob));
         scene.view(new SceneBuilder.View(0, 2, 4, 0, 1.6, 0));
@@ -190,8 +189,7 @@ public final class Pendulums {
                 -3 * G * StrictMath.sin(y[0])
                         - G * StrictMath.sin(y[0] - 2 * y[1])
                         - 2 * sin * (y[3] * y[3] + y[2] * y[2] * cos);
-        double two =
-                2 * sin * (2 * y[2] * y[2] + 2 * G * StrictMath.cos(y[0]) + y[3] * y[3] * cos);
+        double two = 2 * sin * (2 * y[2] * y[2] + 2 * G * StrictMath.cos(y[0]) + y[3] * y[3] * cos);
         return new double[] {y[2], y[3], one / n, two / n};
     }
 }

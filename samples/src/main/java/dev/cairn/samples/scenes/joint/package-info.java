@@ -1,6 +1,6 @@
 /**
- * Scenes of joints: pendulums, chains, figures, mechanisms and a car, each with its truth or with
- * the largest gap that a joint ever had.
+ * Scenes of joints: pendulums, a chain, mechanisms and a car, each with its truth or with the
+ * largest gap that a joint ever had.
  */
 @NullMarked
 package dev.cairn.samples.scenes.joint;
