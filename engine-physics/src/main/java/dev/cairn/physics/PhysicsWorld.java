@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
@@ -26,6 +27,7 @@ import java.util.List;
 public final class PhysicsWorld implements AutoCloseable {
     final PhysicsSystem physics;
     private final World ecs;
+    private final Query bodies;
     private final Collisions collisions;
     private boolean stepping;
     private boolean closed;
@@ -36,6 +38,7 @@ public final class PhysicsWorld implements AutoCloseable {
         this.physics = physics;
         this.ecs = ecs;
         physics.table.roster.bind(ecs);
+        bodies = ecs.query(RigidBody.COMPONENT);
         collisions = new Collisions(this);
         joints = new Joints(physics.joints, physics.table.bodies, new JointHost());
         physics.jointList = joints;
@@ -277,7 +280,7 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return the number
      */
     public int bodyCount() {
-        return ecs.query(RigidBody.COMPONENT).entityCount();
+        return bodies.entityCount();
     }
 
     /**
@@ -319,6 +322,15 @@ public final class PhysicsWorld implements AutoCloseable {
      */
     public Kinetics kinetics() {
         return Kinetics.of(physics.table.bodies);
+    }
+
+    /**
+     * The same sums without garbage.
+     *
+     * @param sums receives the seven numbers in the order of {@link Kinetics}
+     */
+    public void kinetics(double[] sums) {
+        Kinetics.sum(physics.table.bodies, sums);
     }
 
     /**
