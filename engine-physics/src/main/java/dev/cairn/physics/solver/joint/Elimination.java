@@ -243,7 +243,7 @@ final class Elimination {
             Arrays.sort(later, first[p], first[p + 1]);
             diagonal[p] = (int) total;
             total += (long) n * n;
-            long d = first[p + 1] - first[p];
+            long d = (long) first[p + 1] - first[p];
             for (int e = first[p]; e < first[p + 1]; e++) {
                 block[e] = (int) total;
                 total += (long) size[node[later[e]]] * n;

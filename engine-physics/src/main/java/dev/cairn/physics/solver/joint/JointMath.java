@@ -121,30 +121,26 @@ public final class JointMath {
      * @return m or rad
      */
     public double measure(JointStore s, int j, int law) {
-        switch (law) {
-            case JointStore.SLIDE, JointStore.SLIDE + 1, JointStore.SLIDE + 2:
-                return dot(gap, 0, axesA, 3 * (law - JointStore.SLIDE));
-            case JointStore.TURN, JointStore.TURN + 1, JointStore.TURN + 2:
-                return (q[3] < 0 ? -2 : 2) * q[law - JointStore.TURN];
-            case JointStore.ALIGN, JointStore.ALIGN + 1:
-                return dot(axesB, 0, axesA, 3 * (law - JointStore.ALIGN + 1));
-            case JointStore.TWIST:
-                return twist(q[0], q[3]);
-            case JointStore.SWING:
-                return Angles.of(-dot(axesB, 0, axesA, 6), dot(axesB, 0, axesA, 0));
-            case JointStore.SWING + 1:
-                return Angles.of(dot(axesB, 0, axesA, 3), dot(axesB, 0, axesA, 0));
-            case JointStore.CONE:
+        return switch (law) {
+            case JointStore.SLIDE, JointStore.SLIDE + 1, JointStore.SLIDE + 2 ->
+                    dot(gap, 0, axesA, 3 * (law - JointStore.SLIDE));
+            case JointStore.TURN, JointStore.TURN + 1, JointStore.TURN + 2 ->
+                    (q[3] < 0 ? -2 : 2) * q[law - JointStore.TURN];
+            case JointStore.ALIGN, JointStore.ALIGN + 1 ->
+                    dot(axesB, 0, axesA, 3 * (law - JointStore.ALIGN + 1));
+            case JointStore.TWIST -> twist(q[0], q[3]);
+            case JointStore.SWING -> Angles.of(-dot(axesB, 0, axesA, 6), dot(axesB, 0, axesA, 0));
+            case JointStore.SWING + 1 ->
+                    Angles.of(dot(axesB, 0, axesA, 3), dot(axesB, 0, axesA, 0));
+            case JointStore.CONE -> {
                 double y = dot(axesB, 0, axesA, 3);
                 double z = dot(axesB, 0, axesA, 6);
-                return Angles.of(Math.sqrt(y * y + z * z), dot(axesB, 0, axesA, 0));
-            case JointStore.CROSS:
-                return dot(axesB, 3, axesA, 0);
-            case JointStore.DISTANCE:
-                return SolverBodies.norm(gap[0], gap[1], gap[2]);
-            default:
-                return 0;
-        }
+                yield Angles.of(Math.sqrt(y * y + z * z), dot(axesB, 0, axesA, 0));
+            }
+            case JointStore.CROSS -> dot(axesB, 3, axesA, 0);
+            case JointStore.DISTANCE -> SolverBodies.norm(gap[0], gap[1], gap[2]);
+            default -> 0;
+        };
     }
 
     private static double twist(double sin, double cos) {
@@ -164,38 +160,30 @@ public final class JointMath {
      */
     void derive(JointStore s, int j, int law, double[] d, int o) {
         switch (law) {
-            case JointStore.SLIDE, JointStore.SLIDE + 1, JointStore.SLIDE + 2:
-                force(axesA, 3 * (law - JointStore.SLIDE), d, o);
-                return;
-            case JointStore.TURN, JointStore.TURN + 1, JointStore.TURN + 2:
-                torque(axesA, 3 * (law - JointStore.TURN), d, o);
-                return;
-            case JointStore.ALIGN, JointStore.ALIGN + 1:
+            case JointStore.SLIDE, JointStore.SLIDE + 1, JointStore.SLIDE + 2 ->
+                    force(axesA, 3 * (law - JointStore.SLIDE), d, o);
+            case JointStore.TURN, JointStore.TURN + 1, JointStore.TURN + 2 ->
+                    torque(axesA, 3 * (law - JointStore.TURN), d, o);
+            case JointStore.ALIGN, JointStore.ALIGN + 1 -> {
                 cross(axesB, 0, axesA, 3 * (law - JointStore.ALIGN + 1), g);
                 torque(g, 0, d, o);
-                return;
-            case JointStore.TWIST:
-                deriveTwist(d, o);
-                return;
-            case JointStore.SWING, JointStore.SWING + 1:
-                deriveSwing(law - JointStore.SWING, d, o);
-                return;
-            case JointStore.CONE:
-                deriveCone(d, o);
-                return;
-            case JointStore.CROSS:
+            }
+            case JointStore.TWIST -> deriveTwist(d, o);
+            case JointStore.SWING, JointStore.SWING + 1 ->
+                    deriveSwing(law - JointStore.SWING, d, o);
+            case JointStore.CONE -> deriveCone(d, o);
+            case JointStore.CROSS -> {
                 cross(axesB, 3, axesA, 0, g);
                 torque(g, 0, d, o);
-                return;
-            case JointStore.DISTANCE:
+            }
+            case JointStore.DISTANCE -> {
                 double length = SolverBodies.norm(gap[0], gap[1], gap[2]);
                 for (int k = 0; k < 3; k++) {
                     g[k] = length * length > NOWHERE ? gap[k] / length : k == 0 ? 1 : 0;
                 }
                 force(g, 0, d, o);
-                return;
-            default:
-                Arrays.fill(d, o, o + JACOBIAN, 0.0);
+            }
+            default -> Arrays.fill(d, o, o + JACOBIAN, 0.0);
         }
     }
 

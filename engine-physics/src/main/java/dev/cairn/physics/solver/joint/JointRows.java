@@ -159,29 +159,31 @@ public final class JointRows implements KindRows {
         double old = store.before[r];
         double v = speed(tick.body, p, r);
         double most = h * store.most[r];
-        double l;
-        switch (store.role[r]) {
-            case JointStore.MOTOR:
-                l = old - (v - store.target[r]) / compliance[r];
-                l = Math.max(-most, Math.min(most, l));
-                break;
-            case JointStore.SPRING:
-                double k = h * JointSolve.stiffness(store, r, compliance[r]);
-                double d = JointSolve.damping(store, r, compliance[r]) + h * k;
-                double way = value[r] - store.target[r];
-                way = JointMath.isAngle(store.law[r]) ? Angles.wrap(way) : way;
-                // l = -k way - d v, v after the impulse
-                l = old + (-k * way - d * v - old) / (1 + d * compliance[r]);
-                l = moves ? Math.max(-most, Math.min(most, l)) : old;
-                break;
-            case JointStore.LIMIT:
-                l = limit(sub, r, v, old, moves);
-                break;
-            default:
-                l = old - (v + bias(sub, value[r] - store.target[r], moves)) / compliance[r];
-        }
+        double l =
+                switch (store.role[r]) {
+                    case JointStore.MOTOR ->
+                            within(old - (v - store.target[r]) / compliance[r], most);
+                    case JointStore.SPRING -> {
+                        double k = h * JointSolve.stiffness(store, r, compliance[r]);
+                        double d = JointSolve.damping(store, r, compliance[r]) + h * k;
+                        double way = value[r] - store.target[r];
+                        way = JointMath.isAngle(store.law[r]) ? Angles.wrap(way) : way;
+                        // l = -k way - d v, v after the impulse
+                        double after = old + (-k * way - d * v - old) / (1 + d * compliance[r]);
+                        yield moves ? within(after, most) : old;
+                    }
+                    case JointStore.LIMIT -> limit(sub, r, v, old, moves);
+                    default ->
+                            old
+                                    - (v + bias(sub, value[r] - store.target[r], moves))
+                                            / compliance[r];
+                };
         store.before[r] = l;
         push(tick.body, p, r, l - old, false);
+    }
+
+    private static double within(double x, double most) {
+        return Math.max(-most, Math.min(most, x));
     }
 
     private double limit(SubStep sub, int r, double v, double old, boolean moves) {

@@ -558,7 +558,7 @@ public final class JointSolve {
             return true;
         }
         // it pushes with all it has: if the row has gone too far, less would do
-        if (store.held[row] != 0 && miss(k, r, row) * store.held[row] > 0) {
+        if (store.held[row] != 0 && miss(r, row) * store.held[row] > 0) {
             store.held[row] = 0;
             s.isActive[r] = true;
             return true;
@@ -567,29 +567,32 @@ public final class JointSolve {
     }
 
     /** What an equation lacks; in metres or rad. */
-    private double miss(int k, int r, int row) {
+    private double miss(int r, int row) {
         boolean isAngle = JointMath.isAngle(store.law[row]);
         double c0 = s.start[r];
         double c1 = s.now[r];
         double most = (isAngle ? TURN_BACK : push) * Math.abs(h);
-        switch (store.role[row]) {
-            case JointStore.LIMIT:
+        return switch (store.role[row]) {
+            case JointStore.LIMIT -> {
                 double edge = store.held[row] < 0 ? store.lower[row] : store.upper[row];
                 double past = c0 - edge;
                 boolean isPast = past * store.held[row] > 0;
-                return c1 - edge - (isPast ? past - within(past, most) : 0);
-            case JointStore.MOTOR:
-                return (isAngle ? Angles.wrap(c1 - c0) : c1 - c0) - store.target[row] * h;
-            case JointStore.SPRING:
+                yield c1 - edge - (isPast ? past - within(past, most) : 0);
+            }
+            case JointStore.MOTOR ->
+                    (isAngle ? Angles.wrap(c1 - c0) : c1 - c0) - store.target[row] * h;
+            case JointStore.SPRING -> {
                 double x = c0 - store.target[row];
                 x = isAngle ? Angles.wrap(x) : x;
                 double step = isAngle ? Angles.wrap(c1 - c0) : c1 - c0;
                 double k2 = 0.5 * h * stiffness(r, row);
-                return step + (k2 * x + s.impulse[r]) / (0.5 * k2 + 0.5 * damping(r, row));
-            default:
+                yield step + (k2 * x + s.impulse[r]) / (0.5 * k2 + 0.5 * damping(r, row));
+            }
+            default -> {
                 double gap = c0 - store.target[row];
-                return c1 - store.target[row] - (gap - within(gap, most));
-        }
+                yield c1 - store.target[row] - (gap - within(gap, most));
+            }
+        };
     }
 
     private static double within(double x, double most) {
@@ -607,10 +610,10 @@ public final class JointSolve {
                     s.now[r] = 0;
                     continue;
                 }
-                double m = miss(k, r, row);
+                double m = miss(r, row);
                 boolean isAngle = JointMath.isAngle(store.law[row]);
                 worst = Math.max(worst, Math.abs(isAngle ? m : m / size));
-                if (m != m) {
+                if (Double.isNaN(m)) {
                     worst = Double.POSITIVE_INFINITY;
                 }
                 s.now[r] = m / h;

@@ -28,7 +28,7 @@ public final class Swing {
     /** Numbers to a body of {@link Assembly#carried}: state, mark, warm start, root, turn. */
     static final int CARRIED = 44;
 
-    private static final double OUTER = 0.41449077179437574;
+    private static final double OUTER = 0.4144907717943757;
 
     /** Frequency times step up to which a step is accurate; beyond 2 it would be unstable. */
     private static final double SLOW = 0.4;
