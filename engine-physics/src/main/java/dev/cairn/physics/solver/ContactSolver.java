@@ -5,6 +5,7 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.island.Islands;
 import dev.cairn.physics.solver.body.Motion;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
@@ -84,6 +85,8 @@ public final class ContactSolver {
     private final BlockJob clearRows = this::clearRows;
     private final BlockJob batch = this::batch;
 
+    private final IslandEnergy energy = new IslandEnergy();
+    private Islands islands = new Islands();
     private final SoftPace softPace = new SoftPace();
     private boolean settles;
     private int substepsBefore;
@@ -206,6 +209,7 @@ public final class ContactSolver {
         jobs.run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK));
         if (list.count > 0) {
             ensureBenches(jobs.workers());
+            findTurning();
             for (kind = Batches.FLOATS; kind <= Batches.DOUBLES; kind++) {
                 choose();
                 lockstep[kind].run(sub, chosen[kind], settles, benches, jobs);
@@ -279,6 +283,20 @@ public final class ContactSolver {
         }
     }
 
+    /** Whether a body turns in this tick, and may turn far: then energy is bounded by island. */
+    private void findTurning() {
+        boolean any = false;
+        for (int k = 0; k < batches.boundCount && !any; k++) {
+            int i = batches.bound[k];
+            any = tick.bodies.kind[i] == BodyStore.DYNAMIC && passes[batches.kindOf(i)].turns(i);
+        }
+        tick.body.boundsEnergy = any;
+        if (any) {
+            islands = batches.islands(list);
+            energy.ensureCapacity(tick.bodies.slotCount);
+        }
+    }
+
     /** A colour of one row is swept by the scalar twin. */
     private Sweeps sweeps(int colour) {
         return colouring.size[colour] > 1 ? chosen[kind] : narrow[kind];
@@ -301,6 +319,9 @@ public final class ContactSolver {
             p.prepare(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
         }
         boolean renewed = p.findRenewed(head, tail, from, to);
+        // constraints of other kinds may do work
+        boolean bounded =
+                renewed && tick.body.boundsEnergy && colouring.firstContact[b] == first;
         boolean bounces = collector.bouncers.to(b) > collector.bouncers.from(b);
         boolean balls = bounces && p.hasBalls(b);
         if (bounces) {
@@ -320,6 +341,9 @@ public final class ContactSolver {
             for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, true, own);
             }
+            if (renewed) {
+                p.guard(sub, from, to);
+            }
             p.drift(sub, head, tail);
             if (bounces) {
                 p.limit(sub, head, tail);
@@ -337,6 +361,9 @@ public final class ContactSolver {
                 p.direct(sub, b, d, false, own);
             }
             p.finish(sub, head, tail, own);
+            if (bounded) {
+                energy.bound(tick, islands, head, tail);
+            }
         }
         p.storeBodies(head, tail);
         p.storeRows(chosen[kind], sub, renewed, from, to, own);
