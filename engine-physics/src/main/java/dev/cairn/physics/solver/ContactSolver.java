@@ -5,7 +5,6 @@ import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
-import dev.cairn.physics.island.Islands;
 import dev.cairn.physics.solver.body.Motion;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
@@ -86,7 +85,6 @@ public final class ContactSolver {
     private final BlockJob batch = this::batch;
 
     private final IslandEnergy energy = new IslandEnergy();
-    private Islands islands = new Islands();
     private final SoftPace softPace = new SoftPace();
     private boolean settles;
     private int substepsBefore;
@@ -288,13 +286,31 @@ public final class ContactSolver {
         boolean any = false;
         for (int k = 0; k < batches.boundCount && !any; k++) {
             int i = batches.bound[k];
-            any = tick.bodies.kind[i] == BodyStore.DYNAMIC && passes[batches.kindOf(i)].turns(i);
+            any = turns(i);
         }
         tick.body.boundsEnergy = any;
-        if (any) {
-            islands = batches.islands(list);
-            energy.ensureCapacity(tick.bodies.slotCount);
+        if (!any) {
+            return;
         }
+        energy.begin(batches.islands(list), tick.bodies.slotCount);
+        for (int k = 0; k < batches.boundCount; k++) {
+            energy.clear(batches.bound[k]);
+        }
+        for (int k = 0; k < batches.boundCount; k++) {
+            int i = batches.bound[k];
+            if (turns(i)) {
+                energy.mark(i);
+            }
+        }
+        // constraints of other kinds may do work
+        for (int m = list.first[1]; m < list.count; m++) {
+            energy.exempt(list.mover(m));
+        }
+    }
+
+    private boolean turns(int slot) {
+        return tick.bodies.kind[slot] == BodyStore.DYNAMIC
+                && passes[batches.kindOf(slot)].turns(slot);
     }
 
     /** A colour of one row is swept by the scalar twin. */
@@ -319,9 +335,7 @@ public final class ContactSolver {
             p.prepare(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
         }
         boolean renewed = p.findRenewed(head, tail, from, to);
-        // constraints of other kinds may do work
-        boolean bounded =
-                renewed && tick.body.boundsEnergy && colouring.firstContact[b] == first;
+        boolean small = batches.isSmall(b);
         boolean bounces = collector.bouncers.to(b) > collector.bouncers.from(b);
         boolean balls = bounces && p.hasBalls(b);
         if (bounces) {
@@ -341,7 +355,7 @@ public final class ContactSolver {
             for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, true, own);
             }
-            if (renewed) {
+            if (renewed && small) {
                 p.guard(sub, from, to);
             }
             p.drift(sub, head, tail);
@@ -361,8 +375,8 @@ public final class ContactSolver {
                 p.direct(sub, b, d, false, own);
             }
             p.finish(sub, head, tail, own);
-            if (bounded) {
-                energy.bound(tick, islands, head, tail);
+            if (small && tick.body.boundsEnergy) {
+                energy.bound(tick, head, tail);
             }
         }
         p.storeBodies(head, tail);

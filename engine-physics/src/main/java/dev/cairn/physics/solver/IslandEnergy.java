@@ -27,9 +27,9 @@ import java.util.Arrays;
  * over slots, so they depend on the island alone. What is at rest, slides or falls loses energy, by
  * what gravity adds in a sub-step, and is left as it is.
  *
- * <p>Only where a row of the batch has new levers and a body of the island turns by more than 0.05
- * rad in the sub-step: what a column that lands gains in one sub-step, since one sweep does not
- * reach its top, it loses in the next. Not with constraints of other kinds in the batch, since
+ * <p>Only islands of which a body turns when the tick begins, or moves far, and one turns by more
+ * than 0.05 rad in the sub-step: what a column that lands gains in one sub-step, since one sweep
+ * does not reach its top, it loses in the next. Not those with constraints of other kinds, since
  * motors do work. One worker to an island. Allocates only while slots are added. Source: own study.
  */
 final class IslandEnergy {
@@ -65,21 +65,51 @@ final class IslandEnergy {
 
     private double[] sums = {};
 
-    void ensureCapacity(int slots) {
-        if (sums.length < STRIDE * slots) {
-            sums = new double[STRIDE * Math.max(slots, 64)];
+    /** By smallest slot of an island: whether a body of it turns, and whether it may do work. */
+    private boolean[] turns = {};
+
+    private boolean[] works = {};
+    private Islands islands = new Islands();
+
+    /** A tick begins: its islands. */
+    void begin(Islands ofTick, int slots) {
+        islands = ofTick;
+        if (turns.length < slots) {
+            int n = Math.max(slots, Math.max(64, turns.length + (turns.length >> 1)));
+            sums = new double[STRIDE * n];
+            turns = new boolean[n];
+            works = new boolean[n];
         }
     }
 
+    /** Nothing is known of the island that a body may name. */
+    void clear(int slot) {
+        turns[slot] = false;
+        works[slot] = false;
+    }
+
+    /** A body turns in this tick, or may. */
+    void mark(int slot) {
+        turns[islands.root(slot)] = true;
+    }
+
+    /** A body is bound by something that may do work. */
+    void exempt(int slot) {
+        works[islands.root(slot)] = true;
+    }
+
     /** End of a sub-step, of the bodies of whole islands from {@code head} to {@code tail}. */
-    void bound(SolverContext tick, Islands islands, int head, int tail) {
+    void bound(SolverContext tick, int head, int tail) {
         for (int k = head; k < tail; k++) {
             int at = STRIDE * tick.order[k];
             Arrays.fill(sums, at, at + STRIDE, 0.0);
         }
         for (int k = head; k < tail; k++) {
             int i = tick.order[k];
-            add(tick.body, i, STRIDE * islands.root(i), tick.subStep);
+            int root = islands.root(i);
+            if (turns[root] && !works[root]) {
+                add(tick.body, i, STRIDE * root, tick.subStep);
+            }
         }
         for (int k = head; k < tail; k++) {
             int i = tick.order[k];
@@ -111,8 +141,7 @@ final class IslandEnergy {
             double push = mass * (v[o + V + c] - s.glide[g + c]);
             sums[at + MOMENTUM + c] += mass * v[o + V + c];
             sums[at + PUSH + c] += push;
-            sums[at + SIZE] +=
-                    NONE * Math.abs(push) + NOISE * mass * Math.abs(v[o + V + c]);
+            sums[at + SIZE] += NONE * Math.abs(push) + NOISE * mass * Math.abs(v[o + V + c]);
         }
     }
 

@@ -67,6 +67,7 @@ public final class Impacts {
     private final MultiPointImpact blow = new MultiPointImpact();
 
     private double soon;
+
     /** A gain of energy that is rounding, over the energy. */
     private static final double GAIN = 1e-12;
 
@@ -321,10 +322,10 @@ public final class Impacts {
 
     /**
      * An impact adds no energy: with the velocities {@code v} when it meets and their change {@code
-     * c}, in coordinates in which the kinetic energy is half a square, a gain {@code 2 v.c + c² > 0}
-     * is cut to where the energy is least, {@code v + s c}, {@code s = max(0, -v.c/c²)}. Newton's law
-     * with one coefficient gains nothing if it is solved to the end; several points of a slender
-     * body may need more rounds than there are.
+     * c}, in coordinates in which the kinetic energy is half a square, a gain {@code 2 v.c + c² >
+     * 0} is cut to where the energy is least, {@code v + s c}, {@code s = max(0, -v.c/c²)}.
+     * Newton's law with one coefficient gains nothing if it is solved to the end; several points of
+     * a slender body may need more rounds than there are.
      *
      * @return s, by which the bodies' changes have been scaled
      */

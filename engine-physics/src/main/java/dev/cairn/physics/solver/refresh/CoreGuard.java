@@ -21,10 +21,10 @@ import dev.cairn.physics.solver.row.SubStep;
  * leaves on the other side. But in whatever pose, the body holds its inner ball.
  *
  * <p>With n the normal from what does not move, g the gap of the ball and v the velocity of the
- * centre of mass, the middle may close that gap at most: {@code n.v h >= -max(g, 0)}. What is missing
- * is an impulse along n through the centre of mass. It is inelastic, {@code |n.v|} only falls, so it
- * takes energy out; it is no part of the warm start. Only where the middle would cover more than the
- * inner radius in the sub-step, so that what rests, rolls or rocks has no such point.
+ * centre of mass, the middle may close that gap at most: {@code n.v h >= -max(g, 0)}. What is
+ * missing is an impulse along n through the centre of mass. It is inelastic, {@code |n.v|} only
+ * falls, so it takes energy out; it is no part of the warm start. Only where the middle would cover
+ * more than the inner radius in the sub-step, so that what rests, rolls or rocks has no such point.
  */
 final class CoreGuard {
     private CoreGuard() {}
