@@ -97,6 +97,9 @@ public final class SolverBodies {
 
     public boolean[] shifted = {};
 
+    /** Whether a body with contacts turns in this tick, so that energy is bounded by island. */
+    public boolean boundsEnergy;
+
     public final PrincipalAxes axes = new PrincipalAxes();
 
     public static int offset(int slot) {
