@@ -7,7 +7,7 @@ import com.google.gson.JsonParser;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.PhysicsWorld;
-import dev.cairn.physics.Precision;
+import dev.cairn.physics.tuning.Precision;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;

@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
-import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
@@ -20,9 +19,7 @@ import java.util.stream.Collectors;
 /**
  * The packages of the physics are chapters: each knows the ones before it, and none in a circle.
  */
-@AnalyzeClasses(
-        packages = "dev.cairn.physics",
-        importOptions = ImportOption.DoNotIncludeTests.class)
+@AnalyzeClasses(packages = "dev.cairn.physics", importOptions = ShippedClasses.class)
 final class PhysicsChaptersTest {
     /** Files that one folder may hold before it wants sections. */
     private static final int MOST_FILES = 25;

@@ -1,7 +1,7 @@
 package dev.cairn.benchmarks;
 
 import dev.cairn.physics.PhysicsWorld;
-import dev.cairn.physics.StepStage;
+import dev.cairn.physics.profile.StepStage;
 import dev.cairn.samples.SampleScene;
 
 import org.openjdk.jmh.annotations.AuxCounters;

@@ -1,10 +1,13 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.collider.Filter;
+import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Quaterniondc;
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
@@ -16,7 +19,7 @@ import java.util.List;
  * was made in. One thread at a time.
  */
 public final class Body {
-    final boolean fixed;
+    final BodyType type;
     @Nullable Shape shape;
     double x;
     double y;
@@ -26,6 +29,7 @@ public final class Body {
     double qz;
     double qw = 1;
     Material material = Material.DEFAULT;
+    Filter filter = Filter.ALL;
     double mass = Double.NaN;
     double inertiaXX = Double.NaN;
     double inertiaYY;
@@ -36,6 +40,7 @@ public final class Body {
     double wx;
     double wy;
     double wz;
+    final List<Collider> colliders = new ArrayList<>();
     final List<Record> components = new ArrayList<>();
     String name = "";
     boolean maySleep = true;
@@ -45,8 +50,10 @@ public final class Body {
     double speedLimit = Double.POSITIVE_INFINITY;
     int locks;
 
-    private Body(boolean fixed) {
-        this.fixed = fixed;
+    @Nullable Object userData;
+
+    private Body(BodyType type) {
+        this.type = type;
     }
 
     /**
@@ -55,7 +62,18 @@ public final class Body {
      * @return a new description
      */
     public static Body dynamic() {
-        return new Body(false);
+        return new Body(BodyType.DYNAMIC);
+    }
+
+    /**
+     * A body that moves as it is told, by {@link #velocity} or {@link BodyRef#moveTo}: a platform,
+     * a lift, a turntable, a hand. It pushes and carries what it touches with the velocity of its
+     * surface, and nothing stops it: neither a wall nor what is between it and a wall.
+     *
+     * @return a new description
+     */
+    public static Body kinematic() {
+        return new Body(BodyType.KINEMATIC);
     }
 
     /**
@@ -64,11 +82,11 @@ public final class Body {
      * @return a new description
      */
     public static Body fixed() {
-        return new Body(true);
+        return new Body(BodyType.FIXED);
     }
 
     /**
-     * Sets the collision shape. Required.
+     * Sets the collision shape. Required, unless there is a {@link #collider}.
      *
      * @param value the shape; shared, not copied (shapes are immutable)
      * @return this
@@ -76,6 +94,30 @@ public final class Body {
     public Body shape(Shape value) {
         shape = Checks.notNull("shape", value);
         return this;
+    }
+
+    /**
+     * Adds a shape with a place, material and filter of its own. A body has what {@link #shape} and
+     * all calls of this say, in this order; its mass is that of all together.
+     *
+     * @param value the collider
+     * @return this
+     */
+    public Body collider(Collider value) {
+        colliders.add(Checks.notNull("collider", value));
+        return this;
+    }
+
+    /** All that the body is made of, with material and filter. */
+    List<Collider> parts() {
+        List<Collider> parts = new ArrayList<>();
+        if (shape != null) {
+            parts.add(Collider.of(shape).orElse(material, filter));
+        }
+        for (Collider collider : colliders) {
+            parts.add(collider.orElse(material, filter));
+        }
+        return parts;
     }
 
     /**
@@ -94,6 +136,17 @@ public final class Body {
         y = worldY;
         z = worldZ;
         return this;
+    }
+
+    /**
+     * Places the origin of the shape's frame.
+     *
+     * @param world m, finite
+     * @return this
+     */
+    public Body at(Vector3dc world) {
+        Checks.notNull("world", world);
+        return at(world.x(), world.y(), world.z());
     }
 
     /**
@@ -163,6 +216,17 @@ public final class Body {
     }
 
     /**
+     * Says whom the body collides with; {@link Filter#ALL} by default.
+     *
+     * @param value the filter
+     * @return this
+     */
+    public Body filter(Filter value) {
+        filter = Checks.notNull("filter", value);
+        return this;
+    }
+
+    /**
      * States the mass, instead of the material's density times the shape's volume.
      *
      * @param kilograms finite, above 0
@@ -194,6 +258,14 @@ public final class Body {
      *     matter can be arranged so
      */
     public Body inertia(double xx, double yy, double zz) {
+        checkInertia(xx, yy, zz);
+        inertiaXX = xx;
+        inertiaYY = yy;
+        inertiaZZ = zz;
+        return this;
+    }
+
+    static void checkInertia(double xx, double yy, double zz) {
         Checks.positive("inertia xx", xx);
         Checks.positive("inertia yy", yy);
         Checks.positive("inertia zz", zz);
@@ -210,10 +282,6 @@ public final class Body {
                             + ") kg m²; none may be larger than the sum of the other two, since"
                             + " each is a sum of squares of distances: reduce the largest");
         }
-        inertiaXX = xx;
-        inertiaYY = yy;
-        inertiaZZ = zz;
-        return this;
     }
 
     /**
@@ -232,6 +300,28 @@ public final class Body {
         vy = worldY;
         vz = worldZ;
         return this;
+    }
+
+    /**
+     * Sets the velocity of the centre of mass at the start.
+     *
+     * @param world m/s, finite
+     * @return this
+     */
+    public Body velocity(Vector3dc world) {
+        Checks.notNull("world", world);
+        return velocity(world.x(), world.y(), world.z());
+    }
+
+    /**
+     * Sets the angular velocity at the start.
+     *
+     * @param world rad/s, finite
+     * @return this
+     */
+    public Body angularVelocity(Vector3dc world) {
+        Checks.notNull("world", world);
+        return angularVelocity(world.x(), world.y(), world.z());
     }
 
     /**
@@ -325,6 +415,18 @@ public final class Body {
      */
     public Body canSleep(boolean value) {
         maySleep = value;
+        return this;
+    }
+
+    /**
+     * Hangs any object of the user on the body; {@code null} by default. The physics never looks at
+     * it.
+     *
+     * @param value anything
+     * @return this
+     */
+    public Body userData(@Nullable Object value) {
+        userData = value;
         return this;
     }
 

@@ -5,6 +5,7 @@ import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.Rotations;
+import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Matrix3d;
@@ -14,6 +15,9 @@ import org.joml.Vector3d;
 
 /** What {@link BodyRef} reads and writes, by slot; the slot is alive. */
 final class BodyAccess {
+    /** Targets of a tick: speeds on the way stay far below what the step computes with. */
+    private static final double FARTHEST = 1e50;
+
     private final BodyTable table;
     private final BodyStore bodies;
     private final double[] rotated = new double[3];
@@ -25,6 +29,33 @@ final class BodyAccess {
 
     boolean isFixed(int s) {
         return bodies.kind[s] == BodyStore.STATIC;
+    }
+
+    /** Whether forces and contacts do nothing to a body. */
+    private boolean isUnmoved(int s) {
+        return bodies.kind[s] == BodyStore.STATIC || bodies.kind[s] == BodyStore.KINEMATIC;
+    }
+
+    BodyType type(int s) {
+        return switch (bodies.kind[s]) {
+            case BodyStore.STATIC -> BodyType.FIXED;
+            case BodyStore.KINEMATIC -> BodyType.KINEMATIC;
+            default -> BodyType.DYNAMIC;
+        };
+    }
+
+    Matrix3d inertia(int s, Matrix3d d) {
+        BodyStore b = bodies;
+        return d.set(
+                b.inertiaXX[s],
+                b.inertiaXY[s],
+                b.inertiaXZ[s],
+                b.inertiaXY[s],
+                b.inertiaYY[s],
+                b.inertiaYZ[s],
+                b.inertiaXZ[s],
+                b.inertiaYZ[s],
+                b.inertiaZZ[s]);
     }
 
     boolean isAsleep(int s) {
@@ -47,15 +78,43 @@ final class BodyAccess {
     }
 
     Shape shape(int s) {
-        return table.shapes[s];
+        return table.collision.spec(bodies.collider[s]).placed;
     }
 
     Material material(int s) {
-        return table.materials[s];
+        return table.collision.spec(bodies.collider[s]).material();
     }
 
     double mass(int s) {
-        return isFixed(s) ? Double.POSITIVE_INFINITY : 1 / bodies.inverseMass[s];
+        return isUnmoved(s) ? Double.POSITIVE_INFINITY : 1 / bodies.inverseMass[s];
+    }
+
+    /**
+     * Another mass, centre and inertia. The body's frame stays where it is; the centre takes over
+     * the velocity v + w x d of where it is now.
+     */
+    void setMass(int s, MassProperties p) {
+        BodyStore b = bodies;
+        Rotations.rotate(
+                b.orientationX[s],
+                b.orientationY[s],
+                b.orientationZ[s],
+                b.orientationW[s],
+                p.comX() - table.roster.comX[s],
+                p.comY() - table.roster.comY[s],
+                p.comZ() - table.roster.comZ[s],
+                rotated);
+        table.roster.comX[s] = p.comX();
+        table.roster.comY[s] = p.comY();
+        table.roster.comZ[s] = p.comZ();
+        b.move(s, rotated[0], rotated[1], rotated[2]);
+        double wx = b.angularVelocityX[s];
+        double wy = b.angularVelocityY[s];
+        double wz = b.angularVelocityZ[s];
+        b.velocityX[s] += wy * rotated[2] - wz * rotated[1];
+        b.velocityY[s] += wz * rotated[0] - wx * rotated[2];
+        b.velocityZ[s] += wx * rotated[1] - wy * rotated[0];
+        table.setMass(s, p, isUnmoved(s));
     }
 
     /** R I⁻¹ Rᵀ. */
@@ -83,9 +142,9 @@ final class BodyAccess {
                 bodies.orientationY[s],
                 bodies.orientationZ[s],
                 bodies.orientationW[s],
-                table.comX[s],
-                table.comY[s],
-                table.comZ[s],
+                table.roster.comX[s],
+                table.roster.comY[s],
+                table.roster.comZ[s],
                 rotated);
         return d.set(
                 bodies.positionX[s] - rotated[0],
@@ -155,7 +214,7 @@ final class BodyAccess {
         Checks.finite("fx", fx);
         Checks.finite("fy", fy);
         Checks.finite("fz", fz);
-        if (isFixed(s)) {
+        if (isUnmoved(s)) {
             return;
         }
         wakeUnlessZero(s, fx, fy, fz);
@@ -169,7 +228,7 @@ final class BodyAccess {
         Checks.finite("py", py);
         Checks.finite("pz", pz);
         applyForce(s, fx, fy, fz);
-        if (isFixed(s)) {
+        if (isUnmoved(s)) {
             return;
         }
         double rx = px - bodies.positionX[s];
@@ -184,7 +243,7 @@ final class BodyAccess {
         Checks.finite("tx", tx);
         Checks.finite("ty", ty);
         Checks.finite("tz", tz);
-        if (isFixed(s)) {
+        if (isUnmoved(s)) {
             return;
         }
         wakeUnlessZero(s, tx, ty, tz);
@@ -223,7 +282,7 @@ final class BodyAccess {
 
     /** w += R I⁻¹ Rᵀ l. */
     private void turn(int s, double lx, double ly, double lz) {
-        if (isFixed(s)) {
+        if (isUnmoved(s)) {
             return;
         }
         wakeUnlessZero(s, lx, ly, lz);
@@ -260,7 +319,11 @@ final class BodyAccess {
         Checks.finite("vx", vx);
         Checks.finite("vy", vy);
         Checks.finite("vz", vz);
-        needsDynamic(s, "velocity");
+        needsMover(s, "velocity");
+        if (bodies.kind[s] == BodyStore.KINEMATIC) {
+            BodyTable.checkSpeed("velocity", vx, vy, vz, 1);
+            table.roster.motion.forget(s);
+        }
         // Asleep, it is at rest.
         wakeUnlessZero(s, vx, vy, vz);
         bodies.velocityX[s] = vx;
@@ -272,20 +335,60 @@ final class BodyAccess {
         Checks.finite("wx", wx);
         Checks.finite("wy", wy);
         Checks.finite("wz", wz);
-        needsDynamic(s, "angular velocity");
+        needsMover(s, "angular velocity");
+        if (bodies.kind[s] == BodyStore.KINEMATIC) {
+            BodyTable.checkSpeed("angular velocity", wx, wy, wz, bodies.outerRadius[s]);
+            table.roster.motion.forget(s);
+        }
         wakeUnlessZero(s, wx, wy, wz);
         bodies.angularVelocityX[s] = wx;
         bodies.angularVelocityY[s] = wy;
         bodies.angularVelocityZ[s] = wz;
     }
 
-    private void needsDynamic(int s, String what) {
+    void moveTo(int s, double x, double y, double z) {
+        BodyStore b = bodies;
+        aim(s, x, y, z, b.orientationX[s], b.orientationY[s], b.orientationZ[s], b.orientationW[s]);
+    }
+
+    void moveTo(int s, double x, double y, double z, Quaterniondc q) {
+        double f = Rotations.inverseLength("rotation", q.x(), q.y(), q.z(), q.w());
+        aim(s, x, y, z, q.x() * f, q.y() * f, q.z() * f, q.w() * f);
+    }
+
+    private void aim(
+            int s, double x, double y, double z, double qx, double qy, double qz, double qw) {
+        if (bodies.kind[s] != BodyStore.KINEMATIC) {
+            throw new IllegalStateException(
+                    table.refs[s]
+                            + " is "
+                            + type(s)
+                            + ", and moveTo moves kinematic bodies; make it with Body.kinematic(),"
+                            + " or use teleport");
+        }
+        Rotations.rotate(
+                qx,
+                qy,
+                qz,
+                qw,
+                table.roster.comX[s],
+                table.roster.comY[s],
+                table.roster.comZ[s],
+                rotated);
+        double px = Checks.between("x", x + rotated[0], -FARTHEST, FARTHEST);
+        double py = Checks.between("y", y + rotated[1], -FARTHEST, FARTHEST);
+        double pz = Checks.between("z", z + rotated[2], -FARTHEST, FARTHEST);
+        table.roster.motion.aim(s, px, py, pz, qx, qy, qz, qw);
+    }
+
+    private void needsMover(int s, String what) {
         if (isFixed(s)) {
             throw new IllegalStateException(
                     table.refs[s]
                             + " is fixed, so its "
                             + what
-                            + " is 0; make it with Body.dynamic() if it shall move");
+                            + " is 0; make it with Body.dynamic() or Body.kinematic() if it shall"
+                            + " move");
         }
     }
 
@@ -309,21 +412,34 @@ final class BodyAccess {
     /** The ECS is written first: if it refuses (a step runs), nothing has changed. */
     private void place(
             int s, double x, double y, double z, double qx, double qy, double qz, double qw) {
-        Rotations.rotate(qx, qy, qz, qw, table.comX[s], table.comY[s], table.comZ[s], rotated);
+        Rotations.rotate(
+                qx,
+                qy,
+                qz,
+                qw,
+                table.roster.comX[s],
+                table.roster.comY[s],
+                table.roster.comZ[s],
+                rotated);
         double px = Checks.between("x", x + rotated[0], -BoundsStage.LIMIT, BoundsStage.LIMIT);
         double py = Checks.between("y", y + rotated[1], -BoundsStage.LIMIT, BoundsStage.LIMIT);
         double pz = Checks.between("z", z + rotated[2], -BoundsStage.LIMIT, BoundsStage.LIMIT);
-        table.world().set(bodies.entity[s], new Pose(x, y, z, qx, qy, qz, qw, table.jumps[s] + 1));
-        table.jumps[s]++;
-        table.places++;
+        table.world()
+                .set(
+                        bodies.entity[s],
+                        new Pose(x, y, z, qx, qy, qz, qw, table.roster.jumps[s] + 1));
+        table.roster.jumps[s]++;
+        table.roster.places++;
         wake(s);
         bodies.place(s, px, py, pz);
         bodies.orientationX[s] = qx;
         bodies.orientationY[s] = qy;
         bodies.orientationZ[s] = qz;
         bodies.orientationW[s] = qw;
-        if (isFixed(s)) {
-            table.addUnplaced(s);
+        table.colliders.compose(s);
+        if (isUnmoved(s)) {
+            table.roster.motion.forget(s);
+            table.roster.addUnplaced(s);
         }
     }
 

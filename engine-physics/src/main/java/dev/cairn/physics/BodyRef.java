@@ -1,16 +1,19 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.shape.Shape;
 
-import org.joml.Matrix3d;
-import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
-import org.joml.Vector3d;
+import org.joml.Vector3dc;
+import org.jspecify.annotations.Nullable;
+
+import java.util.List;
 
 /**
- * A body in a world. All values are in world axes and SI units; positions named so are those of the
- * origin of the frame that the shape was made in, unless a name says centre of mass.
+ * A body in a world: reads it, see {@link BodyState}, and changes it. All values are in world axes
+ * and SI units; positions named so are those of the origin of the frame that the shape was made in,
+ * unless a name says centre of mass.
  *
  * <p>Simulation thread only, and not from inside the physics step: a method that changes the body
  * throws {@link IllegalStateException} there, on any thread. Methods that take a destination or
@@ -19,176 +22,9 @@ import org.joml.Vector3d;
  * add up and act over the whole next step, then are cleared; impulses act at once. On fixed bodies
  * forces and impulses have no effect.
  */
-public final class BodyRef {
-    private final BodyTable table;
-    private final int slot;
-    private final long entity;
-    private final String name;
-
+public final class BodyRef extends BodyState {
     BodyRef(BodyTable table, int slot, long entity, String name) {
-        this.table = table;
-        this.slot = slot;
-        this.entity = entity;
-        this.name = name;
-    }
-
-    /**
-     * The body's ECS entity.
-     *
-     * @return its id
-     */
-    public long entity() {
-        return entity;
-    }
-
-    /**
-     * The name that the description gave, for messages and tools.
-     *
-     * @return the name, empty if none was given
-     */
-    public String name() {
-        return name;
-    }
-
-    /**
-     * Whether the body is still in its world.
-     *
-     * @return false once it was removed, or its entity deleted, or the world closed
-     */
-    public boolean isAlive() {
-        return table.isAlive(slot, entity);
-    }
-
-    /**
-     * Whether nothing moves the body: it was made so, or it was quarantined.
-     *
-     * @return true for infinite mass
-     */
-    public boolean isFixed() {
-        return table.access.isFixed(alive());
-    }
-
-    /**
-     * The collision shape.
-     *
-     * @return the shape that the description gave
-     */
-    public Shape shape() {
-        return table.access.shape(alive());
-    }
-
-    /**
-     * The material.
-     *
-     * @return the one that the description gave
-     */
-    public Material material() {
-        return table.access.material(alive());
-    }
-
-    /**
-     * The mass.
-     *
-     * @return kg; positive infinity for a fixed body
-     */
-    public double mass() {
-        return table.access.mass(alive());
-    }
-
-    /**
-     * The inverse of the inertia about the centre of mass, in world axes.
-     *
-     * @param destination receives 1/(kg m²); all 0 for a fixed body
-     * @return destination
-     */
-    public Matrix3d inverseInertia(Matrix3d destination) {
-        return table.access.inverseInertia(alive(), Checks.notNull("destination", destination));
-    }
-
-    /**
-     * Where the origin of the shape's frame is.
-     *
-     * @return a new vector, m
-     */
-    public Vector3d position() {
-        return position(new Vector3d());
-    }
-
-    /**
-     * Where the origin of the shape's frame is.
-     *
-     * @param destination receives m
-     * @return destination
-     */
-    public Vector3d position(Vector3d destination) {
-        return table.access.position(alive(), Checks.notNull("destination", destination));
-    }
-
-    /**
-     * Where the centre of mass is.
-     *
-     * @param destination receives m
-     * @return destination
-     */
-    public Vector3d centreOfMass(Vector3d destination) {
-        return table.access.centreOfMass(alive(), Checks.notNull("destination", destination));
-    }
-
-    /**
-     * How the body is turned.
-     *
-     * @return a new unit quaternion, worldFromBody
-     */
-    public Quaterniond orientation() {
-        return orientation(new Quaterniond());
-    }
-
-    /**
-     * How the body is turned.
-     *
-     * @param destination receives the unit quaternion worldFromBody
-     * @return destination
-     */
-    public Quaterniond orientation(Quaterniond destination) {
-        return table.access.orientation(alive(), Checks.notNull("destination", destination));
-    }
-
-    /**
-     * The velocity of the centre of mass.
-     *
-     * @return a new vector, m/s
-     */
-    public Vector3d velocity() {
-        return velocity(new Vector3d());
-    }
-
-    /**
-     * The velocity of the centre of mass.
-     *
-     * @param destination receives m/s
-     * @return destination
-     */
-    public Vector3d velocity(Vector3d destination) {
-        return table.access.velocity(alive(), Checks.notNull("destination", destination));
-    }
-
-    /**
-     * The angular velocity.
-     *
-     * @return a new vector, rad/s
-     */
-    public Vector3d angularVelocity() {
-        return angularVelocity(new Vector3d());
-    }
-
-    /**
-     * The angular velocity.
-     *
-     * @param destination receives rad/s
-     * @return destination
-     */
-    public Vector3d angularVelocity(Vector3d destination) {
-        return table.access.angularVelocity(alive(), Checks.notNull("destination", destination));
+        super(table, slot, entity, name);
     }
 
     /**
@@ -200,6 +36,16 @@ public final class BodyRef {
      */
     public void applyForce(double fx, double fy, double fz) {
         table.access.applyForce(changed("applyForce"), fx, fy, fz);
+    }
+
+    /**
+     * Pushes at the centre of mass during the next step.
+     *
+     * @param force N, finite
+     */
+    public void applyForce(Vector3dc force) {
+        Checks.notNull("force", force);
+        applyForce(force.x(), force.y(), force.z());
     }
 
     /**
@@ -217,6 +63,18 @@ public final class BodyRef {
     }
 
     /**
+     * Pushes at a point during the next step.
+     *
+     * @param force N, finite
+     * @param point world, m, finite
+     */
+    public void applyForceAt(Vector3dc force, Vector3dc point) {
+        Checks.notNull("force", force);
+        Checks.notNull("point", point);
+        applyForceAt(force.x(), force.y(), force.z(), point.x(), point.y(), point.z());
+    }
+
+    /**
      * Turns during the next step.
      *
      * @param tx N m, finite
@@ -228,6 +86,16 @@ public final class BodyRef {
     }
 
     /**
+     * Turns during the next step.
+     *
+     * @param torque N m, finite
+     */
+    public void applyTorque(Vector3dc torque) {
+        Checks.notNull("torque", torque);
+        applyTorque(torque.x(), torque.y(), torque.z());
+    }
+
+    /**
      * Changes the velocity at once.
      *
      * @param jx impulse at the centre of mass, N s, finite
@@ -236,6 +104,16 @@ public final class BodyRef {
      */
     public void applyImpulse(double jx, double jy, double jz) {
         table.access.applyImpulse(changed("applyImpulse"), jx, jy, jz);
+    }
+
+    /**
+     * Changes the velocity at once.
+     *
+     * @param impulse at the centre of mass, N s, finite
+     */
+    public void applyImpulse(Vector3dc impulse) {
+        Checks.notNull("impulse", impulse);
+        applyImpulse(impulse.x(), impulse.y(), impulse.z());
     }
 
     /**
@@ -253,6 +131,18 @@ public final class BodyRef {
     }
 
     /**
+     * Changes velocity and angular velocity at once.
+     *
+     * @param impulse N s, finite
+     * @param point that it acts at, world, m, finite
+     */
+    public void applyImpulseAt(Vector3dc impulse, Vector3dc point) {
+        Checks.notNull("impulse", impulse);
+        Checks.notNull("point", point);
+        applyImpulseAt(impulse.x(), impulse.y(), impulse.z(), point.x(), point.y(), point.z());
+    }
+
+    /**
      * Changes the angular velocity at once.
      *
      * @param lx angular impulse, N m s, finite
@@ -261,6 +151,16 @@ public final class BodyRef {
      */
     public void applyAngularImpulse(double lx, double ly, double lz) {
         table.access.applyAngularImpulse(changed("applyAngularImpulse"), lx, ly, lz);
+    }
+
+    /**
+     * Changes the angular velocity at once.
+     *
+     * @param impulse N m s, finite
+     */
+    public void applyAngularImpulse(Vector3dc impulse) {
+        Checks.notNull("impulse", impulse);
+        applyAngularImpulse(impulse.x(), impulse.y(), impulse.z());
     }
 
     /**
@@ -313,6 +213,17 @@ public final class BodyRef {
     }
 
     /**
+     * Sets the velocity of the centre of mass.
+     *
+     * @param velocity m/s, finite
+     * @throws IllegalStateException if the body is fixed
+     */
+    public void setVelocity(Vector3dc velocity) {
+        Checks.notNull("velocity", velocity);
+        setVelocity(velocity.x(), velocity.y(), velocity.z());
+    }
+
+    /**
      * Sets the angular velocity.
      *
      * @param wx rad/s, finite
@@ -322,6 +233,17 @@ public final class BodyRef {
      */
     public void setAngularVelocity(double wx, double wy, double wz) {
         table.access.setAngularVelocity(changed("setAngularVelocity"), wx, wy, wz);
+    }
+
+    /**
+     * Sets the angular velocity.
+     *
+     * @param velocity rad/s, finite
+     * @throws IllegalStateException if the body is fixed
+     */
+    public void setAngularVelocity(Vector3dc velocity) {
+        Checks.notNull("velocity", velocity);
+        setAngularVelocity(velocity.x(), velocity.y(), velocity.z());
     }
 
     /**
@@ -337,6 +259,143 @@ public final class BodyRef {
     }
 
     /**
+     * Puts the origin of the shape's frame elsewhere, at once; orientation and velocities stay.
+     * Allocates.
+     *
+     * @param position m, finite
+     */
+    public void teleport(Vector3dc position) {
+        Checks.notNull("position", position);
+        teleport(position.x(), position.y(), position.z());
+    }
+
+    /**
+     * Puts the shape's frame elsewhere, at once; velocities stay. Allocates.
+     *
+     * @param position m, finite
+     * @param rotation unit quaternion worldFromBody, its length within 1e-6 of 1
+     */
+    public void teleport(Vector3dc position, Quaterniondc rotation) {
+        Checks.notNull("position", position);
+        teleport(position.x(), position.y(), position.z(), rotation);
+    }
+
+    /**
+     * Moves a kinematic body: at the end of the next tick the origin of its shape's frame is here,
+     * to the bit, and its orientation is as it is now. On the way it moves at constant speed, and
+     * carries and pushes what it touches with that. Without another target, or a velocity, it
+     * stands still from then on.
+     *
+     * @param x m, finite
+     * @param y m, finite
+     * @param z m, finite
+     * @throws IllegalStateException if the body is not kinematic
+     */
+    public void moveTo(double x, double y, double z) {
+        table.access.moveTo(changed("moveTo"), x, y, z);
+    }
+
+    /**
+     * Moves and turns a kinematic body: at the end of the next tick its shape's frame is here, to
+     * the bit. It turns the shorter way, at constant angular velocity about the centre of mass.
+     *
+     * @param x m, finite
+     * @param y m, finite
+     * @param z m, finite
+     * @param rotation unit quaternion worldFromBody, its length within 1e-6 of 1
+     * @throws IllegalStateException if the body is not kinematic
+     */
+    public void moveTo(double x, double y, double z, Quaterniondc rotation) {
+        table.access.moveTo(changed("moveTo"), x, y, z, Checks.notNull("rotation", rotation));
+    }
+
+    /**
+     * Moves a kinematic body, see {@link #moveTo(double, double, double)}.
+     *
+     * @param position m, finite
+     */
+    public void moveTo(Vector3dc position) {
+        Checks.notNull("position", position);
+        moveTo(position.x(), position.y(), position.z());
+    }
+
+    /**
+     * Moves and turns a kinematic body, see {@link #moveTo(double, double, double, Quaterniondc)}.
+     *
+     * @param position m, finite
+     * @param rotation unit quaternion worldFromBody, its length within 1e-6 of 1
+     */
+    public void moveTo(Vector3dc position, Quaterniondc rotation) {
+        Checks.notNull("position", position);
+        moveTo(position.x(), position.y(), position.z(), rotation);
+    }
+
+    /**
+     * Makes the body one of another type, at once. It keeps its place, its shape and what was
+     * stated of its mass; one that becomes fixed loses its velocity. Wakes it and what it touches.
+     *
+     * @param type the new one
+     * @throws IllegalArgumentException if its shape cannot move and it shall be dynamic
+     */
+    public void setType(BodyType type) {
+        table.changes.setType(changed("setType"), Checks.notNull("type", type));
+    }
+
+    /**
+     * Gives the body another shape, at once. The frame stays where it is; mass, centre and inertia
+     * follow the shape but for what was stated. Contacts begin without impulses. Wakes the body and
+     * what it touches.
+     *
+     * @param shape the new one; shared, not copied
+     * @throws IllegalArgumentException if a dynamic body cannot have it
+     * @throws IllegalStateException if the body has several colliders: replace one of these
+     */
+    public void setShape(Shape shape) {
+        table.changes.setShape(changed("setShape"), Checks.notNull("shape", shape));
+    }
+
+    /**
+     * Gives the body another material: friction, restitution and rolling of all its contacts, and
+     * the density, if no mass was stated. Wakes the body and what it touches.
+     *
+     * @param material the new one
+     */
+    public void setMaterial(Material material) {
+        table.changes.setMaterial(changed("setMaterial"), Checks.notNull("material", material));
+    }
+
+    /**
+     * States the mass, see {@link Body#mass}; inertia follows unless it was stated. Velocities
+     * stay. Wakes the body and what it touches.
+     *
+     * @param kilograms finite, above 0
+     */
+    public void setMass(double kilograms) {
+        table.changes.setMass(changed("setMass"), Checks.positive("mass", kilograms));
+    }
+
+    /**
+     * States the inertia about the centre of mass, see {@link Body#inertia}. Velocities stay. Wakes
+     * the body and what it touches.
+     *
+     * @param xx about the shape's x axis, kg m², finite, above 0
+     * @param yy about the shape's y axis, kg m², finite, above 0
+     * @param zz about the shape's z axis, kg m², finite, above 0
+     */
+    public void setInertia(double xx, double yy, double zz) {
+        table.changes.setInertia(changed("setInertia"), xx, yy, zz);
+    }
+
+    /**
+     * Hangs any object of the user on the body.
+     *
+     * @param value anything, or {@code null}
+     */
+    public void setUserData(@Nullable Object value) {
+        table.userData[changed("setUserData")] = value;
+    }
+
+    /**
      * Puts the shape's frame elsewhere, at once; velocities stay. {@code Pose.jumps} counts it.
      * Allocates.
      *
@@ -347,16 +406,6 @@ public final class BodyRef {
      */
     public void teleport(double x, double y, double z, Quaterniondc rotation) {
         table.access.teleport(changed("teleport"), x, y, z, Checks.notNull("rotation", rotation));
-    }
-
-    /**
-     * Whether the body sleeps: it has come to rest, and costs nothing until something happens to
-     * it.
-     *
-     * @return true between falling asleep and waking; always false for a fixed body
-     */
-    public boolean isAsleep() {
-        return table.access.isAsleep(alive());
     }
 
     /**
@@ -378,6 +427,48 @@ public final class BodyRef {
     }
 
     /**
+     * The colliders of the body: most have one. Allocates.
+     *
+     * @return a new list, in the order in which they were given
+     */
+    public List<ColliderRef> colliders() {
+        return table.collision.list(alive());
+    }
+
+    /**
+     * The body's contacts in the last step. Allocates; its cost is that of a walk over all
+     * contacts.
+     *
+     * @return their numbers in {@link PhysicsWorld#contacts}, ascending
+     */
+    public int[] contacts() {
+        return table.view().of(alive());
+    }
+
+    /**
+     * Adds a collider to the body; mass, centre and inertia follow, unless they were given. The
+     * body's frame stays where it is, and each of its points keeps its velocity.
+     *
+     * @param collider what it is like; what it does not say is as of the body's first one
+     * @return the collider
+     * @throws IllegalArgumentException if the body would have no finite mass
+     */
+    public ColliderRef add(Collider collider) {
+        int slot = changed("add");
+        return table.collision.add(slot, Checks.notNull("collider", collider));
+    }
+
+    /**
+     * Changes whom the body collides with, all its colliders. Contacts that the new filter refuses
+     * end in the next step, and are told as ended; who rested on the body wakes.
+     *
+     * @param filter the new one
+     */
+    public void setFilter(Filter filter) {
+        table.collision.setFilters(changed("setFilter"), filter);
+    }
+
+    /**
      * Takes the body and its entity out of the world, between steps. Its contacts end with the next
      * step.
      *
@@ -387,36 +478,11 @@ public final class BodyRef {
         table.access.remove(changed("remove"));
     }
 
-    int slot() {
-        return slot;
+    boolean isOf(BodyTable other) {
+        return table == other;
     }
 
-    /** The slot, for a call that changes the body. */
-    private int changed(String call) {
-        if (table.isStepping) {
-            throw new IllegalStateException(
-                    call
-                            + " of "
-                            + this
-                            + " was called while the physics step runs, which reads and writes all"
-                            + " bodies; call it between steps, or from a system before or after"
-                            + " the physics");
-        }
-        return alive();
-    }
-
-    private int alive() {
-        if (!table.isAlive(slot, entity)) {
-            throw new BodyRemovedException(
-                    this
-                            + " is no longer in its world; ask isAlive() before you use a body that"
-                            + " may be gone");
-        }
-        return slot;
-    }
-
-    @Override
-    public String toString() {
-        return name.isEmpty() ? "body in slot " + slot : "body '" + name + "' in slot " + slot;
+    void requireBetweenSteps(String call) {
+        changed(call);
     }
 }

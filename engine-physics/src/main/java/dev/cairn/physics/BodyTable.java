@@ -3,8 +3,8 @@ package dev.cairn.physics;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.broadphase.BroadPhase;
+import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.contact.BoundsStage;
-import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.internal.BodyMass;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
@@ -13,7 +13,8 @@ import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.island.Sleepers;
 import dev.cairn.physics.shape.MassProperties;
-import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.state.RigidBody;
+import dev.cairn.physics.state.Roster;
 import dev.cairn.physics.state.WorldCheck;
 
 import org.jspecify.annotations.Nullable;
@@ -23,79 +24,60 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Who is in the world: slots, their entities and references, and what the kernels of the step do
- * not need.
- *
- * <p>A slot is free, or in use, or gone: its entity was found dead at the start of a tick, and its
- * rows leave in that tick; then it is free. Free slots are used again last freed first, which is
- * part of the deterministic state.
+ * The bodies of a world as users know them: a reference, a material and a shape to each slot of the
+ * {@link Roster}; what is born is checked and filled in here.
  */
 final class BodyTable {
-    final BodyStore bodies = new BodyStore();
-    final ColliderStore colliders = new ColliderStore(bodies);
-    final BroadPhase broadPhase = new BroadPhase();
+    /** Of a kinematic body: room for some ticks until what the step computes with ends. */
+    private static final double MOST_SPEED = 1e59;
+
+    final Roster roster;
+    final BodyStore bodies;
+    final ColliderStore colliders;
+    final BroadPhase broadPhase;
     final BoundsStage bounds;
-    final ContactStore contacts;
-    private final EdgeSource[] edges;
     final Sleepers sleepers;
-    final BodyAccess access = new BodyAccess(this);
+    final ContactStore contacts;
+    final BodyAccess access;
+    final BodyChanges changes;
+    final ColliderTable collision;
 
     BodyRef[] refs = new BodyRef[0];
-    Material[] materials = new Material[0];
-
-    /** As the user gave them. */
-    Shape[] shapes = new Shape[0];
-
-    double[] comX = {}, comY = {}, comZ = {};
-    int[] jumps = {};
-    private long[] seen = {};
-
-    /** Slots of dynamic bodies that are awake, and of fixed ones, each ascending. */
-    int[] dynamic = {}, fixed = {};
-
-    int dynamicCount;
-    int fixedCount;
-    private boolean listsStale;
-
-    /** How often {@link #sweep} ran: entities may have moved between chunks since. */
-    long rosters;
-
-    private int[] free = new int[16];
-    private int freeCount;
-    private int[] gone = new int[16];
-    private int goneCount;
-
-    /** Fixed bodies whose box must be placed at the next tick, in the order of the calls. */
-    int[] unplaced = new int[16];
-
-    int unplacedCount;
-
-    /** Grows whenever a body may have come to another place. */
-    long places;
-
-    final List<BodyRef> quarantined = new ArrayList<>();
-    private @Nullable World world;
+    @Nullable Object[] userData = {};
+    private final List<BodyRef> quarantined = new ArrayList<>();
     private boolean closed;
+    private @Nullable ContactView view;
 
     /** While the physics runs nobody else may change a body; read by any thread. */
     volatile boolean isStepping;
 
     BodyTable(PhysicsSettings settings, ContactStore contacts, EdgeSource[] edges) {
-        bounds = new BoundsStage(colliders, settings.tuning());
+        roster = new Roster(settings.tuning(), settings.sleeping(), settings.sleepSeconds(), edges);
+        bodies = roster.bodies;
+        colliders = roster.colliders;
+        broadPhase = roster.broadPhase;
+        bounds = roster.bounds;
+        sleepers = roster.sleepers;
         this.contacts = contacts;
-        this.edges = edges;
-        sleepers = new Sleepers(settings.sleeping(), settings.sleepSeconds(), bodies, edges);
+        access = new BodyAccess(this);
+        collision = new ColliderTable(this);
+        changes = new BodyChanges(this);
     }
 
-    void bind(World ecs) {
-        world = ecs;
+    /** What users see of contacts. */
+    ContactView view() {
+        if (view == null) {
+            throw new IllegalStateException("the physics is not complete yet");
+        }
+        return view;
+    }
+
+    void show(ContactView value) {
+        view = value;
     }
 
     World world() {
-        if (world == null) {
-            throw new IllegalStateException("the physics system is in no world yet");
-        }
-        return world;
+        return roster.world();
     }
 
     void close() {
@@ -106,58 +88,87 @@ final class BodyTable {
         return closed;
     }
 
+    boolean isAlive(int slot, long entity) {
+        return !closed && roster.isAlive(slot, entity);
+    }
+
     // Birth ------------------------------------------------------------------------------------
 
     /** Everything that can fail happens before anything changes. */
     BodyRef add(Body body) {
-        Shape shape = body.shape;
-        if (shape == null) {
+        List<Collider> parts = body.parts();
+        if (parts.isEmpty()) {
             throw new IllegalArgumentException(
                     "body"
                             + (body.name.isEmpty() ? "" : " '" + body.name + "'")
                             + " has no shape; call .shape(..) before adding it");
         }
-        MassProperties mass =
-                BodyMass.of(
-                        shape,
-                        body.material.density(),
-                        body.fixed,
-                        body.mass,
-                        body.inertiaXX,
-                        body.inertiaYY,
-                        body.inertiaZZ);
-        double[] inverse = body.fixed ? new double[6] : BodyMass.inverseInertia(mass);
+        MassProperties mass = ColliderTable.mass(parts, body);
+        if (body.type == BodyType.DYNAMIC) {
+            BodyMass.inverseInertia(mass); // throws where there is none
+        }
         double[] com = new double[3];
         Rotations.rotate(
                 body.qx, body.qy, body.qz, body.qw, mass.comX(), mass.comY(), mass.comZ(), com);
         checkReach("x", body.x + com[0]);
         checkReach("y", body.y + com[1]);
         checkReach("z", body.z + com[2]);
-        int slot = freeCount > 0 ? free[freeCount - 1] : bodies.slotCount;
-        ensureSlots(slot + 1);
+        if (body.type == BodyType.KINEMATIC) {
+            checkSpeed("velocity", body.vx, body.vy, body.vz, 1);
+            checkSpeed("angular velocity", body.wx, body.wy, body.wz, outerRadius(parts, mass));
+        }
+        int slot = roster.nextSlot();
+        ensureSlots();
         Record[] records = records(body, slot);
         long entity = world().spawn(records);
-        if (freeCount > 0) {
-            freeCount--;
-        } else {
-            bodies.slotCount++;
-        }
+        roster.take();
         BodyRef ref = new BodyRef(this, slot, entity, body.name);
         refs[slot] = ref;
-        materials[slot] = body.material;
-        shapes[slot] = shape;
-        comX[slot] = mass.comX();
-        comY[slot] = mass.comY();
-        comZ[slot] = mass.comZ();
-        jumps[slot] = 0;
-        fill(slot, entity, body, shape, mass, inverse, com);
-        sleepers.born(slot, body.maySleep);
-        listsStale = true;
-        places++;
-        if (body.fixed) {
-            addUnplaced(slot);
-        }
+        userData[slot] = body.userData;
+        roster.comX[slot] = mass.comX();
+        roster.comY[slot] = mass.comY();
+        roster.comZ[slot] = mass.comZ();
+        fill(slot, entity, body, mass, com);
+        collision.attach(slot, parts, body);
+        roster.born(slot, body.maySleep);
         return ref;
+    }
+
+    static byte kind(BodyType type) {
+        return switch (type) {
+            case FIXED -> BodyStore.STATIC;
+            case KINEMATIC -> BodyStore.KINEMATIC;
+            case DYNAMIC -> BodyStore.DYNAMIC;
+        };
+    }
+
+    /** At least as far as any point of the parts is from the centre of mass. */
+    private static double outerRadius(List<Collider> parts, MassProperties mass) {
+        double outer = 0;
+        for (Collider part : parts) {
+            MassProperties own = part.placed.massProperties(1);
+            double x = own.comX() - mass.comX();
+            double y = own.comY() - mass.comY();
+            double z = own.comZ() - mass.comZ();
+            outer = Math.max(outer, Math.sqrt(x * x + y * y + z * z) + part.placed.outerRadius());
+        }
+        return outer;
+    }
+
+    /** A speed that a step can go on from, of a body that nothing slows down. */
+    static void checkSpeed(String what, double x, double y, double z, double radius) {
+        double largest = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+        if (!(largest <= MOST_SPEED && largest * radius <= MOST_SPEED)) {
+            throw new IllegalArgumentException(
+                    what
+                            + " of a kinematic body is ("
+                            + x
+                            + ", "
+                            + y
+                            + ", "
+                            + z
+                            + "); its surface may move at 1e59 m/s at most, so choose less");
+        }
     }
 
     private static void checkReach(String name, double value) {
@@ -168,11 +179,12 @@ final class BodyTable {
     }
 
     private Record[] records(Body body, int slot) {
-        int own = body.fixed ? 2 : 3;
+        boolean fixed = body.type == BodyType.FIXED;
+        int own = fixed ? 2 : 3;
         Record[] records = new Record[own + body.components.size()];
         records[0] = new Pose(body.x, body.y, body.z, body.qx, body.qy, body.qz, body.qw, 0);
         records[1] = new RigidBody(slot);
-        if (!body.fixed) {
+        if (!fixed) {
             records[2] = new Velocity(body.vx, body.vy, body.vz, body.wx, body.wy, body.wz);
         }
         for (int i = 0; i < body.components.size(); i++) {
@@ -196,32 +208,36 @@ final class BodyTable {
         return records;
     }
 
-    private void fill(
-            int s,
-            long entity,
-            Body body,
-            Shape shape,
-            MassProperties mass,
-            double[] inverse,
-            double[] com) {
+    private void fill(int s, long entity, Body body, MassProperties mass, double[] com) {
         BodyStore b = bodies;
         b.clear(s);
-        b.kind[s] = body.fixed ? BodyStore.STATIC : BodyStore.DYNAMIC;
+        boolean fixed = body.type == BodyType.FIXED;
+        b.kind[s] = kind(body.type);
         b.entity[s] = entity;
-        b.innerRadius[s] = shape.innerRadius();
-        b.outerRadius[s] = shape.outerRadius();
         b.place(s, body.x + com[0], body.y + com[1], body.z + com[2]);
         b.orientationX[s] = body.qx;
         b.orientationY[s] = body.qy;
         b.orientationZ[s] = body.qz;
         b.orientationW[s] = body.qw;
-        b.velocityX[s] = body.fixed ? 0 : body.vx;
-        b.velocityY[s] = body.fixed ? 0 : body.vy;
-        b.velocityZ[s] = body.fixed ? 0 : body.vz;
-        b.angularVelocityX[s] = body.fixed ? 0 : body.wx;
-        b.angularVelocityY[s] = body.fixed ? 0 : body.wy;
-        b.angularVelocityZ[s] = body.fixed ? 0 : body.wz;
-        b.inverseMass[s] = body.fixed ? 0 : 1 / mass.mass();
+        b.velocityX[s] = fixed ? 0 : body.vx;
+        b.velocityY[s] = fixed ? 0 : body.vy;
+        b.velocityZ[s] = fixed ? 0 : body.vz;
+        b.angularVelocityX[s] = fixed ? 0 : body.wx;
+        b.angularVelocityY[s] = fixed ? 0 : body.wy;
+        b.angularVelocityZ[s] = fixed ? 0 : body.wz;
+        setMass(s, mass, body.type != BodyType.DYNAMIC);
+        b.gravityScale[s] = body.gravityScale;
+        b.linearDamping[s] = body.linearDamping;
+        b.angularDamping[s] = body.angularDamping;
+        b.speedLimit[s] = body.speedLimit;
+        access.restrain(s, body.locks);
+    }
+
+    /** Sets mass, inertia and their inverses, those of a fixed body to 0. */
+    void setMass(int s, MassProperties mass, boolean fixed) {
+        BodyStore b = bodies;
+        double[] inverse = fixed ? new double[6] : BodyMass.inverseInertia(mass);
+        b.inverseMass[s] = fixed ? 0 : 1 / mass.mass();
         b.inertiaXX[s] = mass.ixx();
         b.inertiaYY[s] = mass.iyy();
         b.inertiaZZ[s] = mass.izz();
@@ -234,176 +250,33 @@ final class BodyTable {
         b.inverseInertiaXY[s] = inverse[3];
         b.inverseInertiaXZ[s] = inverse[4];
         b.inverseInertiaYZ[s] = inverse[5];
-        int collider = colliders.attach(s, shape);
-        colliders.friction[collider] = body.material.friction();
-        colliders.restitution[collider] = body.material.restitution();
-        colliders.rollingArm[collider] = body.material.rollingArm();
-        if (body.material.rollingArm() > 0) {
-            contacts.beginRolling();
-        }
-        b.gravityScale[s] = body.gravityScale;
-        b.linearDamping[s] = body.linearDamping;
-        b.angularDamping[s] = body.angularDamping;
-        b.speedLimit[s] = body.speedLimit;
-        access.restrain(s, body.locks);
     }
 
-    private void ensureSlots(int capacity) {
-        bodies.ensureCapacity(capacity);
-        colliders.ensureCapacity(capacity);
-        broadPhase.ensureSlots(capacity);
-        bounds.ensureSlots(capacity);
-        sleepers.ensureSlots(capacity);
-        if (capacity > refs.length) {
-            int n = bodies.kind.length;
+    private void ensureSlots() {
+        int n = bodies.kind.length;
+        if (n > refs.length) {
             refs = Arrays.copyOf(refs, n);
-            materials = Arrays.copyOf(materials, n);
-            shapes = Arrays.copyOf(shapes, n);
-            comX = Arrays.copyOf(comX, n);
-            comY = Arrays.copyOf(comY, n);
-            comZ = Arrays.copyOf(comZ, n);
-            jumps = Arrays.copyOf(jumps, n);
-            seen = Arrays.copyOf(seen, n);
+            userData = Arrays.copyOf(userData, n);
         }
     }
 
-    // Life and death ---------------------------------------------------------------------------
+    // Life -------------------------------------------------------------------------------------
 
-    boolean isAlive(int slot, long entity) {
-        return !closed
-                && bodies.kind[slot] != BodyStore.FREE
-                && bodies.entity[slot] == entity
-                && isBody(world(), entity);
+    /** Stops a body where it is and fixes it there. */
+    void quarantine(int slot) {
+        roster.stop(slot);
+        quarantined.add(refs[slot]);
     }
 
-    /** Whether an entity is one of the rows that the physics steps. */
-    private static boolean isBody(World ecs, long entity) {
-        return ecs.isAlive(entity)
-                && ecs.has(entity, RigidBody.COMPONENT)
-                && ecs.has(entity, Pose.COMPONENT);
-    }
-
-    /** A row of the ECS says that its body is there. */
-    void see(int slot, long entity, long tick) {
-        if (slot < 0
-                || slot >= bodies.slotCount
-                || bodies.kind[slot] == BodyStore.FREE
-                || bodies.entity[slot] != entity) {
-            throw new IllegalStateException(
-                    "an entity has RigidBody["
-                            + slot
-                            + "] that is not its own; bodies are made by PhysicsWorld.add, do not"
-                            + " add RigidBody by hand");
-        }
-        seen[slot] = tick;
-    }
-
-    /**
-     * Bodies that can move and whose entity is gone leave the trees; their slots are free after
-     * {@link #freeGone}. After {@link #see} for all that are there.
-     */
-    void sweep(long tick) {
-        rosters++;
-        for (int slot = 0; slot < bodies.slotCount; slot++) {
-            byte kind = bodies.kind[slot];
-            if ((kind == BodyStore.DYNAMIC || kind == BodyStore.ASLEEP) && seen[slot] != tick) {
-                leave(slot);
-            }
-        }
-    }
-
-    /** The same for fixed bodies, whose chunks the physics does not walk. */
-    void sweepFixed() {
-        World ecs = world();
-        for (int i = 0; i < fixedCount; i++) {
-            int slot = fixed[i];
-            long entity = bodies.entity[slot];
-            if (!isBody(ecs, entity) && bodies.kind[slot] == BodyStore.STATIC) {
-                leave(slot);
-            }
-        }
-    }
-
-    /** Before the bounds: lists are up to date, and fixed bodies where they were put. */
-    void beginTick() {
-        places++;
-        refreshLists();
-        sweepFixed();
-        refreshLists();
-        sleepers.forgetFresh();
-        placeFixed();
-    }
-
-    /** Makes the lists anew if somebody came, went, woke or fell asleep. */
-    void refreshLists() {
-        boolean slept = sleepers.takeRostersStale();
-        if (listsStale || slept) {
-            rebuildLists();
-        }
-    }
-
-    private void leave(int slot) {
-        sleepers.wake(slot);
-        listsStale = true;
-        for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
-            broadPhase.remove(c);
-        }
-        for (EdgeSource source : edges) {
-            source.leave(slot);
-        }
-        bodies.kind[slot] = BodyStore.FREE;
-        if (goneCount == gone.length) {
-            gone = Arrays.copyOf(gone, 2 * goneCount);
-        }
-        gone[goneCount++] = slot;
+    /** A body that was quarantined may move again. */
+    void release(int slot) {
         quarantined.remove(refs[slot]);
     }
 
-    /** After the rows of the gone bodies have left. */
-    void freeGone() {
-        for (int i = goneCount - 1; i >= 0; i--) {
-            if (freeCount == free.length) {
-                free = Arrays.copyOf(free, 2 * freeCount);
-            }
-            assert bodies.kind[gone[i]] == BodyStore.FREE : "slot " + gone[i] + " has a body";
-            colliders.detach(gone[i]);
-            free[freeCount++] = gone[i];
-        }
-        goneCount = 0;
-    }
-
-    private void rebuildLists() {
-        int n = bodies.slotCount;
-        if (dynamic.length < n) {
-            dynamic = new int[bodies.kind.length];
-            fixed = new int[bodies.kind.length];
-        }
-        dynamicCount = 0;
-        fixedCount = 0;
-        for (int slot = 0; slot < n; slot++) {
-            if (bodies.kind[slot] == BodyStore.DYNAMIC) {
-                dynamic[dynamicCount++] = slot;
-            } else if (bodies.kind[slot] == BodyStore.STATIC) {
-                fixed[fixedCount++] = slot;
-            }
-        }
-        listsStale = false;
-    }
-
-    void addUnplaced(int slot) {
-        if (unplacedCount == unplaced.length) {
-            unplaced = Arrays.copyOf(unplaced, 2 * unplacedCount);
-        }
-        unplaced[unplacedCount++] = slot;
-    }
-
-    private void placeFixed() {
-        for (int i = 0; i < unplacedCount; i++) {
-            if (bodies.kind[unplaced[i]] == BodyStore.STATIC) {
-                bounds.placeFixed(broadPhase, unplaced[i]);
-            }
-        }
-        unplacedCount = 0;
+    /** Those that are still there, in the order in which they were quarantined. */
+    List<BodyRef> quarantined() {
+        quarantined.removeIf(ref -> !ref.isAlive());
+        return new ArrayList<>(quarantined);
     }
 
     /** See {@link PhysicsWorld#validate}. */
@@ -415,39 +288,8 @@ final class BodyTable {
                         broadPhase,
                         sleepers,
                         slot -> refs[slot].toString(),
-                        this::isUnplaced)
+                        roster::isUnplaced)
                 .run();
-    }
-
-    private boolean isUnplaced(int slot) {
-        for (int i = 0; i < unplacedCount; i++) {
-            if (unplaced[i] == slot) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** Stops a body where it is and fixes it there. */
-    void quarantine(int slot) {
-        BodyStore b = bodies;
-        b.kind[slot] = BodyStore.STATIC;
-        b.velocityX[slot] = 0;
-        b.velocityY[slot] = 0;
-        b.velocityZ[slot] = 0;
-        b.angularVelocityX[slot] = 0;
-        b.angularVelocityY[slot] = 0;
-        b.angularVelocityZ[slot] = 0;
-        b.inverseMass[slot] = 0;
-        b.inverseInertiaXX[slot] = 0;
-        b.inverseInertiaYY[slot] = 0;
-        b.inverseInertiaZZ[slot] = 0;
-        b.inverseInertiaXY[slot] = 0;
-        b.inverseInertiaXZ[slot] = 0;
-        b.inverseInertiaYZ[slot] = 0;
-        clearForces(slot);
-        quarantined.add(refs[slot]);
-        listsStale = true;
     }
 
     /** The body's island falls asleep, now. */
@@ -461,39 +303,6 @@ final class BodyTable {
         if (bodies.kind[slot] != BodyStore.DYNAMIC) {
             return;
         }
-        refreshLists();
-        ContactRows.activate(bodies, contacts, broadPhase);
-        sleepers.sleep(slot, dynamic, dynamicCount);
-        for (int i = 0; i < dynamicCount; i++) {
-            if (sleepers.asleep(dynamic[i])) {
-                bounds.settle(broadPhase, dynamic[i]);
-            }
-        }
-        restBounds();
-    }
-
-    /** Bodies that have fallen asleep reach nowhere. */
-    void restBounds() {
-        for (int i = 0; i < dynamicCount; i++) {
-            if (sleepers.asleep(dynamic[i])) {
-                bounds.rest(dynamic[i]);
-                clearForces(dynamic[i]);
-            }
-        }
-    }
-
-    void clearForces(int slot) {
-        bodies.forceX[slot] = 0;
-        bodies.forceY[slot] = 0;
-        bodies.forceZ[slot] = 0;
-        bodies.torqueX[slot] = 0;
-        bodies.torqueY[slot] = 0;
-        bodies.torqueZ[slot] = 0;
-    }
-
-    void clearAllForces() {
-        for (int slot = 0; slot < bodies.slotCount; slot++) {
-            clearForces(slot);
-        }
+        roster.sleep(slot, contacts);
     }
 }

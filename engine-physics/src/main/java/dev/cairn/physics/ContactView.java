@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.contact.SensorStage;
 import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
@@ -7,35 +8,134 @@ import dev.cairn.physics.internal.ContactStore;
 
 import org.joml.Vector3d;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Objects;
 
 /** The façade of contact rows: those with points, found when somebody asks. */
 final class ContactView implements Contacts {
     private final BodyTable table;
     private final ContactStore rows;
+    private final TouchEvents events;
+    private final SensorStage sensors;
     private final EventList began = new EventList();
     private final EventList ended = new EventList();
+    private final EventList entered = new EventList();
+    private final EventList left = new EventList();
+    private final HitList hits = new HitList();
+    private final List<ContactListener> listeners = new ArrayList<>();
     private int[] rowOf = {};
     private int count;
     private boolean stale;
 
-    ContactView(BodyTable table, ContactStore rows) {
+    ContactView(BodyTable table, ContactStore rows, TouchEvents events, SensorStage sensors) {
         this.table = table;
         this.rows = rows;
+        this.events = events;
+        this.sensors = sensors;
     }
 
     /** After a step. */
-    void update(TouchEvents events) {
+    void update() {
         stale = true;
+        ColliderTable refs = table.collision;
         began.clear();
         for (int i = 0; i < events.beganCount(); i++) {
-            began.add(table.refs[events.began(i, 0)], table.refs[events.began(i, 1)]);
+            began.add(refs.ref(events.began(i, 0)), refs.ref(events.began(i, 1)));
         }
         ended.clear();
         for (int i = 0; i < events.endedCount(); i++) {
-            ended.add(table.refs[events.ended(i, 0)], table.refs[events.ended(i, 1)]);
+            ended.add(refs.ref(events.ended(i, 0)), refs.ref(events.ended(i, 1)));
         }
+        entered.clear();
+        for (int i = 0; i < sensors.enteredCount(); i++) {
+            entered.add(refs.ref(sensors.entered(i, 0)), refs.ref(sensors.entered(i, 1)));
+        }
+        left.clear();
+        for (int i = 0; i < sensors.leftCount(); i++) {
+            left.add(refs.ref(sensors.left(i, 0)), refs.ref(sensors.left(i, 1)));
+        }
+        hits.clear();
+        for (int i = 0; i < events.hitCount(); i++) {
+            int row = events.hit(i);
+            hits.add(refs.ref(rows.colliderA[row]), refs.ref(rows.colliderB[row]));
+        }
+    }
+
+    /** Between steps: what a listener does may change the world. */
+    void tell() {
+        for (int k = 0; k < listeners.size(); k++) {
+            ContactListener listener = listeners.get(k);
+            for (int i = 0; i < ended.count(); i++) {
+                listener.ended(ended.colliderA(i), ended.colliderB(i));
+            }
+            for (int i = 0; i < began.count(); i++) {
+                listener.began(began.colliderA(i), began.colliderB(i));
+            }
+            for (int i = 0; i < hits.count(); i++) {
+                listener.hit(hits, i);
+            }
+            for (int i = 0; i < left.count(); i++) {
+                listener.left(left.colliderA(i), left.colliderB(i));
+            }
+            for (int i = 0; i < entered.count(); i++) {
+                listener.entered(entered.colliderA(i), entered.colliderB(i));
+            }
+        }
+    }
+
+    /** The numbers of a body's contacts. */
+    int[] of(int body) {
+        int[] all = new int[count()];
+        int found = 0;
+        for (int i = 0; i < all.length; i++) {
+            if (rows.bodyA[rowOf[i]] == body || rows.bodyB[rowOf[i]] == body) {
+                all[found++] = i;
+            }
+        }
+        return Arrays.copyOf(all, found);
+    }
+
+    @Override
+    public void setHitSpeed(double metresPerSecond) {
+        Checks.between("hit speed", metresPerSecond, 0, Double.POSITIVE_INFINITY);
+        events.setHitSpeed(rows, metresPerSecond);
+    }
+
+    @Override
+    public void listen(ContactListener listener) {
+        listeners.add(Checks.notNull("listener", listener));
+    }
+
+    @Override
+    public void unlisten(ContactListener listener) {
+        listeners.remove(listener);
+    }
+
+    @Override
+    public Hits hits() {
+        return hits;
+    }
+
+    @Override
+    public Events entered() {
+        return entered;
+    }
+
+    @Override
+    public Events left() {
+        return left;
+    }
+
+    @Override
+    public ColliderRef colliderA(int contact) {
+        return table.collision.ref(rows.colliderA[row(contact)]);
+    }
+
+    @Override
+    public ColliderRef colliderB(int contact) {
+        return table.collision.ref(rows.colliderB[row(contact)]);
     }
 
     private int row(int contact) {
@@ -90,8 +190,11 @@ final class ContactView implements Contacts {
 
     @Override
     public Vector3d point(int contact, int point, Vector3d destination) {
-        int at = at(contact, point);
-        int a = rows.bodyA[row(contact)];
+        return place(row(contact), at(contact, point), destination);
+    }
+
+    private Vector3d place(int row, int at, Vector3d destination) {
+        int a = rows.bodyA[row];
         BodyStore b = table.bodies;
         return Checks.notNull("destination", destination)
                 .set(
@@ -126,15 +229,15 @@ final class ContactView implements Contacts {
     }
 
     /** Pairs of references; they outlive the bodies. */
-    private static final class EventList implements Events {
-        private BodyRef[] pairs = new BodyRef[32];
+    private static class EventList implements Events {
+        private ColliderRef[] pairs = new ColliderRef[32];
         private int size;
 
-        void clear() {
+        final void clear() {
             size = 0;
         }
 
-        void add(BodyRef a, BodyRef b) {
+        final void add(ColliderRef a, ColliderRef b) {
             if (2 * size == pairs.length) {
                 pairs = Arrays.copyOf(pairs, 4 * size);
             }
@@ -150,12 +253,62 @@ final class ContactView implements Contacts {
 
         @Override
         public BodyRef bodyA(int event) {
-            return pairs[2 * Objects.checkIndex(event, size)];
+            return colliderA(event).body();
         }
 
         @Override
         public BodyRef bodyB(int event) {
+            return colliderB(event).body();
+        }
+
+        @Override
+        public ColliderRef colliderA(int event) {
+            return pairs[2 * Objects.checkIndex(event, size)];
+        }
+
+        @Override
+        public ColliderRef colliderB(int event) {
             return pairs[2 * Objects.checkIndex(event, size) + 1];
+        }
+    }
+
+    /** Hits of the last step, by the rows of it. */
+    private final class HitList extends EventList implements Hits {
+        private int row(int hit) {
+            return events.hit(Objects.checkIndex(hit, count()));
+        }
+
+        @Override
+        public Vector3d point(int hit, Vector3d destination) {
+            int row = row(hit);
+            int best = ContactStore.POINTS * row;
+            for (int p = best; p < ContactStore.POINTS * row + rows.pointCount[row]; p++) {
+                best = rows.totalNormalImpulse[p] > rows.totalNormalImpulse[best] ? p : best;
+            }
+            return ContactView.this.place(row, best, destination);
+        }
+
+        @Override
+        public Vector3d normal(int hit, Vector3d destination) {
+            int row = row(hit);
+            return Checks.notNull("destination", destination)
+                    .set(rows.normalX(row), rows.normalY(row), rows.normalZ(row));
+        }
+
+        @Override
+        public double approachSpeed(int hit) {
+            return rows.approach[row(hit)];
+        }
+
+        @Override
+        public double impulse(int hit) {
+            int row = row(hit);
+            double sum = 0;
+            int first = ContactStore.POINTS * row;
+            for (int p = first; p < first + rows.pointCount[row]; p++) {
+                sum += rows.totalNormalImpulse[p];
+            }
+            return sum;
         }
     }
 }

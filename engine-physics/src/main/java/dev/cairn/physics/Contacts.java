@@ -35,6 +35,23 @@ public interface Contacts {
     BodyRef bodyB(int contact);
 
     /**
+     * The collider of body A that touches. A contact is one of two colliders: two bodies of several
+     * may have more than one.
+     *
+     * @param contact 0 to count - 1
+     * @return the collider
+     */
+    ColliderRef colliderA(int contact);
+
+    /**
+     * The collider of body B that touches.
+     *
+     * @param contact 0 to count - 1
+     * @return the collider
+     */
+    ColliderRef colliderB(int contact);
+
+    /**
      * How many points the contact has.
      *
      * @param contact 0 to count - 1
@@ -107,7 +124,53 @@ public interface Contacts {
     Events ended();
 
     /**
-     * Pairs of bodies, in a deterministic order. Simulation thread, between steps; does not
+     * Who entered a sensor in the last step; also who flew through it within the step, and is among
+     * {@link #left} too. {@code A} is the sensor, {@code B} who entered.
+     *
+     * @return the same view each time
+     */
+    Events entered();
+
+    /**
+     * Who left a sensor in the last step, or was removed before it, as the sensor may have been.
+     * Each had entered before. {@code A} is the sensor, {@code B} who left.
+     *
+     * @return the same view each time
+     */
+    Events left();
+
+    /**
+     * The pairs of colliders that met at speed in the last step. There are none until {@link
+     * #setHitSpeed} says from which speed on.
+     *
+     * @return the same view each time
+     */
+    Hits hits();
+
+    /**
+     * Says from which speed of approach on a touch that begins is among the {@link #hits}; infinite
+     * by default. Between steps.
+     *
+     * @param metresPerSecond at least 0
+     */
+    void setHitSpeed(double metresPerSecond);
+
+    /**
+     * Tells a listener, after each step and in the order in which they came, what happened.
+     *
+     * @param listener the listener
+     */
+    void listen(ContactListener listener);
+
+    /**
+     * Tells a listener nothing more.
+     *
+     * @param listener one that listens
+     */
+    void unlisten(ContactListener listener);
+
+    /**
+     * Pairs of colliders, in a deterministic order. Simulation thread, between steps; does not
      * allocate.
      */
     interface Events {
@@ -133,5 +196,59 @@ public interface Contacts {
          * @return the body
          */
         BodyRef bodyB(int event);
+
+        /**
+         * The collider of body A.
+         *
+         * @param event 0 to count - 1
+         * @return the collider; it may be gone
+         */
+        ColliderRef colliderA(int event);
+
+        /**
+         * The collider of body B.
+         *
+         * @param event 0 to count - 1
+         * @return the collider; it may be gone
+         */
+        ColliderRef colliderB(int event);
+    }
+
+    /** Pairs that met at speed, until the next step. World axes, SI units. */
+    interface Hits extends Events {
+        /**
+         * Where: the point that was pushed most.
+         *
+         * @param hit 0 to count - 1
+         * @param destination receives m
+         * @return destination
+         */
+        Vector3d point(int hit, Vector3d destination);
+
+        /**
+         * The unit normal from A to B.
+         *
+         * @param hit 0 to count - 1
+         * @param destination receives the normal
+         * @return destination
+         */
+        Vector3d normal(int hit, Vector3d destination);
+
+        /**
+         * How fast the two approached at the start of the step, along the normal, at the point that
+         * approached fastest.
+         *
+         * @param hit 0 to count - 1
+         * @return m/s
+         */
+        double approachSpeed(int hit);
+
+        /**
+         * With what the two pushed each other along the normal.
+         *
+         * @param hit 0 to count - 1
+         * @return N s, summed over points and step
+         */
+        double impulse(int hit);
     }
 }

@@ -29,6 +29,9 @@ public final class DebugData {
     /** A body that rests and is left out until something touches it. */
     public static final byte ASLEEP = 2;
 
+    /** A body that moves as the user says. */
+    public static final byte KINEMATIC = 3;
+
     private int pointCount;
     private double[] points = {};
     private double[] normals = {};
@@ -123,6 +126,7 @@ public final class DebugData {
             states[n] =
                     switch (b.kind[s]) {
                         case BodyStore.STATIC -> FIXED;
+                        case BodyStore.KINEMATIC -> KINEMATIC;
                         case BodyStore.ASLEEP -> ASLEEP;
                         default -> AWAKE;
                     };
@@ -167,7 +171,7 @@ public final class DebugData {
             if (body != NONE) {
                 islands[body] =
                         switch (states[body]) {
-                            case FIXED -> NONE;
+                            case FIXED, KINEMATIC -> NONE;
                             case ASLEEP -> table.sleepers.islandOf(s);
                             default -> links.root(s);
                         };
@@ -283,7 +287,7 @@ public final class DebugData {
     /**
      * What each body does.
      *
-     * @return {@link #FIXED}, {@link #AWAKE} or {@link #ASLEEP} each
+     * @return {@link #FIXED}, {@link #AWAKE}, {@link #ASLEEP} or {@link #KINEMATIC} each
      */
     public byte[] states() {
         return states;
@@ -292,7 +296,7 @@ public final class DebugData {
     /**
      * The island of each body: those that hang together by contacts have equal numbers.
      *
-     * @return numbers without an order; {@link #NONE} for a fixed body
+     * @return numbers without an order; {@link #NONE} for a fixed or kinematic body
      */
     public int[] islands() {
         return islands;

@@ -33,6 +33,19 @@ public enum Lock {
         this.bit = bit;
     }
 
+    /** The locks of {@link #bits}; others do not count. */
+    static Lock[] of(int bits) {
+        Lock[] all = values();
+        Lock[] found = new Lock[Integer.bitCount(bits & (1 << all.length) - 1)];
+        int n = 0;
+        for (Lock lock : all) {
+            if ((bits >> lock.bit & 1) != 0) {
+                found[n++] = lock;
+            }
+        }
+        return found;
+    }
+
     static int bits(Lock... locks) {
         Checks.notNull("locks", locks);
         int bits = 0;

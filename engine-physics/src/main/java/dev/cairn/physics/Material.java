@@ -1,12 +1,13 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.collider.Mix;
 import dev.cairn.physics.internal.Checks;
 
 /**
  * What a body's surface and substance are like. Immutable; any thread.
  *
- * <p>Two materials meet with the friction {@code sqrt(a * b)}, the larger restitution and the
- * larger rolling arm of the two.
+ * <p>Two materials meet with the friction {@code sqrt(a * b)} and the larger restitution, unless
+ * one names another rule (see {@link Mix}), and with the larger rolling arm of the two.
  *
  * <p>Rolling friction is Coulomb's (1785): a contact that is pressed with the force N resists
  * rolling with a torque of up to {@code b N} about axes in the contact plane, b being a length, the
@@ -22,8 +23,16 @@ import dev.cairn.physics.internal.Checks;
  *     height)
  * @param density kg/m³, finite, above 0; unused where a body states its mass
  * @param rollingArm arm of rolling friction, m, finite, at least 0
+ * @param frictionMix how the friction of two materials becomes one
+ * @param restitutionMix how the restitution of two materials becomes one
  */
-public record Material(double friction, double restitution, double density, double rollingArm) {
+public record Material(
+        double friction,
+        double restitution,
+        double density,
+        double rollingArm,
+        Mix frictionMix,
+        Mix restitutionMix) {
     /** Friction 0.6, no bounce, the density of water: what a body is made of if nothing is said. */
     public static final Material DEFAULT = new Material(0.6, 0, 1000);
 
@@ -50,6 +59,20 @@ public record Material(double friction, double restitution, double density, doub
         Checks.between("restitution", restitution, 0, 1);
         Checks.positive("density", density);
         Checks.atLeastZero("rollingArm", rollingArm);
+        Checks.notNull("frictionMix", frictionMix);
+        Checks.notNull("restitutionMix", restitutionMix);
+    }
+
+    /**
+     * A material that is mixed by the default rules.
+     *
+     * @param friction Coulomb coefficient, at least 0
+     * @param restitution 0 to 1
+     * @param density kg/m³, above 0
+     * @param rollingArm m, at least 0
+     */
+    public Material(double friction, double restitution, double density, double rollingArm) {
+        this(friction, restitution, density, rollingArm, Mix.DEFAULT, Mix.DEFAULT);
     }
 
     /**
@@ -70,7 +93,7 @@ public record Material(double friction, double restitution, double density, doub
      * @return a new material
      */
     public Material withFriction(double value) {
-        return new Material(value, restitution, density, rollingArm);
+        return new Material(value, restitution, density, rollingArm, frictionMix, restitutionMix);
     }
 
     /**
@@ -80,7 +103,7 @@ public record Material(double friction, double restitution, double density, doub
      * @return a new material
      */
     public Material withRestitution(double value) {
-        return new Material(friction, value, density, rollingArm);
+        return new Material(friction, value, density, rollingArm, frictionMix, restitutionMix);
     }
 
     /**
@@ -90,7 +113,7 @@ public record Material(double friction, double restitution, double density, doub
      * @return a new material
      */
     public Material withDensity(double value) {
-        return new Material(friction, restitution, value, rollingArm);
+        return new Material(friction, restitution, value, rollingArm, frictionMix, restitutionMix);
     }
 
     /**
@@ -100,29 +123,45 @@ public record Material(double friction, double restitution, double density, doub
      * @return a new material
      */
     public Material withRollingArm(double value) {
-        return new Material(friction, restitution, density, value);
+        return new Material(friction, restitution, density, value, frictionMix, restitutionMix);
     }
 
     /**
-     * The friction of two materials that meet: {@code sqrt(a.friction * b.friction)}.
+     * This material with other rules of mixing.
+     *
+     * @param ofFriction rule of friction
+     * @param ofRestitution rule of restitution
+     * @return a new material
+     */
+    public Material withMix(Mix ofFriction, Mix ofRestitution) {
+        return new Material(friction, restitution, density, rollingArm, ofFriction, ofRestitution);
+    }
+
+    /**
+     * The friction of two materials that meet: {@code sqrt(a.friction * b.friction)}, or what the
+     * stronger of their rules says.
      *
      * @param a one material
      * @param b the other
      * @return the mixed Coulomb coefficient
      */
     public static double mixFriction(Material a, Material b) {
-        return Math.sqrt(a.friction * b.friction);
+        int rules = a.frictionMix.strength() | b.frictionMix.strength() << 4;
+        return Mix.of(rules, a.friction, b.friction, Math.sqrt(a.friction * b.friction));
     }
 
     /**
-     * The restitution of two materials that meet: the larger one.
+     * The restitution of two materials that meet: the larger one, or what the stronger of their
+     * rules says.
      *
      * @param a one material
      * @param b the other
      * @return the mixed coefficient of restitution
      */
     public static double mixRestitution(Material a, Material b) {
-        return Math.max(a.restitution, b.restitution);
+        int rules = a.restitutionMix.strength() | b.restitutionMix.strength() << 4;
+        double larger = Math.max(a.restitution, b.restitution);
+        return Mix.of(rules, a.restitution, b.restitution, larger);
     }
 
     /**

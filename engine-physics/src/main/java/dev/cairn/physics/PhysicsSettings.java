@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.tuning.Precision;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
 
@@ -98,7 +99,7 @@ public final class PhysicsSettings {
      */
     public PhysicsSettings withPrecision(Precision value) {
         Objects.requireNonNull(value, "precision");
-        return with(Tunable.FLOATS_FROM, value.floatsFrom);
+        return with(Tunable.FLOATS_FROM, value.floatsFrom());
     }
 
     /**

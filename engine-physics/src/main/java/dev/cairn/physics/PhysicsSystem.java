@@ -6,17 +6,30 @@ import dev.cairn.core.ecs.IntField;
 import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.WorldSystem;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.component.Velocity;
+import dev.cairn.physics.contact.ComposeStage;
 import dev.cairn.physics.contact.ContactRows;
+import dev.cairn.physics.contact.HookStage;
 import dev.cairn.physics.contact.ManifoldStage;
+import dev.cairn.physics.contact.SensorStage;
 import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.contact.WakeStage;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
+import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.joint.Joints;
+import dev.cairn.physics.profile.StepStage;
 import dev.cairn.physics.solver.ContactSolver;
+import dev.cairn.physics.solver.joint.JointRows;
 import dev.cairn.physics.solver.row.ConstraintKind;
 import dev.cairn.physics.state.BodyIndex;
+import dev.cairn.physics.state.Publisher;
+import dev.cairn.physics.state.RigidBody;
 import dev.cairn.physics.state.StageCheck;
+import dev.cairn.physics.state.StepClock;
+
+import org.jspecify.annotations.Nullable;
 
 /**
  * One tick of the physics, as a system of the ECS named {@value #NAME}: reads {@link RigidBody},
@@ -35,8 +48,12 @@ final class PhysicsSystem implements WorldSystem {
     final BodyTable table;
     final ContactStore contacts = new ContactStore();
 
+    final JointStore joints = new JointStore();
+
     /** The kinds of constraints beside contacts, in the order in which they are solved. */
-    private final ConstraintKind[] kinds = {};
+    private final ConstraintKind[] kinds = {
+        new ConstraintKind(joints, new JointRows(joints, true), new JointRows(joints, false))
+    };
 
     /** All that binds bodies, contacts first. */
     final EdgeSource[] edges = ConstraintKind.sources(contacts, kinds);
@@ -44,10 +61,16 @@ final class PhysicsSystem implements WorldSystem {
     final TouchEvents events = new TouchEvents();
     final ContactView view;
     PhysicsSettings settings;
-    final StepProfile profile = new StepProfile();
+    final StepClock profile = new StepClock();
+
+    /** Set once, before the first step. */
+    @Nullable Joints jointList;
 
     private final ContactRows rows;
     private final WakeStage wakes;
+    private final ComposeStage compose;
+    final SensorStage sensors;
+    final HookStage hooks;
     private final ManifoldStage manifolds;
     final ContactSolver solver;
     private final Publisher publisher;
@@ -65,10 +88,14 @@ final class PhysicsSystem implements WorldSystem {
         table = new BodyTable(settings, contacts, edges);
         rows = new ContactRows(table.colliders, table.sleepers);
         wakes = new WakeStage(table.sleepers, table.bodies, contacts);
+        sensors = new SensorStage(table.colliders, table.broadPhase);
+        hooks = new HookStage(table.colliders, contacts);
+        compose = new ComposeStage(table.colliders);
         manifolds = new ManifoldStage(table.colliders, table.bounds);
         solver = new ContactSolver(settings.tuning(), kinds);
-        publisher = new Publisher(table);
-        view = new ContactView(table, contacts);
+        publisher = new Publisher(table.roster);
+        view = new ContactView(table, contacts, events, sensors);
+        table.show(view);
         sleepView = new SleepView(table);
     }
 
@@ -97,27 +124,36 @@ final class PhysicsSystem implements WorldSystem {
     private void step(Tick tick) {
         profile.begin();
         events.clear();
+        sensors.clear();
         readRoster(tick);
         profile.end(StepStage.ROSTER);
-        assert StageCheck.awake(table.bodies, table.dynamic, table.dynamicCount);
+        assert StageCheck.awake(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
+        table.roster.beginMotion(tick.stepSeconds());
         moveBounds(tick);
         assert StageCheck.boxes(
-                table.bodies, table.colliders, table.broadPhase, table.dynamic, table.dynamicCount);
+                table.bodies,
+                table.colliders,
+                table.broadPhase,
+                table.roster.dynamic,
+                table.roster.dynamicCount);
         profile.end(StepStage.BOUNDS);
         table.broadPhase.findPairs(tick.jobs());
         assert StageCheck.newPairs(table.broadPhase);
         profile.end(StepStage.PAIRS);
-        rows.update(contacts, table.broadPhase, events, tick.jobs());
-        assert StageCheck.rows(contacts, table.colliders, table.bodies, table.broadPhase);
+        rows.update(contacts, table.broadPhase, events, sensors, tick.jobs());
+        assert StageCheck.rows(
+                contacts, sensors.count(), table.colliders, table.bodies, table.broadPhase);
         table.broadPhase.endTick();
         wakes.refresh(table.bounds, table.broadPhase);
-        table.freeGone();
+        table.roster.freeGone();
         profile.end(StepStage.ROWS);
         manifolds.run(contacts, tick.stepSeconds(), tick.jobs());
         profile.end(StepStage.POINTS);
         wakes.run(table.bounds, table.broadPhase, manifolds, tick.stepSeconds(), tick.jobs());
-        table.refreshLists();
-        if (table.dynamicCount > 0) {
+        hooks.run(tick.jobs());
+        events.approach(contacts, table.bodies, tick.jobs());
+        table.roster.refreshLists();
+        if (table.roster.dynamicCount > 0) {
             solver.step(
                     table.bodies,
                     contacts,
@@ -127,13 +163,20 @@ final class PhysicsSystem implements WorldSystem {
                     tick.stepSeconds(),
                     tick.jobs());
         }
+        table.roster.motion.end(
+                table.roster.kinematic, table.roster.kinematicCount, tick.stepSeconds());
         profile.end(StepStage.SOLVE);
+        if (jointList != null) {
+            jointList.afterStep();
+        }
         fallAsleep(tick);
         publishPoses(tick);
-        assert StageCheck.poses(table.bodies, table.dynamic, table.dynamicCount);
+        compose.run(tick.jobs());
+        sensors.run(tick.jobs());
+        assert StageCheck.poses(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
         profile.end(StepStage.PUBLISH);
         events.update(contacts, tick.jobs());
-        view.update(events);
+        view.update();
         sleepView.update();
         profile.end(StepStage.TOUCH);
         profile.end(table.bodies.slotCount, contacts.count);
@@ -155,12 +198,12 @@ final class PhysicsSystem implements WorldSystem {
                 int[] slots = chunk.in(SLOT);
                 int size = chunk.size();
                 for (int row = 0; row < size; row++) {
-                    table.see(slots[row], chunk.entity(row), tick.number());
+                    table.roster.see(slots[row], chunk.entity(row), tick.number());
                 }
             }
-            table.sweep(tick.number());
+            table.roster.sweep(tick.number());
         }
-        table.beginTick();
+        table.roster.beginTick();
     }
 
     /** Islands that have come to rest sleep from the next tick on. */
@@ -168,9 +211,14 @@ final class PhysicsSystem implements WorldSystem {
         Sleepers sleepers = table.sleepers;
         long changes = sleepers.changes();
         double gravity = Math.sqrt(gravityX * gravityX + gravityY * gravityY + gravityZ * gravityZ);
-        sleepers.look(table.dynamic, table.dynamicCount, gravity, tick.stepSeconds(), tick.jobs());
+        sleepers.look(
+                table.roster.dynamic,
+                table.roster.dynamicCount,
+                gravity,
+                tick.stepSeconds(),
+                tick.jobs());
         if (sleepers.changes() != changes) {
-            table.restBounds();
+            table.roster.restBounds();
         }
     }
 
@@ -178,8 +226,8 @@ final class PhysicsSystem implements WorldSystem {
     private void moveBounds(Tick tick) {
         table.bounds.run(
                 table.broadPhase,
-                table.dynamic,
-                table.dynamicCount,
+                table.roster.dynamic,
+                table.roster.dynamicCount,
                 gravityX,
                 gravityY,
                 gravityZ,
@@ -205,11 +253,10 @@ final class PhysicsSystem implements WorldSystem {
         if (publisher.failures() == 0) {
             return;
         }
-        for (int i = 0; i < table.dynamicCount; i++) {
-            int slot = table.dynamic[i];
+        for (int slot = 0; slot < table.bodies.slotCount; slot++) {
             if (publisher.takeFailure(slot)) {
                 quarantine(slot);
-                table.addUnplaced(slot);
+                table.roster.addUnplaced(slot);
             }
         }
     }

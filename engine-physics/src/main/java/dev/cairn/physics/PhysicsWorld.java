@@ -1,10 +1,16 @@
 package dev.cairn.physics;
 
-import dev.cairn.core.ecs.EcsSystem;
+import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
-import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.joint.Joint;
+import dev.cairn.physics.joint.JointRef;
+import dev.cairn.physics.joint.Jointed;
+import dev.cairn.physics.joint.Joints;
+import dev.cairn.physics.profile.StepProfile;
 import dev.cairn.physics.state.Digest;
+import dev.cairn.physics.state.RigidBody;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -21,13 +27,21 @@ import java.util.List;
 public final class PhysicsWorld implements AutoCloseable {
     final PhysicsSystem physics;
     private final World ecs;
+    private final Query bodies;
+    private final Collisions collisions;
     private boolean stepping;
     private boolean closed;
 
-    private PhysicsWorld(PhysicsSystem physics, World ecs) {
+    private final Joints joints;
+
+    PhysicsWorld(PhysicsSystem physics, World ecs) {
         this.physics = physics;
         this.ecs = ecs;
-        physics.table.bind(ecs);
+        physics.table.roster.bind(ecs);
+        bodies = ecs.query(RigidBody.COMPONENT);
+        collisions = new Collisions(this);
+        joints = new Joints(physics.joints, physics.table.bodies, new JointHost());
+        physics.jointList = joints;
     }
 
     /**
@@ -35,8 +49,8 @@ public final class PhysicsWorld implements AutoCloseable {
      *
      * @return a builder with the defaults
      */
-    public static Builder builder() {
-        return new Builder();
+    public static PhysicsWorldBuilder builder() {
+        return new PhysicsWorldBuilder();
     }
 
     /**
@@ -60,6 +74,64 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
+     * Adds a joint, between steps. Its bodies wake.
+     *
+     * @param joint what it is like
+     * @return the joint
+     * @throws IllegalArgumentException if both bodies are one or neither moves, a body is of
+     *     another world, or the joint has no place
+     * @throws BodyRemovedException if a body is gone
+     * @throws IllegalStateException if the world is closed or a step runs
+     */
+    public JointRef add(Joint joint) {
+        return joints.add(joint);
+    }
+
+    /**
+     * The joints, and which of them broke in the last step.
+     *
+     * @return the same object each time
+     */
+    public Joints joints() {
+        return joints;
+    }
+
+    /** What joints need of this world. */
+    private final class JointHost implements Joints.Host {
+        @Override
+        public int slotOf(String name, Jointed body) {
+            if (!(Checks.notNull(name, body) instanceof BodyRef ref) || !ref.isOf(physics.table)) {
+                throw new IllegalArgumentException(
+                        name
+                                + " is "
+                                + body
+                                + ", which is no body of this world; pass what add(Body) returned");
+            }
+            return ref.alive();
+        }
+
+        @Override
+        public void wake(int slot) {
+            physics.table.sleepers.wake(slot);
+        }
+
+        @Override
+        public void apart(int a, int b) {
+            physics.table.collision.apart(a, b);
+        }
+
+        @Override
+        public void together(int a, int b) {
+            physics.table.collision.together(a, b);
+        }
+
+        @Override
+        public void requireBetweenSteps(String call) {
+            PhysicsWorld.this.requireBetweenSteps(call);
+        }
+    }
+
+    /**
      * Runs one tick of all systems.
      *
      * @param stepSeconds s, finite, above 0
@@ -79,6 +151,7 @@ public final class PhysicsWorld implements AutoCloseable {
         } finally {
             stepping = false;
         }
+        physics.view.tell();
     }
 
     /**
@@ -97,6 +170,15 @@ public final class PhysicsWorld implements AutoCloseable {
      */
     public Contacts contacts() {
         return physics.view;
+    }
+
+    /**
+     * The rules about who collides, beside the filters of colliders.
+     *
+     * @return the same object each time
+     */
+    public Collisions collisions() {
+        return collisions;
     }
 
     /**
@@ -144,9 +226,19 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return a new list
      */
     public List<BodyRef> quarantined() {
-        List<BodyRef> list = new ArrayList<>(physics.table.quarantined);
-        list.removeIf(ref -> !ref.isAlive());
-        return list;
+        return physics.table.quarantined();
+    }
+
+    /**
+     * The bodies that a kinematic one presses against a body that gives no way: what holds them on
+     * both sides comes nearer. Their contacts overlap more and more, with impulses that stay
+     * bounded, until they slip out or the user does something. Between steps; allocates.
+     *
+     * @return those of the last step, in the order of their contacts, each once
+     */
+    public List<BodyRef> crushed() {
+        requireBetweenSteps("crushed");
+        return Crush.find(physics);
     }
 
     /**
@@ -171,6 +263,9 @@ public final class PhysicsWorld implements AutoCloseable {
     public List<BodyRef> bodies() {
         List<BodyRef> alive = new ArrayList<>();
         for (int slot = 0; slot < physics.table.bodies.slotCount; slot++) {
+            if (physics.table.bodies.kind[slot] == BodyStore.FREE) {
+                continue; // a free slot, or one of a collider
+            }
             BodyRef ref = physics.table.refs[slot];
             if (ref.isAlive()) {
                 alive.add(ref);
@@ -185,17 +280,18 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return the number
      */
     public int bodyCount() {
-        return ecs.query(RigidBody.COMPONENT).entityCount();
+        return bodies.entityCount();
     }
 
     /**
-     * A hash of the state: poses, velocities, contact impulses and sleep, bit by bit. Equal for any
-     * number of workers.
+     * A hash of the state: poses, velocities, impulses of contacts and joints, and sleep, bit by
+     * bit. Equal for any number of workers.
      *
      * @return 64 bits
      */
     public long digest() {
-        return Digest.of(physics.table.bodies, physics.contacts, physics.table.sleepers);
+        return Digest.of(
+                physics.table.bodies, physics.contacts, physics.table.sleepers, physics.joints);
     }
 
     /**
@@ -226,6 +322,15 @@ public final class PhysicsWorld implements AutoCloseable {
      */
     public Kinetics kinetics() {
         return Kinetics.of(physics.table.bodies);
+    }
+
+    /**
+     * The same sums without garbage.
+     *
+     * @param sums receives the seven numbers in the order of {@link Kinetics}
+     */
+    public void kinetics(double[] sums) {
+        Kinetics.sum(physics.table.bodies, sums);
     }
 
     /**
@@ -260,7 +365,7 @@ public final class PhysicsWorld implements AutoCloseable {
     public void setPaused(boolean paused) {
         requireOpen("setPaused");
         if (!paused && isPaused()) {
-            physics.table.clearAllForces();
+            physics.table.roster.clearAllForces();
         }
         ecs.schedule().setEnabled(PhysicsSystem.NAME, !paused);
     }
@@ -360,141 +465,6 @@ public final class PhysicsWorld implements AutoCloseable {
         if (closed) {
             throw new IllegalStateException(
                     call + " was called on a world that is closed; build another one");
-        }
-    }
-
-    /** Describes a world. One thread at a time. */
-    public static final class Builder {
-        private double gravityX;
-        private double gravityY = -9.81;
-        private double gravityZ;
-        private @Nullable Jobs jobs;
-        private int workers;
-        private PhysicsSettings settings = PhysicsSettings.DEFAULT;
-        private long seed;
-        private final List<EcsSystem> systems = new ArrayList<>();
-
-        private Builder() {}
-
-        /**
-         * Sets the gravity; (0, -9.81, 0) by default.
-         *
-         * @param x m/s², finite
-         * @param y m/s², finite
-         * @param z m/s², finite
-         * @return this
-         */
-        public Builder gravity(double x, double y, double z) {
-            Checks.finite("gravity x", x);
-            Checks.finite("gravity y", y);
-            Checks.finite("gravity z", z);
-            gravityX = x;
-            gravityY = y;
-            gravityZ = z;
-            return this;
-        }
-
-        /**
-         * Sets how many threads work at a step, the caller included; by default as many as there
-         * are processors. The results do not depend on it.
-         *
-         * @param count 1 to {@link Jobs#MAX_WORKERS}
-         * @return this
-         */
-        public Builder workers(int count) {
-            workers = Checks.between("workers", count, 1, Jobs.MAX_WORKERS);
-            jobs = null;
-            return this;
-        }
-
-        /**
-         * Gives the workers, instead of {@link #workers}. The caller closes them, after the world.
-         *
-         * @param value the workers
-         * @return this
-         */
-        public Builder jobs(Jobs value) {
-            jobs = Checks.notNull("jobs", value);
-            return this;
-        }
-
-        /**
-         * Sets the solver's sub-steps of a tick; 4 by default.
-         *
-         * @param count 1 to 64
-         * @return this
-         */
-        public Builder substeps(int count) {
-            settings = settings.withSubsteps(count);
-            return this;
-        }
-
-        /**
-         * Says whether bodies that have come to rest fall asleep; true by default. A body asleep
-         * costs nothing and wakes as soon as anything happens to it. Measurements of accuracy want
-         * false, so that what they see at rest is the solver's doing.
-         *
-         * @param value false to keep all bodies awake
-         * @return this
-         */
-        public Builder sleeping(boolean value) {
-            settings = settings.withSleeping(value);
-            return this;
-        }
-
-        /**
-         * Sets all tunables.
-         *
-         * @param value the settings
-         * @return this
-         */
-        public Builder settings(PhysicsSettings value) {
-            settings = Checks.notNull("settings", value);
-            return this;
-        }
-
-        /**
-         * Sets the seed of the systems' random streams; 0 by default. The physics itself uses none.
-         *
-         * @param value any
-         * @return this
-         */
-        public Builder seed(long value) {
-            seed = value;
-            return this;
-        }
-
-        /**
-         * Adds systems of the user to the schedule, beside the physics.
-         *
-         * @param values systems; the order of registration does not matter
-         * @return this
-         */
-        public Builder systems(EcsSystem... values) {
-            Checks.notNull("systems", values);
-            for (EcsSystem system : values) {
-                systems.add(Checks.notNull("system", system));
-            }
-            return this;
-        }
-
-        /**
-         * Makes the world.
-         *
-         * @return an empty world
-         */
-        public PhysicsWorld build() {
-            PhysicsSystem physics = new PhysicsSystem(settings, gravityX, gravityY, gravityZ);
-            List<EcsSystem> all = new ArrayList<>(systems);
-            all.add(physics);
-            World.Builder builder =
-                    World.builder().systems(all.toArray(new EcsSystem[0])).seed(seed);
-            if (jobs != null) {
-                builder.jobs(jobs);
-            } else {
-                builder.workers(workers == 0 ? Jobs.defaultWorkers() : workers);
-            }
-            return new PhysicsWorld(physics, builder.build());
         }
     }
 }

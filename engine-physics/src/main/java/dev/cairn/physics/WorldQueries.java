@@ -5,6 +5,7 @@ import dev.cairn.physics.broadphase.BoxWalk;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.RayWalk;
 import dev.cairn.physics.broadphase.TreeWalk;
+import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.ColliderStore;
@@ -16,7 +17,9 @@ import dev.cairn.physics.query.ShapeQueries;
 
 import org.jspecify.annotations.Nullable;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.Predicate;
 
@@ -63,6 +66,13 @@ public final class WorldQueries {
 
     private int place;
     private @Nullable Predicate<BodyRef> filter;
+    private @Nullable Filter bits;
+    private boolean sensors;
+
+    /** Receives all that a cast meets, or null if the first is enough. */
+    private @Nullable List<Met> met;
+
+    private @Nullable ColliderRef last;
 
     WorldQueries(PhysicsWorld world) {
         this.world = world;
@@ -77,6 +87,29 @@ public final class WorldQueries {
      */
     public WorldQueries filter(@Nullable Predicate<BodyRef> wanted) {
         filter = wanted;
+        return this;
+    }
+
+    /**
+     * Chooses whom the following questions are about: colliders that one with this filter would
+     * meet. It holds together with {@link #filter}.
+     *
+     * @param asks filter of who asks; {@code null} for all colliders, whatever theirs is
+     * @return this
+     */
+    public WorldQueries withFilter(@Nullable Filter asks) {
+        bits = asks;
+        return this;
+    }
+
+    /**
+     * Says whether sensors are looked at too; by default they are not.
+     *
+     * @param value true to find sensors
+     * @return this
+     */
+    public WorldQueries withSensors(boolean value) {
+        sensors = value;
         return this;
     }
 
@@ -176,6 +209,12 @@ public final class WorldQueries {
                     continue;
                 }
                 double distance = hit.distance();
+                if (met != null) {
+                    Hit copy = new Hit();
+                    copy.set(hit);
+                    met.add(new Met(table.collision.ref(c), copy));
+                    continue;
+                }
                 if (winner == NONE || distance < limit || (distance == limit && c < winner)) {
                     limit = distance;
                     winner = c;
@@ -187,7 +226,98 @@ public final class WorldQueries {
             return null;
         }
         out.set(best);
-        return table.refs[table.colliders.body[winner]];
+        return answer(winner);
+    }
+
+    private BodyRef answer(int winner) {
+        last = table.collision.ref(winner);
+        return last.body();
+    }
+
+    /**
+     * The collider that the last ray, moving shape or question for the nearest body has found.
+     *
+     * @return the collider, or {@code null} before the first answer
+     */
+    public @Nullable ColliderRef collider() {
+        return last;
+    }
+
+    /**
+     * A collider that a ray or a moving shape has met.
+     *
+     * @param collider what was met
+     * @param hit where
+     */
+    public record Met(ColliderRef collider, Hit hit) {}
+
+    /**
+     * Follows a ray through all that it meets. Each collider is met once, where the ray first
+     * touches it. Allocates a hit for each.
+     *
+     * @param fromX where the ray starts, world, m, finite
+     * @param fromY see {@code fromX}
+     * @param fromZ see {@code fromX}
+     * @param directionX where it goes, world, any length above 0
+     * @param directionY see {@code directionX}
+     * @param directionZ see {@code directionX}
+     * @param maxDistance how far it goes, m, at least 0, may be infinite
+     * @param out receives the hits, the nearest first, of equals in slot order, after what it holds
+     * @return how many there are
+     */
+    public int rayCastAll(
+            double fromX,
+            double fromY,
+            double fromZ,
+            double directionX,
+            double directionY,
+            double directionZ,
+            double maxDistance,
+            List<? super Met> out) {
+        List<Met> found = new ArrayList<>();
+        met = found;
+        try {
+            rayCast(fromX, fromY, fromZ, directionX, directionY, directionZ, maxDistance, best);
+        } finally {
+            met = null;
+        }
+        return sorted(found, out);
+    }
+
+    /**
+     * Moves a shape, without turning it, through all that it meets. As {@link #rayCastAll}.
+     *
+     * @param moving the shape where it starts; not a half-space
+     * @param directionX where it goes, world, any length above 0
+     * @param directionY see {@code directionX}
+     * @param directionZ see {@code directionX}
+     * @param maxDistance how far it goes, m, at least 0, may be infinite
+     * @param out receives the hits, the nearest first, of equals in slot order, after what it holds
+     * @return how many there are
+     */
+    public int shapeCastAll(
+            Placement moving,
+            double directionX,
+            double directionY,
+            double directionZ,
+            double maxDistance,
+            List<? super Met> out) {
+        List<Met> found = new ArrayList<>();
+        met = found;
+        try {
+            shapeCast(moving, directionX, directionY, directionZ, maxDistance, best);
+        } finally {
+            met = null;
+        }
+        return sorted(found, out);
+    }
+
+    private static int sorted(List<Met> found, List<? super Met> out) {
+        found.sort(
+                Comparator.<Met>comparingDouble(one -> one.hit().distance())
+                        .thenComparingInt(one -> one.collider().slot()));
+        out.addAll(found);
+        return found.size();
     }
 
     private boolean meets(int collider, double dx, double dy, double dz, double limit) {
@@ -239,7 +369,7 @@ public final class WorldQueries {
             return null;
         }
         out.set(nearest);
-        return table.refs[table.colliders.body[winner]];
+        return answer(winner);
     }
 
     /**
@@ -310,7 +440,10 @@ public final class WorldQueries {
 
     private boolean isWanted(int collider) {
         BodyRef body = table.refs[table.colliders.body[collider]];
-        return body.isAlive() && (filter == null || filter.test(body));
+        return (!table.colliders.sensor[collider] || sensors)
+                && (bits == null || bits.meets(table.colliders.filter[collider]))
+                && body.isAlive()
+                && (filter == null || filter.test(body));
     }
 
     private void aim(int c) {
@@ -329,17 +462,20 @@ public final class WorldQueries {
     /** Looks for colliders that are not within their fat box, once after each change of places. */
     private void begin() {
         world.requireBetweenSteps("a query");
-        if (places == table.places) {
+        if (places == table.roster.places) {
             return;
         }
-        places = table.places;
+        places = table.roster.places;
         astrayCount = 0;
-        for (int i = 0; i < table.unplacedCount; i++) {
-            stray(table.unplaced[i], false);
+        for (int i = 0; i < table.roster.unplacedCount; i++) {
+            // the others follow below
+            if (table.bodies.kind[table.roster.unplaced[i]] == BodyStore.STATIC) {
+                stray(table.roster.unplaced[i], false);
+            }
         }
         byte[] kind = table.bodies.kind;
         for (int slot = 0; slot < table.bodies.slotCount; slot++) {
-            if (kind[slot] == BodyStore.DYNAMIC || kind[slot] == BodyStore.ASLEEP) {
+            if (kind[slot] != BodyStore.FREE && kind[slot] != BodyStore.STATIC) {
                 stray(slot, true);
             }
         }

@@ -1,12 +1,15 @@
 package dev.cairn.physics;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.tuning.Precision;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -128,12 +131,55 @@ class AllocationTest {
         }
     }
 
+    /** Bodies of two colliders, a hook, hits, a listener, and a ball that bounces in a sensor. */
+    @Test
+    void collidersHooksSensorsAndListeners() {
+        try (PhysicsWorld world = scalar().sleeping(false).workers(2).build()) {
+            Scenes.ground(world);
+            world.collisions().setHook(contact -> contact.remember(contact.memory() + 1));
+            world.contacts().setHitSpeed(.1);
+            int[] told = new int[2];
+            world.contacts()
+                    .listen(
+                            new ContactListener() {
+                                @Override
+                                public void hit(Contacts.Hits hits, int hit) {
+                                    told[0] += hits.approachSpeed(hit) > 0 ? 1 : 0;
+                                }
+
+                                @Override
+                                public void entered(ColliderRef sensor, ColliderRef visitor) {
+                                    told[1]++;
+                                }
+                            });
+            for (int i = 0; i < 8; i++) {
+                world.add(
+                        Body.dynamic()
+                                .collider(Collider.of(Box.cube(.3)).at(-.3, 0, 0))
+                                .collider(Collider.of(Box.cube(.3)).at(.3, 0, 0))
+                                .at(2 * i, .4 + .7 * (i % 2), 5));
+            }
+            Material lively = new Material(0, 1, 1000);
+            world.add(Body.fixed().shape(Box.of(2, .1, 2)).at(0, 9, 0).material(lively));
+            world.add(
+                    Body.fixed().collider(Collider.of(Box.of(2, .5, 2)).sensor(true)).at(0, 12, 0));
+            world.add(
+                    Body.dynamic()
+                            .shape(Sphere.of(.2))
+                            .at(0, 12.5, 0)
+                            .gravityScale(.5)
+                            .material(lively));
+            measure(world, 900);
+            assertTrue(told[0] > 10 && told[1] > 10, told[0] + " hits, " + told[1] + " entered");
+        }
+    }
+
     /**
      * A world without lanes. Other tests in this JVM try several numbers of them, and leave type
      * profiles behind with which the Vector API's vectors are objects; the system tests measure
      * lanes in a JVM of their own.
      */
-    private static PhysicsWorld.Builder scalar() {
+    private static PhysicsWorldBuilder scalar() {
         return PhysicsWorld.builder().settings(PhysicsSettings.DEFAULT.withLanes(1));
     }
 

@@ -9,8 +9,10 @@ import dev.cairn.core.ecs.Access;
 import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.WorldSystem;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.state.RigidBody;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -71,7 +73,7 @@ class BadInputTest {
     @SuppressWarnings({"DataFlowIssue", "NullAway"})
     void nulls() {
         Class<IllegalArgumentException> type = IllegalArgumentException.class;
-        refuses(type, () -> world.add(null), "body", "null");
+        refuses(type, () -> world.add((Body) null), "body", "null");
         refuses(type, () -> Body.dynamic().shape(null), "shape");
         refuses(type, () -> world.add(Body.dynamic()), "no shape", ".shape(");
         refuses(type, () -> world.add(Body.dynamic().name("x")), "'x'");

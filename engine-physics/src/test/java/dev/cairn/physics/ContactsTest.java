@@ -12,6 +12,7 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.state.RigidBody;
 
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;

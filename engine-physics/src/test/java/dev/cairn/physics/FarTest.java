@@ -29,7 +29,7 @@ class FarTest {
 
     private record Run(double[] places, double[] speeds, long digest, boolean far) {}
 
-    private static PhysicsWorld.Builder world(int workers, int lanes) {
+    private static PhysicsWorldBuilder world(int workers, int lanes) {
         return Scenes.awake()
                 .workers(workers)
                 .settings(PhysicsSettings.DEFAULT.withSubsteps(4).withLanes(lanes));

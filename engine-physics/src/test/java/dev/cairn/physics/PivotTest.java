@@ -9,6 +9,7 @@ import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.tuning.Precision;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;

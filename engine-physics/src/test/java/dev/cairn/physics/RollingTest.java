@@ -8,6 +8,7 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.tuning.Precision;
 
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;

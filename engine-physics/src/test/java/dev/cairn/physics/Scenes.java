@@ -26,7 +26,7 @@ final class Scenes {
     private Scenes() {}
 
     /** A world to be, in which nothing sleeps: truths are stated of bodies that are awake. */
-    static PhysicsWorld.Builder awake() {
+    static PhysicsWorldBuilder awake() {
         return PhysicsWorld.builder().sleeping(false);
     }
 

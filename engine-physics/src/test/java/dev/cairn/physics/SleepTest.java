@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
 

@@ -3,6 +3,8 @@ package dev.cairn.physics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.profile.StepProfile;
+import dev.cairn.physics.profile.StepStage;
 import dev.cairn.physics.shape.Box;
 
 import jdk.jfr.Recording;

@@ -2,7 +2,7 @@ package dev.cairn.samples;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.PhysicsSettings;
-import dev.cairn.physics.Precision;
+import dev.cairn.physics.tuning.Precision;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneFileException;
@@ -284,6 +284,14 @@ record Request(
             throw new UsageException(
                     "--export-scene %s: only writes the file; it goes with --scene, --set, --seed"
                             .formatted(typed.exportScene));
+        }
+        if (!typed.settings.isEmpty()
+                && typed.scenes.isEmpty()
+                && typed.sceneFile == null
+                && typed.obj == null) {
+            throw new UsageException(
+                    "--set %s: of which scene? Add --scene ID; --list shows all"
+                            .formatted(typed.settings.get(0)));
         }
         if (typed.window && typed.headless) {
             throw new UsageException(

@@ -1,7 +1,7 @@
 package dev.cairn.samples;
 
 import dev.cairn.core.job.Jobs;
-import dev.cairn.physics.StepStage;
+import dev.cairn.physics.profile.StepStage;
 import dev.cairn.render.app.DebugLayer;
 import dev.cairn.render.app.View;
 import dev.cairn.render.ui.TextBuffer;
@@ -30,7 +30,7 @@ final class SimulationPanel {
     }
 
     private final Sandbox sandbox;
-    private final KeyFields keys;
+    private final KeyRows keys;
     private final TextBuffer text = new TextBuffer();
     private int askedWorkers;
     private int askedSubsteps;
@@ -39,7 +39,7 @@ final class SimulationPanel {
 
     SimulationPanel(Sandbox sandbox) {
         this.sandbox = sandbox;
-        this.keys = new KeyFields(sandbox);
+        this.keys = new KeyRows(sandbox);
     }
 
     void draw(Ui ui, View view, SandboxState state, double height, boolean edited) {

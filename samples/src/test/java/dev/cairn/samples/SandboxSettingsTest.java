@@ -4,7 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
-import dev.cairn.physics.Precision;
+import dev.cairn.physics.tuning.Precision;
 import dev.cairn.samples.scenes.StackOfBoxes;
 
 import org.junit.jupiter.api.Test;

@@ -6,7 +6,7 @@ import dev.cairn.physics.Contacts;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
-import dev.cairn.physics.Precision;
+import dev.cairn.physics.tuning.Precision;
 import dev.cairn.samples.SceneBuilder.ConstantForce;
 
 import org.joml.Quaterniond;

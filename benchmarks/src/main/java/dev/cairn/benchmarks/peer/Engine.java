@@ -1,6 +1,6 @@
 package dev.cairn.benchmarks.peer;
 
-import dev.cairn.physics.Precision;
+import dev.cairn.physics.tuning.Precision;
 
 import java.util.ArrayList;
 import java.util.List;

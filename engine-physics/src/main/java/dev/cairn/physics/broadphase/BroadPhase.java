@@ -3,6 +3,8 @@ package dev.cairn.physics.broadphase;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
 
 import java.util.Arrays;
 
@@ -57,8 +59,24 @@ public final class BroadPhase {
     private long[] newPairs = new long[64];
     private int newPairCount;
 
-    /** Without colliders. */
-    public BroadPhase() {}
+    private final PairFilter filter;
+
+    /** Slots whose filter changed since the last tick; so their pairs may end, or begin. */
+    private boolean refiltered;
+
+    /** Without colliders; all pairs are admitted. */
+    public BroadPhase() {
+        this(new PairFilter(new ColliderStore(new BodyStore())));
+    }
+
+    /**
+     * Without colliders.
+     *
+     * @param filter says which boxes that overlap are pairs
+     */
+    public BroadPhase(PairFilter filter) {
+        this.filter = filter;
+    }
 
     /** Grows the columns; between phases only. */
     public void ensureSlots(int slots) {
@@ -113,6 +131,10 @@ public final class BroadPhase {
         } else {
             tree.move(leaf[slot], box, offset);
         }
+        mark(slot);
+    }
+
+    private void mark(int slot) {
         if (!moved[slot]) {
             moved[slot] = true;
             if (movedCount == movedSlots.length) {
@@ -120,6 +142,37 @@ public final class BroadPhase {
             }
             movedSlots[movedCount++] = slot;
         }
+    }
+
+    /**
+     * What a slot's filter says has changed: its pairs are looked at anew, and looked for.
+     *
+     * @param slot with or without a box
+     */
+    public void refilter(int slot) {
+        if (where[slot] != OUT) {
+            refiltered = true;
+            mark(slot);
+        }
+    }
+
+    /**
+     * Whether the filters of slots that count as {@link #moved} may have changed.
+     *
+     * @return true between refilter and endTick
+     */
+    public boolean isRefiltered() {
+        return refiltered;
+    }
+
+    /**
+     * Whether the filters admit two slots as a pair; asks the user too, so on the simulation thread
+     * and in a fixed order.
+     *
+     * @return true while nobody refuses
+     */
+    public boolean admits(int a, int b) {
+        return !filter.active || filter.isPair(a, b);
     }
 
     /**
@@ -131,13 +184,7 @@ public final class BroadPhase {
             return;
         }
         takeOut(slot);
-        if (!moved[slot]) {
-            moved[slot] = true;
-            if (movedCount == movedSlots.length) {
-                movedSlots = Arrays.copyOf(movedSlots, 2 * movedCount);
-            }
-            movedSlots[movedCount++] = slot;
-        }
+        mark(slot);
     }
 
     private static boolean isEndless(double[] box, int offset) {
@@ -262,6 +309,9 @@ public final class BroadPhase {
         for (int b = 0; b < blocks; b++) {
             for (int i = 0; i < foundCount[b]; i++) {
                 long key = found[b][i];
+                if (filter.active && !filter.passes((int) (key >>> 32), (int) key)) {
+                    continue;
+                }
                 if (pairs.add(key)) {
                     newPairs[newPairCount++] = key;
                 }
@@ -323,6 +373,9 @@ public final class BroadPhase {
             if (other == slot || (moved[other] && !reports(slot, other))) {
                 continue;
             }
+            if (filter.active && !filter.admits(slot, other)) {
+                continue;
+            }
             long key = PairSet.key(slot, other);
             if (!pairs.contains(key)) {
                 if (count < out.length) {
@@ -338,7 +391,8 @@ public final class BroadPhase {
     private int queryEndless(int slot, long[] out, int count) {
         int total = count;
         for (int i = 0; i < endlessCount; i++) {
-            if (!AabbTree.overlap(fat, 6 * slot, fat, 6 * endless[i])) {
+            if (!AabbTree.overlap(fat, 6 * slot, fat, 6 * endless[i])
+                    || (filter.active && !filter.admits(slot, endless[i]))) {
                 continue;
             }
             long key = PairSet.key(slot, endless[i]);
@@ -398,6 +452,7 @@ public final class BroadPhase {
         }
         movedCount = 0;
         newPairCount = 0;
+        refiltered = false;
     }
 
     /** The tree of colliders that never move. */

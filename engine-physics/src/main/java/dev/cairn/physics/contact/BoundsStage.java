@@ -139,7 +139,36 @@ public final class BoundsStage {
             box[at + 4] += p.positionY[c];
             box[at + 5] += p.positionZ[c];
             setAhead(c, 0, 0, 0, 0);
-            target.place(c, true, box, at);
+            // a sensor of a fixed body also meets what is fixed
+            target.place(c, !colliders.sensor[c], box, at);
+        }
+    }
+
+    /**
+     * Places a kinematic body that moves: where it is, where it will be, and what its turn may
+     * carry out in between.
+     *
+     * @param stepSeconds length of the tick, s
+     */
+    public void placeDriven(BroadPhase target, int slot, double stepSeconds) {
+        broadPhase = target;
+        BodyStore b = bodies;
+        step = stepSeconds;
+        double spin =
+                Math.sqrt(
+                        b.angularVelocityX[slot] * b.angularVelocityX[slot]
+                                + b.angularVelocityY[slot] * b.angularVelocityY[slot]
+                                + b.angularVelocityZ[slot] * b.angularVelocityZ[slot]);
+        for (int c = b.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            double vx = b.velocityX[slot];
+            double vy = b.velocityY[slot];
+            double vz = b.velocityZ[slot];
+            if (c == slot) {
+                look(c, vx, vy, vz, spin, 0);
+            } else {
+                lookAtChild(slot, c, vx, vy, vz, spin);
+            }
+            target.place(c, true, box, 6 * c);
         }
     }
 
@@ -277,18 +306,52 @@ public final class BoundsStage {
                         && Math.abs(b.positionZ[s]) <= LIMIT;
         int changes = 0;
         for (int c = b.collider[s]; c != ColliderStore.NONE; c = colliders.next[c]) {
-            state[c] = valid ? look(c, vx, vy, vz, spin) : INVALID;
+            state[c] =
+                    !valid
+                            ? INVALID
+                            : c == s
+                                    ? look(c, vx, vy, vz, spin, 0)
+                                    : lookAtChild(s, c, vx, vy, vz, spin);
             changes += state[c];
         }
         return changes;
     }
 
-    private byte look(int c, double vx, double vy, double vz, double spin) {
+    /**
+     * The centre of a child goes with v + w x o, o from the body's centre. In the time t it leaves
+     * that line by at most |o| (a t + w² t²/2), a what torques may add to the spin w; and never by
+     * more than 2 |o|.
+     */
+    private byte lookAtChild(int s, int c, double vx, double vy, double vz, double spin) {
+        BodyStore b = bodies;
+        Poses p = colliders.poses;
+        double ox = p.apartX(s, c);
+        double oy = p.apartY(s, c);
+        double oz = p.apartZ(s, c);
+        double wx = b.angularVelocityX[s];
+        double wy = b.angularVelocityY[s];
+        double wz = b.angularVelocityZ[s];
+        double reach = step * speculativeTime;
+        double arm = Math.sqrt(ox * ox + oy * oy + oz * oz);
+        double pushed = spin - Math.sqrt(wx * wx + wy * wy + wz * wz);
+        double turn = spin * reach;
+        double bend = arm * Math.min(2, pushed * reach + 0.5 * turn * turn);
+        return look(
+                c,
+                vx + wy * oz - wz * oy,
+                vy + wz * ox - wx * oz,
+                vz + wx * oy - wy * ox,
+                spin,
+                bend);
+    }
+
+    /** With what the centre may leave the line of its velocity by within the reach, m. */
+    private byte look(int c, double vx, double vy, double vz, double spin, double bend) {
         Poses p = colliders.poses;
         double reach = step * speculativeTime;
         double inner = colliders.innerRadius[c];
         double outer = colliders.outerRadius[c];
-        double arc = Math.min(spin * outer * reach, outer - inner);
+        double arc = Math.min(spin * outer * reach, outer - inner) + bend;
         setAhead(c, vx, vy, vz, arc);
         tightBox(c);
         double pad = arc + speculativeFraction * inner;

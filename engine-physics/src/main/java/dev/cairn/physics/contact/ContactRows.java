@@ -50,7 +50,15 @@ public final class ContactRows {
      * @param pairs after its pairs phase
      * @param events receives the touches that end with a row
      */
-    public void update(ContactStore store, BroadPhase pairs, TouchEvents events, Jobs jobs) {
+    public void update(
+            ContactStore store,
+            BroadPhase pairs,
+            TouchEvents events,
+            SensorStage sensors,
+            Jobs jobs) {
+        if (sensors.count() > 0 && pairs.movedCount() > 0) {
+            sensors.drop();
+        }
         broadPhase = pairs;
         contacts = store;
         boolean others = sleepers.asleepCount() > 0 && othersMoved();
@@ -67,7 +75,7 @@ public final class ContactRows {
             wakeMoved();
             activate(bodies, store, pairs);
         }
-        append(store, pairs);
+        append(store, pairs, sensors);
     }
 
     /** Whether a box changed that is not of an awake body: rows that are not active matter, too. */
@@ -89,6 +97,9 @@ public final class ContactRows {
         every = all;
         int blocks = Blocks.count(candidates, ROWS_PER_BLOCK);
         jobs.run(markJob, blocks);
+        if (broadPhase.isRefiltered()) {
+            markRefused();
+        }
         int block = 0;
         while (block < blocks && partedInBlock[block] == 0) {
             block++;
@@ -119,7 +130,7 @@ public final class ContactRows {
             parted[row] = false;
             broadPhase.forget(c.colliderA[row], c.colliderB[row]);
             if (c.touching[row] != 0) {
-                events.addEnded(c.bodyA[row], c.bodyB[row]);
+                events.addEnded(c.colliderA[row], c.colliderB[row]);
             }
             if (c.isSolved(row)) {
                 sleepers.wake(c.bodyA[row]);
@@ -146,6 +157,22 @@ public final class ContactRows {
             count += apart ? 1 : 0;
         }
         partedInBlock[block] = count;
+    }
+
+    /** Marks rows that the filters refuse since they were changed; in row order. */
+    private void markRefused() {
+        ContactStore c = contacts;
+        for (int i = 0; i < candidates; i++) {
+            int row = every ? i : c.active[i];
+            int a = c.colliderA[row];
+            int b = c.colliderB[row];
+            if (!parted[row]
+                    && (broadPhase.moved(a) || broadPhase.moved(b))
+                    && !broadPhase.admits(a, b)) {
+                parted[row] = true;
+                partedInBlock[i / ROWS_PER_BLOCK]++;
+            }
+        }
     }
 
     /** Whoever touches a fixed body that was moved wakes. */
@@ -179,10 +206,15 @@ public final class ContactRows {
         c.activeCount = count;
     }
 
-    private void append(ContactStore c, BroadPhase pairs) {
+    private void append(ContactStore c, BroadPhase pairs, SensorStage sensors) {
         int added = pairs.newPairCount();
         if (added == 0) {
             return;
+        }
+        long[] keys = pairs.newPairs();
+        int sensed = 0;
+        for (int i = 0; colliders.sensors && i < added; i++) {
+            sensed += sensors.takes((int) (keys[i] >>> 32), (int) keys[i]) ? 1 : 0;
         }
         if (c.count + (long) added > Integer.MAX_VALUE / (2L * ContactStore.POINTS)) {
             throw new IllegalStateException(
@@ -192,16 +224,16 @@ public final class ContactRows {
                             + " rows are possible");
         }
         int row = c.count;
-        c.append(added);
-        long[] keys = pairs.newPairs();
-        for (int i = 0; i < added; i++, row++) {
+        if (added > sensed) {
+            c.append(added - sensed);
+        }
+        for (int i = 0; i < added; i++) {
             int a = (int) (keys[i] >>> 32);
             int b = (int) keys[i];
-            c.join(row, colliders, a, b);
-            c.setFriction(row, Math.sqrt(colliders.friction[a] * colliders.friction[b]));
-            c.restitution[row] = Math.max(colliders.restitution[a], colliders.restitution[b]);
-            if (c.rolls) {
-                c.rollingArm[row] = Math.max(colliders.rollingArm[a], colliders.rollingArm[b]);
+            if (sensed > 0 && sensors.takes(a, b)) {
+                sensors.add(a, b);
+            } else {
+                c.join(row++, colliders, a, b);
             }
         }
     }

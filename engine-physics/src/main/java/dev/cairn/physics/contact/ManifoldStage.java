@@ -117,21 +117,27 @@ public final class ManifoldStage {
         int others = kinds.begin(PairKinds.OTHERS);
         if (block < boxBlocks) {
             int begin = Blocks.begin(block, BOXES_PER_BLOCK);
-            boxes(begin, Blocks.end(block, BOXES_PER_BLOCK, round) - begin, own);
+            int end = Blocks.end(block, BOXES_PER_BLOCK, round);
+            boxes(begin, end - begin, own);
+            points.fromBodies(kinds.order(), begin, end);
             return;
         }
         int b = block - boxBlocks;
         if (b < roundBlocks) {
+            int begin = round + Blocks.begin(b, ROUND_PER_BLOCK);
             int end = round + Blocks.end(b, ROUND_PER_BLOCK, others - round);
-            round(round + Blocks.begin(b, ROUND_PER_BLOCK), end, own);
+            round(begin, end, own);
+            points.fromBodies(kinds.order(), begin, end);
             return;
         }
         b -= roundBlocks;
         int[] order = kinds.order();
         int end = others + Blocks.end(b, OTHERS_PER_BLOCK, contacts.activeCount - others);
-        for (int i = others + Blocks.begin(b, OTHERS_PER_BLOCK); i < end; i++) {
+        int begin = others + Blocks.begin(b, OTHERS_PER_BLOCK);
+        for (int i = begin; i < end; i++) {
             collide(order[i], own);
         }
+        points.fromBodies(order, begin, end);
     }
 
     private void round(int begin, int end, Scratch own) {

@@ -5,6 +5,8 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 
+import java.util.Arrays;
+
 /**
  * Writes a manifold into its row. A point keeps the impulse of the point of the last tick that has
  * its feature id; a new id takes over from an old point that was hardly elsewhere. The points come
@@ -44,6 +46,50 @@ final class PointStore {
             match(row, m, own);
         }
         place(row, m);
+    }
+
+    /**
+     * The narrow phase tells points from the centres of colliders; the solver wants them from those
+     * of bodies. After all points of some rows are written.
+     */
+    void fromBodies(int[] rows, int begin, int end) {
+        if (!contacts.compounds) {
+            return;
+        }
+        for (int i = begin; i < end; i++) {
+            int row = rows[i];
+            boolean children = lever(contacts.colliderA[row], 6 * row);
+            children |= lever(contacts.colliderB[row], 6 * row + 3);
+            if (children) {
+                shift(row);
+            }
+        }
+    }
+
+    /** Notes where a collider is on its body; whether it is elsewhere than its centre. */
+    private boolean lever(int collider, int at) {
+        double[] lever = contacts.lever;
+        if (!colliders.isChild(collider)) {
+            Arrays.fill(lever, at, at + 3, 0);
+            return false;
+        }
+        Poses s = colliders.poses;
+        int body = colliders.body[collider];
+        lever[at] = s.apartX(body, collider);
+        lever[at + 1] = s.apartY(body, collider);
+        lever[at + 2] = s.apartZ(body, collider);
+        return true;
+    }
+
+    private void shift(int row) {
+        ContactStore c = contacts;
+        int first = ContactStore.POINTS * row;
+        for (int p = first; p < first + c.pointCount[row]; p++) {
+            int at = ContactStore.anchor(p);
+            for (int k = 0; k < 6; k++) {
+                c.anchors[at + k] += c.lever[6 * row + k];
+            }
+        }
     }
 
     private boolean sameNames(int row, Manifold m) {
@@ -86,7 +132,7 @@ final class PointStore {
         int first = ContactStore.POINTS * row;
         int before = c.pointCount[row];
         int points = m.pointCount;
-        own.take(c, first, before);
+        own.take(c, row, before);
         c.pointCount[row] = points;
         boolean persists = false;
         for (int p = 0; p < points; p++) {
@@ -164,7 +210,8 @@ final class PointStore {
         final boolean[] unmatched = new boolean[ContactStore.POINTS];
         final PointOrder order = new PointOrder();
 
-        void take(ContactStore c, int first, int count) {
+        void take(ContactStore c, int row, int count) {
+            int first = ContactStore.POINTS * row;
             for (int p = 0; p < count; p++) {
                 feature[p] = c.feature[first + p];
                 impulse[p] = c.normalImpulse[first + p];
@@ -172,6 +219,11 @@ final class PointStore {
                 x[p] = c.anchorAX(first + p);
                 y[p] = c.anchorAY(first + p);
                 z[p] = c.anchorAZ(first + p);
+                if (c.compounds) {
+                    x[p] -= c.lever[6 * row];
+                    y[p] -= c.lever[6 * row + 1];
+                    z[p] -= c.lever[6 * row + 2];
+                }
             }
         }
     }

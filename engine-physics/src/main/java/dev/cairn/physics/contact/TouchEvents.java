@@ -3,6 +3,7 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 
 import java.util.Arrays;
@@ -30,6 +31,12 @@ public final class TouchEvents {
     private int[] ended = new int[64];
     private int endedCount;
 
+    private final BlockJob approachJob = this::approachBlock;
+    private BodyStore bodies = new BodyStore();
+    private double hitSpeed = Double.POSITIVE_INFINITY;
+    private int[] hits = new int[16];
+    private int hitCount;
+
     /** Without events. */
     public TouchEvents() {}
 
@@ -37,6 +44,93 @@ public final class TouchEvents {
     public void clear() {
         beganCount = 0;
         endedCount = 0;
+        hitCount = 0;
+    }
+
+    /**
+     * From which approach speed on a touch that begins is a hit; between steps.
+     *
+     * @param rows whose speeds are noted
+     * @param speed m/s, at least 0; infinite for no hits, which costs nothing
+     */
+    public void setHitSpeed(ContactStore rows, double speed) {
+        hitSpeed = speed;
+        if (speed < Double.POSITIVE_INFINITY) {
+            rows.beginHits();
+        }
+    }
+
+    /**
+     * Notes how fast pairs approach that do not touch yet; before the solve, if hits are wanted.
+     *
+     * @param store velocities at the start of the tick
+     */
+    public void approach(ContactStore rows, BodyStore store, Jobs jobs) {
+        if (hitSpeed == Double.POSITIVE_INFINITY) {
+            return;
+        }
+        contacts = rows;
+        bodies = store;
+        jobs.run(approachJob, Blocks.count(rows.activeCount, ROWS_PER_BLOCK));
+    }
+
+    private void approachBlock(int block, int worker) {
+        ContactStore c = contacts;
+        int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
+        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
+            int row = c.active[i];
+            if (c.touching[row] == 0) {
+                c.approach[row] = speed(c, row);
+            }
+        }
+    }
+
+    /** The largest (vA + wA x rA - vB - wB x rB) . n of the points, 0 if there are none. */
+    private double speed(ContactStore c, int row) {
+        BodyStore b = bodies;
+        int i = c.bodyA[row];
+        int j = c.bodyB[row];
+        double nx = c.normalX(row);
+        double ny = c.normalY(row);
+        double nz = c.normalZ(row);
+        double most = 0;
+        int first = ContactStore.POINTS * row;
+        for (int p = first; p < first + c.pointCount[row]; p++) {
+            double x = velocityX(b, i, c.anchorAY(p), c.anchorAZ(p));
+            double y = velocityY(b, i, c.anchorAX(p), c.anchorAZ(p));
+            double z = velocityZ(b, i, c.anchorAX(p), c.anchorAY(p));
+            x -= velocityX(b, j, c.anchorBY(p), c.anchorBZ(p));
+            y -= velocityY(b, j, c.anchorBX(p), c.anchorBZ(p));
+            z -= velocityZ(b, j, c.anchorBX(p), c.anchorBY(p));
+            most = Math.max(most, x * nx + y * ny + z * nz);
+        }
+        return most;
+    }
+
+    private static double velocityX(BodyStore b, int i, double y, double z) {
+        return b.velocityX[i] + b.angularVelocityY[i] * z - b.angularVelocityZ[i] * y;
+    }
+
+    private static double velocityY(BodyStore b, int i, double x, double z) {
+        return b.velocityY[i] + b.angularVelocityZ[i] * x - b.angularVelocityX[i] * z;
+    }
+
+    private static double velocityZ(BodyStore b, int i, double x, double y) {
+        return b.velocityZ[i] + b.angularVelocityX[i] * y - b.angularVelocityY[i] * x;
+    }
+
+    /** How many pairs met at speed. */
+    public int hitCount() {
+        return hitCount;
+    }
+
+    /**
+     * The row of a pair that met at speed; until the next tick.
+     *
+     * @param hit 0 to hitCount - 1
+     */
+    public int hit(int hit) {
+        return hits[hit];
     }
 
     /**
@@ -60,9 +154,9 @@ public final class TouchEvents {
             for (int i = Blocks.begin(b, ROWS_PER_BLOCK); i < end; i++) {
                 int row = rows.active[i];
                 if (change[i] > 0) {
-                    addBegan(rows.bodyA[row], rows.bodyB[row]);
+                    addBegan(rows.colliderA[row], rows.colliderB[row], row);
                 } else if (change[i] < 0) {
-                    addEnded(rows.bodyA[row], rows.bodyB[row]);
+                    addEnded(rows.colliderA[row], rows.colliderB[row]);
                 }
             }
         }
@@ -101,7 +195,13 @@ public final class TouchEvents {
         return false;
     }
 
-    private void addBegan(int a, int b) {
+    private void addBegan(int a, int b, int row) {
+        if (hitSpeed < Double.POSITIVE_INFINITY && contacts.approach[row] >= hitSpeed) {
+            if (hitCount == hits.length) {
+                hits = Arrays.copyOf(hits, 2 * hitCount);
+            }
+            hits[hitCount++] = row;
+        }
         if (2 * beganCount == began.length) {
             began = Arrays.copyOf(began, 2 * began.length);
         }
@@ -130,7 +230,7 @@ public final class TouchEvents {
     }
 
     /**
-     * A slot of a pair that began to touch.
+     * A collider of a pair that began to touch.
      *
      * @param event 0 to beganCount - 1
      * @param side 0 for A, 1 for B
@@ -140,7 +240,7 @@ public final class TouchEvents {
     }
 
     /**
-     * A slot of a pair that ceased to touch.
+     * A collider of a pair that ceased to touch.
      *
      * @param event 0 to endedCount - 1
      * @param side 0 for A, 1 for B

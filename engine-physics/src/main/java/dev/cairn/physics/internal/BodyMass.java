@@ -3,6 +3,8 @@ package dev.cairn.physics.internal;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
 
+import java.util.List;
+
 /** Mass and inertia of a body, and their inverses. */
 public final class BodyMass {
     private BodyMass() {}
@@ -23,7 +25,24 @@ public final class BodyMass {
             double ixx,
             double iyy,
             double izz) {
-        MassProperties p = shape.massProperties(density);
+        return of(shape, shape.massProperties(density), isFixed, kilograms, ixx, iyy, izz);
+    }
+
+    /**
+     * The same, of what the parts of a body sum up to.
+     *
+     * @param shape what a message names
+     * @param own mass, centre and inertia if the user gives none
+     */
+    public static MassProperties of(
+            Object shape,
+            MassProperties own,
+            boolean isFixed,
+            double kilograms,
+            double ixx,
+            double iyy,
+            double izz) {
+        MassProperties p = own;
         if (p.mass() == Double.POSITIVE_INFINITY) {
             if (!isFixed) {
                 throw new IllegalArgumentException(
@@ -75,6 +94,50 @@ public final class BodyMass {
                             + " choose another size, density or mass");
         }
         return p;
+    }
+
+    /**
+     * What several bodies rigidly joined are as one: with d from the common centre to that of a
+     * part, I is the sum of I_i + m_i (d² 1 - d dᵀ) (Huygens and Steiner).
+     *
+     * @param parts each in the axes and from the origin of the body's frame
+     * @return about the common centre; of infinite mass if a part is
+     */
+    public static MassProperties sum(List<MassProperties> parts) {
+        double mass = 0;
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        for (MassProperties p : parts) {
+            if (p.mass() == Double.POSITIVE_INFINITY) {
+                return new MassProperties(p.mass(), 0, 0, 0, 1, 1, 1, 0, 0, 0);
+            }
+            mass += p.mass();
+            x += p.mass() * p.comX();
+            y += p.mass() * p.comY();
+            z += p.mass() * p.comZ();
+        }
+        x /= mass;
+        y /= mass;
+        z /= mass;
+        double xx = 0;
+        double yy = 0;
+        double zz = 0;
+        double xy = 0;
+        double xz = 0;
+        double yz = 0;
+        for (MassProperties p : parts) {
+            double dx = p.comX() - x;
+            double dy = p.comY() - y;
+            double dz = p.comZ() - z;
+            xx += p.ixx() + p.mass() * (dy * dy + dz * dz);
+            yy += p.iyy() + p.mass() * (dx * dx + dz * dz);
+            zz += p.izz() + p.mass() * (dx * dx + dy * dy);
+            xy += p.ixy() - p.mass() * dx * dy;
+            xz += p.ixz() - p.mass() * dx * dz;
+            yz += p.iyz() - p.mass() * dy * dz;
+        }
+        return new MassProperties(mass, x, y, z, xx, yy, zz, xy, xz, yz);
     }
 
     /**

@@ -30,10 +30,19 @@ public final class BodyStore extends Poses {
      */
     public static final byte ASLEEP = 3;
 
+    /**
+     * Kind of a body that moves as the user says: infinite mass, and a velocity. Loops that ask for
+     * {@link #DYNAMIC} take it for one that does not move.
+     */
+    public static final byte KINEMATIC = 4;
+
+    /** How many kinematic bodies move in this tick. */
+    public int driven;
+
     /** One past the highest slot in use. */
     public int slotCount;
 
-    /** {@link #FREE}, {@link #STATIC}, {@link #DYNAMIC} or {@link #ASLEEP}. */
+    /** {@link #FREE}, {@link #STATIC}, {@link #DYNAMIC}, {@link #ASLEEP}, {@link #KINEMATIC}. */
     public byte[] kind = new byte[0];
 
     /** ECS entity of the body. */
@@ -206,6 +215,23 @@ public final class BodyStore extends Poses {
     }
 
     /**
+     * Whether a body is kinematic and moves.
+     *
+     * @param slot whose
+     * @return false for all others
+     */
+    public boolean isDriven(int slot) {
+        return driven > 0
+                && kind[slot] == KINEMATIC
+                && (velocityX[slot] != 0
+                        || velocityY[slot] != 0
+                        || velocityZ[slot] != 0
+                        || angularVelocityX[slot] != 0
+                        || angularVelocityY[slot] != 0
+                        || angularVelocityZ[slot] != 0);
+    }
+
+    /**
      * Puts a body somewhere.
      *
      * @param slot whose
@@ -218,6 +244,16 @@ public final class BodyStore extends Poses {
         positionY[slot] = y;
         positionZ[slot] = z;
         Arrays.fill(positionLow, 3 * slot, 3 * slot + 3, 0.0);
+    }
+
+    /** Takes all velocity from a body. */
+    public void stop(int slot) {
+        velocityX[slot] = 0;
+        velocityY[slot] = 0;
+        velocityZ[slot] = 0;
+        angularVelocityX[slot] = 0;
+        angularVelocityY[slot] = 0;
+        angularVelocityZ[slot] = 0;
     }
 
     /**

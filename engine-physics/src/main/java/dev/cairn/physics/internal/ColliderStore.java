@@ -1,7 +1,11 @@
 package dev.cairn.physics.internal;
 
+import dev.cairn.physics.collider.Filter;
+import dev.cairn.physics.collider.Mix;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+
+import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
 
@@ -10,8 +14,10 @@ import java.util.Arrays;
  * phase, pairs, narrow phase and queries speak of colliders; solver, islands, sleep and forces
  * speak of bodies. A body has one or more, in a list from {@link BodyStore#collider} on.
  *
- * <p>A collider is a slot in {@code [0, slotCount)}; free slots are used again last freed first.
- * Simulation thread, and blocks of its stages, only.
+ * <p>Colliders and bodies have slots of one space: a body's only collider has the body's slot, and
+ * so its pose. The colliders of a body with several, its children, have slots that no body has;
+ * their poses are composed of the body's and of where they are in it. Simulation thread, and blocks
+ * of its stages, only.
  */
 public final class ColliderStore {
     /** In place of a collider where there is none. */
@@ -20,10 +26,7 @@ public final class ColliderStore {
     /** The bodies that have them. */
     public final BodyStore bodies;
 
-    /**
-     * Where the colliders are. A body's only collider is about the body's centre of mass and has
-     * its slot, so these are the bodies' own columns and nothing is copied.
-     */
+    /** Where the colliders are: columns that they share with the bodies. */
     public final Poses poses;
 
     /** One past the highest slot in use. */
@@ -38,6 +41,9 @@ public final class ColliderStore {
     /** Its geometry is about the collider's centre. */
     public Shape[] shape = {};
 
+    /** Whom it collides with. */
+    public Filter[] filter = {};
+
     /** What the shape's surface is made of, see {@link Surface}. */
     public byte[] surface = {};
 
@@ -50,11 +56,40 @@ public final class ColliderStore {
     /** Newton's coefficient of restitution, 0..1. */
     public double[] restitution = {};
 
+    /** Rules by which friction (lower four bits) and restitution are mixed, see {@link Mix}. */
+    public byte[] mixing = {};
+
+    /** Whether any collider is, or was, a sensor. */
+    public boolean sensors;
+
+    /** Whether it only tells who is in it, and pushes nothing. */
+    public boolean[] sensor = {};
+
+    /** What the user attached. */
+    public @Nullable Object[] userData = {};
+
     /** Arm of rolling friction, m. */
     public double[] rollingArm = {};
 
-    private int[] free = new int[16];
-    private int freeCount;
+    /** Whether any body has, or had, several colliders; until then {@link #local} is empty. */
+    public boolean compounds;
+
+    /**
+     * Of a child: from the body's centre of mass to the collider's centre, body axes, m, and the
+     * unit quaternion body from collider; {@link #LOCAL} numbers.
+     */
+    public double[] local = {};
+
+    /** Numbers of a collider in {@link #local}. */
+    public static final int LOCAL = 7;
+
+    /** Slots of the bodies with several colliders, in the order in which they became such. */
+    public int[] compound = new int[16];
+
+    /** How many there are. */
+    public int compoundCount;
+
+    private final double[] turned = new double[3];
 
     /**
      * Without colliders.
@@ -88,12 +123,19 @@ public final class ColliderStore {
         body = c.column("body", body);
         next = c.column("next", next);
         shape = c.column("shape", shape);
+        filter = c.column("filter", filter);
         surface = c.column("surface", surface);
         innerRadius = c.column("innerRadius", innerRadius);
         outerRadius = c.column("outerRadius", outerRadius);
         friction = c.column("friction", friction);
         restitution = c.column("restitution", restitution);
+        mixing = c.column("mixing", mixing);
+        sensor = c.column("sensor", sensor);
+        userData = c.column("userData", userData);
         rollingArm = c.column("rollingArm", rollingArm);
+        if (compounds) {
+            local = c.column("local", local, LOCAL);
+        }
     }
 
     /**
@@ -104,32 +146,164 @@ public final class ColliderStore {
      * @return the collider's slot
      */
     public int attach(int slot, Shape geometry) {
-        int collider = freeCount > 0 ? free[--freeCount] : slotCount++;
-        ensureCapacity(slotCount);
-        assert collider == slot : "the poses of a body are those of its collider";
-        bodies.collider[slot] = collider;
-        body[collider] = slot;
-        next[collider] = NONE;
+        bodies.collider[slot] = slot;
         Shape solid = Surface.aboutCentre(geometry);
-        shape[collider] = solid;
-        surface[collider] = Surface.of(solid);
         bodies.isBall[slot] = solid instanceof Sphere;
-        innerRadius[collider] = geometry.innerRadius();
-        outerRadius[collider] = geometry.outerRadius();
-        return collider;
+        fill(slot, slot, solid);
+        return slot;
     }
 
     /**
-     * Frees the slots of a body's colliders, which have no rows any more.
+     * Makes one of several colliders of a body, the last in its list. Its pose is that of the next
+     * {@link #compose}.
+     *
+     * @param slot of the body, whose list is empty or of children
+     * @param collider a slot of its own
+     * @param solid neither moved nor turned
+     * @param pose as in {@link #local}
+     */
+    public void append(int slot, int collider, Shape solid, double[] pose) {
+        if (!compounds) {
+            compounds = true;
+            columns(new Columns.Growth(body.length));
+        }
+        bodies.isBall[slot] = false;
+        fill(slot, collider, solid);
+        int first = bodies.collider[slot];
+        if (first == NONE) {
+            bodies.collider[slot] = collider;
+            if (compoundCount == compound.length) {
+                compound = Arrays.copyOf(compound, 2 * compoundCount);
+            }
+            compound[compoundCount++] = slot;
+        } else {
+            int last = first;
+            while (next[last] != NONE) {
+                last = next[last];
+            }
+            next[last] = collider;
+        }
+        System.arraycopy(pose, 0, local, LOCAL * collider, LOCAL);
+    }
+
+    /**
+     * Gives a collider another shape; what contacts know of it holds no more.
+     *
+     * @param collider its slot
+     * @param geometry about its centre
+     */
+    public void replace(int collider, Shape geometry) {
+        int slot = body[collider];
+        Shape solid = Surface.aboutCentre(geometry);
+        bodies.isBall[slot] = collider == slot && solid instanceof Sphere;
+        setShape(collider, solid);
+    }
+
+    private void fill(int slot, int collider, Shape solid) {
+        slotCount = Math.max(slotCount, collider + 1);
+        ensureCapacity(slotCount);
+        body[collider] = slot;
+        next[collider] = NONE;
+        filter[collider] = Filter.ALL;
+        setShape(collider, solid);
+    }
+
+    private void setShape(int collider, Shape solid) {
+        shape[collider] = solid;
+        surface[collider] = Surface.of(solid);
+        innerRadius[collider] = solid.innerRadius();
+        outerRadius[collider] = solid.outerRadius();
+    }
+
+    /**
+     * Whether a collider has its place from {@link #local}.
+     *
+     * @param collider its slot
+     * @return false for a body's only one
+     */
+    public boolean isChild(int collider) {
+        return body[collider] != collider;
+    }
+
+    /**
+     * Takes a child out of its body's list.
+     *
+     * @param slot of the body
+     * @param collider slot of the child
+     */
+    public void remove(int slot, int collider) {
+        if (bodies.collider[slot] == collider) {
+            if (next[collider] == NONE) {
+                detach(slot);
+            } else {
+                bodies.collider[slot] = next[collider];
+            }
+            return;
+        }
+        int before = bodies.collider[slot];
+        while (next[before] != collider) {
+            before = next[before];
+        }
+        next[before] = next[collider];
+    }
+
+    /**
+     * A body has no colliders any more.
      *
      * @param slot of the body
      */
     public void detach(int slot) {
-        for (int c = bodies.collider[slot]; c != NONE; c = next[c]) {
-            if (freeCount == free.length) {
-                free = Arrays.copyOf(free, 2 * freeCount);
+        if (bodies.collider[slot] != slot) {
+            int at = 0;
+            while (at < compoundCount && compound[at] != slot) {
+                at++;
             }
-            free[freeCount++] = c;
+            if (at < compoundCount) {
+                System.arraycopy(compound, at + 1, compound, at, --compoundCount - at);
+            }
+        }
+        bodies.collider[slot] = NONE;
+    }
+
+    /**
+     * Puts the children of a body where they are now. Simulation thread.
+     *
+     * @param slot of the body
+     */
+    public void compose(int slot) {
+        compose(slot, turned);
+    }
+
+    /**
+     * Puts the children of a body where they are now: x' = x + q o, q' = q r. What rounding takes
+     * of a position far from the origin is kept, as the body's. Any worker, one to a body.
+     *
+     * @param slot of the body
+     * @param v room for three numbers
+     */
+    public void compose(int slot, double[] v) {
+        BodyStore b = bodies;
+        double qx = b.orientationX[slot];
+        double qy = b.orientationY[slot];
+        double qz = b.orientationZ[slot];
+        double qw = b.orientationW[slot];
+        for (int c = b.collider[slot]; c != NONE && c != slot; c = next[c]) {
+            int l = LOCAL * c;
+            Rotations.rotate(qx, qy, qz, qw, local[l], local[l + 1], local[l + 2], v);
+            b.positionX[c] = b.positionX[slot];
+            b.positionY[c] = b.positionY[slot];
+            b.positionZ[c] = b.positionZ[slot];
+            System.arraycopy(b.positionLow, 3 * slot, b.positionLow, 3 * c, 3);
+            b.outerRadius[c] = b.outerRadius[slot];
+            b.move(c, v[0], v[1], v[2]);
+            double rx = local[l + 3];
+            double ry = local[l + 4];
+            double rz = local[l + 5];
+            double rw = local[l + 6];
+            b.orientationX[c] = qw * rx + qx * rw + qy * rz - qz * ry;
+            b.orientationY[c] = qw * ry - qx * rz + qy * rw + qz * rx;
+            b.orientationZ[c] = qw * rz + qx * ry - qy * rx + qz * rw;
+            b.orientationW[c] = qw * rw - qx * rx - qy * ry - qz * rz;
         }
     }
 }

@@ -95,6 +95,30 @@ public class ContactColumns {
      */
     public double[] frictionLoad = {};
 
+    /** Whether somebody wants hits; until then nothing is in {@link #approach}. */
+    public boolean hits;
+
+    /** How fast the two approached before they touched, m/s. */
+    public double[] approach = {};
+
+    /** Whether a user's hook has been here; until then nothing is in {@link #hookMemory}. */
+    public boolean hooked;
+
+    /** What the hook remembers of the row. */
+    public int[] hookMemory = {};
+
+    /**
+     * Whether a body with several colliders has been here; until then there is nothing in {@link
+     * #lever}.
+     */
+    public boolean compounds;
+
+    /**
+     * From the centre of mass of A to the centre of its collider, then the same of B, world axes at
+     * the start of the tick, m; six numbers a row, what its anchors contain.
+     */
+    public double[] lever = {};
+
     /** Mixed coefficient of restitution, 0..1. */
     public double[] restitution = {};
 

@@ -1,5 +1,7 @@
 package dev.cairn.physics.internal;
 
+import dev.cairn.physics.collider.Mix;
+
 import java.util.Arrays;
 
 /**
@@ -44,6 +46,41 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
             uneven = true;
             columns(new Columns.Growth(bodyA.length));
         }
+    }
+
+    /** Makes room for colliders that are not about their bodies' centres; between phases only. */
+    public void beginCompounds() {
+        if (!compounds) {
+            compounds = true;
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
+    /** Makes room for speeds of approach; between phases only. */
+    public void beginHits() {
+        if (!hits) {
+            hits = true;
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
+    /** Makes room for what a user's hook remembers; between phases only. */
+    public void beginHooks() {
+        if (!hooked) {
+            hooked = true;
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
+    /**
+     * Takes a row's points away, as if its surfaces were apart; what else is remembered of it holds
+     * only together with them.
+     */
+    public void disable(int row) {
+        pointCount[row] = 0;
+        keeps[row] = false;
+        cache[row] = 0;
+        forgetFriction(row);
     }
 
     /** Makes room for rolling friction; between phases only. */
@@ -147,6 +184,15 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
             rollingArm = c.column("rollingArm", rollingArm);
             rollingImpulse = c.column("rollingImpulse", rollingImpulse, 3);
         }
+        if (hits) {
+            approach = c.column("approach", approach);
+        }
+        if (hooked) {
+            hookMemory = c.column("hookMemory", hookMemory);
+        }
+        if (compounds) {
+            lever = c.column("lever", lever, 6);
+        }
         if (uneven) {
             frictionLoad = c.column("frictionLoad", frictionLoad, 4);
         }
@@ -189,7 +235,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     }
 
     /**
-     * Says whose contact a row is, and of what surfaces.
+     * Says whose contact a row is, of what surfaces, and with what friction and restitution.
      *
      * @param colliders whose bodies are found
      * @param a the lower collider
@@ -202,5 +248,53 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         bodyB[row] = colliders.body[b];
         surfaceA[row] = colliders.surface[a];
         surfaceB[row] = colliders.surface[b];
+        mix(row, colliders);
+    }
+
+    /** Friction, restitution and rolling friction of two surfaces that meet. */
+    public void mix(int row, ColliderStore colliders) {
+        int a = colliderA[row];
+        int b = colliderB[row];
+        double ofA = colliders.friction[a];
+        double ofB = colliders.friction[b];
+        double bounceA = colliders.restitution[a];
+        double bounceB = colliders.restitution[b];
+        double friction = Math.sqrt(ofA * ofB);
+        double bounce = Math.max(bounceA, bounceB);
+        int ruleA = colliders.mixing[a];
+        int ruleB = colliders.mixing[b];
+        if ((ruleA | ruleB) != 0) {
+            friction = Mix.of((ruleA & 15) | (ruleB & 15) << 4, ofA, ofB, friction);
+            bounce = Mix.of(ruleA >> 4 | ruleB >> 4 << 4, bounceA, bounceB, bounce);
+        }
+        setFriction(row, friction);
+        restitution[row] = bounce;
+        if (rolls) {
+            rollingArm[row] = Math.max(colliders.rollingArm[a], colliders.rollingArm[b]);
+        }
+    }
+
+    /** A collider's surface is another one; between steps. */
+    public void mixAll(int collider, ColliderStore colliders) {
+        for (int row = 0; row < count; row++) {
+            if (colliderA[row] == collider || colliderB[row] == collider) {
+                mix(row, colliders);
+            }
+        }
+    }
+
+    /**
+     * A collider's shape is another one: what its rows remember of the old one is forgotten, but
+     * that they touch, and where and with what impulses; between steps.
+     */
+    public void renew(int collider, ColliderStore colliders) {
+        for (int row = 0; row < count; row++) {
+            if (colliderA[row] == collider || colliderB[row] == collider) {
+                join(row, colliders, colliderA[row], colliderB[row]);
+                cache[row] = 0;
+                keeps[row] = false;
+                Arrays.fill(memory, remembered * row, remembered * row + remembered, 0);
+            }
+        }
     }
 }

@@ -112,6 +112,13 @@ public final class Sleepers {
         }
     }
 
+    /** A body, awake, begins to be quiet anew. */
+    public void renew(int slot) {
+        if (enabled) {
+            quiet.reset(slot);
+        }
+    }
+
     /**
      * Whether the world lets bodies sleep.
      *
@@ -184,10 +191,32 @@ public final class Sleepers {
                 restless[islands.root(s)] = true;
             }
         }
+        if (bodies.driven > 0) {
+            for (EdgeSource source : edges) {
+                stir(source);
+            }
+        }
         for (int i = 0; i < count; i++) {
             int root = islands.root(awake[i]);
             if (!restless[root]) {
                 lieDown(awake[i], root);
+            }
+        }
+    }
+
+    /** What touches a body that moves of itself does not rest, however slow that is. */
+    private void stir(EdgeSource source) {
+        byte[] kind = bodies.kind;
+        for (int i = 0; i < source.edges(); i++) {
+            int a = source.edgeA(i);
+            if (a < 0) {
+                continue;
+            }
+            int b = source.edgeB(i);
+            if (kind[a] == BodyStore.DYNAMIC && bodies.isDriven(b)) {
+                restless[islands.root(a)] = true;
+            } else if (kind[b] == BodyStore.DYNAMIC && bodies.isDriven(a)) {
+                restless[islands.root(b)] = true;
             }
         }
     }

@@ -12,6 +12,7 @@ import dev.cairn.physics.solver.direct.DirectIslands;
 import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.Collector;
 import dev.cairn.physics.solver.graph.Colouring;
+import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.kernel.RowSweeps;
 import dev.cairn.physics.solver.kernel.StoreRow;
 import dev.cairn.physics.solver.kernel.Sweeps;
@@ -75,6 +76,7 @@ public final class ContactSolver {
     private final Colouring colouring = new Colouring();
     private final Batches batches = new Batches();
     private final Collector collector;
+    private final Assemblies assemblies;
     private final LoadSweep loads = new LoadSweep();
     private final Unloading unloading = new Unloading();
     private final StaticStart start = new StaticStart();
@@ -119,7 +121,6 @@ public final class ContactSolver {
         sweeps = new Sweeps[] {floats, doubles};
         tick = new SolverContext(settings);
         boolean guides = settings.count(Tunable.LONE_SWEEPS) > 0;
-        collector = new Collector(colouring, batches, guides);
         list =
                 new EdgeList(
                         floats.lanes(),
@@ -127,14 +128,18 @@ public final class ContactSolver {
                         doubles.lanes(),
                         group(doubles.lanes(), settings),
                         kinds);
+        assemblies = new Assemblies(list);
+        collector = new Collector(colouring, batches, assemblies, guides);
         for (int k = 0; k < 2; k++) {
             passes[k] =
                     new Passes(
                             tick,
                             k == Batches.FLOATS ? list.floats : list.doubles,
                             collector.bouncers,
+                            collector.sides,
                             start,
-                            direct);
+                            direct,
+                            assemblies);
             lockstep[k] = new Lockstep(passes[k], colouring, batches, narrow[k], k);
         }
     }
@@ -204,6 +209,10 @@ public final class ContactSolver {
                 passes[k].ensureCapacity(bodies.slotCount);
             }
         }
+        if (collector.sides.count() > 0) {
+            tick.body.ensureCapacity(bodies.slotCount + collector.sides.count());
+        }
+        collector.sides.load(bodies, tick.body);
         jobs.run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK));
         if (list.count > 0) {
             ensureBenches(jobs.workers());
@@ -302,9 +311,12 @@ public final class ContactSolver {
                 energy.mark(i);
             }
         }
-        // constraints of other kinds may do work
+        // constraints of other kinds may do work, and so do bodies that are driven
         for (int m = list.first[1]; m < list.count; m++) {
             energy.exempt(list.mover(m));
+        }
+        for (int k = 0; k < collector.sides.count(); k++) {
+            energy.exempt(list.mover(collector.sides.edge(k)));
         }
     }
 
@@ -323,8 +335,14 @@ public final class ContactSolver {
         Passes p = passes[kind];
         Workbench own = benches[worker];
         int b = batches.alone(kind) + block;
+        if (batches.isSwinging(b)) {
+            p.swing(sub, b, batches.firstBody[b], batches.firstBody[b + 1], own);
+            return;
+        }
         int first = colouring.firstColour[b];
         int last = colouring.firstColour[b + 1];
+        int firstJoined = assemblies.first(b);
+        int endJoined = assemblies.first(b + 1);
         int[] start = colouring.start;
         int[] end = colouring.end;
         int head = batches.firstBody[b];
@@ -349,16 +367,21 @@ public final class ContactSolver {
             if (settles && k == 0) {
                 p.settle(sub, from, to, own);
             }
+            p.beginJoints(sub, k, firstJoined, endJoined, own);
             for (int c = first; c < last; c++) {
                 p.bias(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
             }
+            p.closeJoints(sub, firstJoined, endJoined, own);
             for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, true, own);
             }
             if (renewed && small) {
                 p.guard(sub, from, to);
             }
+            p.carry(sub, b, own);
             p.drift(sub, head, tail);
+            p.placeJoints(firstJoined, endJoined);
+            p.moveSides(sub, b);
             if (bounces) {
                 p.limit(sub, head, tail);
             }
@@ -368,12 +391,14 @@ public final class ContactSolver {
                 p.renewBodies(head, tail);
                 p.renewRows(sub, k, from, to, own);
             }
+            p.turnJoints(sub, firstJoined, endJoined, own);
             for (int c = first; c < last; c++) {
                 p.relax(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
             }
             for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, false, own);
             }
+            p.stopJoints(sub, firstJoined, endJoined, own);
             p.finish(sub, head, tail, own);
             if (small && tick.body.boundsEnergy) {
                 energy.bound(tick, head, tail);

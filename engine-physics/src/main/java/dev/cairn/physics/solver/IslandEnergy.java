@@ -29,8 +29,9 @@ import java.util.Arrays;
  *
  * <p>Only islands of which a body turns when the tick begins, or moves far, and one turns by more
  * than 0.05 rad in the sub-step: what a column that lands gains in one sub-step, since one sweep
- * does not reach its top, it loses in the next. Not those with constraints of other kinds, since
- * motors do work. One worker to an island. Allocates only while slots are added. Source: own study.
+ * does not reach its top, it loses in the next. Not those with constraints of other kinds or with
+ * kinematic bodies, since they do work. One worker to an island. Allocates only while slots are
+ * added. Source: own study.
  */
 final class IslandEnergy {
     /** What rounding, and free rotation in steps, may add to the energy of a sub-step, over it. */

@@ -57,8 +57,12 @@ public final class StageCheck {
 
     /** As many rows as pairs, each of one, between two bodies that are there; a list in order. */
     public static boolean rows(
-            ContactStore c, ColliderStore colliders, BodyStore bodies, BroadPhase broadPhase) {
-        if (c.count != broadPhase.pairCount()) {
+            ContactStore c,
+            int sensorRows,
+            ColliderStore colliders,
+            BodyStore bodies,
+            BroadPhase broadPhase) {
+        if (c.count + sensorRows != broadPhase.pairCount()) {
             throw new AssertionError(c.count + " rows of " + broadPhase.pairCount() + " pairs");
         }
         for (int row = 0; row < c.count; row++) {

@@ -115,7 +115,8 @@ public final class WorldCheck {
 
     /** An awake body may have left its box within the last tick: the next one looks first. */
     private void box(int slot) {
-        boolean fixed = bodies.kind[slot] == BodyStore.STATIC;
+        byte kind = bodies.kind[slot];
+        boolean fixed = kind == BodyStore.STATIC || kind == BodyStore.KINEMATIC;
         if (bodies.kind[slot] == BodyStore.DYNAMIC || (fixed && waits.test(slot))) {
             return;
         }

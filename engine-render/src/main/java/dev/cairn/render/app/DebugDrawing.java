@@ -77,7 +77,8 @@ final class DebugDrawing {
             byte state = data.states()[i];
             boolean sleeps = state == DebugData.ASLEEP && has(mask, DebugLayer.SLEEP);
             if (sleeps || has(mask, DebugLayer.BOXES)) {
-                int rgb = sleeps ? ASLEEP : state == DebugData.FIXED ? FIXED_BOX : BOX;
+                boolean moves = state == DebugData.AWAKE || state == DebugData.ASLEEP;
+                int rgb = sleeps ? ASLEEP : moves ? BOX : FIXED_BOX;
                 lines.box(box, 6 * i, rgb, sleeps ? 1.5 : 0.75);
             }
         }
@@ -102,7 +103,7 @@ final class DebugDrawing {
             int rgb = distinct(which);
             for (int end = 0; end < 2; end++) {
                 int body = end == 0 ? a : b;
-                if (data.states()[body] != DebugData.FIXED) {
+                if (data.islands()[body] != DebugData.NONE) {
                     int k = 3 * body;
                     lines.line(
                             c[k],
@@ -144,7 +145,7 @@ final class DebugDrawing {
         double[] v = data.velocities();
         for (int i = 0; i < data.bodyCount(); i++) {
             int at = 3 * i;
-            if (data.states()[i] == DebugData.AWAKE) {
+            if (data.states()[i] == DebugData.AWAKE || data.states()[i] == DebugData.KINEMATIC) {
                 lines.line(
                         c[at],
                         c[at + 1],

@@ -1,7 +1,7 @@
 package dev.cairn.samples.accuracy;
 
 import dev.cairn.physics.PhysicsSettings;
-import dev.cairn.physics.Precision;
+import dev.cairn.physics.tuning.Precision;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.samples.accuracy.AccuracyCase.Effort;
 

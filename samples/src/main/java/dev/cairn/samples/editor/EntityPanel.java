@@ -18,7 +18,7 @@ import java.util.List;
 /** The panel with what is selected: every property as a field or a slider. Window thread. */
 final class EntityPanel {
     private static final List<BodyKind> KINDS =
-            List.of(BodyKind.DYNAMIC, BodyKind.FIXED, BodyKind.NONE);
+            List.of(BodyKind.DYNAMIC, BodyKind.FIXED, BodyKind.KINEMATIC, BodyKind.NONE);
     private static final List<String> KIND_NAMES = List.of("moves", "fixed", "only drawn");
     private static final List<String> COLOURS =
             List.of("by its place", "red", "orange", "green", "blue", "purple", "white", "grey");
@@ -247,7 +247,7 @@ final class EntityPanel {
     }
 
     private void motion(Ui ui, EntitySpec entity) {
-        if (entity.body() != BodyKind.DYNAMIC) {
+        if (entity.body() != BodyKind.DYNAMIC && entity.body() != BodyKind.KINEMATIC) {
             return;
         }
         ui.heading("Motion at the beginning");

@@ -35,6 +35,7 @@ final class EntityTitles {
                         switch (entity.body()) {
                             case DYNAMIC -> "";
                             case FIXED -> ", fixed";
+                            case KINEMATIC -> ", kinematic";
                             case NONE -> ", only drawn";
                         });
     }

@@ -7,7 +7,9 @@ public enum BodyKind {
     /** Others collide with it, nothing moves it. */
     FIXED("fixed"),
     /** It is only drawn. */
-    NONE("none");
+    NONE("none"),
+    /** It moves with its velocity, and nothing stops it. */
+    KINEMATIC("kinematic");
 
     private final String word;
 

@@ -3,6 +3,7 @@ package dev.cairn.samples.scenefile;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.Visual;
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.BodyType;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
@@ -19,6 +20,7 @@ import dev.cairn.render.mesh.Model;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
+import dev.cairn.samples.UsageException;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFile.TickSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
@@ -89,16 +91,21 @@ public final class SceneExport {
     private EntitySpec entity(PhysicsWorld world, BodyRef body) {
         // The pose as it was given; the body itself keeps its centre of mass, which may round.
         Pose pose = world.ecs().get(body.entity(), Pose.COMPONENT);
+        if (body.colliders().size() != 1) {
+            throw new UsageException(
+                    body
+                            + " is made of "
+                            + body.colliders().size()
+                            + " shapes; a scene file holds bodies of one shape only: export another"
+                            + " scene");
+        }
         Material material = body.material();
         boolean ownMass =
-                !body.isFixed()
+                body.type() == BodyType.DYNAMIC
                         && body.mass()
                                 != 1 / (1 / body.shape().massProperties(material.density()).mass());
         EntitySpec entity =
-                EntitySpec.of(
-                                body.name(),
-                                body.isFixed() ? BodyKind.FIXED : BodyKind.DYNAMIC,
-                                shape(body.shape()))
+                EntitySpec.of(body.name(), kind(body), shape(body.shape()))
                         .at(
                                 new Xyz(pose.x(), pose.y(), pose.z()),
                                 new Turn(pose.qx(), pose.qy(), pose.qz(), pose.qw()))
@@ -114,6 +121,14 @@ public final class SceneExport {
         Vector3d v = body.velocity();
         Vector3d w = body.angularVelocity();
         return entity.moving(new Xyz(v.x, v.y, v.z), new Xyz(w.x, w.y, w.z));
+    }
+
+    private static BodyKind kind(BodyRef body) {
+        return switch (body.type()) {
+            case FIXED -> BodyKind.FIXED;
+            case KINEMATIC -> BodyKind.KINEMATIC;
+            case DYNAMIC -> BodyKind.DYNAMIC;
+        };
     }
 
     private static ShapeSpec shape(Shape shape) {

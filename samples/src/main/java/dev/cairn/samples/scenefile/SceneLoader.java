@@ -198,10 +198,14 @@ public final class SceneLoader {
                     into.addVisual(new Pose(at.x(), at.y(), at.z(), q.x, q.y, q.z, q.w, 0), visual),
                     entity);
         }
-        boolean fixed = entity.body() == BodyKind.FIXED;
+        Body start =
+                switch (entity.body()) {
+                    case FIXED -> Body.fixed();
+                    case KINEMATIC -> Body.kinematic();
+                    default -> Body.dynamic();
+                };
         Body body =
-                (fixed ? Body.fixed() : Body.dynamic())
-                        .at(at.x(), at.y(), at.z())
+                start.at(at.x(), at.y(), at.z())
                         .rotation(new Quaterniond(turn.x(), turn.y(), turn.z(), turn.w()))
                         .material(entity.material())
                         .name(entity.name());

@@ -283,13 +283,13 @@ public final class SceneReader {
     }
 
     private static BodyKind body(JsonNode node) {
-        String word = node.text("\"dynamic\", \"fixed\" or \"none\"");
+        String word = node.text("\"dynamic\", \"fixed\", \"kinematic\" or \"none\"");
         for (BodyKind kind : BodyKind.values()) {
             if (kind.word().equals(word)) {
                 return kind;
             }
         }
-        throw node.wrong("\"dynamic\", \"fixed\" or \"none\"", node.shown());
+        throw node.wrong("\"dynamic\", \"fixed\", \"kinematic\" or \"none\"", node.shown());
     }
 
     private static ShapeSpec shape(JsonNode node) {

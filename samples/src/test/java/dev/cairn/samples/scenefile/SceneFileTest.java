@@ -240,8 +240,8 @@ class SceneFileTest {
                         + " \"a.obj\"}, \"position\": [0,0,0], \"rotation\": [0,0,0,1]} |"
                         + " $.entities[0].shape.shape | no mesh | mesh",
                 "\"name\": \"x\" | $.entities[0] | \"shape\" | name",
-                "SPHERE, \"body\": \"static\" | $.entities[0].body | \"dynamic\", \"fixed\" or"
-                        + " \"none\" | \"static\"",
+                "SPHERE, \"body\": \"static\" | $.entities[0].body | \"dynamic\", \"fixed\","
+                        + " \"kinematic\" or \"none\" | \"static\"",
                 "SPHERE, \"mass\": 0 | $.entities[0].mass | above 0 | 0",
                 "SPHERE, \"scale\": [1,2,1] | $.entities[0].shape | three equal | 2",
                 "SPHERE, \"scale\": [1,1,0] | $.entities[0].scale | above 0 | 0",

@@ -97,7 +97,7 @@ public final class AxisLocks {
 
     /** Takes the velocity along locked axes from the body at {@code o}. */
     public static void lock(BodyStore b, double[] v, int o) {
-        if (o != 0) {
+        if (o != 0 && SolverBodies.slot(o) < b.slotCount) {
             lock(b, v, o + V, SolverBodies.slot(o));
         }
     }

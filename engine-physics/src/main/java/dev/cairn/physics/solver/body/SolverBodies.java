@@ -100,6 +100,9 @@ public final class SolverBodies {
     /** Whether a body with contacts turns in this tick, so that energy is bounded by island. */
     public boolean boundsEnergy;
 
+    /** Offsets from here on are those of {@link DrivenSides}. */
+    public int drivenFrom = Integer.MAX_VALUE;
+
     public final PrincipalAxes axes = new PrincipalAxes();
 
     public static int offset(int slot) {
@@ -228,6 +231,11 @@ public final class SolverBodies {
             gain = seconds * (gravity * Math.abs(b.gravityScale[i]) + push);
         }
         fastest[i] = 2 * speed + gain;
+    }
+
+    /** Whether impulses move what lies at an offset of the state. */
+    public boolean isMoved(int offset) {
+        return offset != 0 && offset < drivenFrom;
     }
 
     /** Whether an impact of this sub-step has shifted the body at an offset of the state. */

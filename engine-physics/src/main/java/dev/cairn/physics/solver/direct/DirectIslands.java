@@ -192,6 +192,11 @@ public final class DirectIslands {
             // the matrix is made of contacts alone
             tally[islands.root(list.mover(m))] = MOST_ROWS + 1;
         }
+        for (int m = 0; b.driven > 0 && m < list.contacts; m++) {
+            if (list.carrier[m] >= 0) {
+                tally[islands.root(list.mover(m))] = MOST_ROWS + 1;
+            }
+        }
         boolean any = false;
         isStale = false;
         for (int k = batches.boundCount - 1; k >= 0; k--) {

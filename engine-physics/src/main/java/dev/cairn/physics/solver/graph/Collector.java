@@ -6,7 +6,9 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
+import dev.cairn.physics.solver.body.DrivenSides;
 import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.EdgePlaces;
 
@@ -27,6 +29,12 @@ public final class Collector {
     private final Colouring colouring;
     private final Batches batches;
     private final PairOrder order = new PairOrder();
+
+    /** Kinematic bodies that move, of this tick. */
+    public final DrivenSides sides = new DrivenSides();
+
+    /** Those of this tick. */
+    public final Assemblies assemblies;
 
     /** Those of this tick. */
     public final Bouncers bouncers = new Bouncers();
@@ -70,7 +78,8 @@ public final class Collector {
      *
      * @param guides whether a body on nothing but one contact is guided by it
      */
-    public Collector(Colouring colouring, Batches batches, boolean guides) {
+    public Collector(Colouring colouring, Batches batches, Assemblies assemblies, boolean guides) {
+        this.assemblies = assemblies;
         this.guides = guides;
         this.colouring = colouring;
         this.batches = batches;
@@ -106,11 +115,13 @@ public final class Collector {
         sameBodies = sameList || list();
         sameBodies &= slots == bodies.slotCount;
         sameBodies &= workers == workerCount;
+        sameBodies &= !assemblies.update(list, bodies.slotCount);
         if (!sameBodies) {
             slots = bodies.slotCount;
             workers = workerCount;
             bind(guide);
-            batches.cut(list, slots, guide, workerCount, floatsFrom);
+            batches.cut(list, slots, guide, workerCount, floatsFrom, assemblies);
+            listSides();
         }
         if (!sameList || !sameBodies) {
             listBouncers();
@@ -170,7 +181,9 @@ public final class Collector {
                 if (listed[e] != edges.edgeRow(i)
                         || (m < 0
                                 ? slotA >= 0 || slotB >= 0
-                                : list.slotA[m] != slotA || list.slotB[m] != slotB)) {
+                                : list.slotA[m] != slotA
+                                        || list.slotB[m] != slotB
+                                        || list.carrier[m] != carrier(a, edges.edgeB(i)))) {
                     return false;
                 }
             }
@@ -181,6 +194,11 @@ public final class Collector {
     /** A slot, or -1 for a body that does not move. */
     private int mover(int slot) {
         return bodies.kind[slot] == BodyStore.DYNAMIC ? slot : -1;
+    }
+
+    /** Which of two bodies is kinematic and moves: its slot, or -1. */
+    private int carrier(int a, int b) {
+        return bodies.isDriven(a) ? a : bodies.isDriven(b) ? b : -1;
     }
 
     /** Compares a range of contacts with the list; what differs is told by whoever finds it. */
@@ -200,6 +218,7 @@ public final class Collector {
             int b = mover(contacts.bodyB[c]);
             if (list.slotA[n] != a
                     || list.slotB[n] != b
+                    || list.carrier[n] != carrier(contacts.bodyA[c], contacts.bodyB[c])
                     || bounces[n] != contacts.restitution[c] > 0) {
                 sameList = false;
                 return;
@@ -252,7 +271,10 @@ public final class Collector {
         boolean isContact = kind == 0;
         int points = isContact ? contacts.pointCount[row] : 1;
         boolean isCold = isContact && (a | b) >= 0 && isCold(contacts, row, points);
+        int carrier = carrier(bodyA, bodyB);
         boolean same = list.source[n] == row && list.slotA[n] == a && list.slotB[n] == b;
+        same &= list.carrier[n] == carrier;
+        list.carrier[n] = carrier;
         sameColours &= cold[n] == isCold;
         sameVariants &= list.variant[n] == points;
         list.source[n] = row;
@@ -274,6 +296,18 @@ public final class Collector {
         return sum == 0;
     }
 
+    /** Each edge with a kinematic body that moves has that to itself. */
+    private void listSides() {
+        sides.begin(slots, batches.count);
+        for (int b = 0; b < batches.count; b++) {
+            sides.beginBatch(b);
+            for (int k = batches.firstRow[b]; k < batches.firstRow[b + 1]; k++) {
+                int m = batches.byBatch[k];
+                list.side[m] = list.carrier[m] < 0 ? 0 : sides.add(list.carrier[m], m, b);
+            }
+        }
+    }
+
     /** Tells who has edges. A body on nothing but one contact with what does not move is guided. */
     private void bind(int[] guide) {
         Arrays.fill(guide, 0, slots, SolverBodies.FREE);
@@ -288,6 +322,7 @@ public final class Collector {
             } else {
                 int i = Math.max(a, b);
                 boolean isOnly = guides && guide[i] == SolverBodies.FREE && m < list.contacts;
+                isOnly &= list.carrier[m] < 0;
                 guide[i] = isOnly ? m : SolverBodies.BOUND;
             }
         }
@@ -326,14 +361,14 @@ public final class Collector {
                         .bind(
                                 list.place[m],
                                 list.source[m],
-                                offset(list.slotA[m]),
-                                offset(list.slotB[m]),
+                                offset(list.slotA[m], list.side[m]),
+                                offset(list.slotB[m], list.side[m]),
                                 list.variant[m]);
             }
         }
     }
 
-    private static int offset(int slot) {
-        return slot >= 0 ? SolverBodies.offset(slot) : 0;
+    private static int offset(int slot, int side) {
+        return slot >= 0 ? SolverBodies.offset(slot) : side;
     }
 }

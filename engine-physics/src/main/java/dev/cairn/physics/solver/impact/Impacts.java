@@ -10,6 +10,7 @@ import static dev.cairn.physics.solver.row.ConstraintRows.TOTAL;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.solver.body.AxisLocks;
+import dev.cairn.physics.solver.body.DrivenSides;
 import dev.cairn.physics.solver.body.MotionRecord;
 import dev.cairn.physics.solver.body.Rotation;
 import dev.cairn.physics.solver.body.SolverBodies;
@@ -160,8 +161,9 @@ public final class Impacts {
     private boolean isSlow(int row, double threshold) {
         int i = rows.list.slotA[row];
         int j = rows.list.slotB[row];
-        double first = i < 0 ? 0 : bodies.fastest[i];
-        double second = j < 0 ? 0 : bodies.fastest[j];
+        double side = DrivenSides.fastest(bodies, rows.list.side[row]);
+        double first = i < 0 ? side : bodies.fastest[i];
+        double second = j < 0 ? side : bodies.fastest[j];
         return first + second < threshold;
     }
 
@@ -184,10 +186,14 @@ public final class Impacts {
     /**
      * Whether a body of a batch is fast enough to bounce in the next sub-step.
      *
+     * @param sides kinematic bodies that move
      * @param head first of its bodies, see {@link SolverContext#order}
      */
-    public static boolean isFast(SolverContext tick, int head, int tail) {
+    public static boolean isFast(SolverContext tick, DrivenSides sides, int head, int tail) {
         double slow = 0.5 * tick.settings.get(Tunable.RESTITUTION_THRESHOLD);
+        if (sides.isFast(tick.body, slow)) {
+            return true;
+        }
         for (int k = head; k < tail; k++) {
             if (!(tick.body.fastest[tick.order[k]] < slow)) {
                 return true;
@@ -277,7 +283,7 @@ public final class Impacts {
             m = body[at + SolverBodies.MASS];
             k = body[at + SolverBodies.GRAVITY];
         }
-        int slot = Math.max(0, SolverBodies.slot(at));
+        int slot = bodies.isMoved(at) ? SolverBodies.slot(at) : 0;
         k *= store.gravityScale[slot];
         destination[out] = k * g[0] + m * store.forceX[slot];
         destination[out + 1] = k * g[1] + m * store.forceY[slot];
@@ -366,7 +372,7 @@ public final class Impacts {
      * @param old holds the velocities before, at {@code q}
      */
     public void shift(int at, double[] old, int q, double time) {
-        if (at == 0) {
+        if (!bodies.isMoved(at)) {
             return;
         }
         int slot = SolverBodies.slot(at);
@@ -380,7 +386,7 @@ public final class Impacts {
     public static void shift(
             BodyStore store, SolverBodies bodies, int at, double[] old, int q, double time) {
         double[] body = bodies.state;
-        if (!(time > 0)) {
+        if (!(time > 0) || !bodies.isMoved(at)) {
             return;
         }
         bodies.glide[MotionRecord.STRIDE * SolverBodies.slot(at) + MotionRecord.STRUCK] = 1;

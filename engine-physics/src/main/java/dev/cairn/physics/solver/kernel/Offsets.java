@@ -1,6 +1,7 @@
 package dev.cairn.physics.solver.kernel;
 
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.SubStep;
 
@@ -42,7 +43,8 @@ public final class Offsets {
         double vz = body[b + 2] - body[a + 2];
         boolean rests = slip(d, o, lanes, body, a, b, vx, vy, vz) < still;
         double vn = vx * d[o] + vy * d[o + lanes] + vz * d[o + 2 * lanes];
-        double stiffness = sub.stiffness(a == 0 || b == 0);
+        double stiffness =
+                sub.stiffness(body[a + SolverBodies.MASS] == 0 || body[b + SolverBodies.MASS] == 0);
         for (int i = 0; i < contacts.pointCount[c]; i++) {
             int p = ContactStore.POINTS * c + i;
             int q = o + (ConstraintRows.POINT + i * ConstraintRows.POINT_FIELDS) * lanes;

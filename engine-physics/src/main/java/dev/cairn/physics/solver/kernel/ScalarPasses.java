@@ -20,6 +20,12 @@ public interface ScalarPasses extends Sweep {
             int to,
             Scratch scratch);
 
+    /**
+     * Friction of a row with a kinematic body, before the bodies move: else what stands on one that
+     * speeds up would begin each tick a sub-step late.
+     */
+    void carry(ConstraintRows rows, SolverBodies bodies, SubStep sub, int place, Scratch scratch);
+
     /** Rolling impulses that a sub-step does not start with, before the bias pass of a range. */
     void calm(ConstraintRows rows, SolverBodies bodies, int from, int to);
 

@@ -28,6 +28,12 @@ import dev.cairn.physics.solver.row.SubStep;
  * <p>Source: E. Catto, Soft Step solver (2023).
  */
 public final class ScalarSweep implements ScalarPasses {
+    /** Normals and friction of a row agree after some ten rounds, or here. */
+    private static final int ROUNDS = 64;
+
+    /** Change of a friction impulse, over itself, that is rounding. */
+    private static final double AGREED = 1e-14;
+
     @Override
     public void bias(
             ConstraintRows rows,
@@ -156,6 +162,33 @@ public final class ScalarSweep implements ScalarPasses {
                     ScalarFriction.rub(d, o, lanes, body, a, b, n);
                 }
             }
+        }
+    }
+
+    @Override
+    public void carry(
+            ConstraintRows rows, SolverBodies bodies, SubStep sub, int place, Scratch scratch) {
+        double[] d = rows.doubles;
+        double[] st = scratch.doubles;
+        double[] body = bodies.state;
+        int[] link = rows.link;
+        int lanes = rows.lanes;
+        int l = place * LINK;
+        int n = link[l + ConstraintRows.COUNT];
+        int o = rows.base(place);
+        int a = link[l];
+        int b = link[l + 1];
+        int f = o + ConstraintRows.LAMBDA * lanes;
+        for (int round = 0; n > 0 && d[o + FRICTION * lanes] > 0 && round < ROUNDS; round++) {
+            double x = d[f];
+            double y = d[f + lanes];
+            ScalarFriction.rub(d, o, lanes, body, a, b, n);
+            double change = Math.abs(d[f] - x) + Math.abs(d[f + lanes] - y);
+            if (!(change > AGREED * (Math.abs(x) + Math.abs(y)))) {
+                return;
+            }
+            ScalarNormals.soften(d, o, lanes, n, true, sub, st);
+            ScalarNormals.sweep(d, o, lanes, body, a, b, n, sub.landing, NONE, st);
         }
     }
 

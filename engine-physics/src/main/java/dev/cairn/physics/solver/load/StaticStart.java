@@ -165,10 +165,11 @@ public final class StaticStart {
         }
     }
 
-    /** Only contacts are swept before a start. */
+    /** Only contacts are swept before a start, and not with what moves of itself. */
     private static boolean starts(BodyStore b, ContactStore c, EdgeList list, int m, double still) {
         int source = list.source[m];
         return m < list.contacts
+                && list.carrier[m] < 0
                 && starts(b, c.bodyA[source], still)
                 && starts(b, c.bodyB[source], still);
     }

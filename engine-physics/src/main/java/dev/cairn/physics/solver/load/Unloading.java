@@ -119,11 +119,11 @@ public final class Unloading {
             int row = rows.link[l + ConstraintRows.SOURCE];
             double sum = force(c, row, perImpulse);
             if (sum > 0) {
-                if (rows.link[l] != 0) {
+                if (b.kind[c.bodyA[row]] == BodyStore.DYNAMIC) {
                     b.pressed[c.bodyA[row]] += sum;
                     b.pressing[c.bodyA[row]]++;
                 }
-                if (rows.link[l + 1] != 0) {
+                if (b.kind[c.bodyB[row]] == BodyStore.DYNAMIC) {
                     b.pressed[c.bodyB[row]] += sum;
                     b.pressing[c.bodyB[row]]++;
                 }

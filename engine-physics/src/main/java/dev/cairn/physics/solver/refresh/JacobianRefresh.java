@@ -113,11 +113,23 @@ public final class JacobianRefresh {
         boolean isFar = (u * u + v * v + w * w) * (step * step) > FAR * FAR * (far * far);
         turns[i] = !isBall && (isFar || (x * x + y * y + z * z) * (far * far) > slow);
         if (turns[i]) {
-            start[4 * i] = b.orientationX[i];
-            start[4 * i + 1] = b.orientationY[i];
-            start[4 * i + 2] = b.orientationZ[i];
-            start[4 * i + 3] = b.orientationW[i];
+            turnAlways(b, i);
         }
+    }
+
+    /** A body's root is renewed in each sub-step, as joints hang on it; after {@link #look}. */
+    public void turnAlways(BodyStore b, int i) {
+        turns[i] = true;
+        start[4 * i] = b.orientationX[i];
+        start[4 * i + 1] = b.orientationY[i];
+        start[4 * i + 2] = b.orientationZ[i];
+        start[4 * i + 3] = b.orientationW[i];
+    }
+
+    /** Levers of a kinematic body do not turn with it within the tick. */
+    public void keep(int slot) {
+        turns[slot] = false;
+        stirred[slot] = false;
     }
 
     public void ensurePlaces(ConstraintRows rows) {
@@ -153,7 +165,7 @@ public final class JacobianRefresh {
                             && movesB
                             && c.restitution[source] == 0
                             && passes(b, i, j, gravity))) {
-                renewed[place] = how(rows, c, place, source, movesA, movesB);
+                renewed[place] = how(rows, c, b, place, source, movesA, movesB);
                 any = true;
                 RefreshRow.keep(c, source, kept, KEPT * place);
                 if (movesA) {
@@ -218,6 +230,7 @@ public final class JacobianRefresh {
     private int how(
             ConstraintRows rows,
             ContactStore c,
+            BodyStore b,
             int place,
             int source,
             boolean movesA,
@@ -239,6 +252,11 @@ public final class JacobianRefresh {
             // two bodies share one point: a ball's own, since on a ball a lever off its normal
             // would lift
             how |= isCorneredA == isCorneredB ? BETWEEN : isCorneredA ? OF_B : OF_A;
+        }
+        if (movesA && movesB && b.driven > 0) {
+            // what stands or rolls on a kinematic body meets it at its own point
+            how = b.isDriven(i) ? (how & ~BETWEEN) | OF_B : how;
+            how = b.isDriven(k) ? (how & ~BETWEEN) | OF_A : how;
         }
         return how;
     }

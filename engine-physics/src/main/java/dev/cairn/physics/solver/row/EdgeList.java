@@ -30,10 +30,18 @@ public final class EdgeList {
     /** By edge: its row in the store of its kind. */
     public int[] source = {};
 
-    /** By edge: slots of its bodies, -1 for one that does not move. One of them does. */
+    /** By edge: slots of its bodies, -1 for one that nothing moves. One of them is moved. */
     public int[] slotA = {};
 
     public int[] slotB = {};
+
+    /**
+     * By edge: slot of its kinematic body that moves, or -1; and where that lies among the bodies
+     * of the solver, or 0.
+     */
+    public int[] carrier = {};
+
+    public int[] side = {};
 
     /**
      * By edge: which of the kernels of its kind it needs; within a colour those of one variant lie
@@ -99,6 +107,8 @@ public final class EdgeList {
             source = Arrays.copyOf(source, n);
             slotA = Arrays.copyOf(slotA, n);
             slotB = Arrays.copyOf(slotB, n);
+            carrier = Arrays.copyOf(carrier, n);
+            side = Arrays.copyOf(side, n);
             variant = Arrays.copyOf(variant, n);
             place = Arrays.copyOf(place, n);
             isSingle = Arrays.copyOf(isSingle, n);

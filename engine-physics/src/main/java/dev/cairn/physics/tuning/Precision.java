@@ -1,6 +1,4 @@
-package dev.cairn.physics;
-
-import dev.cairn.physics.tuning.Tunable;
+package dev.cairn.physics.tuning;
 
 /**
  * In what numbers the contacts of a tick are solved. Positions and velocities of bodies are doubles
@@ -25,14 +23,28 @@ public enum Precision {
      */
     SINGLE(0);
 
-    /** See {@link Tunable#FLOATS_FROM}. */
-    final int floatsFrom;
+    private final int floatsFrom;
 
     Precision(int floatsFrom) {
         this.floatsFrom = floatsFrom;
     }
 
-    static Precision of(int floatsFrom) {
+    /**
+     * What stands in the tuning for this precision.
+     *
+     * @return a value of {@link Tunable#FLOATS_FROM}
+     */
+    public int floatsFrom() {
+        return floatsFrom;
+    }
+
+    /**
+     * The precision that a tuning says.
+     *
+     * @param floatsFrom a value of {@link Tunable#FLOATS_FROM}
+     * @return {@link #AUTO} for what is neither all nor nothing
+     */
+    public static Precision of(int floatsFrom) {
         return floatsFrom == 0 ? SINGLE : floatsFrom == Integer.MAX_VALUE ? DOUBLE : AUTO;
     }
 }

@@ -1,4 +1,4 @@
-package dev.cairn.physics;
+package dev.cairn.physics.state;
 
 import dev.cairn.core.ecs.Chunk;
 import dev.cairn.core.ecs.DoubleField;
@@ -6,6 +6,7 @@ import dev.cairn.core.ecs.IntField;
 import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Rotations;
@@ -18,7 +19,7 @@ import java.util.Arrays;
  * From slots to columns: writes Pose and Velocity of a chunk's rows, one block to a chunk, clears
  * the forces, and puts bodies back whose state is no longer finite.
  */
-final class Publisher {
+public final class Publisher {
     private static final IntField SLOT = RigidBody.COMPONENT.intField("slot");
     private static final DoubleField X = Pose.COMPONENT.doubleField("x");
     private static final DoubleField Y = Pose.COMPONENT.doubleField("y");
@@ -35,7 +36,7 @@ final class Publisher {
     private static final DoubleField WY = Velocity.COMPONENT.doubleField("wy");
     private static final DoubleField WZ = Velocity.COMPONENT.doubleField("wz");
 
-    private final BodyTable table;
+    private final Roster roster;
     private final BlockJob job = this::block;
     private @Nullable Tick tick;
     private int[] failuresInChunk = {};
@@ -53,18 +54,24 @@ final class Publisher {
     private boolean wasKnown;
     private double[][] scratch = {};
 
-    Publisher(BodyTable table) {
-        this.table = table;
+    /**
+     * A publisher.
+     *
+     * @param roster who is there
+     */
+    public Publisher(Roster roster) {
+        this.roster = roster;
     }
 
-    void run(Tick current) {
+    /** Writes the rows of the tick. */
+    public void run(Tick current) {
         tick = current;
         int chunks = current.chunkCount();
         if (failuresInChunk.length < chunks) {
             failuresInChunk = new int[chunks + (chunks >> 1)];
         }
-        if (failed.length < table.bodies.kind.length) {
-            failed = Arrays.copyOf(failed, table.bodies.kind.length);
+        if (failed.length < roster.bodies.kind.length) {
+            failed = Arrays.copyOf(failed, roster.bodies.kind.length);
         }
         remember(chunks);
         int workers = current.jobs().workers();
@@ -87,21 +94,22 @@ final class Publisher {
             settledInChunk = new boolean[failuresInChunk.length];
             known = false;
         }
-        long changes = table.sleepers.changes();
-        known &= changes == quietChanges && table.rosters == quietRoster && chunks == quietChunks;
+        long changes = roster.sleepers.changes();
+        known &= changes == quietChanges && roster.rosters == quietRoster && chunks == quietChunks;
         quietChanges = changes;
-        quietRoster = table.rosters;
+        quietRoster = roster.rosters;
         quietChunks = chunks;
         wasKnown = known;
         known = true;
     }
 
-    int failures() {
+    /** How many bodies were put back in the last run. */
+    public int failures() {
         return failures;
     }
 
     /** Whether the body was put back in this tick; asks once. */
-    boolean takeFailure(int slot) {
+    public boolean takeFailure(int slot) {
         boolean was = failed[slot];
         failed[slot] = false;
         return was;
@@ -115,7 +123,7 @@ final class Publisher {
         Chunk chunk = current.chunk(block);
         failuresInChunk[block] = 0;
         settledInChunk[block] = false;
-        if (table.sleepers.asleepCount() > 0) {
+        if (roster.sleepers.asleepCount() > 0) {
             if (!wasKnown) {
                 quietChunk[block] = isQuiet(chunk);
             }
@@ -135,7 +143,7 @@ final class Publisher {
         int[] slots = chunk.in(SLOT);
         int size = chunk.size();
         for (int row = 0; row < size; row++) {
-            if (!table.sleepers.settled(slots[row])) {
+            if (!roster.sleepers.settled(slots[row])) {
                 return false;
             }
         }
@@ -148,7 +156,7 @@ final class Publisher {
         int size = chunk.size();
         boolean any = false;
         for (int row = 0; row < size; row++) {
-            any |= table.sleepers.settle(slots[row]);
+            any |= roster.sleepers.settle(slots[row]);
         }
         return any;
     }
@@ -160,7 +168,7 @@ final class Publisher {
         int count = 0;
         for (int row = 0; row < size; row++) {
             int s = slots[row];
-            if (!isValid(table.bodies, s)) {
+            if (!isValid(roster.bodies, s)) {
                 restore(chunk, row, s);
                 failed[s] = true;
                 count++;
@@ -187,7 +195,7 @@ final class Publisher {
     }
 
     private void restore(Chunk chunk, int row, int s) {
-        BodyStore b = table.bodies;
+        BodyStore b = roster.bodies;
         b.orientationX[s] = chunk.in(QX)[row];
         b.orientationY[s] = chunk.in(QY)[row];
         b.orientationZ[s] = chunk.in(QZ)[row];
@@ -198,9 +206,9 @@ final class Publisher {
                 b.orientationY[s],
                 b.orientationZ[s],
                 b.orientationW[s],
-                table.comX[s],
-                table.comY[s],
-                table.comZ[s],
+                roster.comX[s],
+                roster.comY[s],
+                roster.comZ[s],
                 com);
         b.place(s, chunk.in(X)[row] + com[0], chunk.in(Y)[row] + com[1], chunk.in(Z)[row] + com[2]);
         b.velocityX[s] = 0;
@@ -212,7 +220,7 @@ final class Publisher {
     }
 
     private void poses(Chunk chunk, double[] com) {
-        BodyStore b = table.bodies;
+        BodyStore b = roster.bodies;
         int[] slots = chunk.in(SLOT);
         double[] x = chunk.out(X);
         double[] y = chunk.out(Y);
@@ -229,7 +237,7 @@ final class Publisher {
             double oy = b.orientationY[s];
             double oz = b.orientationZ[s];
             double ow = b.orientationW[s];
-            Rotations.rotate(ox, oy, oz, ow, table.comX[s], table.comY[s], table.comZ[s], com);
+            Rotations.rotate(ox, oy, oz, ow, roster.comX[s], roster.comY[s], roster.comZ[s], com);
             x[row] = b.positionX[s] - com[0];
             y[row] = b.positionY[s] - com[1];
             z[row] = b.positionZ[s] - com[2];
@@ -237,12 +245,12 @@ final class Publisher {
             qy[row] = oy;
             qz[row] = oz;
             qw[row] = ow;
-            jumps[row] = table.jumps[s];
+            jumps[row] = roster.jumps[s];
         }
     }
 
     private void velocities(Chunk chunk) {
-        BodyStore b = table.bodies;
+        BodyStore b = roster.bodies;
         int[] slots = chunk.in(SLOT);
         double[] vx = chunk.out(VX);
         double[] vy = chunk.out(VY);
@@ -259,7 +267,7 @@ final class Publisher {
             wx[row] = b.angularVelocityX[s];
             wy[row] = b.angularVelocityY[s];
             wz[row] = b.angularVelocityZ[s];
-            table.clearForces(s);
+            roster.clearForces(s);
         }
     }
 }

@@ -1,4 +1,4 @@
-package dev.cairn.physics;
+package dev.cairn.physics.profile;
 
 /** The stages of a physics step, in the order in which they run; {@link StepProfile} times them. */
 public enum StepStage {

@@ -1,4 +1,7 @@
-package dev.cairn.physics;
+package dev.cairn.physics.state;
+
+import dev.cairn.physics.profile.StepProfile;
+import dev.cairn.physics.profile.StepStage;
 
 import jdk.jfr.Category;
 import jdk.jfr.Description;

@@ -1,19 +1,14 @@
-package dev.cairn.physics;
+package dev.cairn.physics.state;
+
+import dev.cairn.physics.profile.StepProfile;
+import dev.cairn.physics.profile.StepStage;
 
 import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
 
-/**
- * How long each stage of the physics step took. Off until {@link #enable} is called; then a step
- * reads the clock once per stage, some 20 ns each. While a recording of the JDK Flight Recorder has
- * the event {@code dev.cairn.PhysicsStep} switched on, each step writes one, whether enabled here
- * or not.
- *
- * <p>Times are wall time of the simulation thread, so they include waiting for the other workers.
- * Simulation thread only; allocates nothing.
- */
-public final class StepProfile {
+/** The clock behind {@link StepProfile}: the step tells it when each stage has ended. */
+public final class StepClock implements StepProfile {
     private static final StepStage[] STAGES = StepStage.values();
 
     private final long[] lastNanos = new long[STAGES.length];
@@ -24,50 +19,37 @@ public final class StepProfile {
     private long steps;
     private long mark;
 
-    StepProfile() {}
+    /** A clock that is off. */
+    public StepClock() {}
 
-    /** Times the steps that follow. */
+    @Override
     public void enable() {
         enabled = true;
     }
 
-    /** Stops; what was measured stays readable. */
+    @Override
     public void disable() {
         enabled = false;
     }
 
-    /** Forgets what was measured. */
+    @Override
     public void reset() {
         Arrays.fill(lastNanos, 0);
         Arrays.fill(totalNanos, 0);
         steps = 0;
     }
 
-    /**
-     * The steps that were timed.
-     *
-     * @return count since the last reset
-     */
+    @Override
     public long steps() {
         return steps;
     }
 
-    /**
-     * Duration of a stage in the last timed step.
-     *
-     * @param stage which
-     * @return ns; 0 if no step was timed
-     */
+    @Override
     public long lastNanos(StepStage stage) {
         return lastNanos[index(stage)];
     }
 
-    /**
-     * Mean duration of a stage.
-     *
-     * @param stage which
-     * @return s per timed step; 0 if no step was timed
-     */
+    @Override
     public double meanSeconds(StepStage stage) {
         return steps == 0 ? 0 : totalNanos[index(stage)] * 1e-9 / steps;
     }
@@ -78,7 +60,7 @@ public final class StepProfile {
     }
 
     /** A step starts. */
-    void begin() {
+    public void begin() {
         timing = enabled || (event != null && event.isEnabled());
         if (timing) {
             if (event != null) {
@@ -89,7 +71,7 @@ public final class StepProfile {
     }
 
     /** A stage has ended; the next one starts now. */
-    void end(StepStage stage) {
+    public void end(StepStage stage) {
         if (timing) {
             long now = System.nanoTime();
             lastNanos[index(stage)] = now - mark;
@@ -98,7 +80,7 @@ public final class StepProfile {
     }
 
     /** The step has ended. */
-    void end(int bodies, int contacts) {
+    public void end(int bodies, int contacts) {
         if (!timing) {
             return;
         }

@@ -1,10 +1,10 @@
-package dev.cairn.physics;
+package dev.cairn.physics.component;
 
 import dev.cairn.core.ecs.Component;
 
 /**
  * Velocity of a body, written each tick by the physics system; changing it has no effect on the
- * body (use {@link BodyRef#setVelocity}).
+ * body (use {@code BodyRef.setVelocity}).
  *
  * @param vx velocity of the centre of mass, world x, m/s
  * @param vy velocity of the centre of mass, world y, m/s

@@ -1,0 +1,99 @@
+package dev.cairn.physics;
+
+import dev.cairn.physics.component.Velocity;
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.shape.MassProperties;
+import dev.cairn.physics.shape.Shape;
+
+/**
+ * What a body is, changed while the world lives: type, shape, material, mass. The slot is alive.
+ *
+ * <p>What can be refused is refused before anything changes. The frame of the shape stays where it
+ * is; if the centre of mass moves in it, the body goes on as the same rigid motion.
+ */
+final class BodyChanges {
+    private final BodyTable table;
+    private final BodyStore bodies;
+
+    BodyChanges(BodyTable table) {
+        this.table = table;
+        bodies = table.bodies;
+    }
+
+    void setType(int s, BodyType type) {
+        if (table.access.type(s) == type) {
+            return;
+        }
+        boolean moves = type == BodyType.DYNAMIC;
+        MassProperties mass = table.collision.massAs(s, !moves);
+        long entity = bodies.entity[s];
+        boolean wasFixed = table.access.isFixed(s);
+        wakeAround(s);
+        // the ECS first: if it refuses, nothing has changed
+        if (wasFixed) {
+            if (!table.world().has(entity, Velocity.COMPONENT)) {
+                table.world().add(entity, Velocity.ZERO);
+            }
+            table.release(s);
+        } else if (type == BodyType.FIXED) {
+            table.world().remove(entity, Velocity.COMPONENT);
+            bodies.stop(s);
+        }
+        bodies.kind[s] = BodyTable.kind(type);
+        table.access.setMass(s, mass);
+        learn(s);
+        table.roster.retyped(s);
+    }
+
+    void setShape(int s, Shape shape) {
+        int c = bodies.collider[s];
+        if (table.colliders.next[c] != ColliderStore.NONE) {
+            throw new IllegalStateException(
+                    table.refs[s]
+                            + " has several colliders; choose one of colliders() and replace that");
+        }
+        wakeAround(s);
+        table.collision.replace(c, Collider.of(shape));
+        table.contacts.forget(s);
+        learn(s);
+    }
+
+    void setMaterial(int s, Material material) {
+        wakeAround(s);
+        table.collision.setMaterials(s, material);
+        learn(s);
+    }
+
+    void setMass(int s, double kilograms) {
+        wakeAround(s);
+        table.collision.stateMass(s, kilograms);
+        learn(s);
+    }
+
+    void setInertia(int s, double xx, double yy, double zz) {
+        Body.checkInertia(xx, yy, zz);
+        wakeAround(s);
+        table.collision.stateInertia(s, xx, yy, zz);
+        learn(s);
+    }
+
+    /** What was learnt of the body's loads was another body's. */
+    private void learn(int s) {
+        bodies.inertiaScale[s] = 0;
+        bodies.restTicks[s] = 0;
+    }
+
+    /** The body, and whoever has a contact with it, which may be asleep on a fixed one. */
+    private void wakeAround(int s) {
+        table.sleepers.wake(s);
+        ContactStore rows = table.contacts;
+        for (int row = 0; table.sleepers.asleepCount() > 0 && row < rows.count; row++) {
+            if (rows.isSolved(row) && (rows.bodyA[row] == s || rows.bodyB[row] == s)) {
+                table.sleepers.wake(rows.bodyA[row]);
+                table.sleepers.wake(rows.bodyB[row]);
+            }
+        }
+    }
+}

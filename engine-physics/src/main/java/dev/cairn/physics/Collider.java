@@ -1,0 +1,187 @@
+package dev.cairn.physics;
+
+import dev.cairn.physics.collider.Filter;
+import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.internal.Rotations;
+import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.Shape;
+
+import org.joml.Quaterniond;
+import org.joml.Quaterniondc;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The description of a shape on a body, for {@link Body#collider} and {@link BodyRef#add}. What is
+ * not said, material and filter, is the body's. Immutable: each call returns another description;
+ * any thread.
+ */
+public final class Collider {
+    final Shape shape;
+    final double x, y, z, qx, qy, qz, qw;
+    final @Nullable Material material;
+    final @Nullable Filter filter;
+    final @Nullable Object userData;
+    final boolean sensor;
+
+    /** The shape in the body's frame. */
+    final Shape placed;
+
+    private Collider(
+            Shape shape,
+            double[] pose,
+            @Nullable Material material,
+            @Nullable Filter filter,
+            @Nullable Object userData,
+            boolean sensor) {
+        this.sensor = sensor;
+        this.shape = shape;
+        x = pose[0];
+        y = pose[1];
+        z = pose[2];
+        qx = pose[3];
+        qy = pose[4];
+        qz = pose[5];
+        qw = pose[6];
+        this.material = material;
+        this.filter = filter;
+        this.userData = userData;
+        boolean isMoved = x != 0 || y != 0 || z != 0 || qx != 0 || qy != 0 || qz != 0;
+        placed = isMoved ? shape.moved(x, y, z, new Quaterniond(qx, qy, qz, qw)) : shape;
+    }
+
+    /**
+     * A shape at the origin of the body's frame.
+     *
+     * @param shape the shape; shared, not copied
+     * @return a new description
+     */
+    public static Collider of(Shape shape) {
+        double[] pose = {0, 0, 0, 0, 0, 0, 1};
+        return new Collider(Checks.notNull("shape", shape), pose, null, null, null, false);
+    }
+
+    /**
+     * Places the origin of the shape's frame in the body's frame; (0, 0, 0) by default.
+     *
+     * @param bodyX m, finite
+     * @param bodyY m, finite
+     * @param bodyZ m, finite
+     * @return a new description
+     */
+    public Collider at(double bodyX, double bodyY, double bodyZ) {
+        Checks.finite("x", bodyX);
+        Checks.finite("y", bodyY);
+        Checks.finite("z", bodyZ);
+        double[] pose = {bodyX, bodyY, bodyZ, qx, qy, qz, qw};
+        return new Collider(shape, pose, material, filter, userData, sensor);
+    }
+
+    /**
+     * Turns the shape's frame in the body's frame; no rotation by default.
+     *
+     * @param bodyFromShape unit quaternion, its length within 1e-6 of 1
+     * @return a new description
+     * @throws IllegalArgumentException if it is not finite or not of unit length
+     */
+    public Collider rotation(Quaterniondc bodyFromShape) {
+        Quaterniondc q = Checks.notNull("rotation", bodyFromShape);
+        double f = Rotations.inverseLength("rotation", q.x(), q.y(), q.z(), q.w());
+        double[] pose = {x, y, z, q.x() * f, q.y() * f, q.z() * f, q.w() * f};
+        return new Collider(shape, pose, material, filter, userData, sensor);
+    }
+
+    /**
+     * Sets friction, restitution and density; the body's by default.
+     *
+     * @param value the material
+     * @return a new description
+     */
+    public Collider material(Material value) {
+        Checks.notNull("material", value);
+        return new Collider(shape, pose(), value, filter, userData, sensor);
+    }
+
+    /**
+     * Says whom the collider meets; the body's filter by default.
+     *
+     * @param value the filter
+     * @return a new description
+     */
+    public Collider filter(Filter value) {
+        Checks.notNull("filter", value);
+        return new Collider(shape, pose(), material, value, userData, sensor);
+    }
+
+    /**
+     * Attaches anything of the user's, to be found again at {@link ColliderRef#userData}.
+     *
+     * @param value any object, or {@code null}
+     * @return a new description
+     */
+    public Collider userData(@Nullable Object value) {
+        return new Collider(shape, pose(), material, filter, value, sensor);
+    }
+
+    /**
+     * Says whether the collider only tells who is in it, see {@link Contacts#entered}; it pushes
+     * nothing, weighs nothing beside colliders that are none, wakes nobody, and does not see other
+     * sensors. False by default.
+     *
+     * @param value true for a sensor
+     * @return a new description
+     * @throws IllegalArgumentException if it is a half-space, which has no end
+     */
+    public Collider sensor(boolean value) {
+        if (value && shape instanceof HalfSpace) {
+            throw new IllegalArgumentException(
+                    "a half-space cannot be a sensor, for it has no end; use a large box");
+        }
+        return new Collider(shape, pose(), material, filter, userData, value);
+    }
+
+    private double[] pose() {
+        return new double[] {x, y, z, qx, qy, qz, qw};
+    }
+
+    /** With a material and a filter, if none was said. */
+    Collider orElse(Material otherMaterial, Filter otherFilter) {
+        return new Collider(
+                shape,
+                pose(),
+                material == null ? otherMaterial : material,
+                filter == null ? otherFilter : filter,
+                userData,
+                sensor);
+    }
+
+    /**
+     * The shape.
+     *
+     * @return as it was given
+     */
+    public Shape shape() {
+        return shape;
+    }
+
+    /**
+     * The shape where it is in the body's frame.
+     *
+     * @return the shape, moved and turned
+     */
+    public Shape placed() {
+        return placed;
+    }
+
+    Material material() {
+        return material == null ? Material.DEFAULT : material;
+    }
+
+    Filter filter() {
+        return filter == null ? Filter.ALL : filter;
+    }
+
+    @Override
+    public String toString() {
+        return "collider " + shape + " at (" + x + ", " + y + ", " + z + ")";
+    }
+}

@@ -1,0 +1,83 @@
+package dev.cairn.physics;
+
+import dev.cairn.physics.collider.ContactHook;
+import dev.cairn.physics.internal.Checks;
+
+import org.jspecify.annotations.Nullable;
+
+import java.util.function.BiPredicate;
+
+/**
+ * The rules of a world about who collides, beside the filters of the colliders. Simulation thread,
+ * between steps.
+ */
+public final class Collisions {
+    private final PhysicsWorld world;
+    private final ColliderTable table;
+
+    Collisions(PhysicsWorld world) {
+        this.world = world;
+        table = world.physics.table.collision;
+    }
+
+    /**
+     * Chooses a question to be asked of each pair of colliders whose boxes have come to overlap and
+     * whose filters meet: once, and again whenever one of the boxes was moved while the pair is
+     * refused, or a filter changes. It is asked on the simulation thread, within the step, in an
+     * order that depends on the world's history alone.
+     *
+     * <p>It must be pure: the same answer for the same two, whatever happened meanwhile. When what
+     * it depends on changes, set it again: all pairs are asked anew.
+     *
+     * @param collide whether the two collide, the lower slot first; {@code null} for all
+     */
+    public void setPairFilter(@Nullable BiPredicate<ColliderRef, ColliderRef> collide) {
+        world.requireBetweenSteps("setPairFilter");
+        table.ask(collide);
+    }
+
+    /**
+     * Chooses who looks at each contact before it is solved, and may change it for the step.
+     *
+     * @param hook the hook; {@code null} for none
+     */
+    public void setHook(@Nullable ContactHook hook) {
+        world.requireBetweenSteps("setHook");
+        world.physics.hooks.set(hook);
+    }
+
+    /**
+     * Lets two bodies pass through each other, whatever their filters say. Counted: each call is
+     * taken back by one of {@link #include}. A contact of the two ends in the next step.
+     *
+     * @param a a body
+     * @param b another body
+     * @throws IllegalArgumentException if both are the same
+     */
+    public void exclude(BodyRef a, BodyRef b) {
+        world.requireBetweenSteps("exclude");
+        two(a, b);
+        table.apart(a.alive(), b.alive());
+    }
+
+    /**
+     * Takes back one call of {@link #exclude}; nothing if there was none.
+     *
+     * @param a a body
+     * @param b another body
+     */
+    public void include(BodyRef a, BodyRef b) {
+        world.requireBetweenSteps("include");
+        two(a, b);
+        table.together(a.alive(), b.alive());
+    }
+
+    private static void two(BodyRef a, BodyRef b) {
+        Checks.notNull("a", a);
+        Checks.notNull("b", b);
+        if (a == b) {
+            throw new IllegalArgumentException(
+                    a + " is both; a body does not collide with itself, pass two");
+        }
+    }
+}

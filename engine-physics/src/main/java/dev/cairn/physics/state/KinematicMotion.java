@@ -1,0 +1,185 @@
+package dev.cairn.physics.state;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.solver.body.Rotation;
+
+import java.util.Arrays;
+
+/**
+ * What kinematic bodies do: at the start of a tick a target becomes the velocity that leads there,
+ * at its end each body is where its velocity, or its target, has it.
+ *
+ * <p>A target holds for one tick; without another one the body then stands still. It is reached to
+ * the bit, not by adding up. Simulation thread; allocates only when slots are added, and nothing in
+ * a world without targets.
+ */
+public final class KinematicMotion {
+    /** Numbers to a target: place of the centre of mass, orientation, way and turn until there. */
+    private static final int STRIDE = 13;
+
+    private static final byte NONE = 0;
+    private static final byte AIMED = 1;
+
+    /** The velocity of the last tick led to a target. */
+    private static final byte ARRIVED = 2;
+
+    private final BodyStore bodies;
+    private byte[] state = {};
+    private double[] target = {};
+
+    /** By slot: whether the body moved in the last tick. */
+    private boolean[] moved = {};
+
+    /** Without bodies. */
+    public KinematicMotion(BodyStore bodies) {
+        this.bodies = bodies;
+    }
+
+    /** Grows the columns. */
+    public void ensureSlots(int slots) {
+        if (state.length < slots) {
+            int n = Math.max(slots, bodies.kind.length);
+            state = Arrays.copyOf(state, n);
+            moved = Arrays.copyOf(moved, n);
+            if (target.length > 0) {
+                target = Arrays.copyOf(target, STRIDE * n);
+            }
+        }
+    }
+
+    /** A slot has another body, or the body another place or velocity: no target holds. */
+    public void forget(int slot) {
+        state[slot] = NONE;
+    }
+
+    /** The same for a body that is new in its slot. */
+    public void born(int slot) {
+        state[slot] = NONE;
+        moved[slot] = false;
+    }
+
+    /**
+     * Sets where a body shall be at the end of the next tick.
+     *
+     * @param slot of a kinematic body
+     * @param x centre of mass, world, m
+     * @param qx unit quaternion, worldFromBody
+     */
+    public void aim(
+            int slot, double x, double y, double z, double qx, double qy, double qz, double qw) {
+        if (target.length == 0) {
+            target = new double[STRIDE * state.length];
+        }
+        BodyStore b = bodies;
+        int t = STRIDE * slot;
+        target[t] = x;
+        target[t + 1] = y;
+        target[t + 2] = z;
+        target[t + 3] = qx;
+        target[t + 4] = qy;
+        target[t + 5] = qz;
+        target[t + 6] = qw;
+        target[t + 7] = x - b.positionX[slot];
+        target[t + 8] = y - b.positionY[slot];
+        target[t + 9] = z - b.positionZ[slot];
+        turn(b, slot, t);
+        state[slot] = AIMED;
+    }
+
+    /** The rotation vector of {@code q q0^-1}, the shorter way round; set-up, so StrictMath. */
+    private void turn(BodyStore b, int slot, int t) {
+        double px = -b.orientationX[slot];
+        double py = -b.orientationY[slot];
+        double pz = -b.orientationZ[slot];
+        double pw = b.orientationW[slot];
+        double bx = target[t + 3];
+        double by = target[t + 4];
+        double bz = target[t + 5];
+        double bw = target[t + 6];
+        double x = bw * px + bx * pw + (by * pz - bz * py);
+        double y = bw * py + by * pw + (bz * px - bx * pz);
+        double z = bw * pz + bz * pw + (bx * py - by * px);
+        double w = bw * pw - (bx * px + by * py + bz * pz);
+        double sine = Math.sqrt(x * x + y * y + z * z);
+        double angle = 2 * StrictMath.atan2(sine, Math.abs(w));
+        double k = sine == 0 ? 0 : (w < 0 ? -angle : angle) / sine;
+        target[t + 10] = k * x;
+        target[t + 11] = k * y;
+        target[t + 12] = k * z;
+    }
+
+    /**
+     * Start of a tick: velocities of those with a target; counts those that move.
+     *
+     * @param stepSeconds length of the tick, s
+     */
+    public void begin(int[] slots, int count, double stepSeconds) {
+        BodyStore b = bodies;
+        b.driven = 0;
+        for (int k = 0; k < count; k++) {
+            int s = slots[k];
+            if (state[s] == AIMED) {
+                int t = STRIDE * s;
+                b.velocityX[s] = target[t + 7] / stepSeconds;
+                b.velocityY[s] = target[t + 8] / stepSeconds;
+                b.velocityZ[s] = target[t + 9] / stepSeconds;
+                b.angularVelocityX[s] = target[t + 10] / stepSeconds;
+                b.angularVelocityY[s] = target[t + 11] / stepSeconds;
+                b.angularVelocityZ[s] = target[t + 12] / stepSeconds;
+            } else if (state[s] == ARRIVED) {
+                b.stop(s);
+                state[s] = NONE;
+            }
+            b.driven++; // so that isDriven looks
+            if (!b.isDriven(s)) {
+                b.driven--;
+            }
+        }
+    }
+
+    /**
+     * Whether a body moved in the last tick and does not in this one, or the reverse: asks once.
+     */
+    public boolean takeChange(int slot) {
+        boolean now = bodies.isDriven(slot);
+        boolean was = moved[slot];
+        moved[slot] = now;
+        return now != was;
+    }
+
+    /** End of a tick: all are where they shall be. */
+    public void end(int[] slots, int count, double stepSeconds) {
+        BodyStore b = bodies;
+        for (int k = 0; b.driven > 0 && k < count; k++) {
+            int s = slots[k];
+            if (!b.isDriven(s)) {
+                continue;
+            }
+            if (state[s] == AIMED) {
+                int t = STRIDE * s;
+                b.place(s, target[t], target[t + 1], target[t + 2]);
+                b.orientationX[s] = target[t + 3];
+                b.orientationY[s] = target[t + 4];
+                b.orientationZ[s] = target[t + 5];
+                b.orientationW[s] = target[t + 6];
+            } else {
+                b.move(
+                        s,
+                        stepSeconds * b.velocityX[s],
+                        stepSeconds * b.velocityY[s],
+                        stepSeconds * b.velocityZ[s]);
+                Rotation.turn(
+                        b,
+                        s,
+                        stepSeconds * b.angularVelocityX[s],
+                        stepSeconds * b.angularVelocityY[s],
+                        stepSeconds * b.angularVelocityZ[s]);
+            }
+        }
+        for (int k = 0; k < count; k++) {
+            if (state[slots[k]] == AIMED) {
+                state[slots[k]] = ARRIVED;
+            }
+        }
+    }
+}

@@ -1,0 +1,178 @@
+package dev.cairn.physics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.physics.collider.Filter;
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
+
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.ShrinkingMode;
+import net.jqwik.api.constraints.LongRange;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+
+/**
+ * Any order of adding, changing, filtering, removing and sleeping: each end has its begin, a list
+ * of who touches that is made of events alone is that of the world, the state holds, and the bits
+ * do not depend on workers or lanes.
+ */
+class CollisionPropertiesTest {
+    private static final Filter[] FILTERS = {
+        Filter.ALL,
+        new Filter(2, 1),
+        new Filter(1, 3),
+        Filter.ALL.neverWith(1),
+        Filter.ALL.alwaysWith(2),
+        Filter.NOTHING
+    };
+
+    @Property(tries = 20, shrinking = ShrinkingMode.OFF)
+    void eventsPairUpAndBitsStay(@ForAll @LongRange(min = 0, max = 1 << 20) long seed) {
+        long digest = play(seed, 1, 1);
+        assertEquals(digest, play(seed, 2, 8), "seed " + seed);
+    }
+
+    private static long play(long seed, int workers, int lanes) {
+        try (PhysicsWorld world =
+                PhysicsWorld.builder()
+                        .settings(PhysicsSettings.DEFAULT.withLanes(lanes))
+                        .workers(workers)
+                        .build()) {
+            Random random = new Random(seed);
+            Ledger ledger = new Ledger();
+            world.contacts().listen(ledger);
+            world.add(Body.fixed().shape(Box.of(6, .5, 6)).at(0, -.5, 0));
+            for (int i = 0; i < 12; i++) {
+                world.add(body(random));
+            }
+            for (int tick = 0; tick < 100; tick++) {
+                if (random.nextInt(3) == 0) {
+                    change(world, random);
+                }
+                world.step(Scenes.STEP);
+                world.validate();
+                ledger.check(world, "seed " + seed + " tick " + tick);
+            }
+            for (BodyRef body : world.bodies()) {
+                body.remove();
+            }
+            world.step(Scenes.STEP);
+            assertTrue(ledger.touching.isEmpty() && ledger.inside.isEmpty(), "seed " + seed);
+            return world.digest() + 31 * ledger.told;
+        }
+    }
+
+    private static void change(PhysicsWorld world, Random random) {
+        List<BodyRef> bodies = world.bodies();
+        BodyRef body = bodies.get(random.nextInt(bodies.size()));
+        List<ColliderRef> colliders = body.colliders();
+        ColliderRef collider = colliders.get(random.nextInt(colliders.size()));
+        switch (random.nextInt(10)) {
+            case 0, 1 -> world.add(body(random));
+            case 2 -> {
+                if (!body.isFixed()) {
+                    body.remove();
+                }
+            }
+            case 3 -> body.setFilter(FILTERS[random.nextInt(FILTERS.length)]);
+            case 4 -> collider.setFilter(FILTERS[random.nextInt(FILTERS.length)]);
+            case 5 -> body.add(part(random));
+            case 6 -> {
+                if (colliders.size() > 1) {
+                    collider.remove();
+                }
+            }
+            case 7 -> collider.replace(part(random).sensor(collider.isSensor()));
+            case 8 -> body.sleep();
+            default -> {
+                if (!body.isFixed()) {
+                    body.teleport(random.nextDouble() * 4 - 2, 1, random.nextDouble() * 4 - 2);
+                }
+            }
+        }
+    }
+
+    private static Body body(Random random) {
+        Body body = Body.dynamic().mass(1).collider(part(random).sensor(false));
+        for (int i = random.nextInt(3); i > 0; i--) {
+            body.collider(part(random));
+        }
+        return body.at(random.nextDouble() * 4 - 2, 3 * random.nextDouble(), random.nextDouble());
+    }
+
+    private static Collider part(Random random) {
+        Shape shape =
+                switch (random.nextInt(3)) {
+                    case 0 -> Sphere.of(.3);
+                    case 1 -> Box.of(.2, .3, .4);
+                    default -> Capsule.of(.2, .3);
+                };
+        return Collider.of(shape)
+                .at(random.nextDouble() - .5, random.nextDouble() - .5, 0)
+                .sensor(random.nextInt(4) == 0);
+    }
+
+    /** Who touches and who is inside, by what was told alone. */
+    private static final class Ledger implements ContactListener {
+        final Set<List<ColliderRef>> touching = new HashSet<>();
+        final Set<List<ColliderRef>> inside = new HashSet<>();
+        long told;
+
+        @Override
+        public void ended(ColliderRef a, ColliderRef b) {
+            assertTrue(touching.remove(List.of(a, b)), "end of " + a + " and " + b);
+            told = 31 * told + 1 + a.body().slot();
+        }
+
+        @Override
+        public void began(ColliderRef a, ColliderRef b) {
+            assertTrue(touching.add(List.of(a, b)), "begin of " + a + " and " + b);
+            told = 31 * told + 2 + b.body().slot();
+        }
+
+        @Override
+        public void left(ColliderRef a, ColliderRef b) {
+            // what flies through leaves before it is told that it entered
+            if (!inside.remove(List.of(a, b))) {
+                through.add(List.of(a, b));
+            }
+            told = 31 * told + 3 + a.body().slot();
+        }
+
+        @Override
+        public void entered(ColliderRef a, ColliderRef b) {
+            if (!through.remove(List.of(a, b))) {
+                assertTrue(inside.add(List.of(a, b)), b + " entered " + a);
+            }
+            told = 31 * told + 4 + b.body().slot();
+        }
+
+        private final List<List<ColliderRef>> through = new ArrayList<>();
+
+        void check(PhysicsWorld world, String when) {
+            assertTrue(through.isEmpty(), when + ": left without having entered");
+            Set<List<ColliderRef>> now = new HashSet<>();
+            Contacts contacts = world.contacts();
+            for (int i = 0; i < contacts.count(); i++) {
+                assertFalse(contacts.colliderA(i).isSensor() || contacts.colliderB(i).isSensor());
+                if (contacts.touching(i)) {
+                    now.add(List.of(contacts.colliderA(i), contacts.colliderB(i)));
+                }
+            }
+            assertTrue(touching.containsAll(now), when + ": touches that were not told");
+            for (List<ColliderRef> pair : touching) {
+                assertTrue(pair.get(0).isAlive() && pair.get(1).isAlive(), when + " " + pair);
+            }
+        }
+    }
+}

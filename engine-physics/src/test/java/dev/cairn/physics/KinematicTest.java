@@ -1,0 +1,269 @@
+package dev.cairn.physics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.physics.component.Velocity;
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Sphere;
+
+import org.joml.Quaterniond;
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import java.util.List;
+
+/** Kinematic bodies go where they are told, and take along what stands on them. */
+class KinematicTest {
+    private static final double STEP = 1.0 / 60;
+    private static final double HALF = 0.25;
+
+    private static PhysicsWorldBuilder awake(int workers, int lanes) {
+        return PhysicsWorld.builder()
+                .workers(workers)
+                .settings(PhysicsSettings.DEFAULT.withSleeping(false).withLanes(lanes));
+    }
+
+    private static BodyRef platform(PhysicsWorld world) {
+        return world.add(Body.kinematic().shape(Box.of(2, 0.1, 2)).name("platform"));
+    }
+
+    private static BodyRef rider(PhysicsWorld world) {
+        return world.add(Body.dynamic().shape(Box.cube(HALF)).at(0, 0.1 + HALF, 0).name("rider"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"3, 0, 0", "0, 2, 0", "0, -2, 0", "1, 1, -1"})
+    void whoRidesAtThePlatformsSpeedKeepsHisPlace(double vx, double vy, double vz) {
+        try (PhysicsWorld world = awake(1, 1).build()) {
+            BodyRef platform = platform(world);
+            BodyRef rider = rider(world);
+            platform.setVelocity(vx, vy, vz);
+            rider.setVelocity(vx, vy, vz);
+            for (int tick = 1; tick <= 600; tick++) {
+                world.step(STEP);
+                double t = tick * STEP;
+                assertEquals(vx * t, platform.position().x, 1e-11);
+                assertEquals(platform.position().x, rider.position().x, 1e-9);
+                assertEquals(platform.position().z, rider.position().z, 1e-9);
+                // the overlap of the first ticks is learnt and goes, as on what is fixed
+                assertEquals(platform.position().y + 0.1 + HALF, rider.position().y, 1e-4);
+            }
+            assertEquals(platform.position().y + 0.1 + HALF, rider.position().y, 2e-7);
+        }
+    }
+
+    /** The platform's speed changes by 1/60 m/s a tick at most: 0.1 of what friction can do. */
+    @Test
+    void whoStandsOnAPlatformThatSpeedsUpIsTakenAlong() {
+        try (PhysicsWorld world = awake(1, 1).build()) {
+            BodyRef platform = platform(world);
+            BodyRef rider = rider(world);
+            double worst = 0;
+            for (int tick = 1; tick <= 600; tick++) {
+                platform.moveTo(1 - StrictMath.cos(tick * STEP), 0, 0);
+                world.step(STEP);
+                worst = Math.max(worst, Math.abs(rider.position().x - platform.position().x));
+            }
+            // the box tilts a little in the soft contact; it does not slip
+            assertTrue(worst < 1e-5, "slipped by " + worst + " m");
+        }
+    }
+
+    @Test
+    void targetsAreReachedToTheBitAndHoldForOneTick() {
+        try (PhysicsWorld world = awake(1, 1).build()) {
+            BodyRef hand = world.add(Body.kinematic().shape(Box.cube(1)).at(1, 2, 3));
+            Quaterniond turned = new Quaterniond().rotationXYZ(0.3, -0.2, 0.1);
+            hand.moveTo(1.1, 2.2, 3.3, turned);
+            world.step(STEP);
+            assertEquals(new Vector3d(1.1, 2.2, 3.3), hand.position());
+            Quaterniond q = hand.orientation();
+            assertEquals(0, Math.abs(q.dot(turned) - 1), 1e-15);
+            assertEquals(0.1 / STEP, hand.velocity().x, 1e-12);
+            assertEquals(
+                    hand.velocity().x,
+                    world.ecs().get(hand.entity(), Velocity.COMPONENT).vx(),
+                    0.0);
+            world.step(STEP);
+            assertEquals(new Vector3d(1.1, 2.2, 3.3), hand.position());
+            assertEquals(new Vector3d(), hand.velocity());
+            assertEquals(q, hand.orientation());
+            hand.setAngularVelocity(0, 2, 0);
+            hand.moveTo(0, 0, 0, new Quaterniond());
+            hand.teleport(5, 5, 5);
+            world.step(STEP);
+            assertEquals(5, hand.position().x, 0.0, "a teleport ends the target");
+        }
+    }
+
+    /** dv/dt = 2/7 W x v, see the scene of the same name. */
+    @Test
+    void aBallOnATurntableCirclesAtTwoSeventhsOfItsRate() {
+        double rate = 2;
+        double slow = 2.0 / 7 * rate;
+        try (PhysicsWorld world = awake(1, 1).build()) {
+            Material rough = Material.DEFAULT.withFriction(1);
+            world.add(
+                    Body.kinematic()
+                            .shape(Box.of(4, 0.1, 4))
+                            .at(0, -0.1, 0)
+                            .angularVelocity(0, rate, 0)
+                            .material(rough));
+            BodyRef ball =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Sphere.of(0.1))
+                                    .at(1, 0.1, 0)
+                                    .velocity(0, 0, -slow)
+                                    .angularVelocity((rate - slow) / 0.1, 0, 0)
+                                    .material(rough));
+            double angle = 0;
+            double last = 0;
+            int ticks = (int) (2 * 2 * Math.PI / slow / STEP);
+            for (int tick = 0; tick < ticks; tick++) {
+                world.step(STEP);
+                double now = StrictMath.atan2(-ball.position().z, ball.position().x);
+                double turned = now - last;
+                angle += turned - 2 * Math.PI * Math.rint(turned / (2 * Math.PI));
+                last = now;
+            }
+            assertEquals(1, angle / (slow * ticks * STEP), 1e-4);
+            assertEquals(1, Math.hypot(ball.position().x, ball.position().z), 0.03);
+        }
+    }
+
+    @Test
+    void aWallDoesNotStopItAndWhatIsCrushedStaysFinite() {
+        try (PhysicsWorld world = awake(1, 1).build()) {
+            world.add(Body.fixed().shape(Box.of(0.5, 2, 2)).at(2, 0, 0));
+            world.add(Body.fixed().shape(Box.of(9, 0.5, 9)).at(0, -0.5, 0));
+            BodyRef press =
+                    world.add(
+                            Body.kinematic()
+                                    .shape(Box.of(1, 0.5, 1))
+                                    .at(-2, 0.5, 0)
+                                    .velocity(1, 0, 0));
+            BodyRef box = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 0));
+            boolean told = false;
+            double largest = 0;
+            for (int tick = 1; tick <= 300; tick++) {
+                world.step(STEP);
+                assertEquals(-2 + tick * STEP, press.position().x, 1e-12);
+                assertTrue(box.position().isFinite());
+                told |= world.crushed().contains(box);
+                if (tick < 55) {
+                    assertEquals(List.of(), world.crushed());
+                }
+                Contacts contacts = world.contacts();
+                for (int c = 0; c < contacts.count(); c++) {
+                    for (int p = 0; p < contacts.pointCount(c); p++) {
+                        largest = Math.max(largest, contacts.normalImpulse(c, p));
+                    }
+                }
+            }
+            assertTrue(told, "the box was between press and wall");
+            // 1000 kg between 1 m/s and a wall
+            assertTrue(largest < 1e6, "impulse " + largest);
+            assertEquals(List.of(), world.quarantined());
+        }
+    }
+
+    @Test
+    void whatItHitsLeavesAtTheSpeedOfItsSurface() {
+        try (PhysicsWorld world = awake(1, 1).gravity(0, 0, 0).build()) {
+            Material elastic = Material.DEFAULT.withRestitution(1).withFriction(0);
+            world.add(
+                    Body.kinematic().shape(Box.of(0.1, 1, 1)).velocity(2, 0, 0).material(elastic));
+            BodyRef ball =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Sphere.of(0.1))
+                                    .at(1, 0, 0)
+                                    .velocity(-1, 0, 0)
+                                    .material(elastic));
+            for (int tick = 0; tick < 60; tick++) {
+                world.step(STEP);
+            }
+            // v' = 2 V - v
+            assertEquals(5, ball.velocity().x, 1e-9);
+        }
+    }
+
+    @Test
+    void whatRestsOnASlowOneStaysAwakeAndWakesWhenItStarts() {
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+            BodyRef platform = platform(world);
+            BodyRef rider = rider(world);
+            for (int tick = 0; tick < 300; tick++) {
+                world.step(STEP);
+            }
+            assertTrue(rider.isAsleep(), "on a platform that stands still");
+            assertFalse(platform.isAsleep());
+            platform.setVelocity(1e-4, 0, 0);
+            for (int tick = 0; tick < 300; tick++) {
+                world.step(STEP);
+                assertFalse(rider.isAsleep(), "on one that creeps");
+            }
+            assertEquals(platform.position().x, rider.position().x, 1e-6);
+            world.validate();
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"2, 1", "2, 8", "3, 0"})
+    void theSameBitsForAnyWorkersAndLanes(int workers, int lanes) {
+        assertEquals(crowd(1, 1), crowd(workers, lanes));
+    }
+
+    /** A paddle in a heap on a turntable, a lift under another heap, small islands beside. */
+    private static long crowd(int workers, int lanes) {
+        try (PhysicsWorld world = awake(workers, lanes).build()) {
+            world.add(Body.fixed().shape(Box.of(40, 0.5, 40)).at(0, -3, 0));
+            world.add(
+                    Body.kinematic()
+                            .shape(Box.of(3, 0.1, 3))
+                            .angularVelocity(0, 1, 0)
+                            .at(0, -0.1, 0));
+            BodyRef lift = world.add(Body.kinematic().shape(Box.of(2, 0.1, 2)).at(8, 0, 0));
+            for (int i = 0; i < 90; i++) {
+                double x = 0.6 * (i % 5) - 1.2;
+                double z = 0.6 * (i / 5 % 5) - 1.2;
+                double y = 0.3 + 0.55 * (i / 25);
+                Body body = Body.dynamic().shape(i % 3 == 0 ? Sphere.of(0.25) : Box.cube(0.25));
+                Material m = Material.DEFAULT.withRestitution(i % 4 == 0 ? 0.5 : 0);
+                world.add(body.material(m).at(x + (i % 2 == 0 ? 0 : 8), y, z));
+            }
+            for (int tick = 1; tick <= 60; tick++) {
+                lift.moveTo(8, 0.3 * StrictMath.sin(tick * 0.1), 0);
+                world.step(STEP);
+            }
+            world.validate();
+            return world.digest();
+        }
+    }
+
+    @Test
+    void whatCannotBeIsRefused() {
+        try (PhysicsWorld world = awake(1, 1).build()) {
+            BodyRef box = world.add(Body.dynamic().shape(Box.cube(1)));
+            BodyRef hand = world.add(Body.kinematic().shape(Box.cube(1)).at(5, 0, 0));
+            assertThrows(IllegalStateException.class, () -> box.moveTo(0, 0, 0));
+            assertThrows(IllegalArgumentException.class, () -> hand.moveTo(Double.NaN, 0, 0));
+            assertThrows(IllegalArgumentException.class, () -> hand.setVelocity(1e60, 0, 0));
+            assertThrows(
+                    IllegalArgumentException.class,
+                    () -> world.add(Body.kinematic().shape(Box.cube(1)).velocity(0, 1e300, 0)));
+            assertThrows(IllegalArgumentException.class, () -> hand.moveTo(null));
+            hand.applyForce(1, 2, 3);
+            hand.applyImpulse(1, 2, 3);
+            world.step(STEP);
+            assertEquals(new Vector3d(5, 0, 0), hand.position());
+            assertEquals(Double.POSITIVE_INFINITY, hand.mass());
+        }
+    }
+}
