@@ -90,6 +90,22 @@ final class EverydayCollisionsTest {
         }
     }
 
+    /** A crate on a conveyor belt goes as fast as the belt. */
+    @Test
+    void conveyor() {
+        try (PhysicsWorld world = PhysicsWorld.builder().build()) {
+            world.add(
+                    Body.fixed()
+                            .collider(
+                                    Collider.of(Box.of(20, .5, 1))
+                                            .at(0, -.5, 0)
+                                            .surfaceVelocity(1.5, 0, 0)));
+            BodyRef crate = world.add(Body.dynamic().shape(Box.cube(.3)).at(-9, .3, 0));
+            seconds(world, 12);
+            assertEquals(1.5, crate.velocity().x, 1e-9);
+        }
+    }
+
     /** Solid for who comes from above, open for who comes from below. */
     @Test
     void oneWay() {

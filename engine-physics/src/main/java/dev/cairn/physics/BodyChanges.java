@@ -86,7 +86,7 @@ final class BodyChanges {
     }
 
     /** The body, and whoever has a contact with it, which may be asleep on a fixed one. */
-    private void wakeAround(int s) {
+    void wakeAround(int s) {
         table.sleepers.wake(s);
         ContactStore rows = table.contacts;
         for (int row = 0; table.sleepers.asleepCount() > 0 && row < rows.count; row++) {

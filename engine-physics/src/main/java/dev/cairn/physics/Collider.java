@@ -23,6 +23,9 @@ public final class Collider {
     final @Nullable Object userData;
     final boolean sensor;
 
+    /** Of the surface, body axes, m/s. */
+    final double beltX, beltY, beltZ;
+
     /** The shape in the body's frame. */
     final Shape placed;
 
@@ -34,6 +37,9 @@ public final class Collider {
             @Nullable Object userData,
             boolean sensor) {
         this.sensor = sensor;
+        beltX = pose[7];
+        beltY = pose[8];
+        beltZ = pose[9];
         this.shape = shape;
         x = pose[0];
         y = pose[1];
@@ -56,7 +62,7 @@ public final class Collider {
      * @return a new description
      */
     public static Collider of(Shape shape) {
-        double[] pose = {0, 0, 0, 0, 0, 0, 1};
+        double[] pose = {0, 0, 0, 0, 0, 0, 1, 0, 0, 0};
         return new Collider(Checks.notNull("shape", shape), pose, null, null, null, false);
     }
 
@@ -72,7 +78,7 @@ public final class Collider {
         Checks.finite("x", bodyX);
         Checks.finite("y", bodyY);
         Checks.finite("z", bodyZ);
-        double[] pose = {bodyX, bodyY, bodyZ, qx, qy, qz, qw};
+        double[] pose = {bodyX, bodyY, bodyZ, qx, qy, qz, qw, beltX, beltY, beltZ};
         return new Collider(shape, pose, material, filter, userData, sensor);
     }
 
@@ -86,7 +92,7 @@ public final class Collider {
     public Collider rotation(Quaterniondc bodyFromShape) {
         Quaterniondc q = Checks.notNull("rotation", bodyFromShape);
         double f = Rotations.inverseLength("rotation", q.x(), q.y(), q.z(), q.w());
-        double[] pose = {x, y, z, q.x() * f, q.y() * f, q.z() * f, q.w() * f};
+        double[] pose = {x, y, z, q.x() * f, q.y() * f, q.z() * f, q.w() * f, beltX, beltY, beltZ};
         return new Collider(shape, pose, material, filter, userData, sensor);
     }
 
@@ -139,8 +145,26 @@ public final class Collider {
         return new Collider(shape, pose(), material, filter, userData, value);
     }
 
+    /**
+     * Lets the surface run along, as that of a conveyor belt, while the body stays: what touches it
+     * is dragged, by friction, up to this velocity. It counts on fixed and kinematic bodies. Of it
+     * only what is along a contact acts. 0 by default.
+     *
+     * @param bodyX body axes, m/s, finite
+     * @param bodyY body axes, m/s, finite
+     * @param bodyZ body axes, m/s, finite
+     * @return a new description
+     */
+    public Collider surfaceVelocity(double bodyX, double bodyY, double bodyZ) {
+        double[] pose = pose();
+        pose[7] = Checks.finite("surfaceVelocity x", bodyX);
+        pose[8] = Checks.finite("surfaceVelocity y", bodyY);
+        pose[9] = Checks.finite("surfaceVelocity z", bodyZ);
+        return new Collider(shape, pose, material, filter, userData, sensor);
+    }
+
     private double[] pose() {
-        return new double[] {x, y, z, qx, qy, qz, qw};
+        return new double[] {x, y, z, qx, qy, qz, qw, beltX, beltY, beltZ};
     }
 
     /** With a material and a filter, if none was said. */

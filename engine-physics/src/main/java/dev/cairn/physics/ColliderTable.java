@@ -172,6 +172,10 @@ final class ColliderTable {
                         (material.frictionMix().strength()
                                 | material.restitutionMix().strength() << 4);
         colliders.userData[c] = part.userData;
+        colliders.setBelt(c, part.beltX, part.beltY, part.beltZ);
+        if (colliders.belts) {
+            contacts().beginBelts();
+        }
         colliders.sensor[c] = part.sensor;
         if (part.sensor) {
             colliders.sensors = true;
@@ -188,6 +192,7 @@ final class ColliderTable {
         surface(c, specs[c].material(Checks.notNull("material", material)));
         contacts().mixAll(c, colliders);
         table.roster.changed(colliders.body[c]);
+        table.changes.wakeAround(colliders.body[c]);
     }
 
     /**
@@ -197,6 +202,18 @@ final class ColliderTable {
     private void measure(int body) {
         BodyStore b = colliders.bodies;
         int first = b.collider[body];
+        b.hasBelt[body] = false;
+        for (int c = first; colliders.belts && c != ColliderStore.NONE; c = colliders.next[c]) {
+            int u = 3 * c;
+            b.hasBelt[body] |=
+                    colliders.belt[u] != 0
+                            || colliders.belt[u + 1] != 0
+                            || colliders.belt[u + 2] != 0;
+        }
+        if (b.hasBelt[body] && b.belts == 0) {
+            b.belts = 1;
+            b.driven++;
+        }
         if (first == body) {
             b.innerRadius[body] = colliders.innerRadius[body];
             b.outerRadius[body] = colliders.outerRadius[body];
@@ -377,6 +394,7 @@ final class ColliderTable {
         }
         measure(body);
         table.roster.changed(body);
+        table.changes.wakeAround(body);
     }
 
     /** Mass, centre and inertia of a body as it would be if it moved, or did not. */

@@ -7,6 +7,7 @@ import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.WorldSystem;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.component.Velocity;
+import dev.cairn.physics.contact.BeltStage;
 import dev.cairn.physics.contact.ComposeStage;
 import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.contact.HookStage;
@@ -71,6 +72,7 @@ final class PhysicsSystem implements WorldSystem {
     private final ComposeStage compose;
     final SensorStage sensors;
     final HookStage hooks;
+    private final BeltStage belts;
     private final ManifoldStage manifolds;
     final ContactSolver solver;
     private final Publisher publisher;
@@ -89,6 +91,7 @@ final class PhysicsSystem implements WorldSystem {
         rows = new ContactRows(table.colliders, table.sleepers);
         wakes = new WakeStage(table.sleepers, table.bodies, contacts);
         sensors = new SensorStage(table.colliders, table.broadPhase);
+        belts = new BeltStage(table.colliders, contacts);
         hooks = new HookStage(table.colliders, contacts);
         compose = new ComposeStage(table.colliders);
         manifolds = new ManifoldStage(table.colliders, table.bounds);
@@ -151,6 +154,7 @@ final class PhysicsSystem implements WorldSystem {
         profile.end(StepStage.POINTS);
         wakes.run(table.bounds, table.broadPhase, manifolds, tick.stepSeconds(), tick.jobs());
         hooks.run(tick.jobs());
+        belts.run(tick.jobs());
         events.approach(contacts, table.bodies, tick.jobs());
         table.roster.refreshLists();
         if (table.roster.dynamicCount > 0) {

@@ -7,6 +7,7 @@ import dev.cairn.samples.scenes.BoxPit;
 import dev.cairn.samples.scenes.Cards;
 import dev.cairn.samples.scenes.Carried;
 import dev.cairn.samples.scenes.CompoundPile;
+import dev.cairn.samples.scenes.Conveyor;
 import dev.cairn.samples.scenes.Cradle;
 import dev.cairn.samples.scenes.CubesOnPlane;
 import dev.cairn.samples.scenes.Dzhanibekov;
@@ -70,6 +71,7 @@ public final class SceneRegistry {
                     Pile.junkyard(),
                     CompoundPile.scene(),
                     OneWay.scene(),
+                    Conveyor.scene(),
                     Washer.scene(),
                     StackOfBoxes.tall(),
                     StackOfBoxes.massRatio(),

@@ -39,6 +39,12 @@ public final class BodyStore extends Poses {
     /** How many kinematic bodies move in this tick. */
     public int driven;
 
+    /** 1 once a surface that moves along has been here, see {@link ColliderStore#belt}. */
+    public int belts;
+
+    /** Whether a surface of the body moves along. */
+    public boolean[] hasBelt = {};
+
     /** One past the highest slot in use. */
     public int slotCount;
 
@@ -164,6 +170,7 @@ public final class BodyStore extends Poses {
         kind = c.column("kind", kind);
         collider = c.column("collider", collider);
         entity = c.column("entity", entity);
+        hasBelt = c.column("hasBelt", hasBelt);
         isBall = c.column("isBall", isBall);
         velocityX = c.column("velocityX", velocityX);
         velocityY = c.column("velocityY", velocityY);
@@ -215,20 +222,21 @@ public final class BodyStore extends Poses {
     }
 
     /**
-     * Whether a body is kinematic and moves.
+     * Whether a body is kinematic and moves, or its surface does.
      *
      * @param slot whose
      * @return false for all others
      */
     public boolean isDriven(int slot) {
         return driven > 0
-                && kind[slot] == KINEMATIC
-                && (velocityX[slot] != 0
-                        || velocityY[slot] != 0
-                        || velocityZ[slot] != 0
-                        || angularVelocityX[slot] != 0
-                        || angularVelocityY[slot] != 0
-                        || angularVelocityZ[slot] != 0);
+                && ((kind[slot] == KINEMATIC
+                                && (velocityX[slot] != 0
+                                        || velocityY[slot] != 0
+                                        || velocityZ[slot] != 0
+                                        || angularVelocityX[slot] != 0
+                                        || angularVelocityY[slot] != 0
+                                        || angularVelocityZ[slot] != 0))
+                        || (hasBelt[slot] && (kind[slot] == STATIC || kind[slot] == KINEMATIC)));
     }
 
     /**

@@ -59,6 +59,12 @@ public final class ColliderStore {
     /** Rules by which friction (lower four bits) and restitution are mixed, see {@link Mix}. */
     public byte[] mixing = {};
 
+    /** Whether any surface moves along, or did; until then {@link #belt} is empty. */
+    public boolean belts;
+
+    /** Velocity of the surface against its body, body axes, m/s; three numbers. */
+    public double[] belt = {};
+
     /** Whether any collider is, or was, a sensor. */
     public boolean sensors;
 
@@ -133,6 +139,9 @@ public final class ColliderStore {
         sensor = c.column("sensor", sensor);
         userData = c.column("userData", userData);
         rollingArm = c.column("rollingArm", rollingArm);
+        if (belts) {
+            belt = c.column("belt", belt, 3);
+        }
         if (compounds) {
             local = c.column("local", local, LOCAL);
         }
@@ -213,6 +222,27 @@ public final class ColliderStore {
         surface[collider] = Surface.of(solid);
         innerRadius[collider] = solid.innerRadius();
         outerRadius[collider] = solid.outerRadius();
+    }
+
+    /**
+     * Sets the velocity of a collider's surface.
+     *
+     * @param collider its slot
+     * @param x body axes, m/s
+     * @param y body axes, m/s
+     * @param z body axes, m/s
+     */
+    public void setBelt(int collider, double x, double y, double z) {
+        if (!belts) {
+            if (x == 0 && y == 0 && z == 0) {
+                return;
+            }
+            belts = true;
+            columns(new Columns.Growth(body.length));
+        }
+        belt[3 * collider] = x;
+        belt[3 * collider + 1] = y;
+        belt[3 * collider + 2] = z;
     }
 
     /**

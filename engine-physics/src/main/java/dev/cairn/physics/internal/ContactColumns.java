@@ -95,6 +95,15 @@ public class ContactColumns {
      */
     public double[] frictionLoad = {};
 
+    /** Whether a surface that moves along has been here; until then nothing is in {@link #belt}. */
+    public boolean belts;
+
+    /**
+     * Velocity along the contact of the surface of the body that does not move, world, m/s; three
+     * numbers a row, all 0 for most.
+     */
+    public double[] belt = {};
+
     /** Whether somebody wants hits; until then nothing is in {@link #approach}. */
     public boolean hits;
 

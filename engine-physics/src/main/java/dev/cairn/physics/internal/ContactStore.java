@@ -56,6 +56,14 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         }
     }
 
+    /** Makes room for surfaces that move along; between phases only. */
+    public void beginBelts() {
+        if (!belts) {
+            belts = true;
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
     /** Makes room for speeds of approach; between phases only. */
     public void beginHits() {
         if (!hits) {
@@ -183,6 +191,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         if (rolls) {
             rollingArm = c.column("rollingArm", rollingArm);
             rollingImpulse = c.column("rollingImpulse", rollingImpulse, 3);
+        }
+        if (belts) {
+            belt = c.column("belt", belt, 3);
         }
         if (hits) {
             approach = c.column("approach", approach);

@@ -212,7 +212,7 @@ public final class ContactSolver {
         if (collector.sides.count() > 0) {
             tick.body.ensureCapacity(bodies.slotCount + collector.sides.count());
         }
-        collector.sides.load(bodies, tick.body);
+        collector.sides.load(bodies, tick.body, contacts, list.source, list.contacts);
         jobs.run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK));
         if (list.count > 0) {
             ensureBenches(jobs.workers());

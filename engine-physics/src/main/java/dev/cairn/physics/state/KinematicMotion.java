@@ -115,7 +115,7 @@ public final class KinematicMotion {
      */
     public void begin(int[] slots, int count, double stepSeconds) {
         BodyStore b = bodies;
-        b.driven = 0;
+        b.driven = b.belts;
         for (int k = 0; k < count; k++) {
             int s = slots[k];
             if (state[s] == AIMED) {

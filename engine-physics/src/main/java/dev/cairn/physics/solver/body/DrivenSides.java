@@ -1,6 +1,7 @@
 package dev.cairn.physics.solver.body;
 
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ContactColumns;
 
 import java.util.Arrays;
 
@@ -30,6 +31,9 @@ public final class DrivenSides {
 
     /** By side: its edge. */
     private int[] edge = {};
+
+    /** By side: velocity of the surface against its body, world, m/s, three numbers. */
+    private double[] belt = {};
 
     /** By batch: its first side; one more for the end of the last. */
     private int[] first = new int[2];
@@ -63,6 +67,7 @@ public final class DrivenSides {
         if (count == body.length) {
             body = Arrays.copyOf(body, Math.max(16, 2 * count));
             edge = Arrays.copyOf(edge, body.length);
+            belt = Arrays.copyOf(belt, 3 * body.length);
         }
         edge[count] = m;
         body[count] = slot;
@@ -90,15 +95,27 @@ public final class DrivenSides {
         return count;
     }
 
-    /** Puts all where their bodies are at the start of the tick. */
-    public void load(BodyStore b, SolverBodies s) {
+    /**
+     * Puts all where their bodies are at the start of the tick.
+     *
+     * @param c has the surfaces that move along
+     * @param source by edge: its row
+     * @param contactCount edges that are contacts, which come first
+     */
+    public void load(
+            BodyStore b, SolverBodies s, ContactColumns c, int[] source, int contactCount) {
         s.drivenFrom = count == 0 ? Integer.MAX_VALUE : SolverBodies.offset(firstSlot);
         for (int k = 0; k < count; k++) {
-            load(b, s, firstSlot + k, body[k]);
+            boolean has = c.belts && edge[k] < contactCount;
+            for (int n = 0; n < 3; n++) {
+                belt[3 * k + n] = has ? c.belt[3 * source[edge[k]] + n] : 0;
+            }
+            load(b, s, k, body[k]);
         }
     }
 
-    private static void load(BodyStore b, SolverBodies s, int i, int slot) {
+    private void load(BodyStore b, SolverBodies s, int k, int slot) {
+        int i = firstSlot + k;
         int o = SolverBodies.offset(i);
         int r = (i + 1) * SolverBodies.ROOT;
         int w = (i + 1) * SolverBodies.HALF;
@@ -107,9 +124,9 @@ public final class DrivenSides {
         Arrays.fill(s.root, r, r + SolverBodies.ROOT, 0.0);
         Arrays.fill(s.warm, w, w + SolverBodies.HALF, 0.0);
         // a velocity of -0 would be 0 once something was added to it
-        v[o] = b.velocityX[slot] + 0.0;
-        v[o + 1] = b.velocityY[slot] + 0.0;
-        v[o + 2] = b.velocityZ[slot] + 0.0;
+        v[o] = b.velocityX[slot] + belt[3 * k] + 0.0;
+        v[o + 1] = b.velocityY[slot] + belt[3 * k + 1] + 0.0;
+        v[o + 2] = b.velocityZ[slot] + belt[3 * k + 2] + 0.0;
         double x = b.angularVelocityX[slot];
         double y = b.angularVelocityY[slot];
         double z = b.angularVelocityZ[slot];
@@ -143,7 +160,9 @@ public final class DrivenSides {
             int i = firstSlot + k;
             int o = SolverBodies.offset(i);
             for (int n = 0; n < 6; n++) {
-                v[o + SolverBodies.P + n] += h * v[o + SolverBodies.V + n];
+                // a surface that moves along takes its body nowhere
+                double speed = v[o + SolverBodies.V + n] - (n < 3 ? belt[3 * k + n] : 0);
+                v[o + SolverBodies.P + n] += h * speed;
             }
             if (single) {
                 s.round(i);
