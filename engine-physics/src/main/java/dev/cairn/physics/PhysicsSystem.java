@@ -6,6 +6,8 @@ import dev.cairn.core.ecs.IntField;
 import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.WorldSystem;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.component.Force;
+import dev.cairn.physics.component.Torque;
 import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.contact.ComposeStage;
 import dev.cairn.physics.contact.ContactRows;
@@ -21,6 +23,7 @@ import dev.cairn.physics.profile.StepStage;
 import dev.cairn.physics.solver.ContactSolver;
 import dev.cairn.physics.solver.row.ConstraintKind;
 import dev.cairn.physics.state.BodyIndex;
+import dev.cairn.physics.state.ForceReader;
 import dev.cairn.physics.state.Publisher;
 import dev.cairn.physics.state.RigidBody;
 import dev.cairn.physics.state.StageCheck;
@@ -61,6 +64,7 @@ final class PhysicsSystem implements WorldSystem {
     final HookStage hooks;
     private final ManifoldStage manifolds;
     final ContactSolver solver;
+    private final ForceReader forces;
     private final Publisher publisher;
     double gravityX;
     double gravityY;
@@ -81,6 +85,7 @@ final class PhysicsSystem implements WorldSystem {
         compose = new ComposeStage(table.colliders);
         manifolds = new ManifoldStage(table.colliders, table.bounds);
         solver = new ContactSolver(settings.tuning(), kinds);
+        forces = new ForceReader(table.roster);
         publisher = new Publisher(table.roster);
         view = new ContactView(table, contacts, events, sensors);
         table.show(view);
@@ -95,6 +100,7 @@ final class PhysicsSystem implements WorldSystem {
     @Override
     public void describe(Access access) {
         access.in(RigidBody.COMPONENT, Pose.COMPONENT)
+                .optionalNext(Force.COMPONENT, Torque.COMPONENT)
                 .writesAll(Pose.COMPONENT, Velocity.COMPONENT);
     }
 
@@ -113,7 +119,10 @@ final class PhysicsSystem implements WorldSystem {
         profile.begin();
         events.clear();
         sensors.clear();
+        table.access.takePoses();
         readRoster(tick);
+        forces.run(tick);
+        table.roster.refreshLists();
         profile.end(StepStage.ROSTER);
         assert StageCheck.awake(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
         table.roster.beginMotion(tick.stepSeconds());

@@ -1,6 +1,7 @@
 package dev.cairn.physics;
 
 import dev.cairn.core.ecs.World;
+import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.profile.StepProfile;
@@ -21,7 +22,11 @@ import java.util.List;
  */
 public final class PhysicsWorld implements AutoCloseable {
     final PhysicsSystem physics;
+    /** The name of the physics in the schedule, for {@code Access.before} and {@code after}. */
+    public static final String SYSTEM = PhysicsSystem.NAME;
+
     private final World ecs;
+    private final Newcomers newcomers;
     private final Collisions collisions;
     private boolean stepping;
     private boolean closed;
@@ -30,6 +35,8 @@ public final class PhysicsWorld implements AutoCloseable {
         this.physics = physics;
         this.ecs = ecs;
         physics.table.roster.bind(ecs);
+        ecs.watch(Pose.COMPONENT);
+        newcomers = new Newcomers(physics.table, ecs);
         collisions = new Collisions(this);
     }
 
@@ -82,6 +89,8 @@ public final class PhysicsWorld implements AutoCloseable {
         } finally {
             stepping = false;
         }
+        physics.table.access.takePoses();
+        newcomers.add();
         physics.view.tell();
     }
 
