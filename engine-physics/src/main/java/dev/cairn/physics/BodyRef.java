@@ -478,6 +478,10 @@ public final class BodyRef extends BodyState {
         table.access.remove(changed("remove"));
     }
 
+    boolean isOf(BodyTable other) {
+        return table == other;
+    }
+
     void requireBetweenSteps(String call) {
         changed(call);
     }

@@ -1,6 +1,7 @@
 package dev.cairn.physics;
 
 import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.joint.Jointed;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Matrix3d;
@@ -17,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * #entity}, {@link #isAlive}, {@link #name} and {@link #toString} throws {@link
  * BodyRemovedException} once the body is gone.
  */
-public abstract sealed class BodyState permits BodyRef {
+public abstract sealed class BodyState implements Jointed permits BodyRef {
     final BodyTable table;
     private final int slot;
     private final long entity;
@@ -35,6 +36,7 @@ public abstract sealed class BodyState permits BodyRef {
      *
      * @return its id
      */
+    @Override
     public long entity() {
         return entity;
     }

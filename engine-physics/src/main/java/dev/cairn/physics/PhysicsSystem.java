@@ -18,9 +18,12 @@ import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.contact.WakeStage;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
+import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.joint.Joints;
 import dev.cairn.physics.profile.StepStage;
 import dev.cairn.physics.solver.ContactSolver;
+import dev.cairn.physics.solver.joint.JointRows;
 import dev.cairn.physics.solver.row.ConstraintKind;
 import dev.cairn.physics.state.BodyIndex;
 import dev.cairn.physics.state.ForceReader;
@@ -28,6 +31,8 @@ import dev.cairn.physics.state.Publisher;
 import dev.cairn.physics.state.RigidBody;
 import dev.cairn.physics.state.StageCheck;
 import dev.cairn.physics.state.StepClock;
+
+import org.jspecify.annotations.Nullable;
 
 /**
  * One tick of the physics, as a system of the ECS named {@value #NAME}: reads {@link RigidBody},
@@ -46,8 +51,12 @@ final class PhysicsSystem implements WorldSystem {
     final BodyTable table;
     final ContactStore contacts = new ContactStore();
 
+    final JointStore joints = new JointStore();
+
     /** The kinds of constraints beside contacts, in the order in which they are solved. */
-    private final ConstraintKind[] kinds = {};
+    private final ConstraintKind[] kinds = {
+        new ConstraintKind(joints, new JointRows(joints, true), new JointRows(joints, false))
+    };
 
     /** All that binds bodies, contacts first. */
     final EdgeSource[] edges = ConstraintKind.sources(contacts, kinds);
@@ -56,6 +65,9 @@ final class PhysicsSystem implements WorldSystem {
     final ContactView view;
     PhysicsSettings settings;
     final StepClock profile = new StepClock();
+
+    /** Set once, before the first step. */
+    @Nullable Joints jointList;
 
     private final ContactRows rows;
     private final WakeStage wakes;
@@ -163,6 +175,9 @@ final class PhysicsSystem implements WorldSystem {
         table.roster.motion.end(
                 table.roster.kinematic, table.roster.kinematicCount, tick.stepSeconds());
         profile.end(StepStage.SOLVE);
+        if (jointList != null) {
+            jointList.afterStep();
+        }
         fallAsleep(tick);
         publishPoses(tick);
         compose.run(tick.jobs());

@@ -4,6 +4,10 @@ import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.joint.Joint;
+import dev.cairn.physics.joint.JointRef;
+import dev.cairn.physics.joint.Jointed;
+import dev.cairn.physics.joint.Joints;
 import dev.cairn.physics.profile.StepProfile;
 import dev.cairn.physics.state.Digest;
 import dev.cairn.physics.state.RigidBody;
@@ -31,6 +35,8 @@ public final class PhysicsWorld implements AutoCloseable {
     private boolean stepping;
     private boolean closed;
 
+    private final Joints joints;
+
     PhysicsWorld(PhysicsSystem physics, World ecs) {
         this.physics = physics;
         this.ecs = ecs;
@@ -38,6 +44,8 @@ public final class PhysicsWorld implements AutoCloseable {
         ecs.watch(Pose.COMPONENT);
         newcomers = new Newcomers(physics.table, ecs);
         collisions = new Collisions(this);
+        joints = new Joints(physics.joints, physics.table.bodies, new JointHost());
+        physics.jointList = joints;
     }
 
     /**
@@ -67,6 +75,64 @@ public final class PhysicsWorld implements AutoCloseable {
                             + " entities with tick.commands()");
         }
         return physics.table.add(body);
+    }
+
+    /**
+     * Adds a joint, between steps. Its bodies wake.
+     *
+     * @param joint what it is like
+     * @return the joint
+     * @throws IllegalArgumentException if both bodies are one or neither moves, a body is of
+     *     another world, or the joint has no place
+     * @throws BodyRemovedException if a body is gone
+     * @throws IllegalStateException if the world is closed or a step runs
+     */
+    public JointRef add(Joint joint) {
+        return joints.add(joint);
+    }
+
+    /**
+     * The joints, and which of them broke in the last step.
+     *
+     * @return the same object each time
+     */
+    public Joints joints() {
+        return joints;
+    }
+
+    /** What joints need of this world. */
+    private final class JointHost implements Joints.Host {
+        @Override
+        public int slotOf(String name, Jointed body) {
+            if (!(Checks.notNull(name, body) instanceof BodyRef ref) || !ref.isOf(physics.table)) {
+                throw new IllegalArgumentException(
+                        name
+                                + " is "
+                                + body
+                                + ", which is no body of this world; pass what add(Body) returned");
+            }
+            return ref.alive();
+        }
+
+        @Override
+        public void wake(int slot) {
+            physics.table.sleepers.wake(slot);
+        }
+
+        @Override
+        public void apart(int a, int b) {
+            physics.table.collision.apart(a, b);
+        }
+
+        @Override
+        public void together(int a, int b) {
+            physics.table.collision.together(a, b);
+        }
+
+        @Override
+        public void requireBetweenSteps(String call) {
+            PhysicsWorld.this.requireBetweenSteps(call);
+        }
     }
 
     /**
@@ -224,13 +290,14 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
-     * A hash of the state: poses, velocities, contact impulses and sleep, bit by bit. Equal for any
-     * number of workers.
+     * A hash of the state: poses, velocities, impulses of contacts and joints, and sleep, bit by
+     * bit. Equal for any number of workers.
      *
      * @return 64 bits
      */
     public long digest() {
-        return Digest.of(physics.table.bodies, physics.contacts, physics.table.sleepers);
+        return Digest.of(
+                physics.table.bodies, physics.contacts, physics.table.sleepers, physics.joints);
     }
 
     /**

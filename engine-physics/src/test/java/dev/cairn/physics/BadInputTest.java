@@ -73,7 +73,7 @@ class BadInputTest {
     @SuppressWarnings({"DataFlowIssue", "NullAway"})
     void nulls() {
         Class<IllegalArgumentException> type = IllegalArgumentException.class;
-        refuses(type, () -> world.add(null), "body", "null");
+        refuses(type, () -> world.add((Body) null), "body", "null");
         refuses(type, () -> Body.dynamic().shape(null), "shape");
         refuses(type, () -> world.add(Body.dynamic()), "no shape", ".shape(");
         refuses(type, () -> world.add(Body.dynamic().name("x")), "'x'");

@@ -12,6 +12,7 @@ import dev.cairn.physics.solver.direct.DirectIslands;
 import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.Collector;
 import dev.cairn.physics.solver.graph.Colouring;
+import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.kernel.RowSweeps;
 import dev.cairn.physics.solver.kernel.StoreRow;
 import dev.cairn.physics.solver.kernel.Sweeps;
@@ -75,6 +76,7 @@ public final class ContactSolver {
     private final Colouring colouring = new Colouring();
     private final Batches batches = new Batches();
     private final Collector collector;
+    private final Assemblies assemblies;
     private final LoadSweep loads = new LoadSweep();
     private final Unloading unloading = new Unloading();
     private final StaticStart start = new StaticStart();
@@ -118,7 +120,6 @@ public final class ContactSolver {
         sweeps = new Sweeps[] {floats, doubles};
         tick = new SolverContext(settings);
         boolean guides = settings.count(Tunable.LONE_SWEEPS) > 0;
-        collector = new Collector(colouring, batches, guides);
         list =
                 new EdgeList(
                         floats.lanes(),
@@ -126,6 +127,8 @@ public final class ContactSolver {
                         doubles.lanes(),
                         group(doubles.lanes(), settings),
                         kinds);
+        assemblies = new Assemblies(list);
+        collector = new Collector(colouring, batches, assemblies, guides);
         for (int k = 0; k < 2; k++) {
             passes[k] =
                     new Passes(
@@ -134,7 +137,8 @@ public final class ContactSolver {
                             collector.bouncers,
                             collector.sides,
                             start,
-                            direct);
+                            direct,
+                            assemblies);
             lockstep[k] = new Lockstep(passes[k], colouring, batches, narrow[k], k);
         }
     }
@@ -294,8 +298,14 @@ public final class ContactSolver {
         Passes p = passes[kind];
         Workbench own = benches[worker];
         int b = batches.alone(kind) + block;
+        if (batches.isSwinging(b)) {
+            p.swing(sub, b, batches.firstBody[b], batches.firstBody[b + 1], own);
+            return;
+        }
         int first = colouring.firstColour[b];
         int last = colouring.firstColour[b + 1];
+        int firstJoined = assemblies.first(b);
+        int endJoined = assemblies.first(b + 1);
         int[] start = colouring.start;
         int[] end = colouring.end;
         int head = batches.firstBody[b];
@@ -319,14 +329,17 @@ public final class ContactSolver {
             if (settles && k == 0) {
                 p.settle(sub, from, to, own);
             }
+            p.beginJoints(sub, k, firstJoined, endJoined, own);
             for (int c = first; c < last; c++) {
                 p.bias(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
             }
+            p.closeJoints(sub, firstJoined, endJoined, own);
             for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, true, own);
             }
             p.carry(sub, b, own);
             p.drift(sub, head, tail);
+            p.placeJoints(firstJoined, endJoined);
             p.moveSides(sub, b);
             if (bounces) {
                 p.limit(sub, head, tail);
@@ -337,12 +350,14 @@ public final class ContactSolver {
                 p.renewBodies(head, tail);
                 p.renewRows(sub, k, from, to, own);
             }
+            p.turnJoints(sub, firstJoined, endJoined, own);
             for (int c = first; c < last; c++) {
                 p.relax(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
             }
             for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, false, own);
             }
+            p.stopJoints(sub, firstJoined, endJoined, own);
             p.finish(sub, head, tail, own);
         }
         p.storeBodies(head, tail);

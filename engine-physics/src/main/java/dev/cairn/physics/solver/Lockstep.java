@@ -53,6 +53,14 @@ final class Lockstep {
     private final BlockJob storeRows = this::storeRows;
     private final BlockJob directSoft = this::directSoft;
     private final BlockJob directHard = this::directHard;
+    private final BlockJob beginJoints = this::beginJoints;
+    private final BlockJob fixedWithin = this::fixedWithin;
+    private final BlockJob closeJoints = this::closeJoints;
+    private final BlockJob placeJoints = this::placeJoints;
+    private final BlockJob lookBack = this::lookBack;
+    private final BlockJob turnJoints = this::turnJoints;
+    private final BlockJob relaxWithin = this::relaxWithin;
+    private final BlockJob stopJoints = this::stopJoints;
 
     private Sweeps chosen;
     private Workbench[] benches = {};
@@ -69,6 +77,11 @@ final class Lockstep {
     private boolean balls;
 
     private boolean meets;
+
+    /** The first of the assemblies, and how many there are: with any, no passes run as one. */
+    private int firstJoined;
+
+    private int joined;
 
     /** Whether the sub-step that comes begins with work on all rows. */
     private boolean apart;
@@ -122,6 +135,8 @@ final class Lockstep {
         if (isEmpty()) {
             return;
         }
+        firstJoined = passes.assemblies.first(base);
+        joined = passes.assemblies.first(base + 1 + domains) - firstJoined;
         int alone = batches.firstBody[base + 1] - batches.firstBody[base];
         int bodies = batches.firstBody[base + 1 + domains] - batches.firstBody[base];
         int bodyBlocks = Blocks.count(bodies, BODIES_PER_BLOCK);
@@ -143,9 +158,17 @@ final class Lockstep {
             }
             colours(bias, jobs);
             direct(true, jobs);
+            if (joined > 0) {
+                jobs.run(fixedWithin, domains);
+                jobs.run(closeJoints, joined);
+            }
             passes.carry(pace, base, benches[0]);
             passes.moveSides(pace, base);
             jobs.run(drift, parts);
+            if (joined > 0) {
+                jobs.run(placeJoints, joined);
+                jobs.run(lookBack, bodyBlocks);
+            }
             if (renews) {
                 contacts(takeOut, jobs);
                 jobs.run(takeOutWithin, domains);
@@ -153,8 +176,13 @@ final class Lockstep {
                 contacts(renewRows, jobs);
                 jobs.run(renewWithin, domains);
             }
+            jobs.run(turnJoints, joined);
             colours(relax, jobs);
             direct(false, jobs);
+            if (joined > 0) {
+                jobs.run(relaxWithin, domains);
+                jobs.run(stopJoints, joined);
+            }
             substep++;
             look();
             jobs.run(within, parts);
@@ -173,7 +201,7 @@ final class Lockstep {
     /** Finds whether the next sub-step begins with work on all rows. */
     private void look() {
         meets = balls || (bounces && passes.isFast(firstBody(), endBody()));
-        apart = meets || (settles && substep == 0);
+        apart = meets || joined > 0 || (settles && substep == 0);
     }
 
     private int firstBody() {
@@ -194,6 +222,7 @@ final class Lockstep {
         if (settles && substep == 0) {
             p.settle(pace, firstPlace(-1), endPlace(domains - 1), benches[0]);
         }
+        jobs.run(beginJoints, joined);
         jobs.run(biasWithin, domains);
     }
 
@@ -271,8 +300,8 @@ final class Lockstep {
                 renews = true; // by whoever finds one
             }
         } else {
-            for (int c = first; c < last; c++) {
-                p.relax(colouring.kind[c], sweeps(c), pace, start[c], end[c], own);
+            if (joined == 0) {
+                relaxWithin(domain, worker);
             }
             p.finish(pace, head, tail, own);
         }
@@ -315,16 +344,70 @@ final class Lockstep {
             return;
         }
         int b = base + 1 + block;
-        for (int c = colouring.firstFixed[b]; c < colouring.firstColour[b + 1]; c++) {
-            bias(c, worker, passes);
+        if (joined == 0) {
+            fixedWithin(block, worker);
         }
         p.carry(pace, b, benches[worker]);
         drift(batches.firstBody[b], batches.firstBody[b + 1], p);
         p.moveSides(pace, b);
     }
 
+    private void fixedWithin(int block, int worker) {
+        int b = base + 1 + block;
+        for (int c = colouring.firstFixed[b]; c < colouring.firstColour[b + 1]; c++) {
+            bias(c, worker, passes);
+        }
+    }
+
+    private void relaxWithin(int block, int worker) {
+        int b = base + 1 + block;
+        for (int c = colouring.firstColour[b]; c < colouring.firstColour[b + 1]; c++) {
+            passes.relax(
+                    colouring.kind[c],
+                    sweeps(c),
+                    pace,
+                    colouring.start[c],
+                    colouring.end[c],
+                    benches[worker]);
+        }
+    }
+
+    private void beginJoints(int block, int worker) {
+        int a = firstJoined + block;
+        passes.beginJoints(pace, substep, a, a + 1, benches[worker]);
+    }
+
+    private void closeJoints(int block, int worker) {
+        int a = firstJoined + block;
+        passes.closeJoints(pace, a, a + 1, benches[worker]);
+    }
+
+    private void placeJoints(int block, int worker) {
+        passes.placeJoints(firstJoined + block, firstJoined + block + 1);
+    }
+
+    private void turnJoints(int block, int worker) {
+        int a = firstJoined + block;
+        passes.turnJoints(pace, a, a + 1, benches[worker]);
+    }
+
+    private void stopJoints(int block, int worker) {
+        int a = firstJoined + block;
+        passes.stopJoints(pace, a, a + 1, benches[worker]);
+    }
+
     private void drift(int head, int tail, Passes p) {
         p.drift(pace, head, tail);
+        if (joined == 0) {
+            lookBack(head, tail, p);
+        }
+    }
+
+    private void lookBack(int block, int worker) {
+        lookBack(bodiesFrom(block), bodiesTo(block), passes);
+    }
+
+    private void lookBack(int head, int tail, Passes p) {
         if (bounces) {
             p.limit(pace, head, tail);
         }

@@ -10,6 +10,9 @@ import dev.cairn.physics.solver.direct.DirectIslands;
 import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.Bouncers;
 import dev.cairn.physics.solver.impact.Impacts;
+import dev.cairn.physics.solver.joint.Assemblies;
+import dev.cairn.physics.solver.joint.Assembly;
+import dev.cairn.physics.solver.joint.Swing;
 import dev.cairn.physics.solver.kernel.Rescaling;
 import dev.cairn.physics.solver.kernel.ScalarPasses;
 import dev.cairn.physics.solver.kernel.ScalarSweep;
@@ -48,6 +51,7 @@ final class Passes {
     private final StaticStart start;
     final DirectIslands direct;
     final Bouncers bouncers;
+    final Assemblies assemblies;
     private final DrivenSides sides;
 
     /**
@@ -57,6 +61,7 @@ final class Passes {
      * @param sides kinematic bodies that move
      * @param start the islands that begin at rest
      * @param direct the islands that are solved directly
+     * @param assemblies what hangs together by joints
      */
     Passes(
             SolverContext tick,
@@ -64,7 +69,9 @@ final class Passes {
             Bouncers bouncers,
             DrivenSides sides,
             StaticStart start,
-            DirectIslands direct) {
+            DirectIslands direct,
+            Assemblies assemblies) {
+        this.assemblies = assemblies;
         this.bouncers = bouncers;
         this.sides = sides;
         this.tick = tick;
@@ -90,6 +97,9 @@ final class Passes {
         BodyStore b = tick.bodies;
         boolean isBall = body.axes.isIsotropic(i) && b.outerRadius[i] == b.innerRadius[i];
         renewal.look(b, i, weight, bouncers.isBouncing(i) ? 0 : tick.step, isBall);
+        if (!isBall && assemblies.binds(i)) {
+            renewal.turnAlways(b, i);
+        }
         body.glide[MotionRecord.STRIDE * i + MotionRecord.STRUCK] = 0;
         body.loadBound(b, i, tick.loaded ? b.inertiaScale[i] : 1);
         if (rows.isSingle) {
@@ -303,6 +313,91 @@ final class Passes {
                 soft,
                 tick.weight() * sub.seconds,
                 bench.scratch.doubles);
+    }
+
+    /** The whole tick of a batch of assemblies that touch nothing. */
+    void swing(SubStep sub, int batch, int from, int to, Workbench bench) {
+        for (int a = assemblies.first(batch); a < assemblies.first(batch + 1); a++) {
+            bench.swing.run(tick, sub, assemblies.store, assemblies.at(a));
+        }
+        storeBodies(from, to);
+    }
+
+    /**
+     * Joints' impulses of the last sub-step, for contacts to be swept with.
+     *
+     * @param index of the sub-step
+     * @param from first assembly
+     */
+    void beginJoints(SubStep sub, int index, int from, int to, Workbench bench) {
+        for (int a = from; a < to; a++) {
+            open(sub, a, bench);
+            if (index == 0) {
+                bench.joints.begin(sub);
+            }
+            bench.joints.warm(index == 0 ? sub.fillScale : 1);
+            show(assemblies.at(a));
+        }
+    }
+
+    /** Closes joints at the end of the bias pass. */
+    void closeJoints(SubStep sub, int from, int to, Workbench bench) {
+        for (int a = from; a < to; a++) {
+            takeOver(assemblies.at(a));
+            open(sub, a, bench);
+            if (assemblies.at(a).isTaut()) {
+                bench.swing.cross(tick, sub, assemblies.store, assemblies.at(a));
+            } else {
+                bench.joints.position(sub.seconds, false);
+            }
+            show(assemblies.at(a));
+        }
+    }
+
+    /** After the drift: bodies of taut joints come to where smaller steps have led. */
+    void placeJoints(int from, int to) {
+        for (int a = from; a < to; a++) {
+            Swing.place(tick, assemblies.at(a));
+            show(assemblies.at(a));
+        }
+    }
+
+    /** Gives joints the derivatives of the new poses. */
+    void turnJoints(SubStep sub, int from, int to, Workbench bench) {
+        for (int a = from; a < to; a++) {
+            open(sub, a, bench);
+            bench.joints.turn(renewal);
+            boolean counts = !assemblies.at(a).isTaut();
+            bench.joints.beginVelocity(counts, counts);
+            show(assemblies.at(a));
+        }
+    }
+
+    /** Stops what joints do not allow, at the end of the relax pass. */
+    void stopJoints(SubStep sub, int from, int to, Workbench bench) {
+        for (int a = from; a < to; a++) {
+            takeOver(assemblies.at(a));
+            open(sub, a, bench);
+            bench.joints.velocity(sub.seconds, !assemblies.at(a).isTaut());
+            show(assemblies.at(a));
+        }
+    }
+
+    private void open(SubStep sub, int a, Workbench bench) {
+        bench.joints.open(tick, sub, assemblies.store, assemblies.at(a));
+    }
+
+    private void show(Assembly assembly) {
+        for (int i : assembly.body) {
+            round(i);
+        }
+    }
+
+    private void takeOver(Assembly assembly) {
+        for (int i : assembly.body) {
+            add(i);
+            round(i);
+        }
     }
 
     /** What the contacts of such an island have learnt of their loads. */

@@ -2,6 +2,8 @@ package dev.cairn.physics.solver;
 
 import dev.cairn.physics.solver.direct.DirectSolve;
 import dev.cairn.physics.solver.impact.Impacts;
+import dev.cairn.physics.solver.joint.JointSolve;
+import dev.cairn.physics.solver.joint.Swing;
 import dev.cairn.physics.solver.refresh.RefreshRow;
 import dev.cairn.physics.solver.row.Scratch;
 import dev.cairn.physics.solver.single.SingleBody;
@@ -13,4 +15,6 @@ final class Workbench {
     final SingleBody single = new SingleBody();
     final DirectSolve direct = new DirectSolve();
     final Impacts impacts = new Impacts();
+    final JointSolve joints = new JointSolve();
+    final Swing swing = new Swing();
 }

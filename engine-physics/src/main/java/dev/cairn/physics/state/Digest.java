@@ -2,6 +2,7 @@ package dev.cairn.physics.state;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.island.Sleepers;
 
 /** A hash of the state's bits, in slot and row order. */
@@ -13,9 +14,10 @@ public final class Digest {
      *
      * @param b the bodies
      * @param c the contacts
+     * @param joints adds nothing if there are none
      * @return 64 bits
      */
-    public static long of(BodyStore b, ContactStore c, Sleepers sleepers) {
+    public static long of(BodyStore b, ContactStore c, Sleepers sleepers, JointStore joints) {
         long h = 0x6361_6972_6e00_0001L;
         for (int s = 0; s < b.slotCount; s++) {
             h = mix(h, b.kind[s]);
@@ -52,6 +54,20 @@ public final class Digest {
         }
         for (int row = 0; row < c.count; row++) {
             h = contact(h, c, row);
+        }
+        for (int j = 0; j < joints.count; j++) {
+            h = joints.isThere[j] ? joint(h, joints, j) : h;
+        }
+        return h;
+    }
+
+    private static long joint(long start, JointStore s, int j) {
+        long h = mix(start, (long) s.bodyA[j] << 32 | s.bodyB[j]);
+        h = mix(h, s.isEnabled[j] ? 1 : 0);
+        for (int r = s.firstRow[j]; r < s.firstRow[j] + s.rows[j]; r++) {
+            h = mix(h, s.before[r]);
+            h = mix(h, s.after[r]);
+            h = mix(h, s.held[r]);
         }
         return h;
     }

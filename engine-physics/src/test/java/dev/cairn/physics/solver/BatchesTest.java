@@ -9,6 +9,7 @@ import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.graph.Batches;
+import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
@@ -132,7 +133,7 @@ class BatchesTest {
             list.slotB[m] = mover(s, s.contacts.bodyB[m]);
         }
         Batches batches = new Batches();
-        batches.cut(list, s.bodies.slotCount, guide, workers, floatsFrom);
+        batches.cut(list, s.bodies.slotCount, guide, workers, floatsFrom, new Assemblies(list));
         return batches;
     }
 

@@ -10,6 +10,7 @@ import dev.cairn.physics.solver.graph.Batches;
 import dev.cairn.physics.solver.graph.Bouncers;
 import dev.cairn.physics.solver.graph.Collector;
 import dev.cairn.physics.solver.graph.Colouring;
+import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.EdgeList;
 
@@ -103,7 +104,8 @@ final class CollectorTest {
     private final class Made {
         final Colouring colouring = new Colouring();
         final Batches batches = new Batches();
-        final Collector collector = new Collector(colouring, batches, true);
+        final Collector collector =
+                new Collector(colouring, batches, new Assemblies(new EdgeList()), true);
         final EdgeList list = new EdgeList(8, 8, 4, 4);
         final int[] guide = new int[BODIES];
 

@@ -89,8 +89,8 @@ public final class Tumbling {
             own = 1;
         }
         double speed = Math.sqrt(w[o] * w[o] + w[o + 1] * w[o + 1] + w[o + 2] * w[o + 2]);
-        double parts = Math.max(1, Math.min(Math.ceil(h * speed / TURN), STEPS));
-        if (own < 0 && !(h * speed <= FAR * parts)) {
+        double parts = Math.max(1, Math.min(Math.ceil(Math.abs(h) * speed / TURN), STEPS));
+        if (own < 0 && !(Math.abs(h) * speed <= FAR * parts)) {
             for (int k = 0; k < count; k++) {
                 Rotation.strang(bodies, i, axes, p, w, o, h);
             }

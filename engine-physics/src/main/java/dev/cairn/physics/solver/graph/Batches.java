@@ -2,10 +2,12 @@ package dev.cairn.physics.solver.graph;
 
 import dev.cairn.physics.island.Islands;
 import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.tuning.Tunable;
 
 import java.util.Arrays;
+import java.util.function.IntUnaryOperator;
 
 /**
  * Cuts the edges of a tick into batches that share no body that moves, so that a worker takes a
@@ -62,7 +64,17 @@ public final class Batches {
     /** By slot of a body with edges: whether its rows are floats. */
     public boolean[] isSingle = {};
 
+    /**
+     * By slot of the smallest body of an island: whether it is an assembly that touches nothing.
+     */
+    private boolean[] swings = {};
+
     private int floatsFrom;
+
+    /** The first of the batches whose islands are assemblies that touch nothing. */
+    private int firstSwinging;
+
+    private final IntUnaryOperator batchFinder = this::batchOfBody;
 
     /** By domain: its batch. */
     private int[] batchOfDomain = {};
@@ -95,6 +107,7 @@ public final class Batches {
             bound = new int[n];
             tally = new int[n];
             isSingle = new boolean[n];
+            swings = new boolean[n];
         }
         islands.ensureSlots(order.length);
         if (byBatch.length < rows) {
@@ -117,8 +130,15 @@ public final class Batches {
      * @param guide tells who has edges
      * @param workers that take part
      * @param floatsFrom rows of an island that are floats if there are as many
+     * @param assemblies those of the tick; they are told which batch each is in
      */
-    public void cut(EdgeList list, int slots, int[] guide, int workers, int floatsFrom) {
+    public void cut(
+            EdgeList list,
+            int slots,
+            int[] guide,
+            int workers,
+            int floatsFrom,
+            Assemblies assemblies) {
         this.floatsFrom = floatsFrom;
         ensureCapacity(slots, list.source.length);
         boundCount = 0;
@@ -129,18 +149,21 @@ public final class Batches {
         }
         boolean isOne = floatsFrom == 0 || list.count < floatsFrom;
         knowsIslands = false;
-        if (isOne && list.count <= WANTED) {
+        if (isOne && list.count <= WANTED && assemblies.count() == 0) {
             whole(list, isSingle(list.count) ? FLOATS : DOUBLES);
         } else {
             islands(list);
-            gather(list, workers);
+            gather(list, workers, assemblies);
+            assemblies.sort(batchFinder, count);
         }
     }
 
-    private void gather(EdgeList list, int workers) {
+    private void gather(EdgeList list, int workers, Assemblies assemblies) {
         tally(list);
+        findSwinging(list, assemblies);
         for (int k = 0; k < boundCount; k++) {
-            isSingle[bound[k]] = isSingle(tally[islands.root(bound[k])]);
+            int root = islands.root(bound[k]);
+            isSingle[bound[k]] = !swings[root] && isSingle(tally[root]);
         }
         cutLarge(list);
         // an island that would keep one worker busy while the others wait is for all
@@ -150,6 +173,8 @@ public final class Batches {
         number(FLOATS, largest);
         divider = count++;
         number(DOUBLES, largest);
+        firstSwinging = count;
+        assign(DOUBLES, Integer.MAX_VALUE, true);
         for (int m = 0; m < list.count; m++) {
             list.isSingle[m] = isSingle[batchOf[m]];
             int batch = tally[batchOf[m]];
@@ -173,6 +198,7 @@ public final class Batches {
                 divider = count++;
             }
         }
+        firstSwinging = count;
         System.arraycopy(bound, 0, order, 0, boundCount);
         for (int k = 0; k < boundCount; k++) {
             isSingle[bound[k]] = kind == FLOATS;
@@ -200,6 +226,22 @@ public final class Batches {
         }
     }
 
+    /** Finds the islands that touch nothing and are solved directly. */
+    private void findSwinging(EdgeList list, Assemblies assemblies) {
+        for (int k = 0; k < boundCount; k++) {
+            int root = islands.root(bound[k]);
+            swings[bound[k]] = root == bound[k] && assemblies.binds(root);
+        }
+        for (int m = 0; m < list.contacts; m++) {
+            swings[batchOf[m]] = false;
+        }
+    }
+
+    /** Whether a batch is one of assemblies that touch nothing. */
+    public boolean isSwinging(int batch) {
+        return batch >= firstSwinging;
+    }
+
     /** Whether the rows of an island are floats. */
     private boolean isSingle(int islandRows) {
         return islandRows >= floatsFrom;
@@ -209,7 +251,7 @@ public final class Batches {
     private void cutLarge(EdgeList list) {
         boolean cuts = false;
         for (int k = 0; k < boundCount; k++) {
-            if (tally[bound[k]] > LARGEST) {
+            if (tally[bound[k]] > LARGEST && !swings[bound[k]]) {
                 tally[bound[k]] = CUT;
                 cuts = true;
             }
@@ -229,7 +271,7 @@ public final class Batches {
             }
         }
         alone[kind] = count;
-        assign(kind, largest);
+        assign(kind, largest, false);
     }
 
     /** Kind of rows of a body with edges. */
@@ -257,12 +299,15 @@ public final class Batches {
         return kind == FLOATS ? divider : count;
     }
 
-    private void assign(int kind, int largest) {
+    private void assign(int kind, int largest, boolean swinging) {
         int open = 0;
         int openRows = WANTED;
         for (int k = 0; k < boundCount; k++) {
             int i = bound[k];
-            if (islands.root(i) != i || tally[i] == CUT || kindOf(i) != kind) {
+            if (islands.root(i) != i
+                    || tally[i] == CUT
+                    || kindOf(i) != kind
+                    || swings[i] != swinging) {
                 continue;
             }
             int n = tally[i];

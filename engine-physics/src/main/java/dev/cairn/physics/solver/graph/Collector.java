@@ -8,6 +8,7 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.solver.body.DrivenSides;
 import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.joint.Assemblies;
 import dev.cairn.physics.solver.row.EdgeList;
 import dev.cairn.physics.solver.row.EdgePlaces;
 
@@ -31,6 +32,9 @@ public final class Collector {
 
     /** Kinematic bodies that move, of this tick. */
     public final DrivenSides sides = new DrivenSides();
+
+    /** Those of this tick. */
+    public final Assemblies assemblies;
 
     /** Those of this tick. */
     public final Bouncers bouncers = new Bouncers();
@@ -74,7 +78,8 @@ public final class Collector {
      *
      * @param guides whether a body on nothing but one contact is guided by it
      */
-    public Collector(Colouring colouring, Batches batches, boolean guides) {
+    public Collector(Colouring colouring, Batches batches, Assemblies assemblies, boolean guides) {
+        this.assemblies = assemblies;
         this.guides = guides;
         this.colouring = colouring;
         this.batches = batches;
@@ -110,11 +115,12 @@ public final class Collector {
         sameBodies = sameList || list();
         sameBodies &= slots == bodies.slotCount;
         sameBodies &= workers == workerCount;
+        sameBodies &= !assemblies.update(list, bodies.slotCount);
         if (!sameBodies) {
             slots = bodies.slotCount;
             workers = workerCount;
             bind(guide);
-            batches.cut(list, slots, guide, workerCount, floatsFrom);
+            batches.cut(list, slots, guide, workerCount, floatsFrom, assemblies);
             listSides();
         }
         if (!sameList || !sameBodies) {

@@ -113,11 +113,17 @@ public final class JacobianRefresh {
         boolean isFar = (u * u + v * v + w * w) * (step * step) > FAR * FAR * (far * far);
         turns[i] = !isBall && (isFar || (x * x + y * y + z * z) * (far * far) > slow);
         if (turns[i]) {
-            start[4 * i] = b.orientationX[i];
-            start[4 * i + 1] = b.orientationY[i];
-            start[4 * i + 2] = b.orientationZ[i];
-            start[4 * i + 3] = b.orientationW[i];
+            turnAlways(b, i);
         }
+    }
+
+    /** A body's root is renewed in each sub-step, as joints hang on it; after {@link #look}. */
+    public void turnAlways(BodyStore b, int i) {
+        turns[i] = true;
+        start[4 * i] = b.orientationX[i];
+        start[4 * i + 1] = b.orientationY[i];
+        start[4 * i + 2] = b.orientationZ[i];
+        start[4 * i + 3] = b.orientationW[i];
     }
 
     /** Levers of a kinematic body do not turn with it within the tick. */

@@ -1,0 +1,267 @@
+package dev.cairn.physics.internal;
+
+import java.util.Arrays;
+
+/**
+ * All joints as columns: who is bound where, and the rows that bind them. A joint is a number that
+ * stays its own as long as it exists; freed numbers are used again, last freed first.
+ *
+ * <p>A joint has a frame in each of its bodies: an origin relative to the centre of mass, and a
+ * quaternion, both in the body's axes. Its rows are scalar equations between these frames. Row
+ * {@code r} says what is measured ({@link #law}), what is wanted ({@link #role}) and between which
+ * bounds. Simulation thread, but for impulses, which the worker writes that solves the joint.
+ */
+public final class JointStore implements EdgeSource {
+    // What a row measures -------------------------------------------------------------------------
+
+    /** Offset of B's origin from A's along A's axis 0, 1 or 2, m. */
+    public static final byte SLIDE = 0;
+
+    /** Twice the vector part of the relative quaternion, A's axis 0, 1 or 2: all three at once. */
+    public static final byte TURN = 3;
+
+    /** B's axis 0 along A's axis 1, or 2: 0 while the two axes 0 are parallel. */
+    public static final byte ALIGN = 6;
+
+    /** Angle of B about its own axis 0 against A, rad. */
+    public static final byte TWIST = 8;
+
+    /** Angle of B's axis 0 about A's axis 1, or 2, rad. */
+    public static final byte SWING = 9;
+
+    /** Angle between the two axes 0, rad. */
+    public static final byte CONE = 11;
+
+    /** B's axis 1 along A's axis 0: 0 in a universal joint. */
+    public static final byte CROSS = 12;
+
+    /** Distance of the origins, m. */
+    public static final byte DISTANCE = 13;
+
+    // What a row wants ----------------------------------------------------------------------------
+
+    /** It is 0. */
+    public static final byte LOCK = 0;
+
+    /** It is from {@link #lower} to {@link #upper}. */
+    public static final byte LIMIT = 1;
+
+    /** It changes at {@link #target} per second, with at most {@link #most}. */
+    public static final byte MOTOR = 2;
+
+    /** It is drawn to {@link #target} by a spring and damper, with at most {@link #most}. */
+    public static final byte SPRING = 3;
+
+    // Joints --------------------------------------------------------------------------------------
+
+    /** One past the highest joint in use. */
+    public int count;
+
+    /** Whether the number is a joint's, and whether it acts. */
+    public boolean[] isThere = {};
+
+    public boolean[] isEnabled = {};
+
+    /** Whether the bodies of the joint collide with each other. */
+    public boolean[] collides = {};
+
+    /** Whether the joint is solved with its whole assembly. */
+    public boolean[] isDirect = {};
+
+    /** Grows with each joint of the number. */
+    public int[] stamp = {};
+
+    /** Slots of the two bodies. */
+    public int[] bodyA = {};
+
+    public int[] bodyB = {};
+
+    /** Numbers to a joint in {@link #frame}. */
+    public static final int FRAME = 14;
+
+    /** Origin and quaternion in A, then in B. */
+    public double[] frame = {};
+
+    /** First row of the joint and how many it has. */
+    public int[] firstRow = {};
+
+    public int[] rows = {};
+    private int[] room = {};
+
+    /** Force and torque at the origin on B, world, mean of the last sub-step; 6 to a joint. */
+    public double[] reaction = {};
+
+    /** Force and torque beyond which the joint breaks. */
+    public double[] breakForce = {};
+
+    public double[] breakTorque = {};
+
+    /** Grows whenever a joint comes, goes or changes. */
+    public long revision;
+
+    // Rows ----------------------------------------------------------------------------------------
+
+    /** Rows in use, those of freed joints included. */
+    public int rowCount;
+
+    public byte[] law = {};
+    public byte[] role = {};
+    public double[] lower = {};
+    public double[] upper = {};
+    public double[] target = {};
+
+    /** Largest force, N or N m; may be infinite. */
+    public double[] most = {};
+
+    /** Frequency, Hz, and damping ratio, or stiffness and damping where {@link #isAbsolute}. */
+    public double[] stiffness = {};
+
+    public double[] damping = {};
+    public boolean[] isAbsolute = {};
+
+    /** Impulses of the last sub-step: before the bodies moved, and after. */
+    public double[] before = {};
+
+    public double[] after = {};
+
+    /** How a limit or motor stood: -1 or 1 where it was held at a bound, else 0. */
+    public byte[] held = {};
+
+    private int[] free = {};
+    private int freeCount;
+
+    /** Makes an empty store. */
+    public JointStore() {}
+
+    /**
+     * Takes a number for a joint.
+     *
+     * @param rowsWanted how many rows it has
+     * @return the number
+     */
+    public int add(int rowsWanted) {
+        int j = freeCount > 0 ? free[--freeCount] : count++;
+        ensureJoints(count);
+        isThere[j] = true;
+        stamp[j]++;
+        isEnabled[j] = true;
+        collides[j] = false;
+        Arrays.fill(reaction, 6 * j, 6 * j + 6, 0.0);
+        resize(j, rowsWanted);
+        return j;
+    }
+
+    /** Gives a joint a number of empty rows. */
+    public void resize(int j, int rowsWanted) {
+        if (room[j] < rowsWanted) {
+            firstRow[j] = rowCount;
+            room[j] = rowsWanted;
+            rowCount += rowsWanted;
+            ensureRows(rowCount);
+        }
+        rows[j] = rowsWanted;
+        clear(j);
+        revision++;
+    }
+
+    /** The joint ends, and its number is free. */
+    public void remove(int j) {
+        isThere[j] = false;
+        isEnabled[j] = false;
+        if (freeCount == free.length) {
+            free = Arrays.copyOf(free, Math.max(16, 2 * freeCount));
+        }
+        free[freeCount++] = j;
+        revision++;
+    }
+
+    /** Forgets the impulses of a joint. */
+    public void clear(int j) {
+        int from = firstRow[j];
+        int to = from + rows[j];
+        Arrays.fill(before, from, to, 0.0);
+        Arrays.fill(after, from, to, 0.0);
+        Arrays.fill(held, from, to, (byte) 0);
+        Arrays.fill(reaction, 6 * j, 6 * j + 6, 0.0);
+    }
+
+    private void ensureJoints(int wanted) {
+        if (wanted <= isThere.length) {
+            return;
+        }
+        int n = Math.max(wanted, Math.max(16, isThere.length + (isThere.length >> 1)));
+        isThere = Arrays.copyOf(isThere, n);
+        isEnabled = Arrays.copyOf(isEnabled, n);
+        collides = Arrays.copyOf(collides, n);
+        isDirect = Arrays.copyOf(isDirect, n);
+        stamp = Arrays.copyOf(stamp, n);
+        bodyA = Arrays.copyOf(bodyA, n);
+        bodyB = Arrays.copyOf(bodyB, n);
+        frame = Arrays.copyOf(frame, FRAME * n);
+        firstRow = Arrays.copyOf(firstRow, n);
+        rows = Arrays.copyOf(rows, n);
+        room = Arrays.copyOf(room, n);
+        reaction = Arrays.copyOf(reaction, 6 * n);
+        breakForce = Arrays.copyOf(breakForce, n);
+        breakTorque = Arrays.copyOf(breakTorque, n);
+    }
+
+    private void ensureRows(int wanted) {
+        if (wanted <= law.length) {
+            return;
+        }
+        int n = Math.max(wanted, Math.max(32, law.length + (law.length >> 1)));
+        law = Arrays.copyOf(law, n);
+        role = Arrays.copyOf(role, n);
+        lower = Arrays.copyOf(lower, n);
+        upper = Arrays.copyOf(upper, n);
+        target = Arrays.copyOf(target, n);
+        most = Arrays.copyOf(most, n);
+        stiffness = Arrays.copyOf(stiffness, n);
+        damping = Arrays.copyOf(damping, n);
+        isAbsolute = Arrays.copyOf(isAbsolute, n);
+        before = Arrays.copyOf(before, n);
+        after = Arrays.copyOf(after, n);
+        held = Arrays.copyOf(held, n);
+    }
+
+    // Edges ---------------------------------------------------------------------------------------
+
+    @Override
+    public int edges() {
+        return count;
+    }
+
+    @Override
+    public int edgeRow(int i) {
+        return i;
+    }
+
+    @Override
+    public int edgeA(int i) {
+        return isEnabled[i] ? bodyA[i] : -1;
+    }
+
+    @Override
+    public int edgeB(int i) {
+        return bodyB[i];
+    }
+
+    @Override
+    public void leave(int slot) {
+        for (int j = 0; j < count; j++) {
+            if (isThere[j] && (bodyA[j] == slot || bodyB[j] == slot)) {
+                remove(j);
+            }
+        }
+    }
+
+    @Override
+    public void forget(int slot) {
+        for (int j = 0; j < count; j++) {
+            if (isThere[j] && (bodyA[j] == slot || bodyB[j] == slot)) {
+                clear(j);
+            }
+        }
+    }
+}

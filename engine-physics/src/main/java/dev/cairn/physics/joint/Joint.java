@@ -1,0 +1,578 @@
+package dev.cairn.physics.joint;
+
+import dev.cairn.physics.internal.Checks;
+
+import java.util.Arrays;
+
+/**
+ * Describes a joint: two bodies, a place, and what they may still do to each other. {@code
+ * PhysicsWorld.add} makes it; the description may be used again.
+ *
+ * <pre>{@code
+ * JointRef hinge = world.add(Joint.hinge(frame, door).at(0, 1, 0).axis(0, 1, 0).limits(0, 2));
+ * }</pre>
+ *
+ * <p>Places and axes are in the world, in the poses that the bodies have when the joint is added;
+ * all angles and ways are 0 then. Angles are those of B against A, right-handed. Methods return the
+ * description itself, throw {@link IllegalArgumentException} for what is not a number or out of
+ * range, and may be called in any order. One thread at a time.
+ */
+public final class Joint {
+    /** Beyond the axes of {@link JointAxis}: the cross of a universal joint. */
+    static final int CROSS = JointAxis.values().length;
+
+    final Jointed a;
+    final Jointed b;
+    final AxisSettings[] axes = new AxisSettings[CROSS + 1];
+
+    /** What {@link #limits}, {@link #motor} and {@link #spring} without an axis are about. */
+    final JointAxis main;
+
+    final String kind;
+    String name = "";
+    boolean isPlaced;
+    final double[] anchorA = new double[3];
+    final double[] anchorB = new double[3];
+    final double[] x = {1, 0, 0};
+    final double[] y = new double[3];
+    boolean hasSecond;
+    boolean collides;
+    double breakForce = Double.POSITIVE_INFINITY;
+    double breakTorque = Double.POSITIVE_INFINITY;
+
+    /** Length of a rod, rope or spring; below 0 for that of the moment when it is added. */
+    double length = -1;
+
+    private Joint(String kind, Jointed a, Jointed b, JointAxis main, JointAxis... locked) {
+        this.kind = kind;
+        this.a = Checks.notNull("a", a);
+        this.b = Checks.notNull("b", b);
+        this.main = main;
+        for (int i = 0; i < axes.length; i++) {
+            axes[i] = new AxisSettings();
+        }
+        for (JointAxis axis : locked) {
+            of(axis).isLocked = true;
+        }
+    }
+
+    private AxisSettings of(JointAxis axis) {
+        return axes[Checks.notNull("axis", axis).ordinal()];
+    }
+
+    // Kinds ---------------------------------------------------------------------------------------
+
+    /**
+     * A ball in a socket: the two bodies share a point.
+     *
+     * @param a the first body
+     * @param b the second one
+     * @return a description; {@link #limits} are those of the cone about {@link #axis}
+     */
+    public static Joint ball(Jointed a, Jointed b) {
+        return new Joint("ball", a, b, JointAxis.CONE, JointAxis.X, JointAxis.Y, JointAxis.Z);
+    }
+
+    /**
+     * A hinge: B turns about one axis of A.
+     *
+     * @param a the first body
+     * @param b the second one
+     * @return a description; limits, motor and spring are about the angle
+     */
+    public static Joint hinge(Jointed a, Jointed b) {
+        return new Joint(
+                "hinge",
+                a,
+                b,
+                JointAxis.TWIST,
+                JointAxis.X,
+                JointAxis.Y,
+                JointAxis.Z,
+                JointAxis.SWING_Y,
+                JointAxis.SWING_Z);
+    }
+
+    /**
+     * A slider: B moves along one axis of A and does not turn.
+     *
+     * @param a the first body
+     * @param b the second one
+     * @return a description; limits, motor and spring are about the way
+     */
+    public static Joint slider(Jointed a, Jointed b) {
+        return new Joint(
+                "slider",
+                a,
+                b,
+                JointAxis.X,
+                JointAxis.Y,
+                JointAxis.Z,
+                JointAxis.TWIST,
+                JointAxis.SWING_Y,
+                JointAxis.SWING_Z);
+    }
+
+    /**
+     * A rod in a tube: B moves along one axis of A and turns about it.
+     *
+     * @param a the first body
+     * @param b the second one
+     * @return a description; limits, motor and spring are about the way
+     */
+    public static Joint cylindrical(Jointed a, Jointed b) {
+        return new Joint(
+                "cylindrical",
+                a,
+                b,
+                JointAxis.X,
+                JointAxis.Y,
+                JointAxis.Z,
+                JointAxis.SWING_Y,
+                JointAxis.SWING_Z);
+    }
+
+    /**
+     * The two bodies are as one.
+     *
+     * @param a the first body
+     * @param b the second one
+     * @return a description
+     */
+    public static Joint fixed(Jointed a, Jointed b) {
+        return new Joint(
+                "fixed",
+                a,
+                b,
+                JointAxis.X,
+                JointAxis.X,
+                JointAxis.Y,
+                JointAxis.Z,
+                JointAxis.TWIST,
+                JointAxis.SWING_Y,
+                JointAxis.SWING_Z);
+    }
+
+    /**
+     * A universal joint (Hooke, Cardan): an axis of A and one of B meet at a right angle, {@link
+     * #axis} and {@link #secondAxis}.
+     *
+     * @param a the first body
+     * @param b the second one
+     * @return a description
+     */
+    public static Joint universal(Jointed a, Jointed b) {
+        Joint j =
+                new Joint("universal", a, b, JointAxis.CONE, JointAxis.X, JointAxis.Y, JointAxis.Z);
+        j.axes[CROSS].isLocked = true;
+        return j;
+    }
+
+    /**
+     * A rod without mass: two points keep their distance.
+     *
+     * @param a the first body
+     * @param b the second one
+     * @return a description; the points are the centres of mass if none are given
+     */
+    public static Joint rod(Jointed a, Jointed b) {
+        return new Joint("rod", a, b, JointAxis.DISTANCE, JointAxis.DISTANCE);
+    }
+
+    /**
+     * A rope without mass: two points come no further apart.
+     *
+     * @param a the first body
+     * @param b the second one
+     * @return a description; the points are the centres of mass if none are given
+     */
+    public static Joint rope(Jointed a, Jointed b) {
+        Joint j = new Joint("rope", a, b, JointAxis.DISTANCE);
+        j.of(JointAxis.DISTANCE).isLimited = true;
+        return j;
+    }
+
+    /**
+     * A spring without mass between two points.
+     *
+     * @param a the first body
+     * @param b the second one
+     * @param hertz frequency with which the two would swing on it, Hz, above 0
+     * @param dampingRatio 0 for none, 1 where it just does not swing any more
+     * @return a description; the points are the centres of mass if none are given
+     */
+    public static Joint spring(Jointed a, Jointed b, double hertz, double dampingRatio) {
+        Joint j = new Joint("spring", a, b, JointAxis.DISTANCE);
+        return j.spring(JointAxis.DISTANCE, 0, hertz, dampingRatio);
+    }
+
+    /**
+     * The wheel of a car: it turns about {@link #axis}, is sprung along {@link #secondAxis}, and is
+     * steered about that.
+     *
+     * @param a the car
+     * @param b the wheel
+     * @param hertz of the suspension, Hz, above 0
+     * @param dampingRatio of the suspension
+     * @return a description; the motor is about the spin; {@link JointAxis#SWING_Y} steers
+     */
+    public static Joint wheel(Jointed a, Jointed b, double hertz, double dampingRatio) {
+        Joint j =
+                new Joint(
+                        "wheel",
+                        a,
+                        b,
+                        JointAxis.TWIST,
+                        JointAxis.X,
+                        JointAxis.Z,
+                        JointAxis.SWING_Y,
+                        JointAxis.SWING_Z);
+        return j.spring(JointAxis.Y, 0, hertz, dampingRatio);
+    }
+
+    /**
+     * Keeps an axis of B parallel to that of A, and leaves the rest alone.
+     *
+     * @param a the first body
+     * @param b the second one
+     * @return a description
+     */
+    public static Joint parallel(Jointed a, Jointed b) {
+        return new Joint("parallel", a, b, JointAxis.TWIST, JointAxis.SWING_Y, JointAxis.SWING_Z)
+                .anchored();
+    }
+
+    /**
+     * Draws a point of B to a point of A by a spring, as a hand does; {@link JointRef#moveTo} moves
+     * the point.
+     *
+     * @param a mostly a fixed body
+     * @param b what is drawn
+     * @param hertz of the spring, Hz, above 0
+     * @param dampingRatio of the spring
+     * @param mostNewtons largest force, N, above 0; may be infinite
+     * @return a description
+     */
+    public static Joint pull(
+            Jointed a, Jointed b, double hertz, double dampingRatio, double mostNewtons) {
+        Joint j = new Joint("pull", a, b, JointAxis.X);
+        for (JointAxis axis : new JointAxis[] {JointAxis.X, JointAxis.Y, JointAxis.Z}) {
+            j.spring(axis, 0, hertz, dampingRatio);
+            j.of(axis).springMost = Checks.limit("mostNewtons", mostNewtons);
+        }
+        return j;
+    }
+
+    /**
+     * All axes are free, to be locked, limited, driven and sprung one by one.
+     *
+     * @param a the first body
+     * @param b the second one
+     * @return a description
+     */
+    public static Joint generic(Jointed a, Jointed b) {
+        return new Joint("generic", a, b, JointAxis.X);
+    }
+
+    private Joint anchored() {
+        isPlaced = false;
+        return this;
+    }
+
+    // Place ---------------------------------------------------------------------------------------
+
+    /**
+     * Puts the joint at a point that both bodies share.
+     *
+     * @param px world, m, finite
+     * @param py world, m, finite
+     * @param pz world, m, finite
+     * @return this
+     */
+    public Joint at(double px, double py, double pz) {
+        return anchors(px, py, pz, px, py, pz);
+    }
+
+    /**
+     * Gives each body a point of its own.
+     *
+     * @param ax of A, world, m, finite
+     * @param ay of A
+     * @param az of A
+     * @param bx of B, world, m, finite
+     * @param by of B
+     * @param bz of B
+     * @return this
+     */
+    public Joint anchors(double ax, double ay, double az, double bx, double by, double bz) {
+        set(anchorA, "anchor of A", ax, ay, az);
+        set(anchorB, "anchor of B", bx, by, bz);
+        isPlaced = true;
+        return this;
+    }
+
+    /**
+     * Chooses the x axis of the frames: that of a hinge or slider; (1, 0, 0) at first.
+     *
+     * @param ax world, any length but 0
+     * @param ay world
+     * @param az world
+     * @return this
+     */
+    public Joint axis(double ax, double ay, double az) {
+        direction(x, "axis", ax, ay, az);
+        return this;
+    }
+
+    /**
+     * Chooses the y axis of the frames; what of it lies along {@link #axis} is left out. By default
+     * some direction that is at right angles to that.
+     *
+     * @param ax world, any length but 0
+     * @param ay world
+     * @param az world
+     * @return this
+     */
+    public Joint secondAxis(double ax, double ay, double az) {
+        direction(y, "second axis", ax, ay, az);
+        hasSecond = true;
+        return this;
+    }
+
+    private static void set(double[] into, String name, double px, double py, double pz) {
+        into[0] = Checks.finite(name + " x", px);
+        into[1] = Checks.finite(name + " y", py);
+        into[2] = Checks.finite(name + " z", pz);
+    }
+
+    private static void direction(double[] into, String name, double px, double py, double pz) {
+        double length = Math.sqrt(px * px + py * py + pz * pz);
+        if (!(length > 0) || length == Double.POSITIVE_INFINITY) {
+            throw new IllegalArgumentException(
+                    name
+                            + " is ("
+                            + px
+                            + ", "
+                            + py
+                            + ", "
+                            + pz
+                            + "); it must be finite and not of length 0");
+        }
+        set(into, name, px / length, py / length, pz / length);
+    }
+
+    // Axes ----------------------------------------------------------------------------------------
+
+    /**
+     * Lets an axis free, without limits, motor and spring.
+     *
+     * @param axis which one
+     * @return this
+     */
+    public Joint free(JointAxis axis) {
+        of(axis).free();
+        return this;
+    }
+
+    /**
+     * Locks an axis.
+     *
+     * @param axis which one
+     * @return this
+     */
+    public Joint locked(JointAxis axis) {
+        of(axis).free();
+        of(axis).isLocked = true;
+        return this;
+    }
+
+    /**
+     * Limits the axis that the kind is about.
+     *
+     * @param lower rad or m, or minus infinity
+     * @param upper rad or m, or infinity; not below lower
+     * @return this
+     */
+    public Joint limits(double lower, double upper) {
+        return limits(main, lower, upper);
+    }
+
+    /**
+     * Limits an axis.
+     *
+     * @param axis which one
+     * @param lower m, or rad from -pi to pi, or minus infinity
+     * @param upper m, or rad from -pi to pi, or infinity; not below lower
+     * @return this
+     */
+    public Joint limits(JointAxis axis, double lower, double upper) {
+        of(axis).limit(axis.toString(), lower, upper, isAngle(axis) ? Math.PI : Double.MAX_VALUE);
+        return this;
+    }
+
+    static boolean isAngle(JointAxis axis) {
+        return axis.ordinal() >= JointAxis.TWIST.ordinal()
+                && axis.ordinal() <= JointAxis.CONE.ordinal();
+    }
+
+    /**
+     * Drives the axis that the kind is about.
+     *
+     * @param speed m/s or rad/s, finite
+     * @param most largest force or torque, N or N m, above 0; may be infinite
+     * @return this
+     */
+    public Joint motor(double speed, double most) {
+        return motor(main, speed, most);
+    }
+
+    /**
+     * Drives an axis; with a speed of 0 it is a brake.
+     *
+     * @param axis which one
+     * @param speed m/s or rad/s, finite
+     * @param most largest force or torque, N or N m, above 0; may be infinite
+     * @return this
+     */
+    public Joint motor(JointAxis axis, double speed, double most) {
+        AxisSettings s = of(axis);
+        s.isLocked = false;
+        s.isDriven = true;
+        s.speed = Checks.finite("speed", speed);
+        s.motorMost = Checks.limit("most", most);
+        return this;
+    }
+
+    /**
+     * Draws the axis that the kind is about to a value, by a spring: a motor to a position.
+     *
+     * @param target m or rad, finite
+     * @param hertz Hz, above 0
+     * @param dampingRatio at least 0
+     * @return this
+     */
+    public Joint spring(double target, double hertz, double dampingRatio) {
+        return spring(main, target, hertz, dampingRatio);
+    }
+
+    /**
+     * Draws an axis to a value by a spring that is given by the frequency with which the two bodies
+     * alone would swing on it.
+     *
+     * @param axis which one
+     * @param target m or rad, finite
+     * @param hertz Hz, above 0
+     * @param dampingRatio at least 0
+     * @return this
+     */
+    public Joint spring(JointAxis axis, double target, double hertz, double dampingRatio) {
+        return spring(
+                axis,
+                target,
+                Checks.positive("hertz", hertz),
+                Checks.atLeastZero("dampingRatio", dampingRatio),
+                false);
+    }
+
+    /**
+     * Draws an axis to a value by a spring that is given by its stiffness.
+     *
+     * @param axis which one
+     * @param target m or rad, finite
+     * @param stiffness N/m or N m/rad, at least 0
+     * @param damping N s/m or N m s/rad, at least 0
+     * @return this
+     */
+    public Joint stiffness(JointAxis axis, double target, double stiffness, double damping) {
+        return spring(
+                axis,
+                target,
+                Checks.atLeastZero("stiffness", stiffness),
+                Checks.atLeastZero("damping", damping),
+                true);
+    }
+
+    private Joint spring(JointAxis axis, double target, double k, double d, boolean absolute) {
+        AxisSettings s = of(axis);
+        s.springMost = s.isSprung ? s.springMost : Double.POSITIVE_INFINITY;
+        s.isLocked = false;
+        s.isSprung = true;
+        s.target = Checks.finite("target", target);
+        s.stiffness = k;
+        s.damping = d;
+        s.isAbsolute = absolute;
+        return this;
+    }
+
+    /**
+     * Bounds what the spring of an axis can do; after {@link #spring}.
+     *
+     * @param axis which one
+     * @param most N or N m, above 0; may be infinite
+     * @return this
+     */
+    public Joint springMost(JointAxis axis, double most) {
+        of(axis).springMost = Checks.limit("most", most);
+        return this;
+    }
+
+    /**
+     * Sets the length of a rod, a rope or a spring; by default it is that of the moment in which
+     * the joint is added.
+     *
+     * @param metres m, above 0
+     * @return this
+     */
+    public Joint length(double metres) {
+        length = Checks.positive("length", metres);
+        return this;
+    }
+
+    // Other ---------------------------------------------------------------------------------------
+
+    /**
+     * Says whether the two bodies collide; by default they do not.
+     *
+     * @param value true if they do
+     * @return this
+     */
+    public Joint collide(boolean value) {
+        collides = value;
+        return this;
+    }
+
+    /**
+     * Lets the joint break under a load.
+     *
+     * @param newtons largest force, N, above 0; may be infinite
+     * @param newtonMetres largest torque, N m, above 0; may be infinite
+     * @return this
+     */
+    public Joint breakAt(double newtons, double newtonMetres) {
+        breakForce = Checks.limit("newtons", newtons);
+        breakTorque = Checks.limit("newtonMetres", newtonMetres);
+        return this;
+    }
+
+    /**
+     * Names the joint, for messages and tools.
+     *
+     * @param value any
+     * @return this
+     */
+    public Joint name(String value) {
+        name = Checks.notNull("name", value);
+        return this;
+    }
+
+    /** Whether it is a rod, rope or spring, which may be without a place. */
+    boolean isDistance() {
+        return main == JointAxis.DISTANCE;
+    }
+
+    AxisSettings[] copyAxes() {
+        AxisSettings[] copy = new AxisSettings[axes.length];
+        Arrays.setAll(copy, i -> axes[i].copy());
+        return copy;
+    }
+}

@@ -1,0 +1,353 @@
+package dev.cairn.physics.joint;
+
+import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.internal.JointStore;
+
+import org.joml.Vector3d;
+
+/**
+ * A joint in a world. Read-outs are those of the last step.
+ *
+ * <p>Simulation thread, between steps. What only changes numbers of a motor, spring or limit that
+ * the joint has does not allocate, so it may be called in every tick; it wakes the bodies if
+ * anything is other than before. Every method but {@link #isAlive}, {@link #name} and {@link
+ * #toString} throws {@link IllegalStateException} once the joint is gone: it was removed, or one of
+ * its bodies was.
+ */
+public final class JointRef {
+    private final Joints joints;
+    private final String name;
+    private final String kind;
+    private final long entityA;
+    private final long entityB;
+    private final JointAxis main;
+    private final double length;
+    final AxisSettings[] axes;
+    int index;
+    int stamp;
+    private final RowList rows = new RowList();
+
+    JointRef(Joints joints, Joint joint) {
+        this.joints = joints;
+        name = joint.name;
+        kind = joint.kind;
+        entityA = joint.a.entity();
+        entityB = joint.b.entity();
+        main = joint.main;
+        length = joint.length;
+        axes = joint.copyAxes();
+    }
+
+    /** The length of a rod, rope or spring is known. */
+    void resolveLength(double distance) {
+        if (main != JointAxis.DISTANCE) {
+            return;
+        }
+        double wanted = length > 0 ? length : distance;
+        AxisSettings s = axes[main.ordinal()];
+        if (s.isLocked && !(wanted > 0)) {
+            throw new IllegalArgumentException(
+                    "rod joint has the length 0; give two points apart, or use Joint.ball");
+        }
+        s.held = wanted;
+        if (kind.equals("rope")) {
+            s.lower = Double.NEGATIVE_INFINITY;
+            s.upper = wanted;
+        }
+        s.target = s.isSprung ? wanted : s.target;
+    }
+
+    private int alive() {
+        if (!isAlive()) {
+            throw new IllegalStateException(
+                    this
+                            + " is no longer in its world; ask isAlive() before you use a joint"
+                            + " that may be gone");
+        }
+        return index;
+    }
+
+    private int changed(String call) {
+        joints.host.requireBetweenSteps(call);
+        return alive();
+    }
+
+    /**
+     * Whether the joint is still in its world; it may be off.
+     *
+     * @return false once it or one of its bodies was removed
+     */
+    public boolean isAlive() {
+        JointStore s = joints.store;
+        return s.isThere[index] && s.stamp[index] == stamp;
+    }
+
+    /**
+     * The name that the description gave.
+     *
+     * @return the name, empty if none was given
+     */
+    public String name() {
+        return name;
+    }
+
+    /**
+     * What kind of joint the description was made as.
+     *
+     * @return for example "hinge"
+     */
+    public String kind() {
+        return kind;
+    }
+
+    /**
+     * Entity of the first body.
+     *
+     * @return its id; {@code PhysicsWorld.bodyOf} tells the body
+     */
+    public long entityA() {
+        return entityA;
+    }
+
+    /**
+     * Entity of the second body.
+     *
+     * @return its id
+     */
+    public long entityB() {
+        return entityB;
+    }
+
+    /**
+     * Whether the joint acts.
+     *
+     * @return false while it is off, or after it broke
+     */
+    public boolean isEnabled() {
+        return joints.store.isEnabled[alive()];
+    }
+
+    /**
+     * Switches the joint on or off.
+     *
+     * @param value true for on
+     * @throws IllegalStateException while a step runs
+     */
+    public void setEnabled(boolean value) {
+        int j = changed("setEnabled");
+        if (joints.store.isEnabled[j] != value) {
+            joints.store.isEnabled[j] = value;
+            joints.store.clear(j);
+            joints.store.revision++;
+            joints.separate(j);
+            joints.wake(j);
+        }
+    }
+
+    /**
+     * Takes the joint out of the world.
+     *
+     * @throws IllegalStateException while a step runs
+     */
+    public void remove() {
+        int j = changed("remove");
+        joints.wake(j);
+        joints.store.remove(j);
+        joints.separate(j);
+    }
+
+    /**
+     * The force of the joint on B, mean of the last sub-step.
+     *
+     * @param destination receives N, world
+     * @return destination
+     */
+    public Vector3d force(Vector3d destination) {
+        int k = 6 * alive();
+        double[] r = joints.store.reaction;
+        return Checks.notNull("destination", destination).set(r[k], r[k + 1], r[k + 2]);
+    }
+
+    /**
+     * The torque of the joint on B, beside that of {@link #force} at B's origin, mean of the last
+     * sub-step.
+     *
+     * @param destination receives N m, world
+     * @return destination
+     */
+    public Vector3d torque(Vector3d destination) {
+        int k = 6 * alive() + 3;
+        double[] r = joints.store.reaction;
+        return Checks.notNull("destination", destination).set(r[k], r[k + 1], r[k + 2]);
+    }
+
+    /**
+     * Where the joint stands about an axis.
+     *
+     * @param axis which one
+     * @return m or rad, now
+     */
+    public double value(JointAxis axis) {
+        return joints.values.of(joints, alive(), Checks.notNull("axis", axis));
+    }
+
+    /**
+     * How far the joint is from what it should be: the largest of what its locked axes lack, and of
+     * what its limited ones are beyond their limits.
+     *
+     * @return m, an angle counting as that of 1 m
+     */
+    public double gap() {
+        return joints.values.gap(joints, alive());
+    }
+
+    /**
+     * Moves the point of A.
+     *
+     * @param x world, m, finite
+     * @param y world, m, finite
+     * @param z world, m, finite
+     * @throws IllegalStateException while a step runs
+     */
+    public void moveTo(double x, double y, double z) {
+        int j = changed("moveTo");
+        Checks.finite("x", x);
+        Checks.finite("y", y);
+        Checks.finite("z", z);
+        joints.moveTo(j, x, y, z);
+    }
+
+    // Retuning ------------------------------------------------------------------------------------
+
+    private AxisSettings of(JointAxis axis) {
+        return axes[Checks.notNull("axis", axis).ordinal()];
+    }
+
+    private void retune(int j, boolean isOther) {
+        if (!isOther) {
+            return;
+        }
+        rows.compile(axes);
+        if (!rows.fits(joints.store, j)) {
+            joints.store.resize(j, rows.count);
+        }
+        rows.write(joints.store, j);
+        joints.wake(j);
+    }
+
+    /**
+     * Changes the motor of an axis, or gives it one.
+     *
+     * @param axis which one
+     * @param speed m/s or rad/s, finite
+     * @param most largest force or torque, N or N m, above 0; may be infinite
+     * @throws IllegalStateException while a step runs
+     */
+    public void motor(JointAxis axis, double speed, double most) {
+        int j = changed("motor");
+        AxisSettings s = of(axis);
+        Checks.finite("speed", speed);
+        Checks.limit("most", most);
+        boolean isOther = !s.isDriven || s.isLocked || s.speed != speed || s.motorMost != most;
+        s.isLocked = false;
+        s.isDriven = true;
+        s.speed = speed;
+        s.motorMost = most;
+        retune(j, isOther);
+    }
+
+    /**
+     * Takes the motor of an axis away.
+     *
+     * @param axis which one
+     * @throws IllegalStateException while a step runs
+     */
+    public void motorOff(JointAxis axis) {
+        int j = changed("motorOff");
+        AxisSettings s = of(axis);
+        boolean isOther = s.isDriven;
+        s.isDriven = false;
+        retune(j, isOther);
+    }
+
+    /**
+     * Changes where the spring of an axis draws to.
+     *
+     * @param axis which one, with a spring
+     * @param target m or rad, finite
+     * @throws IllegalStateException while a step runs, or if the axis has no spring
+     */
+    public void target(JointAxis axis, double target) {
+        int j = changed("target");
+        AxisSettings s = of(axis);
+        if (!s.isSprung) {
+            throw new IllegalStateException(
+                    "axis " + axis + " of " + this + " has no spring; call spring(..) first");
+        }
+        Checks.finite("target", target);
+        boolean isOther = s.target != target;
+        s.target = target;
+        retune(j, isOther);
+    }
+
+    /**
+     * Changes the spring of an axis, or gives it one.
+     *
+     * @param axis which one
+     * @param target m or rad, finite
+     * @param hertz Hz, above 0
+     * @param dampingRatio at least 0
+     * @throws IllegalStateException while a step runs
+     */
+    public void spring(JointAxis axis, double target, double hertz, double dampingRatio) {
+        int j = changed("spring");
+        AxisSettings s = of(axis);
+        Checks.finite("target", target);
+        Checks.positive("hertz", hertz);
+        Checks.atLeastZero("dampingRatio", dampingRatio);
+        s.springMost = s.isSprung ? s.springMost : Double.POSITIVE_INFINITY;
+        s.isLocked = false;
+        s.isSprung = true;
+        s.isAbsolute = false;
+        s.target = target;
+        s.stiffness = hertz;
+        s.damping = dampingRatio;
+        retune(j, true);
+    }
+
+    /**
+     * Changes the limits of an axis, or gives it some.
+     *
+     * @param axis which one
+     * @param lower m, or rad from -pi to pi, or minus infinity
+     * @param upper m, or rad from -pi to pi, or infinity; not below lower
+     * @throws IllegalStateException while a step runs
+     */
+    public void limits(JointAxis axis, double lower, double upper) {
+        int j = changed("limits");
+        of(axis).limit(
+                        axis.toString(),
+                        lower,
+                        upper,
+                        Joint.isAngle(axis) ? Math.PI : Double.MAX_VALUE);
+        retune(j, true);
+    }
+
+    /**
+     * Changes the load under which the joint breaks.
+     *
+     * @param newtons N, above 0; may be infinite
+     * @param newtonMetres N m, above 0; may be infinite
+     * @throws IllegalStateException while a step runs
+     */
+    public void breakAt(double newtons, double newtonMetres) {
+        int j = changed("breakAt");
+        joints.store.breakForce[j] = Checks.limit("newtons", newtons);
+        joints.store.breakTorque[j] = Checks.limit("newtonMetres", newtonMetres);
+    }
+
+    @Override
+    public String toString() {
+        return kind + " joint" + (name.isEmpty() ? " " + index : " '" + name + "'");
+    }
+}

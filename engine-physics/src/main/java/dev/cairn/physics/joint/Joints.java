@@ -1,0 +1,256 @@
+package dev.cairn.physics.joint;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.internal.JointStore;
+
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The joints of a world. {@code PhysicsWorld.joints} gives it.
+ *
+ * <p>Simulation thread, between steps. Adding and removing allocates, all else does not unless it
+ * says so.
+ */
+public final class Joints {
+    /** What joints need of the world that they are in. */
+    public interface Host {
+        /**
+         * The slot of a body.
+         *
+         * @param name of the argument, for the message
+         * @param body any
+         * @return its slot
+         */
+        int slotOf(String name, Jointed body);
+
+        /**
+         * Wakes a body with all that hangs on it.
+         *
+         * @param slot of the body
+         */
+        void wake(int slot);
+
+        /**
+         * Two bodies shall not collide, for one reason more.
+         *
+         * @param a slot of a body
+         * @param b slot of another one
+         */
+        void apart(int a, int b);
+
+        /**
+         * One reason of {@link #apart} is gone.
+         *
+         * @param a slot of a body
+         * @param b slot of another one
+         */
+        void together(int a, int b);
+
+        /**
+         * Throws if a step runs or the world is closed.
+         *
+         * @param call name of the method, for the message
+         */
+        void requireBetweenSteps(String call);
+    }
+
+    final JointStore store;
+    final BodyStore bodies;
+    final Host host;
+    private JointRef[] refs = new JointRef[0];
+
+    /** By joint: whether it keeps its bodies from colliding. */
+    private boolean[] isApart = {};
+
+    final JointValues values = new JointValues();
+    private final JointFrames frames = new JointFrames();
+    private final Vector3d point = new Vector3d();
+    private final List<JointRef> broken = new ArrayList<>();
+
+    /**
+     * Made by the world.
+     *
+     * @param store of the joints
+     * @param bodies of the world
+     * @param host the world
+     */
+    @SuppressWarnings("exports") // only the world, which is in this module, makes one
+    public Joints(JointStore store, BodyStore bodies, Host host) {
+        this.store = store;
+        this.bodies = bodies;
+        this.host = host;
+    }
+
+    /**
+     * Adds a joint, as {@code PhysicsWorld.add} does.
+     *
+     * @param joint what it is like
+     * @return the joint
+     * @throws IllegalArgumentException if both bodies are one, neither moves, or it has no place
+     * @throws IllegalStateException if the world is closed or a step runs
+     */
+    public JointRef add(Joint joint) {
+        Checks.notNull("joint", joint);
+        host.requireBetweenSteps("add");
+        int a = host.slotOf("a", joint.a);
+        int b = host.slotOf("b", joint.b);
+        check(joint, a, b);
+        JointRef ref = new JointRef(this, joint);
+        RowList rows = new RowList();
+        double distance = frames.distance(joint, bodies, a, b);
+        ref.resolveLength(distance);
+        rows.compile(ref.axes);
+        int j = store.add(rows.count);
+        store.bodyA[j] = a;
+        store.bodyB[j] = b;
+        store.collides[j] = joint.collides;
+        store.breakForce[j] = joint.breakForce;
+        store.breakTorque[j] = joint.breakTorque;
+        frames.write(joint, bodies, a, b, store.frame, JointStore.FRAME * j);
+        rows.write(store, j);
+        if (refs.length <= j) {
+            refs = Arrays.copyOf(refs, store.isThere.length);
+            isApart = Arrays.copyOf(isApart, store.isThere.length);
+        }
+        isApart[j] = false;
+        refs[j] = ref;
+        ref.index = j;
+        ref.stamp = store.stamp[j];
+        separate(j);
+        wake(j);
+        return ref;
+    }
+
+    private void check(Joint joint, int a, int b) {
+        if (a == b) {
+            throw new IllegalArgumentException(
+                    joint.kind
+                            + " joint"
+                            + named(joint)
+                            + " has one body twice; give it two bodies");
+        }
+        if (!moves(a) && !moves(b)) {
+            throw new IllegalArgumentException(
+                    joint.kind
+                            + " joint"
+                            + named(joint)
+                            + " is between two fixed bodies, which nothing moves; make one of them"
+                            + " dynamic");
+        }
+        if (!joint.isPlaced && !joint.isDistance()) {
+            throw new IllegalArgumentException(
+                    joint.kind + " joint" + named(joint) + " has no place; call .at(x, y, z)");
+        }
+    }
+
+    private boolean moves(int slot) {
+        return bodies.kind[slot] == BodyStore.DYNAMIC || bodies.kind[slot] == BodyStore.ASLEEP;
+    }
+
+    private static String named(Joint joint) {
+        return joint.name.isEmpty() ? "" : " '" + joint.name + "'";
+    }
+
+    /**
+     * How many joints there are.
+     *
+     * @return the number, those that are off or broken included
+     */
+    public int count() {
+        return list(null);
+    }
+
+    /**
+     * All joints. Allocates.
+     *
+     * @return a new list, in the order of their numbers
+     */
+    public List<JointRef> all() {
+        List<JointRef> list = new ArrayList<>();
+        list(list);
+        return list;
+    }
+
+    private int list(@Nullable List<JointRef> into) {
+        int n = 0;
+        for (int j = 0; j < store.count; j++) {
+            if (store.isThere[j]) {
+                n++;
+                if (into != null) {
+                    into.add(refs[j]);
+                }
+            }
+        }
+        return n;
+    }
+
+    /**
+     * How many joints broke in the last step.
+     *
+     * @return at least 0
+     */
+    public int brokenCount() {
+        return broken.size();
+    }
+
+    /**
+     * A joint that broke in the last step. It is off from then on, and not removed.
+     *
+     * @param index 0 to brokenCount - 1, in the order of their numbers
+     * @return the joint
+     */
+    public JointRef broken(int index) {
+        return broken.get(index);
+    }
+
+    /** Called by the world at the end of a step. */
+    public void afterStep() {
+        broken.clear();
+        for (int j = 0; j < store.count; j++) {
+            boolean breaks = load(j, 0) > store.breakForce[j] || load(j, 3) > store.breakTorque[j];
+            if (breaks && store.isEnabled[j]) {
+                store.isEnabled[j] = false;
+                store.revision++;
+                separate(j);
+                broken.add(refs[j]);
+            }
+        }
+    }
+
+    /** Length of a force, or from 3 on of a torque, of a joint. */
+    double load(int j, int from) {
+        double[] r = store.reaction;
+        int k = 6 * j + from;
+        return Math.sqrt(r[k] * r[k] + r[k + 1] * r[k + 1] + r[k + 2] * r[k + 2]);
+    }
+
+    /** Keeps the bodies of a joint from colliding if they should not, now that it has changed. */
+    void separate(int j) {
+        boolean wanted = store.isThere[j] && store.isEnabled[j] && !store.collides[j];
+        if (wanted && !isApart[j]) {
+            host.apart(store.bodyA[j], store.bodyB[j]);
+        } else if (!wanted && isApart[j]) {
+            host.together(store.bodyA[j], store.bodyB[j]);
+        }
+        isApart[j] = wanted;
+    }
+
+    /** Moves the point of A. */
+    void moveTo(int j, double x, double y, double z) {
+        int a = store.bodyA[j];
+        point.set(x - bodies.positionX[a], y - bodies.positionY[a], z - bodies.positionZ[a]);
+        frames.write(bodies, a, point, store.frame, JointStore.FRAME * j);
+        wake(j);
+    }
+
+    void wake(int j) {
+        host.wake(store.bodyA[j]);
+        host.wake(store.bodyB[j]);
+    }
+}

@@ -1,0 +1,238 @@
+package dev.cairn.physics.solver.joint;
+
+import dev.cairn.physics.internal.JointStore;
+import dev.cairn.physics.island.Islands;
+import dev.cairn.physics.solver.row.EdgeList;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.IntUnaryOperator;
+
+/**
+ * The assemblies of a tick: which joints hang together by bodies that move.
+ *
+ * <p>Found anew when the joints that are solved, or their bodies, are others than in the last tick;
+ * what touches what does not matter. Simulation thread; allocates when they change.
+ */
+public final class Assemblies {
+    /** Of the joints, among the kinds of the edges; 0 if there is no such kind. */
+    private final int kind;
+
+    public final JointStore store;
+
+    private final Islands islands = new Islands();
+    private final List<Assembly> all = new ArrayList<>();
+
+    /** By joint: its assembly, or -1. */
+    private int[] of = {};
+
+    /** By slot: its assembly, or -1. */
+    private int[] ofBody = {};
+
+    /** By edge of the last tick: joint, bodies. */
+    private int[] seen = {};
+
+    private int seenCount;
+    private long revision = -1;
+
+    /** By batch: its first assembly in {@link #byBatch}; one more for the end. */
+    private int[] firstOfBatch = new int[1];
+
+    private int[] byBatch = {};
+
+    /** Assemblies of the joints among the kinds of a list, if there are any. */
+    public Assemblies(EdgeList list) {
+        int found = 0;
+        JointStore joints = new JointStore();
+        for (int k = 0; k < list.kinds.length; k++) {
+            if (list.kinds[k].source() instanceof JointStore s) {
+                found = k + 1;
+                joints = s;
+            }
+        }
+        kind = found;
+        store = joints;
+    }
+
+    /** How many there are. */
+    public int count() {
+        return all.size();
+    }
+
+    /** Whether a body is in one that is solved directly. */
+    public boolean binds(int slot) {
+        return !all.isEmpty() && ofBody[slot] >= 0 && all.get(ofBody[slot]).isDirect;
+    }
+
+    /** Brings them up to date with the edges of a tick; whether they are others. */
+    public boolean update(EdgeList list, int slots) {
+        if (kind == 0) {
+            return false;
+        }
+        int from = list.first[kind];
+        int to = list.first[kind + 1];
+        if (isSame(list, from, to)) {
+            return false;
+        }
+        if (seen.length < 3 * (to - from)) {
+            seen = new int[3 * (to - from) + 3 * (to - from) / 2];
+        }
+        for (int m = from; m < to; m++) {
+            int at = 3 * (m - from);
+            seen[at] = list.source[m];
+            seen[at + 1] = list.slotA[m];
+            seen[at + 2] = list.slotB[m];
+        }
+        seenCount = to - from;
+        revision = store.revision;
+        find(list, from, to, slots);
+        return true;
+    }
+
+    private boolean isSame(EdgeList list, int from, int to) {
+        if (revision != store.revision || seenCount != to - from) {
+            return false;
+        }
+        for (int m = from; m < to; m++) {
+            int at = 3 * (m - from);
+            if (seen[at] != list.source[m]
+                    || seen[at + 1] != list.slotA[m]
+                    || seen[at + 2] != list.slotB[m]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void find(EdgeList list, int from, int to, int slots) {
+        all.clear();
+        if (of.length < store.count) {
+            of = new int[store.isThere.length];
+        }
+        if (ofBody.length < slots) {
+            ofBody = new int[slots + slots / 2];
+        }
+        Arrays.fill(of, -1);
+        Arrays.fill(ofBody, -1);
+        int[] slot = new int[2 * (to - from)];
+        int bodies = 0;
+        for (int m = from; m < to; m++) {
+            for (int side = 0; side < 2; side++) {
+                int s = side == 0 ? list.slotA[m] : list.slotB[m];
+                if (s >= 0 && ofBody[s] == -1) {
+                    ofBody[s] = -2;
+                    slot[bodies++] = s;
+                }
+            }
+        }
+        Arrays.sort(slot, 0, bodies);
+        islands.ensureSlots(ofBody.length);
+        islands.begin(slot, bodies);
+        for (int m = from; m < to; m++) {
+            if (list.isBetweenMovers(m)) {
+                islands.join(list.slotA[m], list.slotB[m]);
+            }
+        }
+        int count = 0;
+        for (int k = 0; k < bodies; k++) {
+            int root = islands.root(slot[k]);
+            ofBody[slot[k]] = root == slot[k] ? count++ : ofBody[root];
+        }
+        make(list, from, to, slot, bodies, count);
+    }
+
+    private void make(EdgeList list, int from, int to, int[] slot, int bodies, int count) {
+        int[] bodiesOf = new int[count];
+        int[] jointsOf = new int[count];
+        int[] local = new int[ofBody.length];
+        for (int k = 0; k < bodies; k++) {
+            local[slot[k]] = bodiesOf[ofBody[slot[k]]]++;
+        }
+        for (int m = from; m < to; m++) {
+            int a = ofBody[list.mover(m)];
+            of[list.source[m]] = a;
+            jointsOf[a]++;
+        }
+        int[][] body = new int[count][];
+        int[][] joint = new int[count][];
+        int[][] end = new int[count][];
+        int[][] rows = new int[count][];
+        for (int a = 0; a < count; a++) {
+            body[a] = new int[bodiesOf[a]];
+            joint[a] = new int[jointsOf[a]];
+            end[a] = new int[2 * jointsOf[a]];
+            rows[a] = new int[jointsOf[a]];
+            jointsOf[a] = 0;
+        }
+        for (int k = 0; k < bodies; k++) {
+            body[ofBody[slot[k]]][local[slot[k]]] = slot[k];
+        }
+        for (int m = from; m < to; m++) {
+            int a = of[list.source[m]];
+            int k = jointsOf[a]++;
+            joint[a][k] = list.source[m];
+            end[a][2 * k] = list.slotA[m] < 0 ? -1 : local[list.slotA[m]];
+            end[a][2 * k + 1] = list.slotB[m] < 0 ? -1 : local[list.slotB[m]];
+            rows[a][k] = store.rows[list.source[m]];
+        }
+        for (int a = 0; a < count; a++) {
+            Assembly assembly = new Assembly(body[a], joint[a], end[a], rows[a]);
+            for (int j : joint[a]) {
+                store.isDirect[j] = assembly.isDirect;
+                for (int r = store.firstRow[j]; r < store.firstRow[j] + store.rows[j]; r++) {
+                    assembly.isRigid &= store.role[r] == JointStore.LOCK;
+                }
+            }
+            all.add(assembly);
+        }
+    }
+
+    /**
+     * Lists the direct assemblies by batch.
+     *
+     * @param batchOfBody tells the batch of a slot
+     * @param batches how many there are
+     */
+    public void sort(IntUnaryOperator batchOfBody, int batches) {
+        if (all.isEmpty()) {
+            return;
+        }
+        if (firstOfBatch.length < batches + 1) {
+            firstOfBatch = new int[batches + batches / 2 + 2];
+        }
+        if (byBatch.length < all.size()) {
+            byBatch = new int[all.size() + all.size() / 2];
+        }
+        Arrays.fill(firstOfBatch, 0, batches + 1, 0);
+        for (int a = 0; a < all.size(); a++) {
+            if (all.get(a).isDirect) {
+                firstOfBatch[batch(batchOfBody, a) + 1]++;
+            }
+        }
+        for (int b = 0; b < batches; b++) {
+            firstOfBatch[b + 1] += firstOfBatch[b];
+        }
+        for (int a = 0; a < all.size(); a++) {
+            if (all.get(a).isDirect) {
+                byBatch[firstOfBatch[batch(batchOfBody, a)]++] = a;
+            }
+        }
+        System.arraycopy(firstOfBatch, 0, firstOfBatch, 1, batches);
+        firstOfBatch[0] = 0;
+    }
+
+    private int batch(IntUnaryOperator batchOfBody, int a) {
+        return batchOfBody.applyAsInt(all.get(a).body[0]);
+    }
+
+    /** The first of the direct assemblies of a batch, those of the next follow. */
+    public int first(int batch) {
+        return all.isEmpty() ? 0 : firstOfBatch[batch];
+    }
+
+    /** One of them. */
+    public Assembly at(int i) {
+        return all.get(byBatch[i]);
+    }
+}

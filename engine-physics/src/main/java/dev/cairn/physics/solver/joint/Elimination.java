@@ -1,0 +1,215 @@
+package dev.cairn.physics.solver.joint;
+
+import java.util.Arrays;
+import java.util.PriorityQueue;
+
+/**
+ * In which order bodies and joints of an assembly are eliminated, and what that fills.
+ *
+ * <p>The graph has a node for each body and each joint, and a joint is the neighbour of its bodies.
+ * The node with the fewest neighbours goes first (minimum degree; W. Tinney, J. Walker 1967), the
+ * lower number among equals. In a tree that is always a leaf, so nothing is filled and the work is
+ * linear (D. Baraff, "Linear-Time Dynamics using Lagrange Multipliers", 1996). A joint alone has no
+ * pivot: it waits until one of its bodies has gone.
+ *
+ * <p>Made when who is bound to whom changes; allocates.
+ */
+final class Elimination {
+    /** More blocks than so many to a node do not pay. */
+    private static final int DENSE = 40;
+
+    /** Bodies, then joints; unknowns of each. */
+    final int nodes;
+
+    final int[] size;
+
+    /** By node: its place in the order; and the node at each place. */
+    final int[] place;
+
+    final int[] node;
+
+    /**
+     * By place: its first neighbour among those that are eliminated later; one more for the end.
+     */
+    final int[] first;
+
+    /** The places of these neighbours, ascending. */
+    int[] later = new int[64];
+
+    /** By place: first unknown, and where its diagonal block begins; one more for the end. */
+    final int[] unknown;
+
+    final int[] diagonal;
+
+    /** By neighbour: where the block of it and the node begins, a row of the neighbour's each. */
+    int[] block = new int[64];
+
+    /** By place: its first {@link #update}; in the order of pairs of neighbours, i not below j. */
+    final int[] firstUpdate;
+
+    /** Where the block of each pair of neighbours begins. */
+    int[] update = new int[64];
+
+    /** Numbers of all blocks. */
+    int entries;
+
+    /** Whether it pays. */
+    final boolean isSparse;
+
+    private final int bodies;
+    private int[][] near;
+    private int[] degree;
+
+    /**
+     * Orders an assembly.
+     *
+     * @param bodies how many
+     * @param rows of each joint
+     * @param ends body A and body B of each joint, -1 for one that does not move
+     */
+    Elimination(int bodies, int[] rows, int[] ends) {
+        this.bodies = bodies;
+        nodes = bodies + rows.length;
+        size = new int[nodes];
+        place = new int[nodes];
+        node = new int[nodes];
+        first = new int[nodes + 1];
+        unknown = new int[nodes + 1];
+        diagonal = new int[nodes];
+        firstUpdate = new int[nodes + 1];
+        near = new int[nodes][];
+        degree = new int[nodes];
+        Arrays.fill(size, 0, bodies, BlockFactors.BODY);
+        System.arraycopy(rows, 0, size, bodies, rows.length);
+        for (int i = 0; i < nodes; i++) {
+            near[i] = new int[4];
+        }
+        for (int j = 0; j < rows.length; j++) {
+            for (int side = 0; side < 2; side++) {
+                if (ends[2 * j + side] >= 0) {
+                    connect(bodies + j, ends[2 * j + side]);
+                    connect(ends[2 * j + side], bodies + j);
+                }
+            }
+        }
+        isSparse = order() && lay();
+        near = new int[0][];
+        degree = new int[0];
+    }
+
+    private void connect(int i, int k) {
+        for (int e = 0; e < degree[i]; e++) {
+            if (near[i][e] == k) {
+                return;
+            }
+        }
+        if (degree[i] == near[i].length) {
+            near[i] = Arrays.copyOf(near[i], 2 * degree[i]);
+        }
+        near[i][degree[i]++] = k;
+    }
+
+    private void disconnect(int i, int k) {
+        int at = 0;
+        while (near[i][at] != k) {
+            at++;
+        }
+        near[i][at] = near[i][--degree[i]];
+    }
+
+    /** Key of a node in the queue: fewer neighbours first, then the lower number. */
+    private long key(int i) {
+        return (long) degree[i] << 32 | i;
+    }
+
+    private boolean order() {
+        boolean[] isGone = new boolean[nodes];
+        PriorityQueue<Long> queue = new PriorityQueue<>(nodes + 1);
+        for (int i = 0; i < bodies; i++) {
+            queue.add(key(i));
+        }
+        int done = 0;
+        int links = 0;
+        while (!queue.isEmpty()) {
+            long next = queue.remove();
+            int i = (int) next;
+            if (isGone[i] || next != key(i)) {
+                continue;
+            }
+            isGone[i] = true;
+            place[i] = done;
+            node[done++] = i;
+            first[done] = links + degree[i];
+            if (links + degree[i] > DENSE * nodes) {
+                return false;
+            }
+            if (later.length < links + degree[i]) {
+                later = Arrays.copyOf(later, 2 * (links + degree[i]));
+            }
+            for (int e = 0; e < degree[i]; e++) {
+                int k = near[i][e];
+                later[links++] = k;
+                disconnect(k, i);
+            }
+            for (int e = 0; e < degree[i]; e++) {
+                for (int f = 0; f < degree[i]; f++) {
+                    if (e != f) {
+                        connect(near[i][e], near[i][f]);
+                    }
+                }
+            }
+            for (int e = 0; e < degree[i]; e++) {
+                queue.add(key(near[i][e]));
+            }
+        }
+        return true;
+    }
+
+    /** Gives blocks their places. */
+    private boolean lay() {
+        block = new int[Math.max(1, first[nodes])];
+        long total = 0;
+        long updates = 0;
+        for (int p = 0; p < nodes; p++) {
+            int n = size[node[p]];
+            unknown[p + 1] = unknown[p] + n;
+            for (int e = first[p]; e < first[p + 1]; e++) {
+                later[e] = place[later[e]];
+            }
+            Arrays.sort(later, first[p], first[p + 1]);
+            diagonal[p] = (int) total;
+            total += (long) n * n;
+            long d = first[p + 1] - first[p];
+            for (int e = first[p]; e < first[p + 1]; e++) {
+                block[e] = (int) total;
+                total += (long) size[node[later[e]]] * n;
+            }
+            updates += d * (d + 1) / 2;
+        }
+        if (updates > (long) DENSE * nodes || total > Integer.MAX_VALUE / 2) {
+            return false;
+        }
+        entries = (int) total;
+        update = new int[(int) Math.max(1, updates)];
+        int u = 0;
+        for (int p = 0; p < nodes; p++) {
+            firstUpdate[p] = u;
+            for (int e = first[p]; e < first[p + 1]; e++) {
+                for (int f = first[p]; f <= e; f++) {
+                    update[u++] = at(later[e], later[f]);
+                }
+            }
+        }
+        firstUpdate[nodes] = u;
+        return true;
+    }
+
+    /** Where the block of two places begins: it lies with the earlier one. */
+    int at(int later, int earlier) {
+        return later == earlier ? diagonal[later] : block[find(later, earlier)];
+    }
+
+    private int find(int wanted, int p) {
+        return Arrays.binarySearch(later, first[p], first[p + 1], wanted);
+    }
+}

@@ -1,0 +1,288 @@
+package dev.cairn.physics.solver.joint;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.JointStore;
+import dev.cairn.physics.solver.body.SolverBodies;
+
+import java.util.Arrays;
+
+/**
+ * What the rows of a joint measure in the bodies' present poses, and the derivatives of it by the
+ * velocities.
+ *
+ * <p>A row has four vectors, {@link #JACOBIAN} numbers: {@code c' = eB vB + tB wB - eA vA - tA wA}.
+ * Forces along e act on both bodies at one point, B's origin, so that a row makes no angular
+ * momentum, whatever gap is left.
+ *
+ * <p>With {@code q} the quaternion of B's frame in A's, x y z w, the twist about axis 0 is {@code 2
+ * atan2(qx, qw)}, and by {@code q' = w q/2}
+ *
+ * <pre>
+ * twist' = wx + ((qw qz + qx qy) wy + (qx qz - qw qy) wz) / (qw² + qx²)
+ * </pre>
+ *
+ * <p>One object to a worker. Arithmetic and square roots only. Does not allocate.
+ */
+public final class JointMath {
+    /** Numbers to a row: {@code eA, tA, eB, tB}. */
+    public static final int JACOBIAN = 12;
+
+    /** Below this squared length a direction is not one. */
+    private static final double NOWHERE = 1e-24;
+
+    /** World axes of the frame in A, row by row, then those in B. */
+    private final double[] axesA = new double[9];
+
+    private final double[] axesB = new double[9];
+
+    /** Origins relative to the bodies' centres; that of B relative to A's; the gap between them. */
+    private final double[] armA = new double[3];
+
+    final double[] armB = new double[3];
+    final double[] reach = new double[3];
+    private final double[] gap = new double[3];
+
+    /** Frame of B in that of A. */
+    private final double[] q = new double[4];
+
+    private final double[] qa = new double[4];
+    private final double[] qb = new double[4];
+    private final double[] g = new double[3];
+
+    /**
+     * Reads the poses of a joint's bodies.
+     *
+     * @param j the joint
+     * @param oa offset of A in the state of the solver, 0 for one that does not move
+     * @param ob offset of B
+     */
+    public void look(BodyStore b, double[] state, JointStore s, int j, int oa, int ob) {
+        int a = s.bodyA[j];
+        int c = s.bodyB[j];
+        int f = JointStore.FRAME * j;
+        frame(b, a, s.frame, f, qa, armA, axesA);
+        frame(b, c, s.frame, f + 7, qb, armB, axesB);
+        int p = SolverBodies.P;
+        reach[0] = b.apartX(a, c) + (state[ob + p] - state[oa + p]) + armB[0];
+        reach[1] = b.apartY(a, c) + (state[ob + p + 1] - state[oa + p + 1]) + armB[1];
+        reach[2] = b.apartZ(a, c) + (state[ob + p + 2] - state[oa + p + 2]) + armB[2];
+        for (int k = 0; k < 3; k++) {
+            gap[k] = reach[k] - armA[k];
+        }
+        // q = qa^-1 qb
+        q[0] = qa[3] * qb[0] - qa[0] * qb[3] - (qa[1] * qb[2] - qa[2] * qb[1]);
+        q[1] = qa[3] * qb[1] - qa[1] * qb[3] - (qa[2] * qb[0] - qa[0] * qb[2]);
+        q[2] = qa[3] * qb[2] - qa[2] * qb[3] - (qa[0] * qb[1] - qa[1] * qb[0]);
+        q[3] = qa[3] * qb[3] + qa[0] * qb[0] + qa[1] * qb[1] + qa[2] * qb[2];
+    }
+
+    /** World frame of a joint in a body. */
+    private static void frame(
+            BodyStore b, int i, double[] local, int f, double[] q, double[] arm, double[] axes) {
+        double bx = b.orientationX[i];
+        double by = b.orientationY[i];
+        double bz = b.orientationZ[i];
+        double bw = b.orientationW[i];
+        double px = local[f + 3];
+        double py = local[f + 4];
+        double pz = local[f + 5];
+        double pw = local[f + 6];
+        double x = bw * px + bx * pw + (by * pz - bz * py);
+        double y = bw * py + by * pw + (bz * px - bx * pz);
+        double z = bw * pz + bz * pw + (bx * py - by * px);
+        double w = bw * pw - (bx * px + by * py + bz * pz);
+        q[0] = x;
+        q[1] = y;
+        q[2] = z;
+        q[3] = w;
+        axes[0] = 1 - 2 * (y * y + z * z);
+        axes[1] = 2 * (x * y + w * z);
+        axes[2] = 2 * (x * z - w * y);
+        axes[3] = 2 * (x * y - w * z);
+        axes[4] = 1 - 2 * (x * x + z * z);
+        axes[5] = 2 * (y * z + w * x);
+        axes[6] = 2 * (x * z + w * y);
+        axes[7] = 2 * (y * z - w * x);
+        axes[8] = 1 - 2 * (x * x + y * y);
+        double lx = local[f];
+        double ly = local[f + 1];
+        double lz = local[f + 2];
+        double tx = 2 * (by * lz - bz * ly);
+        double ty = 2 * (bz * lx - bx * lz);
+        double tz = 2 * (bx * ly - by * lx);
+        arm[0] = lx + bw * tx + (by * tz - bz * ty);
+        arm[1] = ly + bw * ty + (bz * tx - bx * tz);
+        arm[2] = lz + bw * tz + (bx * ty - by * tx);
+    }
+
+    /**
+     * What a row measures, after {@link #look}.
+     *
+     * @return m or rad
+     */
+    public double measure(JointStore s, int j, int law) {
+        switch (law) {
+            case JointStore.SLIDE, JointStore.SLIDE + 1, JointStore.SLIDE + 2:
+                return dot(gap, 0, axesA, 3 * (law - JointStore.SLIDE));
+            case JointStore.TURN, JointStore.TURN + 1, JointStore.TURN + 2:
+                return (q[3] < 0 ? -2 : 2) * q[law - JointStore.TURN];
+            case JointStore.ALIGN, JointStore.ALIGN + 1:
+                return dot(axesB, 0, axesA, 3 * (law - JointStore.ALIGN + 1));
+            case JointStore.TWIST:
+                return twist(q[0], q[3]);
+            case JointStore.SWING:
+                return Angles.of(-dot(axesB, 0, axesA, 6), dot(axesB, 0, axesA, 0));
+            case JointStore.SWING + 1:
+                return Angles.of(dot(axesB, 0, axesA, 3), dot(axesB, 0, axesA, 0));
+            case JointStore.CONE:
+                double y = dot(axesB, 0, axesA, 3);
+                double z = dot(axesB, 0, axesA, 6);
+                return Angles.of(Math.sqrt(y * y + z * z), dot(axesB, 0, axesA, 0));
+            case JointStore.CROSS:
+                return dot(axesB, 3, axesA, 0);
+            case JointStore.DISTANCE:
+                return SolverBodies.norm(gap[0], gap[1], gap[2]);
+            default:
+                return 0;
+        }
+    }
+
+    private static double twist(double sin, double cos) {
+        return cos < 0 ? 2 * Angles.of(-sin, -cos) : 2 * Angles.of(sin, cos);
+    }
+
+    /** Whether a row measures an angle. */
+    static boolean isAngle(int law) {
+        return law >= JointStore.TURN && law <= JointStore.CROSS;
+    }
+
+    /**
+     * Writes the derivatives of a row, after {@link #look}.
+     *
+     * @param d receives them
+     * @param o from here on
+     */
+    void derive(JointStore s, int j, int law, double[] d, int o) {
+        switch (law) {
+            case JointStore.SLIDE, JointStore.SLIDE + 1, JointStore.SLIDE + 2:
+                force(axesA, 3 * (law - JointStore.SLIDE), d, o);
+                return;
+            case JointStore.TURN, JointStore.TURN + 1, JointStore.TURN + 2:
+                torque(axesA, 3 * (law - JointStore.TURN), d, o);
+                return;
+            case JointStore.ALIGN, JointStore.ALIGN + 1:
+                cross(axesB, 0, axesA, 3 * (law - JointStore.ALIGN + 1), g);
+                torque(g, 0, d, o);
+                return;
+            case JointStore.TWIST:
+                deriveTwist(d, o);
+                return;
+            case JointStore.SWING, JointStore.SWING + 1:
+                deriveSwing(law - JointStore.SWING, d, o);
+                return;
+            case JointStore.CONE:
+                deriveCone(d, o);
+                return;
+            case JointStore.CROSS:
+                cross(axesB, 3, axesA, 0, g);
+                torque(g, 0, d, o);
+                return;
+            case JointStore.DISTANCE:
+                double length = SolverBodies.norm(gap[0], gap[1], gap[2]);
+                for (int k = 0; k < 3; k++) {
+                    g[k] = length * length > NOWHERE ? gap[k] / length : k == 0 ? 1 : 0;
+                }
+                force(g, 0, d, o);
+                return;
+            default:
+                Arrays.fill(d, o, o + JACOBIAN, 0.0);
+        }
+    }
+
+    private void deriveTwist(double[] d, int o) {
+        double square = Math.max(q[3] * q[3] + q[0] * q[0], NOWHERE);
+        double y = (q[3] * q[2] + q[0] * q[1]) / square;
+        double z = (q[0] * q[2] - q[3] * q[1]) / square;
+        for (int k = 0; k < 3; k++) {
+            g[k] = axesA[k] + y * axesA[3 + k] + z * axesA[6 + k];
+        }
+        torque(g, 0, d, o);
+    }
+
+    /** {@code (x y' - y x')/(x² + y²)}, with {@code x' = w × x} of B's axis 0 in A's frame. */
+    private void deriveSwing(int axis, double[] d, int o) {
+        double x = dot(axesB, 0, axesA, 0);
+        double y = dot(axesB, 0, axesA, 3);
+        double z = dot(axesB, 0, axesA, 6);
+        double other = axis == 0 ? z : y;
+        double square = Math.max(x * x + other * other, NOWHERE);
+        double along = axis == 0 ? -y * z / square : 0;
+        // about axis 1: (-z, x): derivative by w; about axis 2: (y, x)
+        double wx = axis == 0 ? -x * y / square : -x * z / square;
+        double wy = axis == 0 ? (x * x + z * z) / square : -y * z / square;
+        double wz = axis == 0 ? along : (x * x + y * y) / square;
+        for (int k = 0; k < 3; k++) {
+            g[k] = wx * axesA[k] + wy * axesA[3 + k] + wz * axesA[6 + k];
+        }
+        torque(g, 0, d, o);
+    }
+
+    private void deriveCone(double[] d, int o) {
+        cross(axesA, 0, axesB, 0, g);
+        double length = SolverBodies.norm(g[0], g[1], g[2]);
+        for (int k = 0; k < 3; k++) {
+            g[k] = length * length > NOWHERE ? g[k] / length : axesA[3 + k];
+        }
+        torque(g, 0, d, o);
+    }
+
+    private void force(double[] e, int at, double[] d, int o) {
+        for (int k = 0; k < 3; k++) {
+            d[o + k] = e[at + k];
+            d[o + 6 + k] = e[at + k];
+        }
+        lever(reach, d, o, o + 3);
+        lever(armB, d, o + 6, o + 9);
+    }
+
+    /** {@code r × e}. */
+    private static void lever(double[] r, double[] d, int e, int to) {
+        d[to] = r[1] * d[e + 2] - r[2] * d[e + 1];
+        d[to + 1] = r[2] * d[e] - r[0] * d[e + 2];
+        d[to + 2] = r[0] * d[e + 1] - r[1] * d[e];
+    }
+
+    private static void torque(double[] t, int at, double[] d, int o) {
+        for (int k = 0; k < 3; k++) {
+            d[o + k] = 0;
+            d[o + 3 + k] = t[at + k];
+            d[o + 6 + k] = 0;
+            d[o + 9 + k] = t[at + k];
+        }
+    }
+
+    /** Adds force and torque at B's origin of an impulse of a row to a sum of six. */
+    void react(double[] d, int o, double impulse, double[] sum, int at) {
+        double[] r = armB;
+        for (int k = 0; k < 3; k++) {
+            sum[at + k] += impulse * d[o + 6 + k];
+            sum[at + 3 + k] += impulse * d[o + 9 + k];
+        }
+        sum[at + 3] -= impulse * (r[1] * d[o + 8] - r[2] * d[o + 7]);
+        sum[at + 4] -= impulse * (r[2] * d[o + 6] - r[0] * d[o + 8]);
+        sum[at + 5] -= impulse * (r[0] * d[o + 7] - r[1] * d[o + 6]);
+    }
+
+    private static double dot(double[] a, int i, double[] b, int j) {
+        return a[i] * b[j] + a[i + 1] * b[j + 1] + a[i + 2] * b[j + 2];
+    }
+
+    private static void cross(double[] a, int i, double[] b, int j, double[] into) {
+        double x = a[i + 1] * b[j + 2] - a[i + 2] * b[j + 1];
+        double y = a[i + 2] * b[j] - a[i] * b[j + 2];
+        double z = a[i] * b[j + 1] - a[i + 1] * b[j];
+        into[0] = x;
+        into[1] = y;
+        into[2] = z;
+    }
+}
