@@ -427,8 +427,7 @@ final class BodyAccess {
         }
         try {
             double f =
-                    Rotations.inverseLength(
-                            "rotation", pose.qx(), pose.qy(), pose.qz(), pose.qw());
+                    Rotations.inverseLength("rotation", pose.qx(), pose.qy(), pose.qz(), pose.qw());
             put(
                     s,
                     pose.x(),

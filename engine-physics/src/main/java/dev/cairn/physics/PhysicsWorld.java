@@ -26,6 +26,7 @@ import java.util.List;
  */
 public final class PhysicsWorld implements AutoCloseable {
     final PhysicsSystem physics;
+
     /** The name of the physics in the schedule, for {@code Access.before} and {@code after}. */
     public static final String SYSTEM = PhysicsSystem.NAME;
 

@@ -132,11 +132,7 @@ class EcsMeetsPhysicsTest {
                                     .with(new Force(0, 9.81 * 1000, 0)));
             world.add(Body.fixed().shape(HalfSpace.of()).at(0, -2, 0));
             BodyRef lying =
-                    world.add(
-                            Body.dynamic()
-                                    .shape(Box.cube(0.5))
-                                    .at(0, -1.5, 0)
-                                    .with(Force.ZERO));
+                    world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, -1.5, 0).with(Force.ZERO));
             for (int tick = 0; tick < 300; tick++) {
                 world.step(STEP);
             }
@@ -176,8 +172,7 @@ class EcsMeetsPhysicsTest {
                             handles.add(tick.commands().spawn(new NewBody(ball)));
                         },
                         "");
-        try (PhysicsWorld world =
-                PhysicsWorld.builder().workers(1).systems(spawner).build()) {
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).systems(spawner).build()) {
             world.step(STEP);
             BodyRef ball = world.bodyOf(world.ecs().resolve(handles.get(0)));
             assertNotNull(ball);
@@ -208,8 +203,7 @@ class EcsMeetsPhysicsTest {
                         "");
         try (PhysicsWorld world =
                 PhysicsWorld.builder().gravity(0, 0, 0).workers(1).systems(door).build()) {
-            BodyRef body =
-                    world.add(Body.dynamic().shape(Box.cube(0.5)).velocity(1, 0, 0));
+            BodyRef body = world.add(Body.dynamic().shape(Box.cube(0.5)).velocity(1, 0, 0));
             BodyRef wall = world.add(Body.fixed().shape(Box.cube(0.5)).at(9, 0, 0));
             world.step(STEP);
             movers.add(body.entity());
@@ -223,8 +217,7 @@ class EcsMeetsPhysicsTest {
             assertEquals(51, wall.position().y, 0.0);
             world.validate();
             world.ecs().set(body.entity(), new Pose(0, 0, 0, 9, 9, 9, 9, 0));
-            Throwable refusal =
-                    assertThrows(WorldFailedException.class, () -> world.step(STEP));
+            Throwable refusal = assertThrows(WorldFailedException.class, () -> world.step(STEP));
             assertTrue(refusal.getMessage().contains("Pose"), refusal.getMessage());
         }
     }
@@ -235,8 +228,7 @@ class EcsMeetsPhysicsTest {
             BodyRef[] body = new BodyRef[1];
             Script push =
                     new Script(name, tick -> body[0].applyForce(1000, 0, 0), PhysicsWorld.SYSTEM);
-            try (PhysicsWorld world =
-                    PhysicsWorld.builder().workers(1).systems(push).build()) {
+            try (PhysicsWorld world = PhysicsWorld.builder().workers(1).systems(push).build()) {
                 body[0] = world.add(Body.dynamic().shape(Box.cube(0.5)));
                 world.step(STEP);
                 assertEquals(STEP, body[0].velocity().x, 1e-15);
@@ -256,14 +248,13 @@ class EcsMeetsPhysicsTest {
         BodyRef[] body = new BodyRef[1];
         List<String> told = new ArrayList<>();
         Parallel bad =
-                new Parallel(
-                        tick -> {
-                            try {
-                                body[0].applyForce(1, 0, 0);
-                            } catch (IllegalStateException refusal) {
-                                told.add(refusal.getMessage());
-                            }
-                        });
+                new Parallel(tick -> {
+                    try {
+                        body[0].applyForce(1, 0, 0);
+                    } catch (IllegalStateException refusal) {
+                        told.add(refusal.getMessage());
+                    }
+                });
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).systems(bad).build()) {
             body[0] = world.add(Body.dynamic().shape(Box.cube(0.5)));
             world.step(STEP);

@@ -14,7 +14,9 @@ import dev.cairn.samples.weather.Weather;
 
 import org.junit.jupiter.api.Test;
 
-/** Water and wind as systems: Archimedes' depth, the period of heaving, the speed of what drifts. */
+/**
+ * Water and wind as systems: Archimedes' depth, the period of heaving, the speed of what drifts.
+ */
 class WeatherTest {
     private static final double STEP = 1.0 / 60;
     private static final double GRAVITY = 9.81;
@@ -52,7 +54,9 @@ class WeatherTest {
         }
     }
 
-    /** {@code T = 2 pi sqrt(rho H / (rho_w g))}; the step's map of (y, v) turns by a little more. */
+    /**
+     * {@code T = 2 pi sqrt(rho H / (rho_w g))}; the step's map of (y, v) turns by a little more.
+     */
     @Test
     void itHeavesWithThePeriodOfItsDepth() {
         double density = 500;

@@ -56,9 +56,9 @@ public final class Query {
     }
 
     /**
-     * Calls back for each matching entity, in the order of chunks and rows:
-     * {@code query.forEach(entity -> total += world.get(entity, MASS).kilograms())}. For loops that
-     * must be fast take the columns of {@link #chunk}.
+     * Calls back for each matching entity, in the order of chunks and rows: {@code
+     * query.forEach(entity -> total += world.get(entity, MASS).kilograms())}. For loops that must
+     * be fast take the columns of {@link #chunk}.
      *
      * @param action receives the entity; it may read, and change values, but neither create nor
      *     delete

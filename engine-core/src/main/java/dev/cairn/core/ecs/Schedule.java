@@ -10,9 +10,9 @@ import java.util.Objects;
 
 /**
  * Systems, and the graph that follows from what they declare. A system that reads a component with
- * {@code next} runs after the systems that write it, and one that asks with {@link Access#before} or
- * {@link Access#after} as it asked; nothing else orders two systems. So the graph, and every result,
- * is the same in whichever order systems were registered.
+ * {@code next} runs after the systems that write it, and one that asks with {@link Access#before}
+ * or {@link Access#after} as it asked; nothing else orders two systems. So the graph, and every
+ * result, is the same in whichever order systems were registered.
  *
  * <pre>{@code
  * Schedule schedule = Schedule.builder()

@@ -294,8 +294,8 @@ abstract sealed class WorldContents permits World {
     }
 
     /**
-     * Remembers from now on which entities have a component set, by {@link #set} or by a command: for
-     * a system that keeps a copy of it. One component per world.
+     * Remembers from now on which entities have a component set, by {@link #set} or by a command:
+     * for a system that keeps a copy of it. One component per world.
      *
      * @param component the component
      * @throws IllegalStateException if another one is watched

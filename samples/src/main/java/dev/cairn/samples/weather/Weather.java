@@ -9,8 +9,8 @@ import dev.cairn.physics.component.Force;
 import dev.cairn.physics.component.Velocity;
 
 /**
- * The wind, and the sum of all that acts: {@code F = c (u - v)} against the air that moves at u, and
- * the lift of the water.
+ * The wind, and the sum of all that acts: {@code F = c (u - v)} against the air that moves at u,
+ * and the lift of the water.
  *
  * @param windX velocity of the air, m/s
  * @param windZ velocity of the air, m/s
