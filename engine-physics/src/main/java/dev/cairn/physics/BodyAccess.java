@@ -1,5 +1,7 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.body.Lock;
+import dev.cairn.physics.body.BodyType;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.contact.BoundsStage;

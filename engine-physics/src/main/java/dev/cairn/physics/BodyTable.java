@@ -1,6 +1,8 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.body.BodyType;
 import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.broadphase.BroadPhase;
@@ -191,6 +193,26 @@ final class BodyTable {
         if (!(Math.abs(value) <= BoundsStage.LIMIT)) {
             throw new IllegalArgumentException(
                     name + " is " + value + " m; it must be from -1e60 to 1e60");
+        }
+    }
+
+    /** Makes bodies of the entities with {@link NewBody}, between steps, in order of their rows. */
+    void adopt(Query newcomers) {
+        int count = newcomers.entityCount();
+        if (count == 0) {
+            return;
+        }
+        long[] found = new long[count];
+        int n = 0;
+        for (int c = 0; c < newcomers.chunkCount(); c++) {
+            for (int row = 0; row < newcomers.chunk(c).size(); row++) {
+                found[n++] = newcomers.chunk(c).entity(row);
+            }
+        }
+        for (long entity : found) {
+            Body body = world().get(entity, NewBody.COMPONENT).body();
+            world().remove(entity, NewBody.COMPONENT);
+            add(body, entity);
         }
     }
 

@@ -1,5 +1,7 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.body.BodyRemovedException;
+import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.internal.BodyStore;
@@ -9,6 +11,7 @@ import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.joint.Jointed;
 import dev.cairn.physics.joint.Joints;
 import dev.cairn.physics.profile.StepProfile;
+import dev.cairn.physics.state.Crush;
 import dev.cairn.physics.state.Digest;
 import dev.cairn.physics.state.RigidBody;
 
@@ -31,7 +34,7 @@ public final class PhysicsWorld implements AutoCloseable {
     public static final String SYSTEM = PhysicsSystem.NAME;
 
     private final World ecs;
-    private final Newcomers newcomers;
+    private final Query newcomers;
     private final Collisions collisions;
     private boolean stepping;
     private boolean closed;
@@ -43,7 +46,7 @@ public final class PhysicsWorld implements AutoCloseable {
         this.ecs = ecs;
         physics.table.roster.bind(ecs);
         ecs.watch(Pose.COMPONENT);
-        newcomers = new Newcomers(physics.table, ecs);
+        newcomers = ecs.query(NewBody.COMPONENT);
         collisions = new Collisions(this);
         joints = new Joints(physics.joints, physics.table.bodies, new JointHost());
         physics.jointList = joints;
@@ -157,7 +160,7 @@ public final class PhysicsWorld implements AutoCloseable {
             stepping = false;
         }
         physics.table.access.takePoses();
-        newcomers.add();
+        physics.table.adopt(newcomers);
         physics.view.tell();
     }
 
@@ -245,7 +248,16 @@ public final class PhysicsWorld implements AutoCloseable {
      */
     public List<BodyRef> crushed() {
         requireBetweenSteps("crushed");
-        return Crush.find(physics);
+        Crush crush = new Crush(physics.table.bodies, physics.contacts);
+        List<BodyRef> found = new ArrayList<>();
+        boolean any = physics.table.roster.kinematicCount > 0;
+        for (int row = 0; any && row < physics.contacts.count; row++) {
+            int slot = crush.crushed(row);
+            if (slot >= 0 && !found.contains(physics.table.refs[slot])) {
+                found.add(physics.table.refs[slot]);
+            }
+        }
+        return found;
     }
 
     /**
