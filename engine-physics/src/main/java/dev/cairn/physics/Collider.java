@@ -154,6 +154,24 @@ public final class Collider {
                 sensor);
     }
 
+    /**
+     * The shape.
+     *
+     * @return as it was given
+     */
+    public Shape shape() {
+        return shape;
+    }
+
+    /**
+     * The shape where it is in the body's frame.
+     *
+     * @return the shape, moved and turned
+     */
+    public Shape placed() {
+        return placed;
+    }
+
     Material material() {
         return material == null ? Material.DEFAULT : material;
     }

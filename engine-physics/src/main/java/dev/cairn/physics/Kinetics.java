@@ -23,8 +23,22 @@ public record Kinetics(
         double angularMomentumX,
         double angularMomentumY,
         double angularMomentumZ) {
+    /** How many sums there are. */
+    private static final int ROOM = 7;
+
     /** Sums in slot order. */
     static Kinetics of(BodyStore b) {
+        double[] sums = new double[ROOM];
+        sum(b, sums);
+        return new Kinetics(sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6]);
+    }
+
+    /** Sums in slot order, into an array whose first places also hold the spin of one body. */
+    static void sum(BodyStore b, double[] sums) {
+        if (sums.length < ROOM) {
+            throw new IllegalArgumentException(
+                    "sums has room for " + sums.length + " numbers, expected at least " + ROOM);
+        }
         double energy = 0;
         double px = 0;
         double py = 0;
@@ -32,7 +46,6 @@ public record Kinetics(
         double lx = 0;
         double ly = 0;
         double lz = 0;
-        double[] v = new double[3];
         for (int s = 0; s < b.slotCount; s++) {
             if (b.kind[s] != BodyStore.DYNAMIC) {
                 continue;
@@ -41,21 +54,30 @@ public record Kinetics(
             double mx = mass * b.velocityX[s];
             double my = mass * b.velocityY[s];
             double mz = mass * b.velocityZ[s];
-            spin(b, s, v);
+            spin(b, s, sums);
+            double spinX = sums[0];
+            double spinY = sums[1];
+            double spinZ = sums[2];
             energy +=
                     0.5 * (mx * b.velocityX[s] + my * b.velocityY[s] + mz * b.velocityZ[s])
                             + 0.5
-                                    * (v[0] * b.angularVelocityX[s]
-                                            + v[1] * b.angularVelocityY[s]
-                                            + v[2] * b.angularVelocityZ[s]);
+                                    * (spinX * b.angularVelocityX[s]
+                                            + spinY * b.angularVelocityY[s]
+                                            + spinZ * b.angularVelocityZ[s]);
             px += mx;
             py += my;
             pz += mz;
-            lx += b.positionY[s] * mz - b.positionZ[s] * my + v[0];
-            ly += b.positionZ[s] * mx - b.positionX[s] * mz + v[1];
-            lz += b.positionX[s] * my - b.positionY[s] * mx + v[2];
+            lx += b.positionY[s] * mz - b.positionZ[s] * my + spinX;
+            ly += b.positionZ[s] * mx - b.positionX[s] * mz + spinY;
+            lz += b.positionX[s] * my - b.positionY[s] * mx + spinZ;
         }
-        return new Kinetics(energy, px, py, pz, lx, ly, lz);
+        sums[0] = energy;
+        sums[1] = px;
+        sums[2] = py;
+        sums[3] = pz;
+        sums[4] = lx;
+        sums[5] = ly;
+        sums[6] = lz;
     }
 
     /** In gravity (x, y, z), zero at the origin, J. */

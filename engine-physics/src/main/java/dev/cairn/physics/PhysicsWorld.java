@@ -1,9 +1,9 @@
 package dev.cairn.physics;
 
-import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.joint.Joint;
@@ -35,6 +35,7 @@ public final class PhysicsWorld implements AutoCloseable {
 
     private final World ecs;
     private final Query newcomers;
+    private final Query bodies;
     private final Collisions collisions;
     private boolean stepping;
     private boolean closed;
@@ -47,6 +48,7 @@ public final class PhysicsWorld implements AutoCloseable {
         physics.table.roster.bind(ecs);
         ecs.watch(Pose.COMPONENT);
         newcomers = ecs.query(NewBody.COMPONENT);
+        bodies = ecs.query(RigidBody.COMPONENT);
         collisions = new Collisions(this);
         joints = new Joints(physics.joints, physics.table.bodies, new JointHost());
         physics.jointList = joints;
@@ -299,7 +301,7 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return the number
      */
     public int bodyCount() {
-        return ecs.query(RigidBody.COMPONENT).entityCount();
+        return bodies.entityCount();
     }
 
     /**
@@ -341,6 +343,15 @@ public final class PhysicsWorld implements AutoCloseable {
      */
     public Kinetics kinetics() {
         return Kinetics.of(physics.table.bodies);
+    }
+
+    /**
+     * The same sums without garbage.
+     *
+     * @param sums receives the seven numbers in the order of {@link Kinetics}
+     */
+    public void kinetics(double[] sums) {
+        Kinetics.sum(physics.table.bodies, sums);
     }
 
     /**

@@ -27,6 +27,8 @@ final class Hand {
     private static final double NEAREST = 0.5;
 
     private @Nullable BodyRef body;
+    private @Nullable BodyRef named;
+    private String name = "";
     private boolean pulling;
     private double distance;
     private final Vector3d local = new Vector3d();
@@ -124,8 +126,12 @@ final class Hand {
             state.pulling = false;
             return;
         }
-        String name = held.name();
-        state.held = name.isEmpty() ? "body " + held.entity() : name;
+        if (held != named) {
+            named = held;
+            String own = held.name();
+            name = own.isEmpty() ? "body " + held.entity() : own;
+        }
+        state.held = name;
         state.heldIsFixed = held.isFixed();
         state.heldMass = held.isFixed() ? Double.POSITIVE_INFINITY : held.mass();
         state.heldSpeed = held.velocity(velocity).length();

@@ -1,7 +1,6 @@
 package dev.cairn.samples;
 
 import dev.cairn.physics.Contacts;
-import dev.cairn.physics.Kinetics;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.profile.StepProfile;
 import dev.cairn.physics.profile.StepStage;
@@ -9,7 +8,6 @@ import dev.cairn.physics.profile.StepStage;
 import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
-import java.util.Map;
 
 /** The last ticks of what is plotted, as rings. One thread at a time. */
 final class History {
@@ -48,6 +46,9 @@ final class History {
     private final double[] stageMicros = new double[STAGES.length];
     private long ticks;
 
+    /** Energy and momenta, in the order of {@link dev.cairn.physics.Kinetics}. */
+    private final double[] sums = new double[7];
+
     void clear() {
         first = 0;
         count = 0;
@@ -69,14 +70,10 @@ final class History {
         } else {
             count++;
         }
-        Kinetics kinetics = world.kinetics();
-        kineticNow = kinetics.kineticEnergy();
+        world.kinetics(sums);
+        kineticNow = sums[0];
         energyNow = kineticNow + world.potentialEnergy();
-        momentumNow =
-                Math.sqrt(
-                        kinetics.momentumX() * kinetics.momentumX()
-                                + kinetics.momentumY() * kinetics.momentumY()
-                                + kinetics.momentumZ() * kinetics.momentumZ());
+        momentumNow = Math.sqrt(sums[1] * sums[1] + sums[2] * sums[2] + sums[3] * sums[3]);
         millisNow = tickMillis;
         contacts(world.contacts());
         readStages(world.profile(), at);
@@ -127,14 +124,7 @@ final class History {
     }
 
     private void readErrors(SceneBuilder scene) {
-        int e = 0;
-        for (Map.Entry<String, Double> entry : scene.errors().entrySet()) {
-            if (e < ERRORS) {
-                errorNames[e] = entry.getKey();
-                errorNow[e++] = entry.getValue();
-            }
-        }
-        errorCount = e;
+        errorCount = scene.errorMetrics().read(errorNames, errorNow);
     }
 
     void copy(History from) {

@@ -1,6 +1,7 @@
 package dev.cairn.samples;
 
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.ColliderRef;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Quaterniondc;
@@ -40,13 +41,21 @@ public final class Penetration {
         List<Entry> entries = new ArrayList<>();
         for (BodyRef body : bodies) {
             if (body.isAlive()) {
-                entries.add(
-                        new Entry(
-                                Solid.of(body.shape(), body.position(), body.orientation()),
-                                body.isFixed()));
+                add(body, entries);
             }
         }
         return deepestOf(entries);
+    }
+
+    /** All that a body is made of, but what only tells who is in it. */
+    private static void add(BodyRef body, List<Entry> entries) {
+        for (ColliderRef part : body.colliders()) {
+            if (!part.isSensor()) {
+                Shape shape = part.description().placed();
+                Solid solid = Solid.of(shape, body.position(), body.orientation());
+                entries.add(new Entry(solid, body.isFixed(), body));
+            }
+        }
     }
 
     /**
@@ -70,7 +79,7 @@ public final class Penetration {
         return depth(Solid.of(a, positionA, rotationA), Solid.of(b, positionB, rotationB));
     }
 
-    private record Entry(Solid solid, boolean fixed) {}
+    private record Entry(Solid solid, boolean fixed, BodyRef body) {}
 
     private static double deepestOf(List<Entry> entries) {
         int axis = widestAxis(entries);
@@ -85,7 +94,9 @@ public final class Penetration {
                     continue;
                 }
                 open.set(kept++, other);
-                if (!(entry.fixed && other.fixed) && entry.solid.mayTouch(other.solid)) {
+                if (!(entry.fixed && other.fixed)
+                        && entry.body != other.body
+                        && entry.solid.mayTouch(other.solid)) {
                     deepest = Math.max(deepest, depth(entry.solid, other.solid));
                 }
             }

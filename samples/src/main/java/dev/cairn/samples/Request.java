@@ -285,6 +285,14 @@ record Request(
                     "--export-scene %s: only writes the file; it goes with --scene, --set, --seed"
                             .formatted(typed.exportScene));
         }
+        if (!typed.settings.isEmpty()
+                && typed.scenes.isEmpty()
+                && typed.sceneFile == null
+                && typed.obj == null) {
+            throw new UsageException(
+                    "--set %s: of which scene? Add --scene ID; --list shows all"
+                            .formatted(typed.settings.get(0)));
+        }
         if (typed.window && typed.headless) {
             throw new UsageException(
                     "--window and --headless contradict each other; give one of them");

@@ -105,12 +105,13 @@ final class Runner {
     private int window() {
         Sandbox window =
                 new Sandbox(
-                        request.scenes(),
+                        request.sceneFile() == null ? SceneRegistry.all() : request.scenes(),
                         request.options(),
                         request.workers(),
                         request.substeps(),
                         request.sleepingOr(true),
                         out);
+        window.beginWith(request.scenes().get(0));
         window.step(request.stepSeconds());
         window.settings(
                 PhysicsSettings.DEFAULT

@@ -17,6 +17,7 @@ import dev.cairn.render.mesh.Model;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.editor.Editor;
 import dev.cairn.samples.editor.EditorPanels;
+import dev.cairn.samples.editor.LeaveQuestion;
 import dev.cairn.samples.scenefile.SceneExport;
 import dev.cairn.samples.scenefile.SceneFile;
 
@@ -60,6 +61,7 @@ class Sandbox extends Application {
     private final EditorStage stage = new EditorStage(this);
     private final Editor editor = new Editor(stage);
     private final EditorPanels editorPanels = new EditorPanels(editor);
+    private final LeaveQuestion leaving = new LeaveQuestion(editor, editorPanels, this::quit);
     private double windowStepSeconds = SampleScene.STEP_SECONDS;
     private final TripleBuffer<SandboxState> states = new TripleBuffer<>(SandboxState::new);
 
@@ -74,6 +76,11 @@ class Sandbox extends Application {
     private final boolean sleeping;
     private boolean bound;
     private boolean keepCamera;
+
+    /** Whether the camera goes to where the scene wants it if that is not where it was before. */
+    private boolean refits;
+
+    private SceneBuilder.@Nullable View seenFrom;
     private @Nullable SceneBuilder built;
     private int remarksShown;
     private long stepStartNanos;
@@ -81,6 +88,9 @@ class Sandbox extends Application {
     private Ball ball = Ball.DEFAULT;
     private int thrown;
 
+    private EditorStage.@Nullable Shown notedFor;
+    private int notedSize;
+    private String noted = "";
     private @Nullable String noWindow;
 
     /**
@@ -131,9 +141,23 @@ class Sandbox extends Application {
         editorPanels.ask(ready -> ready.open(scene, whole, folder == null ? whole : folder));
     }
 
+    /**
+     * Begins with another scene than the first of the list; before {@link #start}.
+     *
+     * @param scene one of the list
+     */
+    void beginWith(SampleScene scene) {
+        current = Math.max(0, scenes.indexOf(scene));
+    }
+
     /** The editor; window thread. For tests. */
     Editor editor() {
         return editor;
+    }
+
+    /** What is asked before the window closes; window thread. For tests. */
+    LeaveQuestion leaving() {
+        return leaving;
     }
 
     /** Returns why there was no window, or null if there was one; after {@link #start}. */
@@ -174,13 +198,19 @@ class Sandbox extends Application {
 
     private SceneOptions chosenOptions() {
         SampleScene chosen = scenes.get(current);
-        return options.computeIfAbsent(chosen.id(), id -> SceneOptions.defaults(chosen));
+        SceneOptions known = options.get(chosen.id());
+        if (known == null) {
+            known = SceneOptions.defaults(chosen);
+            options.put(chosen.id(), known);
+        }
+        return known;
     }
 
     @Override
     protected void initScene(Scene scene) {
         if (!bound) {
             bind(scene); // once, so that keys that were rebound stay so
+            KeyRows.load(scene.bindings());
             bound = true;
         }
         scene.physics().profile().enable();
@@ -191,6 +221,7 @@ class Sandbox extends Application {
         problem = "";
         build(scene);
         keepCamera = false;
+        refits = false;
         publishState();
     }
 
@@ -212,9 +243,10 @@ class Sandbox extends Application {
             }
             scene.light(next.light());
             scene.camera().release();
-            if (!keepCamera) {
+            if (!keepCamera || (refits && !next.view().equals(seenFrom))) {
                 next.view().place(scene.camera());
             }
+            seenFrom = next.view();
         } catch (UsageException misuse) {
             problem = String.valueOf(misuse.getMessage());
             out.println(problem);
@@ -308,6 +340,7 @@ class Sandbox extends Application {
         Map<String, Double> values = new LinkedHashMap<>(old.values());
         values.put(parameter, value);
         options.put(scenes.get(current).id(), new SceneOptions(values, old.seed(), old.obj()));
+        refits = true;
         startAgain();
     }
 
@@ -318,6 +351,7 @@ class Sandbox extends Application {
         options.put(
                 chosen.id(),
                 new SceneOptions(SceneOptions.defaults(chosen).values(), old.seed(), old.obj()));
+        refits = true;
         startAgain();
     }
 
@@ -435,12 +469,25 @@ class Sandbox extends Application {
         states.publish();
     }
 
+    /** What is said of an edited scene; made anew only after it has something more to say. */
+    @SuppressWarnings("ReferenceEquality")
     private String notes() {
         EditorStage.Shown edited = stage.shown();
         SceneBuilder now = built;
         if (edited == null || now == null) {
             return "";
         }
+        int said = now.remarks().size() + problem.length();
+        if (edited == notedFor && said == notedSize) {
+            return noted;
+        }
+        notedFor = edited;
+        notedSize = said;
+        noted = notes(edited, now);
+        return noted;
+    }
+
+    private String notes(EditorStage.Shown edited, SceneBuilder now) {
         List<String> lines = new ArrayList<>(now.remarks());
         if (!problem.isEmpty()) {
             lines.add(problem);
@@ -468,7 +515,18 @@ class Sandbox extends Application {
                 panels.drawPlaying(ui, view, state);
             }
         }
+        leaving.draw(ui);
         shown(ui, view, state);
+    }
+
+    @Override
+    protected boolean dismiss() {
+        return leaving.dismiss() || editorPanels.dismiss();
+    }
+
+    @Override
+    protected boolean closing() {
+        return leaving.mayLeave();
     }
 
     /** Called after the panels of a frame; window thread. For tests. */

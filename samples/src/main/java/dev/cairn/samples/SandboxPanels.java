@@ -16,7 +16,7 @@ import java.util.Map;
 /** The panels of the sandbox. Window thread; acts on the world by posting only. */
 final class SandboxPanels {
     private static final double GAP = 10;
-    private static final double LEFT_WIDTH = 270;
+    private static final double LEFT_WIDTH = 290;
     private static final int ROPE = 0xFFE082;
     private static final int PROBLEM = 0xFF7A7A;
 

@@ -4,12 +4,14 @@ import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.Visual;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.Collider;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.Light;
 import dev.cairn.render.mesh.Model;
+import dev.cairn.render.mesh.ModelGroup;
 
 import org.jspecify.annotations.Nullable;
 
@@ -17,7 +19,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.IdentityHashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
@@ -38,9 +39,10 @@ public final class SceneBuilder {
     private final List<BodyRef> bodies = new ArrayList<>();
     private final List<TickHook> before = new ArrayList<>();
     private final List<TickHook> after = new ArrayList<>();
-    private final Map<String, DoubleSupplier> errors = new LinkedHashMap<>();
+    private final ErrorMetrics errors = new ErrorMetrics();
     private final List<ConstantForce> forces = new ArrayList<>();
     private final List<String> remarks = new ArrayList<>();
+    private final List<String> remarksSeen = Collections.unmodifiableList(remarks);
     private final IdentityHashMap<Shape, Model> models = new IdentityHashMap<>();
     private final List<Long> visuals = new ArrayList<>();
     private View view = new View(0, 4, 14, 0, 1, 0);
@@ -219,6 +221,23 @@ public final class SceneBuilder {
      */
     public BodyRef add(Shape shape, Visual look, Body body) {
         return remember(world.add(body.shape(shape).with(look)));
+    }
+
+    /**
+     * Adds a body of several shapes, drawn as they are.
+     *
+     * @param parts what it is made of
+     * @param rgb its colour
+     * @param body all else
+     * @return the body in the world
+     */
+    public BodyRef addParts(List<Collider> parts, int rgb, Body body) {
+        List<Model> look = new ArrayList<>();
+        for (Collider part : parts) {
+            look.add(Model.of(part.placed()).color(rgb));
+            body.collider(part);
+        }
+        return remember(world.add(body.with(new Visual(new ModelGroup(look)))));
     }
 
     /**
@@ -424,7 +443,7 @@ public final class SceneBuilder {
      * @param value the metric over the ticks so far; NaN where the closed form does not apply
      */
     public void error(String name, DoubleSupplier value) {
-        errors.put(name, value);
+        errors.declare(name, value);
     }
 
     /**
@@ -451,7 +470,7 @@ public final class SceneBuilder {
      * @return a live, unmodifiable view
      */
     public List<String> remarks() {
-        return Collections.unmodifiableList(remarks);
+        return remarksSeen;
     }
 
     /**
@@ -460,14 +479,12 @@ public final class SceneBuilder {
      * @return values by name, in the order of declaration
      */
     public Map<String, Double> errors() {
-        Map<String, Double> now = new LinkedHashMap<>();
-        errors.forEach((name, metric) -> {
-            double value = metric.getAsDouble();
-            if (!Double.isNaN(value)) {
-                now.put(name, value);
-            }
-        });
-        return now;
+        return errors.now();
+    }
+
+    /** The same without garbage. */
+    ErrorMetrics errorMetrics() {
+        return errors;
     }
 
     /** Runs the scene's hooks before a step of the world. */

@@ -6,6 +6,7 @@ import dev.cairn.samples.scenes.BouncingBall;
 import dev.cairn.samples.scenes.BoxPit;
 import dev.cairn.samples.scenes.Cards;
 import dev.cairn.samples.scenes.Carried;
+import dev.cairn.samples.scenes.CompoundPile;
 import dev.cairn.samples.scenes.Cradle;
 import dev.cairn.samples.scenes.CubesOnPlane;
 import dev.cairn.samples.scenes.Dzhanibekov;
@@ -15,6 +16,7 @@ import dev.cairn.samples.scenes.LargeWorld;
 import dev.cairn.samples.scenes.LoadRemoval;
 import dev.cairn.samples.scenes.ManyPyramids;
 import dev.cairn.samples.scenes.ObjDrop;
+import dev.cairn.samples.scenes.OneWay;
 import dev.cairn.samples.scenes.Overhang;
 import dev.cairn.samples.scenes.Pairs;
 import dev.cairn.samples.scenes.Pile;
@@ -62,6 +64,8 @@ public final class SceneRegistry {
                     Pile.rounds(),
                     Pile.hulls(),
                     Pile.junkyard(),
+                    CompoundPile.scene(),
+                    OneWay.scene(),
                     Washer.scene(),
                     StackOfBoxes.tall(),
                     StackOfBoxes.massRatio(),

@@ -30,7 +30,7 @@ final class SimulationPanel {
     }
 
     private final Sandbox sandbox;
-    private final KeyFields keys;
+    private final KeyRows keys;
     private final TextBuffer text = new TextBuffer();
     private int askedWorkers;
     private int askedSubsteps;
@@ -39,7 +39,7 @@ final class SimulationPanel {
 
     SimulationPanel(Sandbox sandbox) {
         this.sandbox = sandbox;
-        this.keys = new KeyFields(sandbox);
+        this.keys = new KeyRows(sandbox);
     }
 
     void draw(Ui ui, View view, SandboxState state, double height, boolean edited) {

@@ -3,8 +3,11 @@ package dev.cairn.samples;
 import dev.cairn.core.snapshot.PoseSnapshot;
 import dev.cairn.render.app.View;
 import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.editor.LeaveQuestion;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenes.StackOfBoxes;
+
+import org.joml.Vector3d;
 
 import java.lang.management.ManagementFactory;
 import java.util.List;
@@ -17,9 +20,18 @@ import java.util.Map;
  */
 final class EditorProbe extends Sandbox {
     private static final List<String> BUTTONS =
-            List.of("box", "capsule", "hull", "half-space", "Save", "Load");
+            List.of(
+                    "box",
+                    "capsule",
+                    "hull",
+                    "half-space",
+                    "Save",
+                    "Load",
+                    LeaveQuestion.SAVE,
+                    LeaveQuestion.GIVE_UP);
     private final com.sun.management.ThreadMXBean threads =
             (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+    private final Vector3d eye = new Vector3d();
     private long bytesBefore;
 
     private EditorProbe() {
@@ -41,7 +53,8 @@ final class EditorProbe extends Sandbox {
                 String.format(
                         Locale.ROOT,
                         "frame=%d mode=%s tick=%d steps=%d entities=%d changed=%b wrong=%b"
-                                + " selected=%d selectedX=%s selectedY=%s seenY=%.6f bytes=%d",
+                                + " selected=%d selectedX=%s selectedY=%s seenY=%.6f bytes=%d"
+                                + " asked=%b shortened=%d eyeZ=%.6f",
                         view.frames(),
                         editor().mode(),
                         state.tick,
@@ -53,7 +66,10 @@ final class EditorProbe extends Sandbox {
                         chosen == null ? "NaN" : chosen.position().x(),
                         chosen == null ? "NaN" : chosen.position().y(),
                         heightOfLast(view, state),
-                        bytes));
+                        bytes,
+                        leaving().isAsked(),
+                        ui.shortened(),
+                        view.camera().position(eye).z));
         for (String button : BUTTONS) {
             line.append(WindowFixture.middle(ui, button));
         }

@@ -3,6 +3,7 @@ package dev.cairn.samples;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.samples.editor.LeaveQuestion;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneReader;
@@ -99,6 +100,55 @@ class EditorWindowTest extends WindowFixture {
         type("key", "F2");
         Seen closed = await("the sandbox's own scene", seen -> seen.is("mode", "CLOSED"));
         assertTrue(closed.number("entities") == 2, "the editor keeps its scene: " + last);
+    }
+
+    /** The floor stays, the way up to a release counts, undo keeps what is selected. */
+    @Test
+    void nothingIsLostByAStrayClickOrByClosingTheWindow() throws IOException, InterruptedException {
+        type("key", "F2");
+        await("the editor", seen -> seen.is("mode", "REST") && seen.number("entities") == 1);
+        moveTo(700, 500);
+        dragTo(600, 560);
+        settle();
+        Seen start = now();
+        type("key", "c");
+        await("the duplicate to be refused", seen -> seen.flag("wrong"));
+        assertEquals(0, now().number("steps"), "the floor was moved: " + last);
+        assertEquals(-1, now().number("selected"), last);
+
+        click("box");
+        await("a box", seen -> seen.number("entities") == 2 && seen.number("seenY") == 0.5);
+        moveTo(512, 320);
+        dragTo(600, 320);
+        Seen dragged = await("the box to follow", seen -> seen.number("selectedX") > 1);
+        assertEquals(2, dragged.number("steps"), last);
+        type("key", "ctrl+z");
+        await(
+                "the drag to be taken back, the box still selected",
+                seen -> seen.number("selectedX") == 0 && seen.number("selected") == 1);
+        type("key", "Delete");
+        await("the box to be gone", seen -> seen.number("entities") == 1);
+        type("key", "ctrl+z");
+        await("the box to be back, selected", seen -> seen.number("selected") == 1);
+
+        type("key", "ctrl+s");
+        Seen saved = await("the file", seen -> !seen.flag("changed"));
+        assertEquals(2, SceneReader.read(folder.resolve("scene.json")).entities().size());
+        assertEquals(start.number("eyeZ"), saved.number("eyeZ"), "the camera flew: " + last);
+        assertEquals(0, saved.number("shortened"), last);
+
+        type("key", "Delete");
+        await("a change", seen -> seen.flag("changed") && seen.number("entities") == 1);
+        type("key", "Escape");
+        await("the editor to close", seen -> seen.is("mode", "CLOSED"));
+        type("key", "Escape");
+        await("the question", seen -> seen.flag("asked"));
+        type("key", "Escape");
+        await("to stay", seen -> !seen.flag("asked"));
+        type("key", "Escape");
+        await("the question again", seen -> seen.values().containsKey("Quit_without_savingX"));
+        click(LeaveQuestion.GIVE_UP);
+        assertEquals(0, ended());
     }
 
     /** With what is selected, its fields and its outline, and while the scene runs. */

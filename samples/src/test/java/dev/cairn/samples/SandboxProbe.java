@@ -2,6 +2,7 @@ package dev.cairn.samples;
 
 import dev.cairn.render.app.DebugLayer;
 import dev.cairn.render.app.View;
+import dev.cairn.render.input.Bindings;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.scenes.StackOfBoxes;
 
@@ -32,6 +33,8 @@ final class SandboxProbe extends Sandbox {
                     "Window",
                     "Keys");
     private long bytesBefore;
+    private long tickBytes;
+    private volatile int quietTicks;
 
     private SandboxProbe(List<SampleScene> scenes, PrintStream out) {
         super(scenes, Map.of(), 1, 4, false, System.err);
@@ -53,6 +56,12 @@ final class SandboxProbe extends Sandbox {
 
     private static String places(Ui ui) {
         StringBuilder line = new StringBuilder();
+        for (String widget : List.of("boxes", "sink", "Notice", "[1]", "1", "1.5", "2")) {
+            line.append(WindowFixture.middle(ui, widget));
+        }
+        for (String button : List.of(KeyRows.TAKE, KeyRows.LEAVE, KeyRows.RESET)) {
+            line.append(WindowFixture.middle(ui, button));
+        }
         for (String section : SECTIONS) {
             line.append(WindowFixture.middle(ui, section));
         }
@@ -60,6 +69,24 @@ final class SandboxProbe extends Sandbox {
             line.append(WindowFixture.middle(ui, layer.title()));
         }
         return line.toString();
+    }
+
+    /** From the end of one tick to the end of the next: all that the simulation thread does. */
+    @Override
+    protected void updated(double seconds) {
+        super.updated(seconds);
+        long now = threads.getCurrentThreadAllocatedBytes();
+        quietTicks = now == tickBytes ? quietTicks + 1 : 0;
+        tickBytes = now;
+    }
+
+    private String keysOf(String action) {
+        for (Bindings.Binding binding : keyBindings().actions()) {
+            if (binding.action().equals(action)) {
+                return binding.label().replace(' ', '_');
+            }
+        }
+        return "";
     }
 
     @Override
@@ -73,7 +100,8 @@ final class SandboxProbe extends Sandbox {
                 "frame=%d tick=%d worldTick=%d paused=%b eyeX=%.6f eyeY=%.6f eyeZ=%.6f pulling=%b"
                         + " held=%s heldX=%.6f gap=%.6f sliderX=%.1f sliderY=%.1f sliderWidth=%.1f"
                         + " sliderHeight=%.1f bodies=%d uiWidth=%.0f uiHeight=%.0f uiScale=%.2f"
-                        + " full=%b substeps=%d workers=%d layers=%d bytes=%d%s%n",
+                        + " full=%b substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d"
+                        + " shortened=%d sinkKeys=%s listKeys=%s%s%n",
                 view.frames(),
                 state.tick,
                 view.snapshot().tick(),
@@ -98,6 +126,11 @@ final class SandboxProbe extends Sandbox {
                 state.workers,
                 layers(),
                 bytes,
+                isHelpShown(),
+                quietTicks,
+                ui.shortened(),
+                keysOf("sink"),
+                keysOf("list keys"),
                 places(ui));
         out.flush();
         bytesBefore = threads.getCurrentThreadAllocatedBytes();

@@ -52,9 +52,12 @@ abstract class WindowFixture {
     /** When the window is ready for the test. */
     abstract boolean ready(Seen seen);
 
+    /** What the program finds when it starts. */
+    void prepare() throws IOException {}
+
     /** How long the whole test may take, from its beginning. */
     long deadlineSeconds() {
-        return 90;
+        return Long.getLong("window.seconds", 90);
     }
 
     /** One frame. */
@@ -86,6 +89,7 @@ abstract class WindowFixture {
     @BeforeEach
     void openWindow() throws IOException, InterruptedException {
         require();
+        prepare();
         server =
                 new ProcessBuilder(
                                 "Xvfb",
@@ -106,6 +110,7 @@ abstract class WindowFixture {
                         "--enable-native-access=ALL-UNNAMED",
                         "--sun-misc-unsafe-memory-access=deny",
                         "--add-modules=jdk.incubator.vector",
+                        "-Dcairn.keys=" + keys(),
                         "-cp",
                         wholeClassPath(),
                         program().getName());
@@ -127,6 +132,24 @@ abstract class WindowFixture {
                         .reduce((first, second) -> second)
                         .orElseThrow();
         type("windowfocus", "--sync", window);
+    }
+
+    /** Where the program keeps the keys of its user. */
+    Path keys() {
+        return folder.resolve("keys.txt");
+    }
+
+    /** What the window is called. */
+    String title() throws IOException, InterruptedException {
+        return type("getwindowname", window);
+    }
+
+    /** Waits until the program has ended by itself; its exit code. */
+    int ended() throws InterruptedException {
+        if (!sandbox.waitFor(20, TimeUnit.SECONDS)) {
+            fail("the window is still open; the last frame was: " + last);
+        }
+        return sandbox.exitValue();
     }
 
     private void pump(BufferedReader reader) {
@@ -212,6 +235,12 @@ abstract class WindowFixture {
         type("click", "1");
     }
 
+    /** Waits until a change of the panels is drawn, so that the places of widgets are right. */
+    void settle() throws IOException, InterruptedException {
+        Seen seen = now();
+        await("three frames", later -> later.number("frame") > seen.number("frame") + 2);
+    }
+
     /** Waits until the window's thread makes no garbage any more; the first frames make some. */
     void awaitNoGarbage(String what) throws IOException, InterruptedException {
         int[] quiet = new int[1];
@@ -233,6 +262,12 @@ abstract class WindowFixture {
         String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, process.waitFor(), command + ": " + output);
         return output.strip();
+    }
+
+    /** Press, way and release in one call, so fast that one frame may see all of it. */
+    void dragTo(double x, double y) throws IOException, InterruptedException {
+        String[] way = {"mousemove", "--window", window, whole(x), whole(y)};
+        type("mousedown", "1", way[0], way[1], way[2], way[3], way[4], "mouseup", "1");
     }
 
     void moveTo(double x, double y) throws IOException, InterruptedException {

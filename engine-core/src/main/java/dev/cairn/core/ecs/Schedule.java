@@ -120,9 +120,10 @@ public final class Schedule {
 
     private Entry find(String system) {
         Objects.requireNonNull(system, "system must not be null: pass the name of a system");
-        for (Entry entry : entries) {
-            if (entry.name().equals(system)) {
-                return entry;
+        // By index: this is asked once a tick, and an iterator would be garbage.
+        for (int i = 0; i < entries.size(); i++) {
+            if (entries.get(i).name().equals(system)) {
+                return entries.get(i);
             }
         }
         throw new SchedulingException(

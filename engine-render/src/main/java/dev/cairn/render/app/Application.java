@@ -5,12 +5,14 @@ import dev.cairn.render.camera.Camera;
 import dev.cairn.render.gl.GlContext;
 import dev.cairn.render.gl.GlUnavailableException;
 import dev.cairn.render.input.Bindings;
+import dev.cairn.render.input.Trigger;
 import dev.cairn.render.ui.Ui;
 
 import org.jspecify.annotations.Nullable;
 
 import java.nio.file.Path;
 import java.util.Objects;
+import java.util.function.Consumer;
 
 /**
  * A program with a window onto a world. Extend it, fill the scene, start it:
@@ -51,13 +53,7 @@ public abstract class Application {
     private boolean started;
     private volatile @Nullable Scene scene;
     private volatile @Nullable Simulation simulation;
-    private volatile boolean quitting;
-    private volatile boolean screenshot;
-    private volatile boolean mouseLook;
-    private volatile boolean helpShown;
-    private volatile boolean fullscreen;
-    private volatile boolean vsync = true;
-    private volatile double panelScale = 1;
+    private final WindowWishes wishes = new WindowWishes();
 
     /** An application with a window of 1280 x 720 and 60 ticks a second. */
     protected Application() {}
@@ -150,7 +146,7 @@ public abstract class Application {
      * @param value true to fill the screen
      */
     public final void fullscreen(boolean value) {
-        fullscreen = value;
+        wishes.fullscreen = value;
     }
 
     /**
@@ -159,7 +155,7 @@ public abstract class Application {
      * @return true if so
      */
     public final boolean isFullscreen() {
-        return fullscreen;
+        return wishes.fullscreen;
     }
 
     /**
@@ -168,7 +164,7 @@ public abstract class Application {
      * @param value true (the default) to wait
      */
     public final void vsync(boolean value) {
-        vsync = value;
+        wishes.vsync = value;
     }
 
     /**
@@ -177,7 +173,7 @@ public abstract class Application {
      * @return true if so
      */
     public final boolean isVsync() {
-        return vsync;
+        return wishes.vsync;
     }
 
     /**
@@ -189,7 +185,7 @@ public abstract class Application {
         if (!(factor >= 0.5 && factor <= 4)) {
             throw new IllegalArgumentException("panel scale is " + factor + ", expected 0.5..4");
         }
-        panelScale = factor;
+        wishes.panelScale = factor;
     }
 
     /**
@@ -198,7 +194,7 @@ public abstract class Application {
      * @return the factor
      */
     public final double panelScale() {
-        return panelScale;
+        return wishes.panelScale;
     }
 
     /**
@@ -207,7 +203,7 @@ public abstract class Application {
      * @param value true to show it
      */
     public final void showHelp(boolean value) {
-        helpShown = value;
+        wishes.helpShown = value;
     }
 
     /**
@@ -216,7 +212,7 @@ public abstract class Application {
      * @return true while it is
      */
     public final boolean isHelpShown() {
-        return helpShown;
+        return wishes.helpShown;
     }
 
     /**
@@ -382,10 +378,6 @@ public abstract class Application {
         scene = value;
     }
 
-    void toggleMouseLook() {
-        mouseLook = !mouseLook;
-    }
-
     long pictureTick() {
         return pictureTick;
     }
@@ -394,9 +386,48 @@ public abstract class Application {
         pictureTick = value;
     }
 
-    /** Ends the application after the present frame; any thread. */
+    /**
+     * Puts away what lies over the picture, such as a question or a dialog. Called on the window's
+     * thread when the user presses the key of "quit" (Escape) and the list of keys is not shown.
+     *
+     * @return true if there was something; else the window is asked to close
+     */
+    protected boolean dismiss() {
+        return false;
+    }
+
+    /**
+     * Whether the window may be closed, by its button or by the key of "quit". Called on the
+     * window's thread; override to ask about what is not saved. {@link #quit} asks nobody.
+     *
+     * @return true to close it
+     */
+    protected boolean closing() {
+        return true;
+    }
+
+    /**
+     * Takes the next key, mouse button but the left one, or key with Ctrl that is pressed, in place
+     * of what it is bound to: for "press a key" in a dialog. Any thread.
+     *
+     * @param taker called once on the window's thread; gets null if Escape was pressed
+     */
+    public final void captureTrigger(Consumer<@Nullable Trigger> taker) {
+        wishes.capture(Objects.requireNonNull(taker, "taker"));
+    }
+
+    /**
+     * Shows a line at the lower edge of the window for some seconds. Any thread.
+     *
+     * @param text one line
+     */
+    public final void notice(String text) {
+        wishes.notice(Objects.requireNonNull(text, "text"));
+    }
+
+    /** Ends the application after the present frame, without asking; any thread. */
     public final void quit() {
-        quitting = true;
+        wishes.quitting = true;
     }
 
     /** Pauses the physics, or resumes it; drawing, camera and bindings go on. Any thread. */
@@ -468,22 +499,8 @@ public abstract class Application {
         return running().debugMask();
     }
 
-    boolean isQuitting() {
-        return quitting;
-    }
-
-    void askForScreenshot() {
-        screenshot = true;
-    }
-
-    boolean isMouseLook() {
-        return mouseLook;
-    }
-
-    boolean takeScreenshotRequest() {
-        boolean asked = screenshot;
-        screenshot = false;
-        return asked;
+    WindowWishes wishes() {
+        return wishes;
     }
 
     @Nullable Scene sceneOrNull() {

@@ -7,6 +7,7 @@ final class DefaultKeys {
     private DefaultKeys() {}
 
     static void bind(Application to) {
+        WindowWishes wishes = to.wishes();
         to.bindings()
                 .onHold(Key.W, WindowInput.FORWARD)
                 .onHold(Key.S, WindowInput.BACK)
@@ -19,7 +20,7 @@ final class DefaultKeys {
                 .onHold(Key.RIGHT, WindowInput.TURN_RIGHT)
                 .onHold(Key.UP, WindowInput.TURN_UP)
                 .onHold(Key.DOWN, WindowInput.TURN_DOWN)
-                .onKey(Key.TAB, "mouse look", to::toggleMouseLook)
+                .onKey(Key.TAB, "mouse look", () -> wishes.mouseLook = !wishes.mouseLook)
                 .onKey(Key.P, "pause", to::togglePause)
                 .onKey(Key.SPACE, "pause", to::togglePause)
                 .onKey(Key.N, "single step", to::singleStep)
@@ -32,9 +33,9 @@ final class DefaultKeys {
                         "faster",
                         () -> to.timeScale(Math.min(to.timeScale() * 2, 16)))
                 .onKey(Key.BACKSLASH, "real time", () -> to.timeScale(1))
-                .onKey(Key.F12, "save picture", to::askForScreenshot)
+                .onKey(Key.F12, "save picture", wishes::askForScreenshot)
                 .onKey(Key.F11, "full screen", () -> to.fullscreen(!to.isFullscreen()))
                 .onKey(Key.F1, "list keys", () -> to.showHelp(!to.isHelpShown()))
-                .onKey(Key.ESCAPE, "quit", to::quit);
+                .onKey(Key.ESCAPE, "quit", wishes::escape);
     }
 }

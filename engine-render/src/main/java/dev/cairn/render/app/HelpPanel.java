@@ -24,8 +24,8 @@ final class HelpPanel {
             ui.columns(4);
             for (int i = 0; i < all.size(); i++) {
                 Bindings.Binding binding = all.get(i);
-                if (!binding.triggers().isEmpty()) {
-                    ui.label(binding.triggers(), 0x74BBF0);
+                if (!binding.label().isEmpty()) {
+                    ui.label(binding.label(), 0x74BBF0);
                     ui.label(binding.action());
                 }
             }

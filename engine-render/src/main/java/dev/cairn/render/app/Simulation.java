@@ -43,8 +43,10 @@ final class Simulation {
     private final AtomicInteger debugMask = new AtomicInteger();
     private final SnapshotExtra debugData = this::debugData;
     private volatile long ticks;
+    private volatile long steps;
     private volatile @Nullable Throwable failure;
     private long done;
+    private long stepsDone;
     private @Nullable PhysicsWorld physics;
 
     /**
@@ -91,6 +93,8 @@ final class Simulation {
         physics = world;
         done = 0;
         ticks = 0;
+        steps = 0;
+        stepsDone = 0;
         host.begin(world);
         publish(world);
     }
@@ -143,6 +147,7 @@ final class Simulation {
         world.step(seconds);
         if (!still) {
             host.updated(seconds);
+            steps = ++stepsDone;
         }
         publish(world);
         ticks = ++done;
@@ -203,6 +208,11 @@ final class Simulation {
 
     long ticks() {
         return ticks;
+    }
+
+    /** Ticks of this world in which its physics was not paused. */
+    long steps() {
+        return steps;
     }
 
     SnapshotExchange exchange() {

@@ -19,15 +19,18 @@ import static org.lwjgl.glfw.GLFW.glfwSetWindowFocusCallback;
 
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.input.Bindings;
+import dev.cairn.render.input.Chord;
 import dev.cairn.render.input.Key;
 import dev.cairn.render.input.MouseButton;
 import dev.cairn.render.input.Pointer;
+import dev.cairn.render.input.Trigger;
 import dev.cairn.render.ui.nuklear.NuklearUi;
 
 import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.function.Consumer;
 
 /**
  * What keys and mouse do in a window. GLFW's callbacks only note events; each frame hands them out
@@ -35,7 +38,8 @@ import java.util.EnumSet;
  * button belongs, from press to release, to whoever was under the cursor at the press.
  *
  * <p>A release that follows its own press in one frame waits for the next, so that a click is seen
- * however slow the frames are.
+ * however slow the frames are. A move that follows a press or a release waits too, so that both
+ * happen where the cursor was then, and the way up to a release belongs to its drag.
  */
 final class WindowInput {
     static final String FORWARD = "fly forward";
@@ -55,6 +59,10 @@ final class WindowInput {
     private static final double LOOK_RADIANS_PER_PIXEL = 0.0025;
     private static final int CONTROL = 2;
     private static final int REPEAT = 2;
+
+    /** What Ctrl and these mean to a text that is edited. */
+    private static final EnumSet<Key> OF_FIELDS =
+            EnumSet.of(Key.A, Key.C, Key.V, Key.X, Key.Y, Key.Z, Key.LEFT, Key.RIGHT);
 
     private static final byte KEY = 0;
     private static final byte BUTTON = 1;
@@ -78,6 +86,10 @@ final class WindowInput {
     private double[] eventX = new double[64];
     private double[] eventY = new double[64];
     private int events;
+
+    /** Whether a button went down or up in this frame. */
+    private boolean clicked;
+
     private boolean lookButton;
     private boolean captured;
     private final double[] startX = new double[1];
@@ -148,6 +160,7 @@ final class WindowInput {
         if (panels != null) {
             panels.input().begin();
         }
+        clicked = false;
         int done = 0;
         while (done < events && handle(done, panels, pixelsPerPoint)) {
             done++;
@@ -181,8 +194,12 @@ final class WindowInput {
                     return false;
                 }
                 button(button, down, panels, pixelsPerPoint);
+                clicked = true;
             }
             case CURSOR -> {
+                if (clicked) {
+                    return false;
+                }
                 look(eventX[i], eventY[i]);
                 if (panels != null && !captured) {
                     panels.input().moved(cursorX * pixelsPerPoint, cursorY * pixelsPerPoint);
@@ -215,26 +232,73 @@ final class WindowInput {
 
     private void key(int keyCode, int action, int mods, @Nullable NuklearUi panels) {
         Key key = Key.ofCode(keyCode);
-        if (key == null) {
+        if (key == null || captureKey(key, action, mods)) {
             return;
         }
         if (panels != null && (panels.wantsKeys() || action == GLFW_RELEASE)) {
             panels.input().key(key, action != GLFW_RELEASE, (mods & CONTROL) != 0);
         }
         boolean edits = panels != null && panels.wantsKeys();
+        if (edits && panels != null && action == GLFW_PRESS) {
+            whileEditing(key, (mods & CONTROL) != 0, panels);
+        }
         if (action == GLFW_RELEASE) {
             held.remove(key);
             post(() -> bindings.release(key));
         } else if (action != REPEAT && !edits) {
-            held.add(key);
+            if ((mods & CONTROL) == 0 || controlIsBound()) {
+                held.add(key); // Ctrl+S saves; it does not fly as well.
+            }
             post(() -> bindings.press(key));
         }
+    }
+
+    /**
+     * Keys that are no text: Escape and Enter end it, and chords that a field does not know act.
+     */
+    private void whileEditing(Key key, boolean control, NuklearUi panels) {
+        if (key == Key.ESCAPE || key == Key.ENTER || key == Key.KEYPAD_ENTER) {
+            panels.endEditing();
+        } else if (control && !OF_FIELDS.contains(key)) {
+            Chord chord = new Chord(key);
+            post(() -> bindings.press(chord));
+        }
+    }
+
+    /** Whether somebody waits for this key, and has it now. Ctrl counts when it goes up alone. */
+    private boolean captureKey(Key key, int action, int mods) {
+        if (!application.wishes().isCapturing() || action == REPEAT) {
+            return false;
+        }
+        boolean control = key == Key.LEFT_CONTROL || key == Key.RIGHT_CONTROL;
+        if (control || action == GLFW_RELEASE) {
+            return control && action == GLFW_RELEASE && capture(key);
+        }
+        Trigger taken = (mods & CONTROL) != 0 ? new Chord(key) : key;
+        return capture(key == Key.ESCAPE ? null : taken);
+    }
+
+    private boolean capture(@Nullable Trigger taken) {
+        Consumer<@Nullable Trigger> taker = application.wishes().takeCapture();
+        if (taker == null) {
+            return false;
+        }
+        taker.accept(taken);
+        return true;
+    }
+
+    /** Whether a Ctrl key is one to fly or to act with, rather than the beginning of a chord. */
+    private boolean controlIsBound() {
+        return bindings.isBound(Key.LEFT_CONTROL) || bindings.isBound(Key.RIGHT_CONTROL);
     }
 
     private void button(
             MouseButton button, boolean down, @Nullable NuklearUi panels, double pixelsPerPoint) {
         if (panels != null && !captured) {
             panels.input().button(button, cursorX * pixelsPerPoint, cursorY * pixelsPerPoint, down);
+        }
+        if (down && button != MouseButton.LEFT && capture(button)) {
+            return;
         }
         if (down) {
             pressedNow.add(button);
@@ -263,7 +327,7 @@ final class WindowInput {
     }
 
     private void captureCursor() {
-        boolean wanted = lookButton || application.isMouseLook();
+        boolean wanted = lookButton || application.wishes().mouseLook;
         if (wanted != captured) {
             captured = wanted;
             glfwSetInputMode(

@@ -1,14 +1,9 @@
 package dev.cairn.render.app;
 
-import static org.lwjgl.glfw.GLFW.GLFW_DONT_CARE;
-import static org.lwjgl.glfw.GLFW.glfwGetPrimaryMonitor;
-import static org.lwjgl.glfw.GLFW.glfwGetVideoMode;
-import static org.lwjgl.glfw.GLFW.glfwGetWindowPos;
-import static org.lwjgl.glfw.GLFW.glfwGetWindowSize;
 import static org.lwjgl.glfw.GLFW.glfwSetFramebufferSizeCallback;
 import static org.lwjgl.glfw.GLFW.glfwSetWindowCloseCallback;
 import static org.lwjgl.glfw.GLFW.glfwSetWindowContentScaleCallback;
-import static org.lwjgl.glfw.GLFW.glfwSetWindowMonitor;
+import static org.lwjgl.glfw.GLFW.glfwSetWindowIconifyCallback;
 import static org.lwjgl.glfw.GLFW.glfwSetWindowSizeCallback;
 import static org.lwjgl.glfw.GLFW.glfwShowWindow;
 import static org.lwjgl.glfw.GLFW.glfwSwapInterval;
@@ -31,7 +26,6 @@ import dev.cairn.render.ui.nuklear.NuklearUi;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
-import org.lwjgl.glfw.GLFWVidMode;
 import org.lwjgl.system.MemoryUtil;
 
 import java.io.UncheckedIOException;
@@ -42,33 +36,34 @@ final class WindowLoop {
     private static final int SAMPLES = 4;
     private static final double TITLE_SECONDS = 0.5;
 
+    /** How long a minimised window sleeps before it looks whether the application has ended, s. */
+    private static final double HIDDEN_SECONDS = 0.1;
+
     private final Application application;
     private final Simulation simulation;
     private final GlContext context;
     private final Camera camera;
     private final WindowInput input;
+    private final FullScreen fullScreen;
     private final View view;
     private final HelpPanel help = new HelpPanel();
+    private final Notice notice = new Notice();
 
     /** Where GLFW writes sizes; arrays on the heap would be wrapped, and so be garbage. */
     private final long sizes = MemoryUtil.nmemCallocChecked(5, 4);
 
     private boolean sizesKnown;
     private boolean closed;
-    private final int[] windowX = new int[1];
-    private final int[] windowY = new int[1];
-    private final int[] oneWidth = new int[1];
-    private final int[] oneHeight = new int[1];
+    private boolean iconified;
     private final Vector3d eye = new Vector3d();
     private @Nullable FrameTarget target;
     private @Nullable NuklearUi panels;
     private boolean panelsFailed;
-    private boolean fullscreen;
     private boolean vsync = true;
-    private final int[] placeBefore = new int[4];
     private long frames;
     private long framesAtTitle;
     private double titleAge;
+    private long stepsInTitle = -1;
     private final TextBuffer title = new TextBuffer();
     private final NativeText titleLetters = new NativeText();
 
@@ -77,6 +72,7 @@ final class WindowLoop {
         this.simulation = simulation;
         this.context = context;
         this.camera = application.camera();
+        this.fullScreen = new FullScreen(context.handle());
         this.input = new WindowInput(application, simulation, context.handle());
         this.view = new View(camera, input.pointer(), simulation.exchange().latest());
     }
@@ -93,22 +89,22 @@ final class WindowLoop {
             renderer.overlay(lines);
             view.lines(lines);
             long before = System.nanoTime();
-            while (!closed && !application.isQuitting() && !simulation.isOver()) {
+            while (!closed && !application.wishes().quitting && !simulation.isOver()) {
                 FrameCalls.pollEvents();
                 long now = System.nanoTime();
                 double elapsed = Math.min((now - before) * 1e-9, 0.1);
                 before = now;
-                applyWishes(window);
+                applyWishes();
                 readSizes(window);
-                if (size(0) == 0 || size(1) == 0) {
-                    glfwWaitEventsTimeout(0.05);
+                if (iconified || size(0) == 0 || size(1) == 0) {
+                    glfwWaitEventsTimeout(HIDDEN_SECONDS);
                     continue;
                 }
                 double pixelsPerPoint = (double) size(0) / Math.max(1, size(2));
                 preparePanels(pixelsPerPoint);
                 input.handOut(panels, size(2), size(3), pixelsPerPoint);
                 input.moveCamera(elapsed);
-                frame(renderer, lines, window);
+                frame(renderer, lines, window, elapsed);
                 frames++;
                 showTitle(window, elapsed);
             }
@@ -124,7 +120,7 @@ final class WindowLoop {
         }
     }
 
-    private void frame(SceneRenderer renderer, DebugLines lines, long window) {
+    private void frame(SceneRenderer renderer, DebugLines lines, long window, double elapsed) {
         FrameTarget into = target(size(0), size(1));
         PoseSnapshot snapshot = simulation.exchange().latest();
         Scene scene = application.sceneOrNull();
@@ -136,24 +132,25 @@ final class WindowLoop {
             DebugDrawing.draw(data, application.debugMask(), lines);
         }
         view.next(snapshot, alpha, (double) into.width() / into.height(), frames);
-        arrangePanels(into);
+        arrangePanels(into, elapsed);
         renderer.draw(snapshot, alpha, camera, light, into);
+        if (application.wishes().takeScreenshot()) {
+            saveScreenshot(into, snapshot.tick());
+        }
         if (panels != null) {
             into.bindResolved();
             panels.paint();
         }
         into.show();
         GlContext.checkErrors("a frame of the window");
-        if (application.takeScreenshotRequest()) {
-            saveScreenshot(into, snapshot.tick());
-        }
         FrameCalls.swapBuffers(window);
     }
 
     // GLFW owns the callbacks; GlContext.close frees them.
     @SuppressWarnings("resource")
     private void listen(long window) {
-        glfwSetWindowCloseCallback(window, w -> closed = true);
+        glfwSetWindowCloseCallback(window, w -> application.wishes().askToClose());
+        glfwSetWindowIconifyCallback(window, (w, gone) -> iconified = gone);
         glfwSetFramebufferSizeCallback(window, (w, x, y) -> sizesKnown = false);
         glfwSetWindowSizeCallback(window, (w, x, y) -> sizesKnown = false);
         glfwSetWindowContentScaleCallback(window, (w, x, y) -> sizesKnown = false);
@@ -175,7 +172,7 @@ final class WindowLoop {
     }
 
     /** Before the scene is drawn, since panels may add lines to it. */
-    private void arrangePanels(FrameTarget into) {
+    private void arrangePanels(FrameTarget into, double elapsed) {
         NuklearUi ui = panels;
         if (ui != null) {
             ui.begin(into.width(), into.height());
@@ -183,6 +180,7 @@ final class WindowLoop {
             if (application.isHelpShown()) {
                 help.draw(ui, application.bindings());
             }
+            notice.draw(ui, elapsed);
         }
     }
 
@@ -191,9 +189,11 @@ final class WindowLoop {
         try {
             new Picture(from.width(), from.height(), from.read()).savePng(file);
             System.out.println("Saved " + file.toAbsolutePath());
+            notice.show("Saved " + file.toAbsolutePath());
         } catch (UncheckedIOException unwritable) {
             // A full disk is no reason to close the window.
             System.err.println(unwritable.getMessage());
+            notice.show(String.valueOf(unwritable.getMessage()));
         }
     }
 
@@ -213,49 +213,46 @@ final class WindowLoop {
             return;
         }
         panels = null;
-        if (known != null) {
-            known.close();
-        }
         try {
-            panels = new NuklearUi(scale);
+            NuklearUi made = new NuklearUi(scale);
+            if (known != null) {
+                made.openAs(known);
+            }
+            panels = made;
         } catch (LinkageError missing) {
             panelsFailed = true;
             System.err.println(
                     "There are no panels: the native library of lwjgl-nuklear cannot be loaded ("
                             + missing.getMessage()
                             + "); add that artifact with the classifier natives-<your system>");
+        } finally {
+            if (known != null) {
+                known.close();
+            }
         }
     }
 
-    private void applyWishes(long window) {
+    private void applyWishes() {
+        WindowWishes wishes = application.wishes();
+        String text = wishes.takeNotice();
+        if (text != null) {
+            notice.show(text);
+        }
+        if (wishes.takeEscape()) {
+            if (wishes.helpShown) {
+                wishes.helpShown = false;
+            } else if (!application.dismiss()) {
+                wishes.askToClose();
+            }
+        }
+        if (wishes.takeClose() && application.closing()) {
+            closed = true;
+        }
         if (application.isVsync() != vsync) {
             vsync = !vsync;
             glfwSwapInterval(vsync ? 1 : 0);
         }
-        if (application.isFullscreen() != fullscreen) {
-            fullscreen = !fullscreen;
-            long monitor = fullscreen ? glfwGetPrimaryMonitor() : 0;
-            GLFWVidMode mode = monitor == 0 ? null : glfwGetVideoMode(monitor);
-            if (mode != null) {
-                glfwGetWindowPos(window, windowX, windowY);
-                glfwGetWindowSize(window, oneWidth, oneHeight);
-                placeBefore[0] = windowX[0];
-                placeBefore[1] = windowY[0];
-                placeBefore[2] = oneWidth[0];
-                placeBefore[3] = oneHeight[0];
-                glfwSetWindowMonitor(
-                        window, monitor, 0, 0, mode.width(), mode.height(), mode.refreshRate());
-            } else if (!fullscreen && placeBefore[2] > 0) {
-                glfwSetWindowMonitor(
-                        window,
-                        0,
-                        placeBefore[0],
-                        placeBefore[1],
-                        placeBefore[2],
-                        placeBefore[3],
-                        GLFW_DONT_CARE);
-            }
-        }
+        fullScreen.set(application.isFullscreen());
     }
 
     /** How far real time is from the previous tick to the current one. */
@@ -281,22 +278,28 @@ final class WindowLoop {
         return known;
     }
 
+    /** The tick stands in the title only while it stands still: else it would lag the panels. */
     private void showTitle(long window, double elapsed) {
         titleAge += elapsed;
         Scene scene = application.sceneOrNull();
-        if (titleAge < TITLE_SECONDS || scene == null) {
+        boolean paused = simulation.isPaused();
+        long steps = paused ? simulation.steps() : -1;
+        if (scene == null || (titleAge < TITLE_SECONDS && steps == stepsInTitle)) {
             return;
         }
-        double rate = (frames - framesAtTitle) / titleAge;
-        view.rate(rate);
-        title.clear().put(scene.title()).put(" - tick ").put(simulation.ticks());
-        if (simulation.isPaused()) {
-            title.put(", paused, ");
-        } else {
-            title.put(", x").putDigits(simulation.timeScale(), 3).put(", ");
+        if (titleAge >= TITLE_SECONDS) {
+            view.rate((frames - framesAtTitle) / titleAge);
+            titleAge = 0;
+            framesAtTitle = frames;
         }
-        FrameCalls.title(window, titleLetters.of(title.put(rate, 0).put(" fps")));
-        titleAge = 0;
-        framesAtTitle = frames;
+        stepsInTitle = steps;
+        title.clear().put(scene.title()).put(" - ");
+        if (paused) {
+            title.put("paused at tick ").put(steps);
+        } else {
+            title.put("x").putDigits(simulation.timeScale(), 3).put(", ");
+            title.put(view.framesPerSecond(), 0).put(" fps");
+        }
+        FrameCalls.title(window, titleLetters.of(title));
     }
 }

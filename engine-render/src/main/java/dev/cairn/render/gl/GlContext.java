@@ -35,6 +35,8 @@ import static org.lwjgl.opengl.GL11.GL_VERSION;
 import static org.lwjgl.opengl.GL11.glGetError;
 import static org.lwjgl.opengl.GL11.glGetString;
 
+import dev.cairn.render.natives.NativeLibraries;
+
 import org.lwjgl.PointerBuffer;
 import org.lwjgl.glfw.Callbacks;
 import org.lwjgl.glfw.GLFW;
@@ -96,6 +98,10 @@ public final class GlContext implements AutoCloseable {
     }
 
     private static GlContext open(boolean visible, int width, int height, String title) {
+        String missing = NativeLibraries.missing();
+        if (missing != null) {
+            throw new GlUnavailableException(missing);
+        }
         if (!OPEN.compareAndSet(false, true)) {
             throw new IllegalStateException(
                     "a window or an offscreen view is open already; close it before another one is"
@@ -110,8 +116,7 @@ public final class GlContext implements AutoCloseable {
             throw new GlUnavailableException(
                     "LWJGL's native libraries cannot be loaded ("
                             + e.getMessage()
-                            + "); add the artifacts lwjgl, lwjgl-glfw, lwjgl-opengl and lwjgl-stb"
-                            + " with the classifier natives-<your system> to the class path");
+                            + "); add the artifact dev.cairn:cairn-natives to the class path");
         } finally {
             if (!done) {
                 OPEN.set(false);

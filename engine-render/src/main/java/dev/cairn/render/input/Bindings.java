@@ -4,7 +4,6 @@ import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,6 +11,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.function.DoubleConsumer;
+import java.util.stream.Collectors;
 
 /**
  * Which function runs for which key or mouse button. A function has a name, the <em>action</em>;
@@ -27,8 +27,8 @@ import java.util.function.DoubleConsumer;
 public final class Bindings {
     private final Map<String, Runnable> functions = new LinkedHashMap<>();
     private final Map<String, DoubleConsumer> scrolls = new LinkedHashMap<>();
-    private final Map<Key, String> actionOfKey = new EnumMap<>(Key.class);
-    private final Map<MouseButton, String> actionOfButton = new EnumMap<>(MouseButton.class);
+    private final Map<Trigger, String> actionOf = new LinkedHashMap<>();
+    private Map<Trigger, String> defaults = Map.of();
     private final EnumSet<Key> downKeys = EnumSet.noneOf(Key.class);
     private final EnumSet<MouseButton> downButtons = EnumSet.noneOf(MouseButton.class);
     private final EnumSet<Key> pressedKeys = EnumSet.noneOf(Key.class);
@@ -41,9 +41,15 @@ public final class Bindings {
      * One action and what triggers it, for a help text.
      *
      * @param action its name
-     * @param triggers the names of its keys and buttons, joined by ", "; empty if it has none
+     * @param triggers what starts it; empty if nothing does
+     * @param label the names of the triggers, joined by ", "
      */
-    public record Binding(String action, String triggers) {}
+    public record Binding(String action, List<Trigger> triggers, String label) {
+        /** Copies the list. */
+        public Binding {
+            triggers = List.copyOf(triggers);
+        }
+    }
 
     /** No bindings. */
     public Bindings() {}
@@ -58,11 +64,7 @@ public final class Bindings {
      * @return this
      */
     public Bindings onKey(Key key, String action, Runnable function) {
-        Objects.requireNonNull(key, "key");
-        functions.put(checkAction(action), Objects.requireNonNull(function, "function"));
-        actionOfKey.put(key, action);
-        refresh();
-        return this;
+        return on(Objects.requireNonNull(key, "key"), action, function);
     }
 
     /**
@@ -75,11 +77,34 @@ public final class Bindings {
      * @return this
      */
     public Bindings onButton(MouseButton button, String action, Runnable function) {
-        Objects.requireNonNull(button, "button");
+        return on(Objects.requireNonNull(button, "button"), action, function);
+    }
+
+    /**
+     * Binds a key together with Ctrl: the function runs once for each press of the key while a Ctrl
+     * key is held. A key whose chord is bound does, with Ctrl, nothing else.
+     *
+     * @param key which key
+     * @param action name of the action; if it exists, it gets this function and the chord is added
+     *     to its triggers
+     * @param function what to run, on the simulation thread
+     * @return this
+     */
+    public Bindings onChord(Key key, String action, Runnable function) {
+        return on(new Chord(key), action, function);
+    }
+
+    private Bindings on(Trigger trigger, String action, Runnable function) {
         functions.put(checkAction(action), Objects.requireNonNull(function, "function"));
-        actionOfButton.put(button, action);
+        bind(trigger, action);
         refresh();
         return this;
+    }
+
+    /** As the newest of the action's triggers, so that lists show them in the order of binding. */
+    private void bind(Trigger trigger, String action) {
+        actionOf.remove(trigger);
+        actionOf.put(trigger, action);
     }
 
     /**
@@ -115,12 +140,7 @@ public final class Bindings {
      * @throws IllegalArgumentException if there is no such action
      */
     public Bindings rebind(String action, Key... keys) {
-        clearTriggers(action);
-        for (Key key : keys) {
-            actionOfKey.put(Objects.requireNonNull(key, "key"), action);
-        }
-        refresh();
-        return this;
+        return rebind(action, List.of(keys));
     }
 
     /**
@@ -132,12 +152,73 @@ public final class Bindings {
      * @throws IllegalArgumentException if there is no such action
      */
     public Bindings rebind(String action, MouseButton... buttons) {
+        return rebind(action, List.of(buttons));
+    }
+
+    /**
+     * Gives an action other triggers in place of all that it has. A trigger of another action is
+     * taken from that one; {@link #actions} tells beforehand whose it is.
+     *
+     * @param action an action that was bound before
+     * @param triggers what starts it from now on; none = nothing does
+     * @return this
+     * @throws IllegalArgumentException if there is no such action
+     */
+    public Bindings rebind(String action, List<? extends Trigger> triggers) {
+        List<Trigger> wanted = List.copyOf(triggers);
         clearTriggers(action);
-        for (MouseButton button : buttons) {
-            actionOfButton.put(Objects.requireNonNull(button, "button"), action);
+        for (Trigger trigger : wanted) {
+            bind(trigger, action);
         }
         refresh();
         return this;
+    }
+
+    /**
+     * Keeps the present triggers as those that {@link #reset} goes back to. The application does
+     * this once its first scene is made.
+     *
+     * @return this
+     */
+    public Bindings keepAsDefaults() {
+        defaults = new LinkedHashMap<>(actionOf);
+        return this;
+    }
+
+    /**
+     * Gives every action the triggers that were kept by {@link #keepAsDefaults}, or none.
+     *
+     * @return this
+     */
+    public Bindings reset() {
+        actionOf.clear();
+        defaults.forEach((trigger, action) -> {
+            if (functions.containsKey(action)) {
+                actionOf.put(trigger, action);
+            }
+        });
+        refresh();
+        return this;
+    }
+
+    /** The triggers that were kept for an action. */
+    List<Trigger> defaultsOf(String action) {
+        return triggersIn(defaults, action);
+    }
+
+    /** The triggers of an action, reserved ones too. */
+    List<Trigger> triggersOf(String action) {
+        return triggersIn(actionOf, action);
+    }
+
+    private static List<Trigger> triggersIn(Map<Trigger, String> map, String action) {
+        List<Trigger> own = new ArrayList<>();
+        map.forEach((trigger, bound) -> {
+            if (bound.equals(action)) {
+                own.add(trigger);
+            }
+        });
+        return own;
     }
 
     /**
@@ -149,8 +230,7 @@ public final class Bindings {
     public Bindings unbind(String action) {
         functions.remove(action);
         scrolls.remove(action);
-        actionOfKey.values().removeIf(action::equals);
-        actionOfButton.values().removeIf(action::equals);
+        actionOf.values().removeIf(action::equals);
         refresh();
         return this;
     }
@@ -176,6 +256,21 @@ public final class Bindings {
     }
 
     private static final Key[] NO_KEYS = {};
+
+    /**
+     * Whether a key starts or holds an action.
+     *
+     * @param key which key
+     * @return true if so; any thread
+     */
+    public boolean isBound(Key key) {
+        for (Binding binding : listed) {
+            if (binding.triggers().contains(key)) {
+                return true;
+            }
+        }
+        return false;
+    }
 
     /**
      * Whether a key is down, as of the tick's input.
@@ -245,12 +340,12 @@ public final class Bindings {
      */
     public boolean isHeld(String action) {
         for (Key key : downKeys) {
-            if (!reserved.contains(key) && action.equals(actionOfKey.get(key))) {
+            if (!reserved.contains(key) && action.equals(actionOf.get(key))) {
                 return true;
             }
         }
         for (MouseButton button : downButtons) {
-            if (action.equals(actionOfButton.get(button))) {
+            if (action.equals(actionOf.get(button))) {
                 return true;
             }
         }
@@ -267,8 +362,21 @@ public final class Bindings {
         downKeys.add(key);
         pressedKeys.add(key);
         if (!reserved.contains(key)) {
-            run(actionOfKey.get(key));
+            boolean control =
+                    downKeys.contains(Key.LEFT_CONTROL) || downKeys.contains(Key.RIGHT_CONTROL);
+            String chord = control ? actionOf.get(new Chord(key)) : null;
+            run(chord == null ? actionOf.get(key) : chord);
         }
+    }
+
+    /**
+     * What the window does when a key goes down together with Ctrl while a text is edited. Runs the
+     * bound function.
+     *
+     * @param chord which
+     */
+    public void press(Chord chord) {
+        run(actionOf.get(chord));
     }
 
     /**
@@ -289,7 +397,7 @@ public final class Bindings {
     public void press(MouseButton button) {
         downButtons.add(button);
         pressedButtons.add(button);
-        run(actionOfButton.get(button));
+        run(actionOf.get(button));
     }
 
     /**
@@ -334,8 +442,7 @@ public final class Bindings {
                             + "' to rebind; the actions are "
                             + functions.keySet());
         }
-        actionOfKey.values().removeIf(action::equals);
-        actionOfButton.values().removeIf(action::equals);
+        actionOf.values().removeIf(action::equals);
     }
 
     private static String checkAction(String action) {
@@ -350,20 +457,21 @@ public final class Bindings {
         List<Binding> list = new ArrayList<>();
         for (String action : functions.keySet()) {
             List<Key> own = new ArrayList<>();
-            List<String> names = new ArrayList<>();
-            actionOfKey.forEach((key, bound) -> {
-                if (bound.equals(action) && !reserved.contains(key)) {
-                    own.add(key);
-                    names.add(key.name());
+            List<Trigger> all = new ArrayList<>();
+            actionOf.forEach((trigger, bound) -> {
+                if (!bound.equals(action)) {
+                    return;
                 }
-            });
-            actionOfButton.forEach((button, bound) -> {
-                if (bound.equals(action)) {
-                    names.add("mouse " + button.name());
+                if (!(trigger instanceof Key key)) {
+                    all.add(trigger);
+                } else if (!reserved.contains(key)) {
+                    own.add(key);
+                    all.add(key);
                 }
             });
             keys.put(action, own.toArray(Key[]::new));
-            list.add(new Binding(action, String.join(", ", names)));
+            String label = all.stream().map(Trigger::label).collect(Collectors.joining(", "));
+            list.add(new Binding(action, all, label));
         }
         keysOfAction = keys;
         listed = List.copyOf(list);

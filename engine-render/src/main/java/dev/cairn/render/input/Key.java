@@ -2,11 +2,13 @@ package dev.cairn.render.input;
 
 import org.jspecify.annotations.Nullable;
 
+import java.util.Locale;
+
 /**
  * A key that a function can be bound to, by its place on a US keyboard, so that W A S D keep their
  * places on other layouts. The codes are GLFW's ("Keyboard key tokens" of its manual).
  */
-public enum Key {
+public enum Key implements Trigger {
     /** The key space. */
     SPACE(32),
     /** The key apostrophe. */
@@ -258,9 +260,49 @@ public enum Key {
     }
 
     private final int code;
+    private final String label;
 
     Key(int code) {
         this.code = code;
+        this.label = labelOf(name());
+    }
+
+    private static String labelOf(String name) {
+        return switch (name) {
+            case "ESCAPE" -> "Esc";
+            case "LEFT_BRACKET" -> "[";
+            case "RIGHT_BRACKET" -> "]";
+            case "BACKSLASH" -> "\\";
+            case "LEFT" -> "Left arrow";
+            case "RIGHT" -> "Right arrow";
+            case "UP" -> "Up arrow";
+            case "DOWN" -> "Down arrow";
+            default -> {
+                String words = name.startsWith("DIGIT_") ? name.substring(6) : name;
+                yield words.charAt(0)
+                        + words.substring(1).replace('_', ' ').toLowerCase(Locale.ROOT);
+            }
+        };
+    }
+
+    /** The key of that constant name, or null. */
+    static @Nullable Key named(String name) {
+        for (Key key : values()) {
+            if (key.name().equals(name)) {
+                return key;
+            }
+        }
+        return null;
+    }
+
+    @Override
+    public String label() {
+        return label;
+    }
+
+    @Override
+    public String id() {
+        return name();
     }
 
     /**

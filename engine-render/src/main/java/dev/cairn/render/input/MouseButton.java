@@ -1,7 +1,9 @@
 package dev.cairn.render.input;
 
+import org.jspecify.annotations.Nullable;
+
 /** A mouse button that a function can be bound to. */
-public enum MouseButton {
+public enum MouseButton implements Trigger {
     /** The primary button. */
     LEFT,
     /** The secondary button. */
@@ -19,7 +21,34 @@ public enum MouseButton {
     /** The eighth button. */
     BUTTON_8;
 
+    static final String PREFIX = "MOUSE_";
+
     private static final MouseButton[] ALL = values();
+
+    /** The button of that constant name, or null. */
+    static @Nullable MouseButton named(String name) {
+        for (MouseButton button : ALL) {
+            if (button.name().equals(name)) {
+                return button;
+            }
+        }
+        return null;
+    }
+
+    @Override
+    public String label() {
+        return switch (this) {
+            case LEFT -> "Left button";
+            case RIGHT -> "Right button";
+            case MIDDLE -> "Middle button";
+            default -> "Button " + name().substring(name().length() - 1);
+        };
+    }
+
+    @Override
+    public String id() {
+        return PREFIX + name();
+    }
 
     /**
      * The button of GLFW's number.

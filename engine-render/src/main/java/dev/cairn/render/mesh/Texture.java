@@ -1,5 +1,7 @@
 package dev.cairn.render.mesh;
 
+import dev.cairn.render.natives.NativeLibraries;
+
 import org.jspecify.annotations.Nullable;
 import org.lwjgl.stb.STBImage;
 import org.lwjgl.system.MemoryStack;
@@ -108,6 +110,7 @@ public final class Texture {
             throw new IllegalArgumentException(
                     file + ": expected a readable picture file (.png), found: " + e, e);
         }
+        NativeLibraries.require();
         ByteBuffer encoded = MemoryUtil.memAlloc(Math.max(1, bytes.length));
         try (MemoryStack stack = MemoryStack.stackPush()) {
             encoded.put(bytes).flip();

@@ -115,6 +115,15 @@ public interface Ui {
     boolean button(String label);
 
     /**
+     * A name on the left and a button with a value on the right, on a row of their own.
+     *
+     * @param label name of the value; what {@link #boundsOf} knows the button by
+     * @param value what is written on the button
+     * @return true once for each click
+     */
+    boolean valueButton(String label, CharSequence value);
+
+    /**
      * A box to tick.
      *
      * @param label what is written beside it
@@ -199,6 +208,13 @@ public interface Ui {
      * @param rgb its colour
      */
     void cross(double x, double y, int rgb);
+
+    /**
+     * How many texts of the last frame did not fit their place and ended in "...", for tests.
+     *
+     * @return the count
+     */
+    int shortened();
 
     /**
      * Where a widget was drawn last, for tests and guided tours.

@@ -106,6 +106,43 @@ class PanelsTest extends Drawing {
     }
 
     @Test
+    void theCrossHasFourStrokesAtEachScale() {
+        for (double scale : new double[] {1, 1.5, 2}) {
+            try (NuklearUi ui = new NuklearUi(scale)) {
+                double x = WIDTH / 2 / scale;
+                double y = HEIGHT / 2 / scale;
+                Picture picture = panels(ui, to -> to.cross(x, y, 0xFFFFFF));
+                int arm = (int) (5 * scale);
+                for (int[] way : new int[][] {{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+                    int there = picture.at(WIDTH / 2 + way[0] * arm, HEIGHT / 2 + way[1] * arm);
+                    assertTrue((there & 255) > 180, "%06x at scale %s".formatted(there, scale));
+                }
+            }
+        }
+    }
+
+    @Test
+    void whatDoesNotFitEndsInDotsAndIsCounted() {
+        try (NuklearUi ui = new NuklearUi(1.5)) {
+            Consumer<Ui> fits = to -> text(to, "some words");
+            panels(ui, fits);
+            panels(ui, fits);
+            assertEquals(0, ui.shortened());
+            Consumer<Ui> wide = to -> text(to, "some words that are far too many for the panel");
+            panels(ui, wide);
+            panels(ui, wide);
+            assertEquals(2, ui.shortened());
+        }
+    }
+
+    private static void text(Ui to, String words) {
+        to.panel("A", 5, 5, 150, 100);
+        to.label(words);
+        to.button(words);
+        to.endPanel();
+    }
+
+    @Test
     void lettersStandUpright() {
         try (NuklearUi ui = new NuklearUi(2)) {
             Picture picture =

@@ -9,9 +9,14 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 class BindingsTest {
     private final Bindings bindings = new Bindings();
@@ -70,7 +75,7 @@ class BindingsTest {
         bindings.unbind("punch");
         bindings.press(Key.P);
         assertEquals(2, ran.size());
-        assertEquals(List.of(new Bindings.Binding("pause", "")), bindings.actions());
+        assertEquals(List.of(new Bindings.Binding("pause", List.of(), "")), bindings.actions());
     }
 
     @Test
@@ -110,5 +115,63 @@ class BindingsTest {
                 e.getMessage().contains("'paus'") && e.getMessage().contains("[pause]"),
                 e.getMessage());
         assertThrows(IllegalArgumentException.class, () -> bindings.onKey(Key.A, " ", () -> {}));
+    }
+
+    @Test
+    void aChordTakesItsKeyWhileControlIsHeld() {
+        bindings.onKey(Key.S, "back", () -> ran.add("back"))
+                .onChord(Key.S, "save", () -> ran.add("save"));
+        bindings.press(Key.S);
+        bindings.release(Key.S);
+        bindings.press(Key.LEFT_CONTROL);
+        bindings.press(Key.S);
+        bindings.release(Key.LEFT_CONTROL);
+        bindings.press(Key.S);
+        assertEquals(List.of("back", "save", "back"), ran);
+    }
+
+    @Test
+    void whatIsReboundIsKeptInAFileAndCanBeResetAgain(@TempDir Path folder) throws IOException {
+        Path file = folder.resolve("new/keys.txt");
+        List<Bindings.Binding> defaults = standard(bindings).actions();
+        BindingsFile.save(bindings, file);
+        assertFalse(Files.exists(file), "nothing differs");
+        bindings.rebind("pause", List.of(Key.F1, new Chord(Key.P), MouseButton.MIDDLE));
+        BindingsFile.save(bindings, file);
+        Bindings later = standard(new Bindings());
+        assertEquals(List.of(), BindingsFile.load(later, file));
+        assertEquals(bindings.actions(), later.actions());
+        assertEquals("F1, Ctrl+P, Middle button", later.actions().get(0).label());
+        assertEquals("", later.actions().get(1).label(), "F1 was taken from it");
+        assertEquals(defaults, later.reset().actions());
+
+        Files.writeString(file, "# a remark\npause = F99\nnone = A\nhelp = F2\n");
+        List<String> remarks = BindingsFile.load(later, file);
+        assertEquals(2, remarks.size());
+        assertTrue(
+                remarks.get(0).contains(":2: \"F99\"") && remarks.get(1).contains(":3: "),
+                remarks.toString());
+        assertEquals("F2", later.actions().get(1).label(), "what can be used is used");
+    }
+
+    private static Bindings standard(Bindings bindings) {
+        return bindings.onKey(Key.P, "pause", () -> {})
+                .onKey(Key.SPACE, "pause", () -> {})
+                .onKey(Key.F1, "help", () -> {})
+                .keepAsDefaults();
+    }
+
+    @Test
+    void everyTriggerIsReadBackByItsId() {
+        for (Key key : Key.values()) {
+            assertSame(key, Trigger.parse(key.id()));
+            assertEquals(
+                    new Chord(key), Trigger.parse(new Chord(key).id().toLowerCase(Locale.ROOT)));
+        }
+        for (MouseButton button : MouseButton.values()) {
+            assertSame(button, Trigger.parse(button.id()));
+        }
+        assertNull(Trigger.parse("F99"));
+        assertNull(Trigger.parse("CTRL+"));
     }
 }

@@ -4,6 +4,8 @@ import static dev.cairn.samples.accuracy.AccuracyCase.metric;
 
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.Collider;
+import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
@@ -330,17 +332,16 @@ final class FreeMotion {
     /** The mass properties are those of the two balls; the shape in which they are is a box. */
     private static double[] dumbbell(Trial trial) {
         double arm = 0.9;
-        double balls = 0.4 * 10 * 0.1 * 0.1;
-        double apart = balls + 1.0 * 9 / 10;
+        double volume = 4 * Math.PI / 3 * 0.1 * 0.1 * 0.1;
+        Material light = Material.DEFAULT.withDensity(1 / volume);
+        Material heavy = Material.DEFAULT.withDensity(9 / volume);
         try (PhysicsWorld world = trial.world(0, 0, 0)) {
             BodyRef body =
                     world.add(
                             Body.dynamic()
-                                    .shape(
-                                            Box.of(0.6, 0.1, 0.1)
-                                                    .moved(arm, 0, 0, new Quaterniond()))
-                                    .mass(10)
-                                    .inertia(balls, apart, apart)
+                                    .collider(Collider.of(Sphere.of(0.1)).material(light))
+                                    .collider(
+                                            Collider.of(Sphere.of(0.1)).at(1, 0, 0).material(heavy))
                                     .velocity(0, 10 * arm, 0)
                                     .angularVelocity(0, 0, 10));
             double centre = 0;

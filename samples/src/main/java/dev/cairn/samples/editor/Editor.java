@@ -7,8 +7,6 @@ import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFileException;
 import dev.cairn.samples.scenefile.SceneHistory;
-import dev.cairn.samples.scenefile.SceneReader;
-import dev.cairn.samples.scenefile.SceneWriter;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 import dev.cairn.samples.scenefile.Turn;
 import dev.cairn.samples.scenefile.Xyz;
@@ -19,6 +17,8 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 
 /**
@@ -45,15 +45,7 @@ public final class Editor {
 
     private final Stage stage;
     private volatile Mode mode = Mode.CLOSED;
-    private SceneHistory history = new SceneHistory(Supply.emptyScene());
-    private SceneFile saved = history.current();
-
-    /** The scene that was compared with the saved one last, and the answer. */
-    private @Nullable SceneFile compared;
-
-    private boolean changed;
-    private Path folder = Path.of("").toAbsolutePath();
-    private @Nullable Path file;
+    private final SceneDocument document = new SceneDocument();
     private int selected = NOTHING;
     private String message = "";
     private boolean wrong;
@@ -86,7 +78,7 @@ public final class Editor {
      * @return the value
      */
     public SceneFile scene() {
-        return history.current();
+        return document.scene();
     }
 
     /**
@@ -95,7 +87,7 @@ public final class Editor {
      * @return the history, not to be changed
      */
     public SceneHistory history() {
-        return history;
+        return document.history();
     }
 
     /**
@@ -103,20 +95,8 @@ public final class Editor {
      *
      * @return true if so
      */
-    @SuppressWarnings("ReferenceEquality") // each edit makes another object
     public boolean isChanged() {
-        SceneFile now = history.current();
-        if (now != compared) {
-            // Asked for in each frame, and a comparison of long lists.
-            compared = now;
-            changed = !now.equals(saved);
-        }
-        return changed;
-    }
-
-    private void savedIs(SceneFile scene) {
-        saved = scene;
-        compared = null;
+        return document.isChanged();
     }
 
     /**
@@ -125,7 +105,7 @@ public final class Editor {
      * @return its path, or null if there is none yet
      */
     public @Nullable Path file() {
-        return file;
+        return document.file();
     }
 
     /**
@@ -176,7 +156,7 @@ public final class Editor {
         if (mode == Mode.CLOSED) {
             mode = Mode.REST;
             say("");
-            stage.rest(scene(), folder, true);
+            stage.rest(scene(), document.folder(), true);
         }
     }
 
@@ -188,14 +168,11 @@ public final class Editor {
      * @param relativeTo what its paths are relative to
      */
     public void open(SceneFile scene, @Nullable Path origin, Path relativeTo) {
-        history = new SceneHistory(scene);
-        savedIs(scene);
-        file = origin;
-        folder = relativeTo.toAbsolutePath().normalize();
+        document.begin(scene, origin, relativeTo);
         selected = NOTHING;
         mode = Mode.REST;
         say("");
-        stage.rest(scene, folder, true);
+        stage.rest(scene, document.folder(), true);
     }
 
     /**
@@ -220,7 +197,7 @@ public final class Editor {
         if (mode == Mode.REST) {
             mode = Mode.PLAYING;
             say("");
-            stage.play(scene(), folder);
+            stage.play(scene(), document.folder());
         }
     }
 
@@ -228,7 +205,7 @@ public final class Editor {
     public void stop() {
         if (mode == Mode.PLAYING) {
             mode = Mode.REST;
-            stage.rest(scene(), folder, false);
+            stage.rest(scene(), document.folder(), false);
         }
     }
 
@@ -254,7 +231,7 @@ public final class Editor {
      */
     public void select(int index) {
         if (index != selected) {
-            history.seal();
+            document.history().seal();
         }
         selected = index >= 0 && index < scene().entities().size() ? index : NOTHING;
     }
@@ -274,14 +251,14 @@ public final class Editor {
      * Places a mesh file.
      *
      * @param path as typed, relative to the folder of the scene
-     * @param at where
+     * @param at where the cube stands that is shown for a mesh nobody can read
      */
     public void placeMesh(String path, Xyz at) {
         try {
-            if (!Files.isRegularFile(folder.resolve(path.strip()))) {
+            if (!Files.isRegularFile(document.folder().resolve(path.strip()))) {
                 fail(
                         "%s: expected an .obj file, relative to %s; there is none"
-                                .formatted(path.strip(), folder));
+                                .formatted(path.strip(), document.folder()));
                 return;
             }
         } catch (InvalidPathException broken) {
@@ -289,12 +266,17 @@ public final class Editor {
             return;
         }
         String name = String.valueOf(Path.of(path.strip()).getFileName()).replace(".obj", "");
+        // Its lowest point goes to where that of the cube was which stood in for it.
+        double raised =
+                at.y()
+                        + Sizes.of(Supply.ANY_MESH).low().y()
+                        - Supply.lowest(document.folder().resolve(path.strip()));
         place(
                 EntitySpec.of(
                                 name,
                                 BodyKind.DYNAMIC,
                                 new MeshShape(path.strip().replace('\\', '/')))
-                        .at(at, Turn.NONE));
+                        .at(new Xyz(at.x(), raised, at.z()), Turn.NONE));
     }
 
     /** Adds one more of what is selected, beside it, and selects that. */
@@ -368,17 +350,17 @@ public final class Editor {
 
     /** Ends the present step of the history: a drag is over, a slider rests. */
     public void seal() {
-        history.seal();
+        document.history().seal();
     }
 
     /** Takes the last step back. */
     public void undo() {
-        travelled("undone: ", mode == Mode.REST ? history.undo() : null, "nothing to undo");
+        travelled("undone: ", travel(document.history()::undo), "nothing to undo");
     }
 
     /** Does again what was undone last. */
     public void redo() {
-        travelled("done again: ", mode == Mode.REST ? history.redo() : null, "nothing to redo");
+        travelled("done again: ", travel(document.history()::redo), "nothing to redo");
     }
 
     private void travelled(String how, @Nullable String label, String otherwise) {
@@ -386,11 +368,21 @@ public final class Editor {
             fail(mode == Mode.REST ? otherwise : "the scene runs; stop it to edit it");
             return;
         }
-        if (selected >= scene().entities().size()) {
-            selected = NOTHING;
-        }
         say(how + label);
-        stage.rest(scene(), folder, false);
+        stage.rest(scene(), document.folder(), false);
+    }
+
+    /** A step through the history, with the selection following what it was. */
+    private @Nullable String travel(Supplier<@Nullable String> step) {
+        if (mode != Mode.REST) {
+            return null;
+        }
+        List<EntitySpec> before = scene().entities();
+        String label = step.get();
+        if (label != null) {
+            selected = Selection.after(before, selected, scene().entities());
+        }
+        return label;
     }
 
     private boolean edit(String label, UnaryOperator<SceneFile> change, boolean joins) {
@@ -399,7 +391,7 @@ public final class Editor {
             return false;
         }
         try {
-            if (!history.edit(label, change.apply(scene()), joins)) {
+            if (!document.history().edit(label, change.apply(scene()), joins)) {
                 return false;
             }
         } catch (IllegalArgumentException refused) {
@@ -408,7 +400,7 @@ public final class Editor {
         }
         say("");
         edits++;
-        stage.rest(scene(), folder, false);
+        stage.rest(scene(), document.folder(), false);
         return true;
     }
 
@@ -426,22 +418,13 @@ public final class Editor {
             if (target == null) {
                 return;
             }
-            if (!target.equals(file) && Files.exists(target) && !confirmed("save " + target)) {
+            if (!target.equals(file()) && Files.exists(target) && !confirmed("save " + target)) {
                 fail(target + " is there already; save once more to replace it");
                 return;
             }
-            Path parent = target.getParent();
-            Path home = parent == null ? folder : parent;
-            SceneFile moved = SceneEdit.rebase(scene(), folder, home);
-            SceneWriter.write(moved, target);
-            if (!moved.equals(scene())) {
-                // Paths of the older steps would lead nowhere from the new folder.
-                history = new SceneHistory(moved);
-                stage.rest(moved, home, false);
+            if (document.save(target) && mode == Mode.REST) {
+                stage.rest(scene(), document.folder(), false);
             }
-            folder = home;
-            file = target;
-            savedIs(moved);
             say("saved in " + target);
         } catch (UncheckedIOException | InvalidPathException broken) {
             fail(String.valueOf(broken.getMessage()));
@@ -459,13 +442,13 @@ public final class Editor {
             if (source == null) {
                 return;
             }
-            SceneFile loaded = SceneReader.read(source);
+            SceneFile loaded = SceneDocument.read(source);
             if (isChanged() && !confirmed("load " + source)) {
                 fail("the scene has unsaved changes; load once more to give them up");
                 return;
             }
             Path parent = source.getParent();
-            open(loaded, source, parent == null ? folder : parent);
+            open(loaded, source, parent == null ? document.folder() : parent);
             say("loaded " + source);
         } catch (SceneFileException | InvalidPathException broken) {
             fail(String.valueOf(broken.getMessage()));
@@ -478,7 +461,7 @@ public final class Editor {
             fail("the scene has unsaved changes; press once more to give them up");
             return;
         }
-        open(Supply.emptyScene(), null, folder);
+        open(Supply.emptyScene(), null, document.folder());
     }
 
     private @Nullable Path path(String name) {
@@ -487,7 +470,7 @@ public final class Editor {
             fail("\"%s\": expected the name of a file that ends in .json".formatted(typed));
             return null;
         }
-        return folder.resolve(typed).toAbsolutePath().normalize();
+        return document.folder().resolve(typed).toAbsolutePath().normalize();
     }
 
     private boolean confirmed(String action) {

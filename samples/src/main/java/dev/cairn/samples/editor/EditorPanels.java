@@ -9,10 +9,8 @@ import dev.cairn.render.input.MouseButton;
 import dev.cairn.render.input.Pointer;
 import dev.cairn.render.ui.TextBuffer;
 import dev.cairn.render.ui.Ui;
-import dev.cairn.samples.scenefile.BodyKind;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
-import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 import dev.cairn.samples.scenefile.Turn;
 import dev.cairn.samples.scenefile.Xyz;
 
@@ -41,9 +39,13 @@ public final class EditorPanels {
 
     private static final double RAISE = 0.1;
 
-    /** As wide as the cube that stands in for any mesh. */
-    private static final EntitySpec ANY_MESH =
-            EntitySpec.of("mesh", BodyKind.DYNAMIC, new MeshShape("any.obj"));
+    /** What places are multiples of while the grid is on, m. */
+    private static final double GRID = 0.25;
+
+    /**
+     * How far the cursor goes before a click becomes a drag, as a share of the picture's height.
+     */
+    private static final double STRAY = 0.008;
 
     /** The edges of a box, as pairs of corners; see {@link Sizes#corners}. */
     private static final int[] EDGES = {
@@ -57,6 +59,12 @@ public final class EditorPanels {
     private String meshName = "";
     private @Nullable Path shownFile;
     private @Nullable GroundDrag drag;
+
+    /** Whether the cursor has gone far enough from where the button went down. */
+    private boolean drags;
+
+    private double pressedX;
+    private double pressedY;
     private boolean snaps = true;
     private final EntityTitles titles = new EntityTitles();
     private final TextBuffer text = new TextBuffer();
@@ -95,7 +103,7 @@ public final class EditorPanels {
     public void bind(Bindings bindings) {
         bindings.onKey(
                         Key.F2,
-                        "open or close the editor",
+                        "editor",
                         () ->
                                 ask(known -> {
                                     if (known.mode() == Editor.Mode.CLOSED) {
@@ -115,21 +123,17 @@ public final class EditorPanels {
                                         known.play();
                                     }
                                 }))
-                .onKey(
-                        Key.Z,
-                        "editor: undo, with Ctrl",
-                        () -> askWithControl(bindings, Editor::undo))
-                .onKey(
-                        Key.Y,
-                        "editor: redo, with Ctrl",
-                        () -> askWithControl(bindings, Editor::redo))
+                .onChord(Key.Z, "editor: undo", () -> askAtRest(Editor::undo))
+                .onChord(Key.Y, "editor: redo", () -> askAtRest(Editor::redo))
+                .onChord(Key.S, "editor: save", () -> askOpen(known -> save()))
+                .onChord(Key.D, "editor: duplicate", () -> askAtRest(Editor::duplicate))
                 .onKey(Key.C, "editor: duplicate", () -> askAtRest(Editor::duplicate))
                 .onKey(Key.DELETE, "editor: delete", () -> askAtRest(Editor::delete));
     }
 
-    private void askWithControl(Bindings bindings, Consumer<Editor> action) {
-        if (bindings.isDown(Key.LEFT_CONTROL) || bindings.isDown(Key.RIGHT_CONTROL)) {
-            askAtRest(action);
+    private void askOpen(Consumer<Editor> action) {
+        if (editor.mode() != Editor.Mode.CLOSED) {
+            ask(action);
         }
     }
 
@@ -144,6 +148,34 @@ public final class EditorPanels {
         for (Consumer<Editor> next = asked.poll(); next != null; next = asked.poll()) {
             next.accept(editor);
         }
+    }
+
+    /** Saves the scene under the name in the panel. Window thread. */
+    public void save() {
+        editor.save(fileName);
+    }
+
+    /**
+     * Takes one step back: what is selected is let go, a scene that runs is stopped, the editor is
+     * closed, which loses nothing. Window thread.
+     *
+     * @return false if the editor was closed
+     */
+    public boolean dismiss() {
+        switch (editor.mode()) {
+            case CLOSED -> {
+                return false;
+            }
+            case PLAYING -> editor.stop();
+            case REST -> {
+                if (editor.selected() == Editor.NOTHING) {
+                    editor.close();
+                } else {
+                    editor.select(Editor.NOTHING);
+                }
+            }
+        }
+        return true;
     }
 
     /**
@@ -242,7 +274,7 @@ public final class EditorPanels {
         fileName = ui.textField("file", fileName);
         ui.columns(3);
         if (ui.button("Save")) {
-            editor.save(fileName);
+            save();
         }
         if (ui.button("Load")) {
             editor.load(fileName);
@@ -265,14 +297,13 @@ public final class EditorPanels {
             Supply.Item item = Supply.ITEMS.get(i);
             if (ui.button(item.name())) {
                 EntitySpec made = EntitySpec.of(item.name(), item.body(), item.shape());
-                Xyz at = free(view, made, -Sizes.of(made).low().y());
-                editor.place(made.at(at, Turn.NONE).withName(item.name()));
+                editor.place(made.at(free(view, made), Turn.NONE).withName(item.name()));
             }
         }
         meshName = ui.textField("mesh (.obj)", meshName);
         ui.columns(1);
         if (ui.button("Place mesh")) {
-            editor.placeMesh(meshName, free(view, ANY_MESH, 1));
+            editor.placeMesh(meshName, free(view, Supply.ANY_MESH));
         }
         snaps = ui.checkbox("snap to a grid of 0.25 m", snaps);
     }
@@ -294,30 +325,52 @@ public final class EditorPanels {
     private void mouse(View view, long[] entities) {
         Pointer pointer = view.pointer();
         if (pointer.wasPressed(MouseButton.LEFT)) {
-            Pick pick = view.pick(pointer.across(), pointer.upwards());
-            editor.select(pick == null ? Editor.NOTHING : indexOf(pick.entity(), entities));
-            EntitySpec taken = editor.selectedEntity();
-            if (pick != null && taken != null) {
-                Vector3d along = ray(view);
-                Vector3d at = view.camera().position(new Vector3d()).fma(pick.distance(), along);
-                drag = new GroundDrag(new Xyz(at.x, at.y, at.z), taken.position());
-            }
-        } else if (drag != null && pointer.isDown(MouseButton.LEFT)) {
-            EntitySpec held = editor.selectedEntity();
-            if (held != null) {
-                Vector3d eye = view.camera().position(new Vector3d());
-                Vector3d along = ray(view);
-                Xyz to =
-                        drag.to(
-                                new Xyz(eye.x, eye.y, eye.z),
-                                new Xyz(along.x, along.y, along.z),
-                                held.position(),
-                                snaps ? 0.25 : 0);
-                editor.change("drag", e -> e.at(to, e.rotation()));
-            }
+            take(view, entities);
         } else if (drag != null) {
-            drag = null;
-            editor.seal();
+            // Also in the frame of the release: the way up to it belongs to the drag.
+            drags |=
+                    Math.hypot((pointer.x() - pressedX) * view.aspect(), pointer.y() - pressedY)
+                            > STRAY;
+            if (drags) {
+                move(view, drag);
+            }
+            if (!pointer.isDown(MouseButton.LEFT)) {
+                drag = null;
+                editor.seal();
+            }
+        }
+    }
+
+    private void take(View view, long[] entities) {
+        Pointer pointer = view.pointer();
+        Pick pick = view.pick(pointer.across(), pointer.upwards());
+        int index = pick == null ? Editor.NOTHING : indexOf(pick.entity(), entities);
+        if (index != Editor.NOTHING && Ground.is(editor.scene().entities().get(index))) {
+            index = Editor.NOTHING; // A click beside all things: the floor is chosen in the list.
+        }
+        editor.select(index);
+        EntitySpec taken = editor.selectedEntity();
+        if (pick != null && taken != null) {
+            Vector3d at = view.camera().position(new Vector3d()).fma(pick.distance(), ray(view));
+            drag = new GroundDrag(new Xyz(at.x, at.y, at.z), taken.position());
+            drags = false;
+            pressedX = pointer.x();
+            pressedY = pointer.y();
+        }
+    }
+
+    private void move(View view, GroundDrag by) {
+        EntitySpec held = editor.selectedEntity();
+        if (held != null) {
+            Vector3d eye = view.camera().position(new Vector3d());
+            Vector3d along = ray(view);
+            Xyz to =
+                    by.to(
+                            new Xyz(eye.x, eye.y, eye.z),
+                            new Xyz(along.x, along.y, along.z),
+                            held.position(),
+                            snaps ? GRID : 0);
+            editor.change("drag", e -> e.at(to, e.rotation()));
         }
     }
 
@@ -336,30 +389,24 @@ public final class EditorPanels {
                 .ray(pointer.across(), pointer.upwards(), view.aspect(), new Vector3d());
     }
 
-    /** A place on the ground in the middle of the picture, or some metres ahead. */
-    private Xyz ahead(View view, double height) {
+    /** On the ground in the middle of the picture, beside what stands there. */
+    private Xyz free(View view, EntitySpec made) {
         Vector3d eye = view.camera().position(new Vector3d());
         Vector3d along = view.camera().forward(new Vector3d());
-        double t = -eye.y / along.y;
-        if (!(t > 2 && t < 40)) {
-            t = 8;
-        }
-        double grid = snaps ? 0.25 : 0.001;
-        return new Xyz(
-                GroundDrag.snap(eye.x + t * along.x, grid),
-                Math.rint(height * 1e6) / 1e6,
-                GroundDrag.snap(eye.z + t * along.z, grid));
-    }
-
-    /** In the middle of the picture, so high over the ground, beside what stands there. */
-    private Xyz free(View view, EntitySpec made, double height) {
-        Vector3d along = view.camera().forward(new Vector3d());
-        return FreePlace.near(
-                made,
-                ahead(view, height),
-                editor.scene().entities(),
-                Math.abs(along.z) >= Math.abs(along.x),
-                snaps ? 0.25 : 0);
+        List<EntitySpec> all = editor.scene().entities();
+        Xyz ahead = Ground.ahead(eye, along, all);
+        double grid = snaps ? GRID : 0.001;
+        Xyz wanted = new Xyz(GroundDrag.snap(ahead.x(), grid), 0, GroundDrag.snap(ahead.z(), grid));
+        Xyz standing = Ground.under(made, wanted, all);
+        Xyz aside =
+                FreePlace.near(
+                        made,
+                        standing,
+                        all.stream().filter(other -> !Ground.is(other)).toList(),
+                        Math.abs(along.z) >= Math.abs(along.x),
+                        snaps ? GRID : 0);
+        boolean isOnTop = aside.x() == standing.x() && aside.z() == standing.z();
+        return isOnTop ? aside : Ground.under(made, aside, all);
     }
 
     private void keepView(Camera camera) {

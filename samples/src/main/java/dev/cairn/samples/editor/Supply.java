@@ -1,5 +1,7 @@
 package dev.cairn.samples.editor;
 
+import dev.cairn.render.mesh.ObjFormatException;
+import dev.cairn.render.mesh.ObjReader;
 import dev.cairn.samples.scenefile.BodyKind;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.LookSpec;
@@ -8,11 +10,13 @@ import dev.cairn.samples.scenefile.ShapeSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
+import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
 import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 import dev.cairn.samples.scenefile.Turn;
 import dev.cairn.samples.scenefile.Xyz;
 
+import java.nio.file.Path;
 import java.util.List;
 
 /** What the editor offers to be placed, and the scene it begins with. Stateless. */
@@ -63,7 +67,25 @@ final class Supply {
                                             new Xyz(-0.3, 0.8, -0.2),
                                             new Xyz(0.3, 0.6, 0.2)))));
 
+    /** The cube that stands in for any mesh. */
+    static final EntitySpec ANY_MESH =
+            EntitySpec.of("mesh", BodyKind.DYNAMIC, new MeshShape("any.obj"));
+
     private Supply() {}
+
+    /** The least height in a mesh file, in its own frame, m; that of the cube if it is broken. */
+    static double lowest(Path file) {
+        double lowest = Double.POSITIVE_INFINITY;
+        try {
+            double[] points = ObjReader.read(file).points();
+            for (int i = 1; i < points.length; i += 3) {
+                lowest = Math.min(lowest, points[i]);
+            }
+        } catch (ObjFormatException broken) {
+            return Sizes.of(ANY_MESH).low().y(); // The loader says what is wrong with it.
+        }
+        return lowest;
+    }
 
     /** A fixed floor with one-metre squares, its upper side at y = 0. */
     static SceneFile emptyScene() {

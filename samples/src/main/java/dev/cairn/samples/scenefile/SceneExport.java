@@ -20,6 +20,7 @@ import dev.cairn.render.mesh.Model;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
+import dev.cairn.samples.UsageException;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFile.TickSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
@@ -90,6 +91,14 @@ public final class SceneExport {
     private EntitySpec entity(PhysicsWorld world, BodyRef body) {
         // The pose as it was given; the body itself keeps its centre of mass, which may round.
         Pose pose = world.ecs().get(body.entity(), Pose.COMPONENT);
+        if (body.colliders().size() != 1) {
+            throw new UsageException(
+                    body
+                            + " is made of "
+                            + body.colliders().size()
+                            + " shapes; a scene file holds bodies of one shape only: export another"
+                            + " scene");
+        }
         Material material = body.material();
         boolean ownMass =
                 body.type() == BodyType.DYNAMIC

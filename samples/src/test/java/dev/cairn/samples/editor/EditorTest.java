@@ -11,6 +11,7 @@ import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneReader;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
+import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
 import dev.cairn.samples.scenefile.Turn;
@@ -250,5 +251,55 @@ class EditorTest {
         assertEquals("12", Fields.text(12));
         assertEquals("0.5", Fields.text(0.5));
         assertEquals("1.0E-7", Fields.text(1e-7));
+    }
+
+    @Test
+    void undoAndRedoKeepWhatIsSelectedOrSelectWhatComesBack() {
+        editor.place(box("first"));
+        editor.place(box("second"));
+        editor.place(box("third"));
+        editor.select(2);
+        editor.change("raise", e -> e.at(new Xyz(0, 2, 0), Turn.NONE));
+        editor.undo();
+        assertEquals("second", editor.selectedEntity().name());
+        editor.redo();
+        assertEquals("second", editor.selectedEntity().name());
+        assertEquals(2, editor.selectedEntity().position().y());
+        editor.select(1);
+        editor.delete();
+        editor.select(1);
+        editor.undo();
+        assertEquals("second", editor.selectedEntity().name(), "it has moved up by one");
+        editor.select(Editor.NOTHING);
+        editor.redo();
+        assertEquals(Editor.NOTHING, editor.selected());
+        editor.undo();
+        assertEquals("first", editor.selectedEntity().name(), "it came back");
+    }
+
+    @Test
+    void thingsStandOnTheHighestGroundUnderThem() {
+        EntitySpec crate = box("crate");
+        EntitySpec floor =
+                EntitySpec.of("floor", BodyKind.FIXED, new BoxShape(new Xyz(20, 0.5, 20)))
+                        .at(new Xyz(0, -3, 0), Turn.NONE);
+        assertTrue(Ground.is(floor));
+        assertFalse(Ground.is(crate));
+        // The floor's upper side is at -3 + 0.5, the crate's half height 0.5.
+        assertEquals(-2, Ground.under(crate, new Xyz(1, 9, 1), List.of(floor)).y(), 1e-6);
+        // Beside the floor there is nothing but y = 0.
+        assertEquals(0.5, Ground.under(crate, new Xyz(30, 9, 0), List.of(floor)).y(), 1e-6);
+        // A half-space whose normal (-3, 4, 0)/5 is turned from y about z: at x = 0.5, the
+        // crate's right edge, it is 0.75 * 0.5 high, and the crate's lower side is there.
+        double half = Math.atan2(3, 4) / 2;
+        EntitySpec slope =
+                EntitySpec.of("slope", BodyKind.FIXED, new GroundShape())
+                        .at(new Xyz(0, 0, 0), new Turn(0, 0, Math.sin(half), Math.cos(half)));
+        assertEquals(0.375 + 0.5, Ground.under(crate, new Xyz(0, 0, 0), List.of(slope)).y(), 1e-6);
+        // Looking down at 45 degrees from (0, 0, 10) meets the upper side of the floor, 2.5 m
+        // below the eye, 2.5 m ahead.
+        Vector3d along = new Vector3d(0, -1, -1).normalize();
+        Xyz ahead = Ground.ahead(new Vector3d(0, 0, 10), along, List.of(floor, slope));
+        assertEquals(7.5, ahead.z(), 1e-9);
     }
 }

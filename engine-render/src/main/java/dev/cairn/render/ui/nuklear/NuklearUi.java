@@ -28,6 +28,9 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private static final double KNOB_INSET = 9;
     private static final int TEXT_BYTES = 1024;
 
+    /** Padding and rounding of a button, see {@link UiStyle}. */
+    private static final double BUTTON_INSET = 10;
+
     private final double scale;
     private final UiFont font;
     private final UiPainter painter;
@@ -39,7 +42,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private final NkVec2 vector = NkVec2.calloc();
     private final NkColor first = NkColor.calloc();
     private final NkColor second = NkColor.calloc();
-    private final NativeText letters = new NativeText();
+    private final UiText letters = new UiText();
 
     /** Room for a number that Nuklear changes; an array on the heap would be wrapped each time. */
     private final long numbers = MemoryUtil.nmemAllocChecked(8);
@@ -48,6 +51,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private final long sliderColumns = shares(0.36f, 0.43f, 0.18f);
     private final long choiceColumns = shares(0.36f, 0.61f);
     private final long valueColumns = shares(0.58f, 0.40f);
+    private final long buttonColumns = shares(0.52f, 0.45f);
     private final Map<String, double[]> bounds = new HashMap<>();
     private final Map<String, long[]> sections = new HashMap<>();
     private final Map<String, FieldText> fields = new HashMap<>();
@@ -60,6 +64,8 @@ public final class NuklearUi implements Ui, AutoCloseable {
     private String movedSlider = "";
     private boolean editing;
     private boolean wasEditing;
+    private boolean endsEditing;
+    private int shortenedBefore;
     private boolean panelOpen;
     private int columns;
     private int cell;
@@ -105,6 +111,11 @@ public final class NuklearUi implements Ui, AutoCloseable {
         return wasEditing;
     }
 
+    /** Has the text that is edited keep what it is, and keys go elsewhere from now on. */
+    public void endEditing() {
+        endsEditing = true;
+    }
+
     // Frame ------------------------------------------------------------------------------------
 
     /**
@@ -117,6 +128,8 @@ public final class NuklearUi implements Ui, AutoCloseable {
         pixelWidth = width;
         pixelHeight = height;
         editing = false;
+        shortenedBefore = letters.shortened();
+        letters.nextFrame();
     }
 
     /** Draws all panels into the bound framebuffer and forgets them. */
@@ -124,6 +137,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
         painter.draw(context, pixelWidth, pixelHeight);
         nk_clear(context);
         wasEditing = editing;
+        endsEditing = false;
     }
 
     @Override
@@ -148,6 +162,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
             String title, double left, double top, double panelWidth, double panelHeight) {
         panelNow = title;
         place(left, top, panelWidth, panelHeight);
+        remember(title, left, top, panelWidth, panelHeight);
         nk_style_push_font(context, font.title());
         panelOpen =
                 nnk_begin(
@@ -207,11 +222,16 @@ public final class NuklearUi implements Ui, AutoCloseable {
 
     private double[] remember(String label) {
         nk_widget_bounds(context, rect);
+        return remember(
+                label, rect.x() / scale, rect.y() / scale, rect.w() / scale, rect.h() / scale);
+    }
+
+    private double[] remember(String label, double left, double top, double w, double h) {
         double[] at = bounds.computeIfAbsent(label, key -> new double[4]);
-        at[0] = rect.x() / scale;
-        at[1] = rect.y() / scale;
-        at[2] = rect.w() / scale;
-        at[3] = rect.h() / scale;
+        at[0] = left;
+        at[1] = top;
+        at[2] = w;
+        at[3] = h;
         return at;
     }
 
@@ -230,12 +250,23 @@ public final class NuklearUi implements Ui, AutoCloseable {
     // Text -------------------------------------------------------------------------------------
 
     private void write(CharSequence text, int align) {
-        nnk_label(context.address(), letters.of(text), align);
+        nnk_label(context.address(), fitted(text, 0), align);
     }
 
     private void write(CharSequence text, int argb, int align) {
         UiStyle.set(first, argb);
-        nnk_label_colored(context.address(), letters.of(text), align, first.address());
+        nnk_label_colored(context.address(), fitted(text, 0), align, first.address());
+    }
+
+    /** A text that fits the next widget, less so much on either side. */
+    private long fitted(CharSequence text, double inset) {
+        nk_widget_bounds(context, rect);
+        return letters.fitted(text, font.regularWidths(), rect.w() - 2 * inset * scale);
+    }
+
+    @Override
+    public int shortened() {
+        return shortenedBefore;
     }
 
     @Override
@@ -269,9 +300,9 @@ public final class NuklearUi implements Ui, AutoCloseable {
     @Override
     public void text(CharSequence text) {
         endColumns();
-        float width = nk_window_get_width(context) / (float) scale - 34;
-        // Seven logical pixels to a letter is Roboto's mean at this size, on the safe side.
-        int rows = Math.max(1, (int) Math.ceil(text.length() * 7.0 / Math.max(width, 40)));
+        // Padding, border and scroll bar of a panel, and what an open section is set in.
+        double width = nk_window_get_width(context) - 36 * scale;
+        int rows = UiText.rows(text, font.regularWidths(), width);
         nk_layout_row_dynamic(context, px(LINE * rows), 1);
         UiStyle.set(first, UiStyle.DIM);
         nnk_label_colored_wrap(context.address(), letters.of(text), first.address());
@@ -283,14 +314,22 @@ public final class NuklearUi implements Ui, AutoCloseable {
     public boolean button(String label) {
         cell(ROW);
         remember(label);
-        return nnk_button_label(context.address(), letters.of(label));
+        return nnk_button_label(context.address(), fitted(label, BUTTON_INSET));
+    }
+
+    @Override
+    public boolean valueButton(String label, CharSequence value) {
+        row(ROW, 2, buttonColumns);
+        write(label, NK_TEXT_LEFT);
+        remember(label);
+        return nnk_button_label(context.address(), fitted(value, BUTTON_INSET));
     }
 
     @Override
     public boolean checkbox(String label, boolean checked) {
         cell(ROW - 2);
         remember(label);
-        return nnk_check_label(context.address(), letters.of(label), checked);
+        return nnk_check_label(context.address(), fitted(label, (ROW - 2) / 2 + 3), checked);
     }
 
     @Override
@@ -370,7 +409,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
         cell(ROW - 2);
         remember(label);
         hint(hint);
-        return nnk_select_label(context.address(), letters.of(label), NK_TEXT_LEFT, selected)
+        return nnk_select_label(context.address(), fitted(label, 8), NK_TEXT_LEFT, selected)
                 != selected;
     }
 
@@ -379,12 +418,26 @@ public final class NuklearUi implements Ui, AutoCloseable {
         endColumns();
         long[] state = sections.get(title);
         if (state == null) {
-            state = new long[] {MemoryUtil.nmemAllocChecked(4)};
-            MemoryUtil.memPutInt(state[0], open ? 1 : 0);
-            sections.put(title, state);
+            state = newSection(title, open ? 1 : 0);
         }
         remember(title);
         return nnk_tree_state_push(context.address(), NK_TREE_TAB, letters.of(title), state[0]);
+    }
+
+    private long[] newSection(String title, int open) {
+        long[] state = {MemoryUtil.nmemAllocChecked(4)};
+        MemoryUtil.memPutInt(state[0], open);
+        sections.put(title, state);
+        return state;
+    }
+
+    /**
+     * Opens and closes sections as they are in panels of another scale; before the first frame.
+     *
+     * @param other the panels that were there before, not closed yet
+     */
+    public void openAs(NuklearUi other) {
+        other.sections.forEach((title, state) -> newSection(title, MemoryUtil.memGetInt(state[0])));
     }
 
     @Override
@@ -451,7 +504,12 @@ public final class NuklearUi implements Ui, AutoCloseable {
                         numbers,
                         TEXT_BYTES - 4,
                         MemoryUtil.NULL);
-        editing |= (state & NK_EDIT_ACTIVE) != 0;
+        if (endsEditing && (state & NK_EDIT_ACTIVE) != 0) {
+            nk_edit_unfocus(context);
+            endsEditing = false;
+        } else {
+            editing |= (state & NK_EDIT_ACTIVE) != 0;
+        }
         return field.read(edited, MemoryUtil.memGetInt(numbers), TEXT_BYTES - 8);
     }
 
@@ -470,6 +528,7 @@ public final class NuklearUi implements Ui, AutoCloseable {
         MemoryUtil.nmemFree(sliderColumns);
         MemoryUtil.nmemFree(choiceColumns);
         MemoryUtil.nmemFree(valueColumns);
+        MemoryUtil.nmemFree(buttonColumns);
         context.free();
         rect.free();
         vector.free();

@@ -9,7 +9,9 @@ import org.lwjgl.nuklear.NkStyleItem;
 
 /** A cross of four strokes, in a window without a background that no mouse can hit. */
 final class UiCross implements AutoCloseable {
-    private static final double HALF = 12;
+    /** Of the window; Nuklear clips to it less a panel's padding, which hid two of the strokes. */
+    private static final double HALF = 24;
+
     private static final double ARM = 8;
     private static final double GAP = 2;
     private static final double THICKNESS = 2;

@@ -9,6 +9,7 @@ import static org.lwjgl.nuklear.Nuklear.nk_font_atlas_clear;
 import static org.lwjgl.nuklear.Nuklear.nk_font_atlas_end;
 import static org.lwjgl.nuklear.Nuklear.nk_font_atlas_init;
 import static org.lwjgl.nuklear.Nuklear.nk_font_config;
+import static org.lwjgl.nuklear.Nuklear.nk_font_find_glyph;
 import static org.lwjgl.opengl.GL11.GL_LINEAR;
 import static org.lwjgl.opengl.GL11.GL_RGBA;
 import static org.lwjgl.opengl.GL11.GL_RGBA8;
@@ -28,6 +29,7 @@ import org.lwjgl.nuklear.NkDrawNullTexture;
 import org.lwjgl.nuklear.NkFont;
 import org.lwjgl.nuklear.NkFontAtlas;
 import org.lwjgl.nuklear.NkFontConfig;
+import org.lwjgl.nuklear.NkFontGlyph;
 import org.lwjgl.nuklear.NkHandle;
 import org.lwjgl.nuklear.NkUserFont;
 import org.lwjgl.system.MemoryStack;
@@ -49,12 +51,20 @@ final class UiFont implements AutoCloseable {
     private static final double REGULAR_SIZE = 15;
     private static final double TITLE_SIZE = 15;
 
+    /** Latin-1, which is what Nuklear bakes. */
+    private static final int LETTERS = 256;
+
     private final NkAllocator allocator = NkAllocator.calloc();
     private final NkFontAtlas atlas = NkFontAtlas.calloc();
     private final NkDrawNullTexture whiteTexel = NkDrawNullTexture.calloc();
     private final NkUserFont regular;
     private final NkUserFont title;
     private final int texture;
+
+    /** Widths of the letters that are baked, real pixels, by their number. */
+    private final float[] regularWidths;
+
+    private final float[] titleWidths;
 
     /**
      * Bakes the letters.
@@ -93,6 +103,25 @@ final class UiFont implements AutoCloseable {
         }
         regular = first.handle();
         title = second.handle();
+        regularWidths = widths(first);
+        titleWidths = widths(second);
+    }
+
+    private static float[] widths(NkFont font) {
+        float[] widths = new float[LETTERS];
+        for (int letter = ' '; letter < LETTERS; letter++) {
+            NkFontGlyph glyph = nk_font_find_glyph(font, letter);
+            widths[letter] = glyph == null ? 0 : glyph.xadvance();
+        }
+        return widths;
+    }
+
+    float[] regularWidths() {
+        return regularWidths;
+    }
+
+    float[] titleWidths() {
+        return titleWidths;
     }
 
     private NkFont add(String file, double pixels) {

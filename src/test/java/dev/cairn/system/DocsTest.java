@@ -1,0 +1,201 @@
+package dev.cairn.system;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.lang.reflect.Method;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+import javax.tools.JavaCompiler;
+import javax.tools.ToolProvider;
+
+/** What the pages for users say is so. */
+final class DocsTest {
+    private static final Pattern BLOCK = Pattern.compile("```java\\n(.*?)```", Pattern.DOTALL);
+    private static final Pattern NAME = Pattern.compile("`(dev\\.cairn\\.[\\w.]+)(?:#(\\w+))?`");
+    private static final Pattern EXPORT = Pattern.compile("exports (dev\\.cairn[\\w.]*);");
+    private static final Path ROOT = root();
+
+    /** The repository: the nearest folder upwards with the pages. */
+    private static Path root() {
+        Path folder = Path.of("").toAbsolutePath();
+        while (folder != null && !Files.isRegularFile(folder.resolve("docs/quickstart.md"))) {
+            folder = folder.getParent();
+        }
+        if (folder == null) {
+            throw new IllegalStateException("no folder above this one has docs/quickstart.md");
+        }
+        return folder;
+    }
+
+    private static String page(String name) throws IOException {
+        return Files.readString(ROOT.resolve("docs").resolve(name));
+    }
+
+    private static List<String> blocks(String page) {
+        List<String> blocks = new ArrayList<>();
+        for (Matcher m = BLOCK.matcher(page); m.find(); ) {
+            blocks.add(m.group(1));
+        }
+        return blocks;
+    }
+
+    /** Both programs are compiled as a reader copies them, and run; the window's as a picture. */
+    @Test
+    void theQuickstartCompilesAndRuns(@TempDir Path folder)
+            throws IOException, InterruptedException {
+        List<String> programs = blocks(page("quickstart.md"));
+        assertEquals(2, programs.size());
+        for (String program : programs) {
+            Matcher name = Pattern.compile("public class (\\w+)").matcher(program);
+            assertTrue(name.find(), program);
+            Path file = folder.resolve(name.group(1) + ".java");
+            Files.writeString(file, program);
+            compile(file, folder);
+        }
+        String place = run(folder, "FallingBox");
+        assertTrue(place.matches("(?s).*5\\.0+E-1.*|.*0\\.5.*|.*4\\.99\\d*E-1.*"), place);
+        if (dev.cairn.render.app.Offscreen.unavailableReason() == null) {
+            Path picture = folder.resolve("first.png");
+            run(folder, "-Dcairn.picture=" + picture, "-Dcairn.size=320x200", "FirstWindow");
+            assertTrue(Files.size(picture) > 1000, "the picture of the first window");
+        }
+    }
+
+    private static void compile(Path file, Path to) {
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        StringWriter said = new StringWriter();
+        List<String> options =
+                List.of("-d", to.toString(), "-cp", System.getProperty("java.class.path"));
+        try (var files = compiler.getStandardFileManager(null, null, StandardCharsets.UTF_8)) {
+            boolean good =
+                    compiler.getTask(
+                                    said,
+                                    files,
+                                    null,
+                                    options,
+                                    null,
+                                    files.getJavaFileObjects(file))
+                            .call();
+            assertTrue(good, file.getFileName() + ": " + said);
+        } catch (IOException impossible) {
+            throw new IllegalStateException(impossible);
+        }
+    }
+
+    private static String run(Path folder, String... words)
+            throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.add("--add-modules=jdk.incubator.vector");
+        command.add("--enable-native-access=ALL-UNNAMED");
+        command.add("-cp");
+        command.add(folder + File.pathSeparator + System.getProperty("java.class.path"));
+        command.addAll(Arrays.asList(words));
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+        builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+        Process process = builder.directory(folder.toFile()).start();
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(0, process.waitFor(), said);
+        return said;
+    }
+
+    /** Each line of a tutorial's code is a line of its test, in the same order. */
+    @Test
+    void theTutorialsAreTheirTests() throws IOException {
+        List<String> test =
+                Files.readAllLines(
+                                ROOT.resolve(
+                                        "src/test/java/dev/cairn/system/tutorial/TutorialsTest.java"))
+                        .stream()
+                        .map(String::strip)
+                        .filter(line -> !line.isEmpty())
+                        .toList();
+        int from = 0;
+        for (String block : blocks(page("tutorials.md"))) {
+            List<String> lines =
+                    block.lines().map(String::strip).filter(line -> !line.isEmpty()).toList();
+            // The closing bracket of a try block stands behind the assertions in the test.
+            int length = lines.getLast().equals("}") ? lines.size() - 1 : lines.size();
+            int at = from;
+            while (at + length <= test.size()
+                    && !test.subList(at, at + length).equals(lines.subList(0, length))) {
+                at++;
+            }
+            assertTrue(at + length <= test.size(), "not in the test in this order:\n" + block);
+            from = at + length;
+        }
+    }
+
+    @Test
+    void whatIsSaidToBeThereIsThere() throws ClassNotFoundException, IOException {
+        String table = page("features.md");
+        int found = 0;
+        for (Matcher m = NAME.matcher(table); m.find(); found++) {
+            Class<?> type = Class.forName(m.group(1));
+            assertTrue(java.lang.reflect.Modifier.isPublic(type.getModifiers()), m.group());
+            assertTrue(exports().contains(type.getPackageName()), m.group() + " is not exported");
+            String method = m.group(2);
+            assertTrue(
+                    method == null
+                            || Arrays.stream(type.getMethods())
+                                    .map(Method::getName)
+                                    .anyMatch(method::equals),
+                    m.group());
+        }
+        assertTrue(found > 25, "rows that name something: " + found);
+    }
+
+    /** The words of the second table, against the names of the files in exported packages. */
+    @Test
+    void whatIsSaidToBeAbsentIsAbsent() throws IOException {
+        String page = page("features.md");
+        List<String> types = new ArrayList<>();
+        for (String module : new String[] {"engine-core", "engine-physics", "engine-render"}) {
+            for (String exported : exports()) {
+                Path folder = ROOT.resolve(module + "/src/main/java/" + exported.replace('.', '/'));
+                if (Files.isDirectory(folder)) {
+                    try (Stream<Path> files = Files.list(folder)) {
+                        files.forEach(file -> types.add(file.getFileName().toString()));
+                    }
+                }
+            }
+        }
+        assertTrue(types.size() > 80, "exported files: " + types.size());
+        String absent = page.substring(page.indexOf("| there is not |"));
+        for (String row : absent.lines().skip(2).takeWhile(l -> l.startsWith("|")).toList()) {
+            for (String word : row.split("\\|", -1)[2].strip().split(", *", -1)) {
+                assertFalse(
+                        types.stream().anyMatch(type -> type.contains(word)),
+                        "docs/features.md says that there is no " + word + ": " + row);
+            }
+        }
+    }
+
+    private static List<String> exports() throws IOException {
+        List<String> exports = new ArrayList<>();
+        for (String module : new String[] {"engine-core", "engine-physics", "engine-render"}) {
+            String text =
+                    Files.readString(ROOT.resolve(module + "/src/main/module/module-info.java"));
+            for (Matcher m = EXPORT.matcher(text); m.find(); ) {
+                exports.add(m.group(1));
+            }
+        }
+        return exports;
+    }
+}
