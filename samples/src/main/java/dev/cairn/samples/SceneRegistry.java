@@ -33,6 +33,10 @@ import dev.cairn.samples.scenes.StackOfBoxes;
 import dev.cairn.samples.scenes.StaticCubes;
 import dev.cairn.samples.scenes.Tumble;
 import dev.cairn.samples.scenes.Washer;
+import dev.cairn.samples.scenes.joint.Car;
+import dev.cairn.samples.scenes.joint.Chains;
+import dev.cairn.samples.scenes.joint.Mechanisms;
+import dev.cairn.samples.scenes.joint.Pendulums;
 
 import java.util.List;
 
@@ -83,7 +87,15 @@ public final class SceneRegistry {
                     Shapes.scene(),
                     Carried.platform(),
                     Carried.lift(),
-                    Carried.turntable());
+                    Carried.turntable(),
+                    Pendulums.single(),
+                    Pendulums.twofold(),
+                    Chains.heavy(),
+                    Mechanisms.door(),
+                    Mechanisms.sliderCrank(),
+                    Mechanisms.fourBar(),
+                    Mechanisms.robotArm(),
+                    Car.scene());
 
     private SceneRegistry() {}
 

@@ -86,6 +86,7 @@ public final class ContactSolver {
     private final BlockJob clearRows = this::clearRows;
     private final BlockJob batch = this::batch;
 
+    private final IslandEnergy energy = new IslandEnergy();
     private final SoftPace softPace = new SoftPace();
     private boolean settles;
     private int substepsBefore;
@@ -215,6 +216,7 @@ public final class ContactSolver {
         jobs.run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK));
         if (list.count > 0) {
             ensureBenches(jobs.workers());
+            findTurning();
             for (kind = Batches.FLOATS; kind <= Batches.DOUBLES; kind++) {
                 choose();
                 lockstep[kind].run(sub, chosen[kind], settles, benches, jobs);
@@ -288,6 +290,41 @@ public final class ContactSolver {
         }
     }
 
+    /** Whether a body turns in this tick, and may turn far: then energy is bounded by island. */
+    private void findTurning() {
+        boolean any = false;
+        for (int k = 0; k < batches.boundCount && !any; k++) {
+            int i = batches.bound[k];
+            any = turns(i);
+        }
+        tick.body.boundsEnergy = any;
+        if (!any) {
+            return;
+        }
+        energy.begin(batches.islands(list), tick.bodies.slotCount);
+        for (int k = 0; k < batches.boundCount; k++) {
+            energy.clear(batches.bound[k]);
+        }
+        for (int k = 0; k < batches.boundCount; k++) {
+            int i = batches.bound[k];
+            if (turns(i)) {
+                energy.mark(i);
+            }
+        }
+        // constraints of other kinds may do work, and so do bodies that are driven
+        for (int m = list.first[1]; m < list.count; m++) {
+            energy.exempt(list.mover(m));
+        }
+        for (int k = 0; k < collector.sides.count(); k++) {
+            energy.exempt(list.mover(collector.sides.edge(k)));
+        }
+    }
+
+    private boolean turns(int slot) {
+        return tick.bodies.kind[slot] == BodyStore.DYNAMIC
+                && passes[batches.kindOf(slot)].turns(slot);
+    }
+
     /** A colour of one row is swept by the scalar twin. */
     private Sweeps sweeps(int colour) {
         return colouring.size[colour] > 1 ? chosen[kind] : narrow[kind];
@@ -316,6 +353,7 @@ public final class ContactSolver {
             p.prepare(colouring.kind[c], sweeps(c), sub, start[c], end[c], own);
         }
         boolean renewed = p.findRenewed(head, tail, from, to);
+        boolean small = batches.isSmall(b);
         boolean bounces = collector.bouncers.to(b) > collector.bouncers.from(b);
         boolean balls = bounces && p.hasBalls(b);
         if (bounces) {
@@ -336,6 +374,9 @@ public final class ContactSolver {
             p.closeJoints(sub, firstJoined, endJoined, own);
             for (int d = 0; d < direct.openIn(b); d++) {
                 p.direct(sub, b, d, true, own);
+            }
+            if (renewed && small) {
+                p.guard(sub, from, to);
             }
             p.carry(sub, b, own);
             p.drift(sub, head, tail);
@@ -359,6 +400,9 @@ public final class ContactSolver {
             }
             p.stopJoints(sub, firstJoined, endJoined, own);
             p.finish(sub, head, tail, own);
+            if (small && tick.body.boundsEnergy) {
+                energy.bound(tick, head, tail);
+            }
         }
         p.storeBodies(head, tail);
         p.storeRows(chosen[kind], sub, renewed, from, to, own);

@@ -96,7 +96,7 @@ final class Passes {
     void load(int i, double weight) {
         BodyStore b = tick.bodies;
         boolean isBall = body.axes.isIsotropic(i) && b.outerRadius[i] == b.innerRadius[i];
-        renewal.look(b, i, weight, bouncers.isBouncing(i) ? 0 : tick.step, isBall);
+        renewal.look(b, i, weight, tick.step, isBall);
         if (!isBall && assemblies.binds(i)) {
             renewal.turnAlways(b, i);
         }
@@ -227,6 +227,13 @@ final class Passes {
         }
         for (int k = from; k < to; k++) {
             round(tick.order[k]);
+        }
+    }
+
+    /** Keeps the cores of what moves far out of what does not move; rows of doubles. */
+    void guard(SubStep sub, int from, int to) {
+        if (!rows.isSingle) {
+            renewal.guard(rows, body, tick.bodies, sub, from, to);
         }
     }
 
@@ -463,6 +470,11 @@ final class Passes {
                 bench.single.end(tick, rows, sub, renewal, gain, i, bench.scratch);
             }
         }
+    }
+
+    /** Whether a body turns in this tick, or may. */
+    boolean turns(int slot) {
+        return renewal.turns(slot);
     }
 
     void storeBodies(int from, int to) {

@@ -73,7 +73,13 @@ public final class WorldGenerator {
         int substeps = 4;
         if (wide) {
             substeps = 1 << random.nextInt(5);
-            pace = Pace.values()[Math.max(0, random.nextInt(8) - 4)];
+            pace =
+                    switch (random.nextInt(8)) {
+                        case 5 -> Pace.TURNS;
+                        case 6 -> Pace.HICCUP;
+                        case 7 -> Pace.RANDOM;
+                        default -> Pace.EVEN;
+                    };
         }
         boolean sleeping = random.nextInt(4) == 0;
         int count = count();
@@ -164,7 +170,7 @@ public final class WorldGenerator {
     /** A place for a ball among those before, wider and higher until it is free. */
     private Xyz free(double radius, double width, boolean space) {
         double wide = width;
-        for (int attempt = 0; ; attempt++) {
+        while (true) {
             double x = wide * signed();
             double z = wide * signed();
             double y =

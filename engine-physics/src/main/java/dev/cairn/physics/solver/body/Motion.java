@@ -219,6 +219,8 @@ public final class Motion {
         }
         if (s.guide[i] >= 0) {
             MotionRecord.forced(s, i);
+        } else if (s.boundsEnergy) {
+            MotionRecord.free(s, i);
         }
         int w = (i + 1) * SolverBodies.HALF;
         for (int c = 0; c < 6; c++) {

@@ -36,6 +36,11 @@ public final class MotionRecord {
         System.arraycopy(s.state, SolverBodies.offset(i) + V, s.glide, STRIDE * i + FREE, 6);
     }
 
+    /** The same for a body without a guide, after forces, before the warm start. */
+    static void free(SolverBodies s, int i) {
+        System.arraycopy(s.state, SolverBodies.offset(i) + V, s.glide, STRIDE * i + FREE, 6);
+    }
+
     /** After forces, before the warm start. */
     static void forced(SolverBodies s, int i) {
         addFree(s, i, 1);

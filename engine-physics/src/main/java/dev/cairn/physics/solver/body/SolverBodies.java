@@ -97,6 +97,9 @@ public final class SolverBodies {
 
     public boolean[] shifted = {};
 
+    /** Whether a body with contacts turns in this tick, so that energy is bounded by island. */
+    public boolean boundsEnergy;
+
     /** Offsets from here on are those of {@link DrivenSides}. */
     public int drivenFrom = Integer.MAX_VALUE;
 

@@ -294,6 +294,14 @@ public final class Batches {
         return firstBody[end(kind)] > firstBody[lockstep[kind]];
     }
 
+    /**
+     * Whether each island of a batch that one worker has alone is so small that one worker has it
+     * alone however many there are.
+     */
+    public boolean isSmall(int batch) {
+        return firstRow[batch + 1] - firstRow[batch] <= WANTED;
+    }
+
     /** End of the batches of a kind that one worker has alone. */
     public int end(int kind) {
         return kind == FLOATS ? divider : count;

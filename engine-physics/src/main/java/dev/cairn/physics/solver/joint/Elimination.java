@@ -10,13 +10,17 @@ import java.util.PriorityQueue;
  * The node with the fewest neighbours goes first (minimum degree; W. Tinney, J. Walker 1967), the
  * lower number among equals. In a tree that is always a leaf, so nothing is filled and the work is
  * linear (D. Baraff, "Linear-Time Dynamics using Lagrange Multipliers", 1996). A joint alone has no
- * pivot: it waits until one of its bodies has gone.
+ * pivot, and one on bodies that other joints hold already has hardly any: it waits until the bodies
+ * that have gone on its sides can move in as many ways as it has rows.
  *
  * <p>Made when who is bound to whom changes; allocates.
  */
 final class Elimination {
     /** More blocks than so many to a node do not pay. */
     private static final int DENSE = 40;
+
+    /** A joint that is held comes after all that are not. */
+    private static final int HELD = 1 << 24;
 
     /** Bodies, then joints; unknowns of each. */
     final int nodes;
@@ -57,6 +61,12 @@ final class Elimination {
     final boolean isSparse;
 
     private final int bodies;
+    private final int[] ends;
+
+    /** By body: that stands for those that have gone with it; ways in which these can move. */
+    private final int[] cluster;
+
+    private final int[] ways;
     private int[][] near;
     private int[] degree;
 
@@ -69,6 +79,10 @@ final class Elimination {
      */
     Elimination(int bodies, int[] rows, int[] ends) {
         this.bodies = bodies;
+        this.ends = ends;
+        cluster = new int[bodies];
+        ways = new int[bodies];
+        Arrays.fill(cluster, -1);
         nodes = bodies + rows.length;
         size = new int[nodes];
         place = new int[nodes];
@@ -119,7 +133,52 @@ final class Elimination {
 
     /** Key of a node in the queue: fewer neighbours first, then the lower number. */
     private long key(int i) {
-        return (long) degree[i] << 32 | i;
+        int waits = i >= bodies && isHeld(i) ? HELD : 0;
+        return (long) (degree[i] + waits) << 32 | i;
+    }
+
+    private int root(int body) {
+        int i = body;
+        while (cluster[i] != i) {
+            i = cluster[i];
+        }
+        return i;
+    }
+
+    /** Whether the bodies that have gone cannot move in as many ways as a joint has rows. */
+    private boolean isHeld(int joint) {
+        int free = 0;
+        int last = -1;
+        for (int side = 0; side < 2; side++) {
+            int b = ends[2 * (joint - bodies) + side];
+            int r = b >= 0 && cluster[b] >= 0 ? root(b) : -1;
+            free += r >= 0 && r != last ? ways[r] : 0;
+            last = r;
+        }
+        return free < size[joint];
+    }
+
+    /** A node has gone: bodies count their ways, a joint ties them together and takes its rows. */
+    private void leave(int i) {
+        if (i < bodies) {
+            cluster[i] = i;
+            ways[i] = BlockFactors.BODY;
+            return;
+        }
+        int last = -1;
+        for (int side = 0; side < 2; side++) {
+            int b = ends[2 * (i - bodies) + side];
+            int r = b >= 0 && cluster[b] >= 0 ? root(b) : -1;
+            if (r < 0 || r == last) {
+                continue;
+            }
+            if (last >= 0) {
+                cluster[last] = r;
+                ways[r] += ways[last];
+            }
+            last = r;
+        }
+        ways[last] = Math.max(0, ways[last] - size[i]);
     }
 
     private boolean order() {
@@ -133,10 +192,15 @@ final class Elimination {
         while (!queue.isEmpty()) {
             long next = queue.remove();
             int i = (int) next;
-            if (isGone[i] || next != key(i)) {
+            if (isGone[i]) {
+                continue;
+            }
+            if (next != key(i)) {
+                queue.add(key(i));
                 continue;
             }
             isGone[i] = true;
+            leave(i);
             place[i] = done;
             node[done++] = i;
             first[done] = links + degree[i];

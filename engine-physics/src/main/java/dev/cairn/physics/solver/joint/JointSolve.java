@@ -60,6 +60,9 @@ public final class JointSolve {
      */
     private static final double GAIN = 1.05;
 
+    /** The same where nothing is touched: joints that cannot close. */
+    private static final double GAIN_ALONE = 2;
+
     /** Turning speed at which a joint that is out of place is turned back, rad/s. */
     private static final double TURN_BACK = 10;
 
@@ -327,7 +330,7 @@ public final class JointSolve {
         h = seconds;
         changes = 0;
         activate(true);
-        double most = stay ? Double.POSITIVE_INFINITY : GAIN * kinetic();
+        double most = (stay ? GAIN_ALONE : GAIN) * kinetic();
         double last = Double.POSITIVE_INFINITY;
         for (int round = 0; round < ROUNDS; round++) {
             keep();

@@ -209,6 +209,11 @@ public final class JacobianRefresh {
         return true;
     }
 
+    /** Whether a body turns in this tick, or may. */
+    public boolean turns(int slot) {
+        return turns[slot];
+    }
+
     /** Whether a row of a body is renewed. */
     public boolean stirs(int slot) {
         return stirred[slot];
@@ -254,6 +259,20 @@ public final class JacobianRefresh {
             how = b.isDriven(k) ? (how & ~BETWEEN) | OF_A : how;
         }
         return how;
+    }
+
+    /**
+     * Keeps the cores of bodies out of what does not move, see {@link CoreGuard}; after the bias
+     * pass, before bodies move. Any range of places: each row changes its own body alone, and such
+     * rows of one body are in the order of places.
+     */
+    public void guard(
+            ConstraintRows rows, SolverBodies s, BodyStore b, SubStep sub, int from, int to) {
+        for (int j = from; j < to; j++) {
+            if (renewed[j] != 0) {
+                CoreGuard.keepOut(rows, s, b, sub, j, kept, KEPT * j);
+            }
+        }
     }
 
     /**
