@@ -11,6 +11,7 @@ module dev.cairn.physics {
     exports dev.cairn.physics;
     exports dev.cairn.physics.joint;
     exports dev.cairn.physics.collider;
+    exports dev.cairn.physics.body;
     exports dev.cairn.physics.component;
     exports dev.cairn.physics.profile;
     exports dev.cairn.physics.query;

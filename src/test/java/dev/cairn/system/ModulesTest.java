@@ -27,6 +27,7 @@ final class ModulesTest {
                     "dev.cairn.physics",
                     "dev.cairn.physics.joint",
                     "dev.cairn.physics.collider",
+                    "dev.cairn.physics.body",
                     "dev.cairn.physics.component",
                     "dev.cairn.physics.profile",
                     "dev.cairn.physics.query",

@@ -1,5 +1,8 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.body.Lock;
+import dev.cairn.physics.body.BodyType;
+import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.internal.BodyStore;
@@ -7,6 +10,7 @@ import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.state.RigidBody;
 
 import org.joml.Matrix3d;
 import org.joml.Quaterniond;
@@ -21,6 +25,7 @@ final class BodyAccess {
     private final BodyTable table;
     private final BodyStore bodies;
     private final double[] rotated = new double[3];
+    private final Vector3d place = new Vector3d();
 
     BodyAccess(BodyTable table) {
         this.table = table;
@@ -392,6 +397,58 @@ final class BodyAccess {
         }
     }
 
+    /** Poses that somebody set in the ECS, by a command or between steps, are teleports. */
+    void takePoses() {
+        World ecs = table.world();
+        for (int i = 0; i < ecs.setCount(); i++) {
+            long entity = ecs.setEntity(i);
+            if (ecs.isAlive(entity)
+                    && ecs.has(entity, RigidBody.COMPONENT)
+                    && ecs.has(entity, Pose.COMPONENT)) {
+                int s = ecs.get(entity, RigidBody.COMPONENT).slot();
+                if (table.isAlive(s, entity)) {
+                    takePose(s, ecs.get(entity, Pose.COMPONENT));
+                }
+            }
+        }
+        ecs.forgetSet();
+    }
+
+    private void takePose(int s, Pose pose) {
+        position(s, place);
+        boolean same =
+                place.x == pose.x()
+                        && place.y == pose.y()
+                        && place.z == pose.z()
+                        && bodies.orientationX[s] == pose.qx()
+                        && bodies.orientationY[s] == pose.qy()
+                        && bodies.orientationZ[s] == pose.qz()
+                        && bodies.orientationW[s] == pose.qw();
+        if (same) {
+            return;
+        }
+        try {
+            double f =
+                    Rotations.inverseLength("rotation", pose.qx(), pose.qy(), pose.qz(), pose.qw());
+            put(
+                    s,
+                    pose.x(),
+                    pose.y(),
+                    pose.z(),
+                    pose.qx() * f,
+                    pose.qy() * f,
+                    pose.qz() * f,
+                    pose.qw() * f);
+        } catch (IllegalArgumentException refusal) {
+            throw new IllegalArgumentException(
+                    "the Pose that was set for "
+                            + table.refs[s]
+                            + " is no place to put it: "
+                            + refusal.getMessage(),
+                    refusal);
+        }
+    }
+
     void teleport(int s, double x, double y, double z) {
         place(
                 s,
@@ -412,6 +469,15 @@ final class BodyAccess {
     /** The ECS is written first: if it refuses (a step runs), nothing has changed. */
     private void place(
             int s, double x, double y, double z, double qx, double qy, double qz, double qw) {
+        checkPlace(s, x, y, z, qx, qy, qz, qw);
+        int jumps = table.roster.jumps[s] + 1;
+        table.world().set(bodies.entity[s], new Pose(x, y, z, qx, qy, qz, qw, jumps));
+        put(s, x, y, z, qx, qy, qz, qw);
+    }
+
+    /** Where the centre of mass would be, in {@link #rotated}. */
+    private void checkPlace(
+            int s, double x, double y, double z, double qx, double qy, double qz, double qw) {
         Rotations.rotate(
                 qx,
                 qy,
@@ -421,17 +487,18 @@ final class BodyAccess {
                 table.roster.comY[s],
                 table.roster.comZ[s],
                 rotated);
-        double px = Checks.between("x", x + rotated[0], -BoundsStage.LIMIT, BoundsStage.LIMIT);
-        double py = Checks.between("y", y + rotated[1], -BoundsStage.LIMIT, BoundsStage.LIMIT);
-        double pz = Checks.between("z", z + rotated[2], -BoundsStage.LIMIT, BoundsStage.LIMIT);
-        table.world()
-                .set(
-                        bodies.entity[s],
-                        new Pose(x, y, z, qx, qy, qz, qw, table.roster.jumps[s] + 1));
+        rotated[0] = Checks.between("x", x + rotated[0], -BoundsStage.LIMIT, BoundsStage.LIMIT);
+        rotated[1] = Checks.between("y", y + rotated[1], -BoundsStage.LIMIT, BoundsStage.LIMIT);
+        rotated[2] = Checks.between("z", z + rotated[2], -BoundsStage.LIMIT, BoundsStage.LIMIT);
+    }
+
+    private void put(
+            int s, double x, double y, double z, double qx, double qy, double qz, double qw) {
+        checkPlace(s, x, y, z, qx, qy, qz, qw);
         table.roster.jumps[s]++;
         table.roster.places++;
         wake(s);
-        bodies.place(s, px, py, pz);
+        bodies.place(s, rotated[0], rotated[1], rotated[2]);
         bodies.orientationX[s] = qx;
         bodies.orientationY[s] = qy;
         bodies.orientationZ[s] = qz;

@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;

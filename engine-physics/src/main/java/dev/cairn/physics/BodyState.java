@@ -1,5 +1,8 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.body.BodyRemovedException;
+import dev.cairn.physics.body.Lock;
+import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.joint.Jointed;
 import dev.cairn.physics.shape.Shape;
@@ -281,6 +284,16 @@ public abstract sealed class BodyState implements Jointed permits BodyRef {
 
     /** The slot, for a call that changes the body. */
     final int changed(String call) {
+        if (!table.world().isSerial()) {
+            throw new IllegalStateException(
+                    call
+                            + " of "
+                            + this
+                            + " was called where blocks run in parallel, and the result would"
+                            + " depend on who comes first; let the system write the component Force"
+                            + " or Torque of the entity, record tick.commands(), or make it a"
+                            + " WorldSystem that runs before \"physics\"");
+        }
         if (table.isStepping) {
             throw new IllegalStateException(
                     call

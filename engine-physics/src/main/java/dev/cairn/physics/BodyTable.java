@@ -1,5 +1,8 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.body.BodyType;
+import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.broadphase.BroadPhase;
@@ -28,6 +31,9 @@ import java.util.List;
  * {@link Roster}; what is born is checked and filled in here.
  */
 final class BodyTable {
+    /** No entity. */
+    private static final long NONE = 0;
+
     /** Of a kinematic body: room for some ticks until what the step computes with ends. */
     private static final double MOST_SPEED = 1e59;
 
@@ -94,8 +100,17 @@ final class BodyTable {
 
     // Birth ------------------------------------------------------------------------------------
 
-    /** Everything that can fail happens before anything changes. */
+    /** A body with an entity of its own. */
     BodyRef add(Body body) {
+        return add(body, NONE);
+    }
+
+    /**
+     * Everything that can fail happens before anything changes.
+     *
+     * @param given the entity that becomes the body, or {@link #NONE} for a new one
+     */
+    BodyRef add(Body body, long given) {
         List<Collider> parts = body.parts();
         if (parts.isEmpty()) {
             throw new IllegalArgumentException(
@@ -120,7 +135,10 @@ final class BodyTable {
         int slot = roster.nextSlot();
         ensureSlots();
         Record[] records = records(body, slot);
-        long entity = world().spawn(records);
+        long entity = given == NONE ? world().spawn(records) : given;
+        if (given != NONE) {
+            give(entity, records);
+        }
         roster.take();
         BodyRef ref = new BodyRef(this, slot, entity, body.name);
         refs[slot] = ref;
@@ -175,6 +193,40 @@ final class BodyTable {
         if (!(Math.abs(value) <= BoundsStage.LIMIT)) {
             throw new IllegalArgumentException(
                     name + " is " + value + " m; it must be from -1e60 to 1e60");
+        }
+    }
+
+    /** Makes bodies of the entities with {@link NewBody}, between steps, in order of their rows. */
+    void adopt(Query newcomers) {
+        int count = newcomers.entityCount();
+        if (count == 0) {
+            return;
+        }
+        long[] found = new long[count];
+        int n = 0;
+        for (int c = 0; c < newcomers.chunkCount(); c++) {
+            for (int row = 0; row < newcomers.chunk(c).size(); row++) {
+                found[n++] = newcomers.chunk(c).entity(row);
+            }
+        }
+        for (long entity : found) {
+            Body body = world().get(entity, NewBody.COMPONENT).body();
+            world().remove(entity, NewBody.COMPONENT);
+            add(body, entity);
+        }
+    }
+
+    private void give(long entity, Record[] records) {
+        for (Record record : records) {
+            if (world().has(entity, Component.of(record.getClass()))) {
+                throw new IllegalArgumentException(
+                        "the entity of a NewBody has a "
+                                + record.getClass().getSimpleName()
+                                + " already; leave it to the body, or say it with Body.with(..)");
+            }
+        }
+        for (Record record : records) {
+            world().add(entity, record);
         }
     }
 

@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.shape.Shape;

@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.PairFilter;
 import dev.cairn.physics.collider.Filter;

@@ -6,6 +6,8 @@ import dev.cairn.core.ecs.IntField;
 import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.WorldSystem;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.component.Force;
+import dev.cairn.physics.component.Torque;
 import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.contact.BeltStage;
 import dev.cairn.physics.contact.ComposeStage;
@@ -25,6 +27,7 @@ import dev.cairn.physics.solver.ContactSolver;
 import dev.cairn.physics.solver.joint.JointRows;
 import dev.cairn.physics.solver.row.ConstraintKind;
 import dev.cairn.physics.state.BodyIndex;
+import dev.cairn.physics.state.ForceReader;
 import dev.cairn.physics.state.Publisher;
 import dev.cairn.physics.state.RigidBody;
 import dev.cairn.physics.state.StageCheck;
@@ -75,6 +78,7 @@ final class PhysicsSystem implements WorldSystem {
     private final BeltStage belts;
     private final ManifoldStage manifolds;
     final ContactSolver solver;
+    private final ForceReader forces;
     private final Publisher publisher;
     double gravityX;
     double gravityY;
@@ -96,6 +100,7 @@ final class PhysicsSystem implements WorldSystem {
         compose = new ComposeStage(table.colliders);
         manifolds = new ManifoldStage(table.colliders, table.bounds);
         solver = new ContactSolver(settings.tuning(), kinds);
+        forces = new ForceReader(table.roster);
         publisher = new Publisher(table.roster);
         view = new ContactView(table, contacts, events, sensors);
         table.show(view);
@@ -110,6 +115,7 @@ final class PhysicsSystem implements WorldSystem {
     @Override
     public void describe(Access access) {
         access.in(RigidBody.COMPONENT, Pose.COMPONENT)
+                .optionalNext(Force.COMPONENT, Torque.COMPONENT)
                 .writesAll(Pose.COMPONENT, Velocity.COMPONENT);
     }
 
@@ -128,7 +134,10 @@ final class PhysicsSystem implements WorldSystem {
         profile.begin();
         events.clear();
         sensors.clear();
+        table.access.takePoses();
         readRoster(tick);
+        forces.run(tick);
+        table.roster.refreshLists();
         profile.end(StepStage.ROSTER);
         assert StageCheck.awake(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
         table.roster.beginMotion(tick.stepSeconds());

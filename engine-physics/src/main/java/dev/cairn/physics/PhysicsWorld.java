@@ -2,6 +2,8 @@ package dev.cairn.physics;
 
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
+import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.joint.Joint;
@@ -9,6 +11,7 @@ import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.joint.Jointed;
 import dev.cairn.physics.joint.Joints;
 import dev.cairn.physics.profile.StepProfile;
+import dev.cairn.physics.state.Crush;
 import dev.cairn.physics.state.Digest;
 import dev.cairn.physics.state.RigidBody;
 
@@ -26,7 +29,12 @@ import java.util.List;
  */
 public final class PhysicsWorld implements AutoCloseable {
     final PhysicsSystem physics;
+
+    /** The name of the physics in the schedule, for {@code Access.before} and {@code after}. */
+    public static final String SYSTEM = PhysicsSystem.NAME;
+
     private final World ecs;
+    private final Query newcomers;
     private final Query bodies;
     private final Collisions collisions;
     private boolean stepping;
@@ -38,6 +46,8 @@ public final class PhysicsWorld implements AutoCloseable {
         this.physics = physics;
         this.ecs = ecs;
         physics.table.roster.bind(ecs);
+        ecs.watch(Pose.COMPONENT);
+        newcomers = ecs.query(NewBody.COMPONENT);
         bodies = ecs.query(RigidBody.COMPONENT);
         collisions = new Collisions(this);
         joints = new Joints(physics.joints, physics.table.bodies, new JointHost());
@@ -151,6 +161,8 @@ public final class PhysicsWorld implements AutoCloseable {
         } finally {
             stepping = false;
         }
+        physics.table.access.takePoses();
+        physics.table.adopt(newcomers);
         physics.view.tell();
     }
 
@@ -238,7 +250,16 @@ public final class PhysicsWorld implements AutoCloseable {
      */
     public List<BodyRef> crushed() {
         requireBetweenSteps("crushed");
-        return Crush.find(physics);
+        Crush crush = new Crush(physics.table.bodies, physics.contacts);
+        List<BodyRef> found = new ArrayList<>();
+        boolean any = physics.table.roster.kinematicCount > 0;
+        for (int row = 0; any && row < physics.contacts.count; row++) {
+            int slot = crush.crushed(row);
+            if (slot >= 0 && !found.contains(physics.table.refs[slot])) {
+                found.add(physics.table.refs[slot]);
+            }
+        }
+        return found;
     }
 
     /**

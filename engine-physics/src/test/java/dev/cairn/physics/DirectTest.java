@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.tuning.Tunable;

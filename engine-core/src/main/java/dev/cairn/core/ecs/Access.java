@@ -32,6 +32,9 @@ public final class Access {
     private final List<Component<?>> all = new ArrayList<>();
     private final List<Component<?>> inPlace = new ArrayList<>();
     private final List<Component<?>> next = new ArrayList<>();
+    private final List<Component<?>> optionalNext = new ArrayList<>();
+    private final List<String> before = new ArrayList<>();
+    private final List<String> after = new ArrayList<>();
     private final List<Component<?>> with = new ArrayList<>();
     private final List<Component<?>> optional = new ArrayList<>();
     private final List<Component<?>> exclude = new ArrayList<>();
@@ -101,6 +104,62 @@ public final class Access {
      */
     public Access next(Component<?>... components) {
         return note(next, "next", components);
+    }
+
+    /**
+     * As {@link #next}, in those chunks that {@link Chunk#has} the components.
+     *
+     * @param components the components
+     * @return this
+     */
+    public Access optionalNext(Component<?>... components) {
+        return note(optionalNext, "optionalNext", components);
+    }
+
+    /**
+     * Asks that the system runs before others, where what they read and write leaves it open: both
+     * call the same object, say. Which systems run in a tick at all is not changed by it.
+     *
+     * @param systems names of other systems of the schedule
+     * @return this
+     */
+    public Access before(String... systems) {
+        return ask(before, "before", systems);
+    }
+
+    /**
+     * Asks that the system runs after others, see {@link #before}.
+     *
+     * @param systems names of other systems of the schedule
+     * @return this
+     */
+    public Access after(String... systems) {
+        return ask(after, "after", systems);
+    }
+
+    private Access ask(List<String> list, String call, String... systems) {
+        if (closed) {
+            throw new IllegalStateException(
+                    "system '" + system + "' changed its access after describe had returned");
+        }
+        Objects.requireNonNull(systems, "systems must not be null");
+        for (String name : systems) {
+            Objects.requireNonNull(name, "a system's name must not be null");
+            if (name.equals(system)) {
+                throw new SchedulingException(
+                        "system '" + system + "' asks to run " + call + " itself; name another");
+            }
+            list.add(name);
+        }
+        return this;
+    }
+
+    List<String> runsBefore() {
+        return before;
+    }
+
+    List<String> runsAfter() {
+        return after;
     }
 
     /**
@@ -179,7 +238,7 @@ public final class Access {
                                 + " in, optional or writesAll as well; keep one of the two");
             }
         }
-        for (Component<?> component : next) {
+        for (Component<?> component : awaited()) {
             if (out.contains(component)) {
                 throw new SchedulingException(
                         "system '"
@@ -201,6 +260,9 @@ public final class Access {
         copy.all.addAll(all);
         copy.inPlace.addAll(inPlace);
         copy.next.addAll(next);
+        copy.optionalNext.addAll(optionalNext);
+        copy.before.addAll(before);
+        copy.after.addAll(after);
         copy.with.addAll(with);
         copy.optional.addAll(optional);
         copy.exclude.addAll(exclude);
@@ -232,7 +294,12 @@ public final class Access {
     }
 
     List<Component<?>> awaited() {
-        return next;
+        if (optionalNext.isEmpty()) {
+            return next;
+        }
+        List<Component<?>> all = new ArrayList<>(next);
+        all.addAll(optionalNext);
+        return all;
     }
 
     /** Whether no entity can match both. */
@@ -249,6 +316,7 @@ public final class Access {
         grant(rights, archetype, all, ALL);
         grant(rights, archetype, inPlace, IN_PLACE);
         grant(rights, archetype, next, NEXT);
+        grant(rights, archetype, optionalNext, NEXT);
         return rights;
     }
 
@@ -273,6 +341,7 @@ public final class Access {
         append(text, "out", out);
         append(text, "inPlace", inPlace);
         append(text, "next", next);
+        append(text, "optionalNext", optionalNext);
         append(text, "with", with);
         append(text, "exclude", exclude);
         return text.toString();

@@ -37,10 +37,15 @@ final class Level implements BlockJob {
             total += systems[i].active ? systems[i].chunks.count() : 0;
         }
         starts[systems.length] = total;
-        if (sequential) {
-            runInOrder(total);
-        } else {
-            jobs.run(this, total);
+        try {
+            ticks[0].fork(true);
+            if (sequential) {
+                runInOrder(total);
+            } else {
+                jobs.run(this, total);
+            }
+        } finally {
+            ticks[0].fork(false);
         }
     }
 

@@ -1,6 +1,7 @@
 package dev.cairn.core.ecs;
 
 import java.util.Objects;
+import java.util.function.LongConsumer;
 
 /**
  * The chunks of the entities that have some components and lack others, for use between steps on
@@ -52,6 +53,26 @@ public final class Query {
      */
     public Chunk chunk(int index) {
         return chunks.get(Objects.checkIndex(index, chunks.refresh()));
+    }
+
+    /**
+     * Calls back for each matching entity, in the order of chunks and rows: {@code
+     * query.forEach(entity -> total += world.get(entity, MASS).kilograms())}. For loops that must
+     * be fast take the columns of {@link #chunk}.
+     *
+     * @param action receives the entity; it may read, and change values, but neither create nor
+     *     delete
+     * @throws IllegalStateException if called during a step
+     */
+    public void forEach(LongConsumer action) {
+        Objects.requireNonNull(action, "action must not be null");
+        int count = chunkCount();
+        for (int i = 0; i < count; i++) {
+            Chunk chunk = chunks.get(i);
+            for (int row = 0; row < chunk.size(); row++) {
+                action.accept(chunk.entity(row));
+            }
+        }
     }
 
     /**

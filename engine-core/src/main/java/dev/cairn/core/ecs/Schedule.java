@@ -1,5 +1,7 @@
 package dev.cairn.core.ecs;
 
+import org.jspecify.annotations.Nullable;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
@@ -8,8 +10,9 @@ import java.util.Objects;
 
 /**
  * Systems, and the graph that follows from what they declare. A system that reads a component with
- * {@code next} runs after the systems that write it; nothing else orders two systems. So the graph,
- * and every result, is the same in whichever order systems were registered.
+ * {@code next} runs after the systems that write it, and one that asks with {@link Access#before}
+ * or {@link Access#after} as it asked; nothing else orders two systems. So the graph, and every
+ * result, is the same in whichever order systems were registered.
  *
  * <pre>{@code
  * Schedule schedule = Schedule.builder()
@@ -86,7 +89,7 @@ public final class Schedule {
         String separator = " after ";
         for (Edge edge : entry.after()) {
             out.append(separator).append(edge.writer().name());
-            out.append(" (").append(edge.component().name()).append(')');
+            out.append(" (").append(edge.reason()).append(')');
             separator = ", ";
         }
         out.append(entry.isEnabled() ? "\n" : " -- disabled\n");
@@ -174,7 +177,12 @@ public final class Schedule {
     }
 
     /** Why a system runs after another. */
-    record Edge(Entry writer, Component<?> component) {}
+    record Edge(Entry writer, @Nullable Component<?> component) {
+        /** The component that is read, or that it was asked for. */
+        String reason() {
+            return component == null ? "asked for" : component.name();
+        }
+    }
 
     /** Collects the systems of a schedule. */
     public static final class Builder {

@@ -26,6 +26,7 @@ final class ScheduleGraph {
         for (Schedule.Entry entry : entries) {
             checkInPlace(entry, entries);
             connect(entry, entries);
+            connectAsked(entry, entries);
         }
         return layer(entries);
     }
@@ -91,6 +92,33 @@ final class ScheduleGraph {
         }
     }
 
+    /** Edges that were asked for by name. */
+    private static void connectAsked(Schedule.Entry entry, List<Schedule.Entry> entries) {
+        for (String name : entry.access().runsAfter()) {
+            entry.after().add(new Schedule.Edge(named(name, "after", entry, entries), null));
+        }
+        for (String name : entry.access().runsBefore()) {
+            named(name, "before", entry, entries).after().add(new Schedule.Edge(entry, null));
+        }
+    }
+
+    private static Schedule.Entry named(
+            String name, String call, Schedule.Entry by, List<Schedule.Entry> entries) {
+        for (Schedule.Entry entry : entries) {
+            if (entry.name().equals(name)) {
+                return entry;
+            }
+        }
+        throw new SchedulingException(
+                by
+                        + " asks to run "
+                        + call
+                        + " '"
+                        + name
+                        + "', but there is no such system; there are "
+                        + entries);
+    }
+
     private static List<List<Schedule.Entry>> layer(List<Schedule.Entry> entries) {
         List<Schedule.Entry> waiting = new ArrayList<>(entries);
         List<Schedule.Entry> done = new ArrayList<>();
@@ -144,8 +172,13 @@ final class ScheduleGraph {
         int start = seen.indexOf(at);
         StringBuilder text = new StringBuilder("systems wait for each other in a circle: ");
         for (int i = start; i < seen.size(); i++) {
-            text.append(seen.get(i)).append(" reads next(").append(path.get(i).component());
-            text.append(") of ");
+            Component<?> component = path.get(i).component();
+            text.append(seen.get(i));
+            if (component == null) {
+                text.append(" asked to run after ");
+            } else {
+                text.append(" reads next(").append(component).append(") of ");
+            }
         }
         text.append(at).append("; read one of these with in, which is the state before the tick");
         return new SchedulingException(text.toString());

@@ -1,5 +1,7 @@
 package dev.cairn.core.ecs;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -20,6 +22,12 @@ final class Store {
 
     /** Number of the tick that changes are stamped with. */
     long tick;
+
+    /** Of the component that is watched, if one is: whose value was set. */
+    @Nullable Component<?> watched;
+
+    long[] told = {};
+    int toldCount;
 
     private final Map<ComponentSet, Archetype> bySet = new HashMap<>();
     private final SpawnPlans plans = new SpawnPlans();
@@ -264,6 +272,12 @@ final class Store {
         Slab slab = archetype.slab(row);
         component.codec.write(value, slab.published, base, ChunkSizes.local(row));
         Arrays.fill(slab.versions, base, base + component.fields.length, tick);
+        if (component.equals(watched)) {
+            if (toldCount == told.length) {
+                told = Arrays.copyOf(told, Math.max(16, 2 * toldCount));
+            }
+            told[toldCount++] = entity;
+        }
     }
 
     private Archetype archetype(long place) {

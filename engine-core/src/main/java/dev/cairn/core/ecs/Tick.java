@@ -41,6 +41,11 @@ public final class Tick {
         system = none;
     }
 
+    /** Chunks run in parallel from now on, or no longer. Simulation thread. */
+    void fork(boolean value) {
+        world.parallel = value;
+    }
+
     /**
      * The number of this tick.
      *

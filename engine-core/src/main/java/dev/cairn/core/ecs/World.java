@@ -39,6 +39,11 @@ public final class World extends WorldContents implements AutoCloseable {
     private int skipped;
     private boolean failed;
 
+    /** While a tick runs: its thread; and whether the chunks of systems run in parallel. */
+    private volatile @Nullable Thread stepThread;
+
+    volatile boolean parallel;
+
     private World(Schedule schedule, Jobs jobs, boolean ownsJobs, long seed, boolean checked) {
         this.schedule = schedule;
         this.jobs = jobs;
@@ -102,6 +107,7 @@ public final class World extends WorldContents implements AutoCloseable {
                             + ", but must be finite and above 0, such as 1.0 / 60.0");
         }
         stepping = true;
+        stepThread = Thread.currentThread();
         try {
             long tick = tickNumber + 1;
             skipped = runner.run(tick, stepSeconds);
@@ -112,6 +118,8 @@ public final class World extends WorldContents implements AutoCloseable {
             throw Runner.explain(failure, tickNumber + 1);
         } finally {
             stepping = false;
+            stepThread = null;
+            parallel = false;
         }
     }
 
@@ -165,6 +173,20 @@ public final class World extends WorldContents implements AutoCloseable {
      */
     public boolean hasFailed() {
         return failed;
+    }
+
+    /**
+     * Whether the calling code may change objects that others share: true between steps and in a
+     * {@link WorldSystem} on the simulation thread; false where blocks run in parallel, in a {@link
+     * ChunkSystem} or a job, since what they do to a shared object would depend on who comes first.
+     * Any thread.
+     *
+     * @return whether nobody else runs beside the caller within a step
+     */
+    @SuppressWarnings("ReferenceEquality") // the very thread
+    public boolean isSerial() {
+        Thread thread = stepThread;
+        return thread == null || (!parallel && thread == Thread.currentThread());
     }
 
     /**

@@ -293,6 +293,46 @@ abstract sealed class WorldContents permits World {
         return type.cast(resource);
     }
 
+    /**
+     * Remembers from now on which entities have a component set, by {@link #set} or by a command:
+     * for a system that keeps a copy of it. One component per world.
+     *
+     * @param component the component
+     * @throws IllegalStateException if another one is watched
+     */
+    public final void watch(Component<?> component) {
+        requireKey(component);
+        if (store.watched != null && !store.watched.equals(component)) {
+            throw new IllegalStateException(
+                    store.watched + " is watched already, and a world watches one component");
+        }
+        store.watched = component;
+    }
+
+    /**
+     * How many times the watched component was set since {@link #forgetSet}.
+     *
+     * @return at least 0
+     */
+    public final int setCount() {
+        return store.toldCount;
+    }
+
+    /**
+     * An entity whose watched component was set; it may be dead since.
+     *
+     * @param index 0 to setCount - 1, in the order in which it happened
+     * @return the entity
+     */
+    public final long setEntity(int index) {
+        return store.told[Objects.checkIndex(index, store.toldCount)];
+    }
+
+    /** Forgets them. */
+    public final void forgetSet() {
+        store.toldCount = 0;
+    }
+
     final void requireChangeable(String call) {
         if (closed) {
             throw new WorldClosedException(call + " was called on a world that is closed");

@@ -4,6 +4,7 @@ import org.jspecify.annotations.Nullable;
 
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
+import java.lang.ref.Cleaner;
 import java.util.Objects;
 import java.util.concurrent.locks.LockSupport;
 
@@ -21,7 +22,8 @@ import java.util.concurrent.locks.LockSupport;
  * <b>Memory.</b> Dispatch does not allocate. <b>Determinism.</b> Which worker runs which block is
  * left to timing; results must depend on the block only.
  *
- * <p>Whoever makes a {@code Jobs} closes it; one that is dropped unclosed keeps its parked threads.
+ * <p>Whoever makes a {@code Jobs} closes it. The threads of one that is dropped unclosed end some
+ * time after the garbage collector has found it.
  */
 // Threads and jobs are compared as the objects that they are; yields are part of the protocol.
 @SuppressWarnings({"ReferenceEquality", "ThreadPriorityCheck"})
@@ -49,6 +51,9 @@ public final class Jobs implements AutoCloseable {
         }
     }
 
+    /** Ends the helpers of those that were dropped. */
+    private static final Cleaner CLEANER = Cleaner.create();
+
     private final int workers;
     private final Stage stage;
     private final TickGate gate;
@@ -57,8 +62,7 @@ public final class Jobs implements AutoCloseable {
     /** The caller's own: how many ticks are open, one inside the other. */
     private int tickDepth;
 
-    /** Workers that take part; the helpers above it stay parked. */
-    private volatile int limit;
+    private final Crew crew;
 
     /** The thread inside {@code run}, or null. */
     @SuppressWarnings("unused") // through RUNNER
@@ -66,12 +70,16 @@ public final class Jobs implements AutoCloseable {
 
     private Jobs(int workers, @Nullable Perturbation perturbation) {
         this.workers = workers;
-        limit = workers;
         stage = new Stage(workers, perturbation);
         gate = new TickGate(workers);
         helpers = new Helper[workers - 1];
+        crew = new Crew(stage, gate, helpers);
+        crew.limit = workers;
         for (int worker = 1; worker < workers; worker++) {
-            helpers[worker - 1] = new Helper(this, worker);
+            helpers[worker - 1] = new Helper(crew, worker);
+        }
+        if (workers > 1) {
+            CLEANER.register(this, crew);
         }
     }
 
@@ -158,7 +166,7 @@ public final class Jobs implements AutoCloseable {
             throw new IllegalArgumentException(
                     "limit is " + count + ", but must be in [1, " + workers + "], the workers");
         }
-        limit = count;
+        crew.limit = count;
     }
 
     /**
@@ -167,7 +175,7 @@ public final class Jobs implements AutoCloseable {
      * @return at most {@link #workers()}
      */
     public int limit() {
-        return limit;
+        return crew.limit;
     }
 
     /**
@@ -189,12 +197,13 @@ public final class Jobs implements AutoCloseable {
     public void endTick() {
         if (tickDepth > 0 && --tickDepth == 0) {
             gate.end();
+            stage.forget();
         }
     }
 
     private void openTick() {
         gate.open();
-        int taking = limit;
+        int taking = crew.limit;
         for (Helper helper : helpers) {
             if (helper.worker < taking && gate.takeParked(helper.worker)) {
                 LockSupport.unpark(helper);
@@ -228,7 +237,7 @@ public final class Jobs implements AutoCloseable {
         enter();
         boolean ended = false;
         try {
-            if (blocks <= 1 || limit == 1) {
+            if (blocks <= 1 || crew.limit == 1) {
                 stage.runBlocks(job, 0, blocks, 0);
             } else if (tickDepth > 0) {
                 stage.run(job, blocks);
@@ -283,7 +292,7 @@ public final class Jobs implements AutoCloseable {
     }
 
     private boolean isHelper(Thread thread) {
-        return thread instanceof Helper helper && helper.jobs == this;
+        return thread instanceof Helper helper && helper.crew == crew;
     }
 
     @SuppressWarnings({
@@ -302,10 +311,7 @@ public final class Jobs implements AutoCloseable {
      */
     @Override
     public void close() {
-        gate.close();
-        for (Helper helper : helpers) {
-            LockSupport.unpark(helper);
-        }
+        crew.run();
         Thread caller = Thread.currentThread();
         if ((Thread) RUNNER.getAcquire(this) == caller || isHelper(caller)) {
             return;
@@ -324,29 +330,57 @@ public final class Jobs implements AutoCloseable {
         }
     }
 
+    /**
+     * What the helpers share: nothing that leads back to the {@code Jobs}, else one that is dropped
+     * would never be found.
+     */
+    private static final class Crew implements Runnable {
+        final Stage stage;
+        final TickGate gate;
+        private final Helper[] helpers;
+
+        /** Workers that take part; the helpers above it stay parked. */
+        volatile int limit;
+
+        Crew(Stage stage, TickGate gate, Helper[] helpers) {
+            this.stage = stage;
+            this.gate = gate;
+            this.helpers = helpers;
+        }
+
+        /** Ends the helpers. */
+        @Override
+        public void run() {
+            gate.close();
+            for (Helper helper : helpers) {
+                LockSupport.unpark(helper);
+            }
+        }
+    }
+
     /** A helper: spins for stages within a tick, parks between ticks. */
     private static final class Helper extends Thread {
 
-        final Jobs jobs;
+        final Crew crew;
         final int worker;
 
-        Helper(Jobs jobs, int worker) {
+        Helper(Crew crew, int worker) {
             super("cairn-job-" + worker);
-            this.jobs = jobs;
+            this.crew = crew;
             this.worker = worker;
             setDaemon(true);
         }
 
         @Override
         public void run() {
-            Stage stage = jobs.stage;
-            TickGate gate = jobs.gate;
+            Stage stage = crew.stage;
+            TickGate gate = crew.gate;
             long done = 0;
             int idle = 0;
             while (!gate.isClosed()) {
                 long stageWord = stage.published();
                 if (stageWord != done) {
-                    if (worker < jobs.limit) { // one that is not parked yet claims nothing
+                    if (worker < crew.limit) { // one that is not parked yet claims nothing
                         stage.claimUnits(stageWord, worker);
                     }
                     done = stageWord;
@@ -360,7 +394,7 @@ public final class Jobs implements AutoCloseable {
                 } else {
                     while (gate.mayPark(worker)) {
                         interrupted(); // a block may have left it set; park would return at once
-                        LockSupport.park(jobs);
+                        LockSupport.park(gate);
                     }
                     gate.unparked(worker);
                     idle = 0;

@@ -31,6 +31,8 @@ final class Stage {
      */
     private static final int CALLER_SPINS = 64;
 
+    private static final BlockJob NOTHING = (block, worker) -> {};
+
     /** Low bits of a stage word, for the number of units; the epoch's 50 bits last for years. */
     private static final int UNIT_BITS = 14;
 
@@ -44,7 +46,7 @@ final class Stage {
     private final @Nullable Perturbation perturbation;
 
     /** Written by the caller between stages only; a helper reads it under a claim. */
-    private BlockJob job = (block, worker) -> {};
+    private BlockJob job = NOTHING;
 
     // The caller's own.
     private long epoch;
@@ -90,6 +92,14 @@ final class Stage {
         words[BLOCKS] = blocks;
         WORD.setRelease(words, STAGE, stageWord); // pairs with published
         return stageWord;
+    }
+
+    /**
+     * Lets go of the last job: the helpers' threads hold the stage, and a job leads to whoever made
+     * it. Caller, between stages; a helper that is late claims nothing any more.
+     */
+    void forget() {
+        job = NOTHING;
     }
 
     /** The stage word that was published last; what the caller wrote before it is visible. */

@@ -13,11 +13,20 @@ public final class StepClock implements StepProfile {
 
     private final long[] lastNanos = new long[STAGES.length];
     private final long[] totalNanos = new long[STAGES.length];
-    private final @Nullable StepEvent event = StepEvent.create();
+    private final @Nullable StepEvent event = event();
     private boolean enabled;
     private boolean timing;
     private long steps;
     private long mark;
+
+    /** An event, or null in a run-time image without the flight recorder: then the class fails. */
+    private static @Nullable StepEvent event() {
+        try {
+            return StepEvent.create();
+        } catch (NoClassDefFoundError absent) {
+            return null;
+        }
+    }
 
     /** A clock that is off. */
     public StepClock() {}

@@ -12,8 +12,6 @@ import jdk.jfr.Name;
 import jdk.jfr.StackTrace;
 import jdk.jfr.Timespan;
 
-import org.jspecify.annotations.Nullable;
-
 /**
  * One physics step as an event of the JDK Flight Recorder. One instance is written over and over,
  * so that recording allocates nothing on the heap. Off unless a recording asks for it.
@@ -65,13 +63,9 @@ final class StepEvent extends Event {
 
     private StepEvent() {}
 
-    /** An event, or null where the JDK was built without the recorder. */
-    static @Nullable StepEvent create() {
-        try {
-            return new StepEvent();
-        } catch (NoClassDefFoundError absent) {
-            return null;
-        }
+    /** An event; whoever calls this bears that the class may be missing. */
+    static StepEvent create() {
+        return new StepEvent();
     }
 
     void write(StepProfile profile, int bodyCount, int contactCount) {

@@ -3,7 +3,7 @@ package dev.cairn.samples.scenefile;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.Visual;
 import dev.cairn.physics.BodyRef;
-import dev.cairn.physics.BodyType;
+import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;

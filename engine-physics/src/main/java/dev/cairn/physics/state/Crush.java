@@ -1,42 +1,33 @@
-package dev.cairn.physics;
+package dev.cairn.physics.state;
 
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
-
-import java.util.ArrayList;
-import java.util.List;
 
 /**
  * Who is between hammer and anvil: a body with contacts that press from opposite sides, by bodies
  * that nothing moves and that come nearer to each other.
  */
-final class Crush {
+public final class Crush {
     /** Cosine between two normals that are opposite enough. */
     private static final double OPPOSITE = -0.7;
 
     private final BodyStore bodies;
     private final ContactStore rows;
 
-    private Crush(PhysicsSystem physics) {
-        bodies = physics.table.bodies;
-        rows = physics.contacts;
+    /** Looks at the contacts of the last step. */
+    public Crush(BodyStore bodies, ContactStore rows) {
+        this.bodies = bodies;
+        this.rows = rows;
     }
 
-    static List<BodyRef> find(PhysicsSystem physics) {
-        List<BodyRef> found = new ArrayList<>();
-        Crush crush = new Crush(physics);
-        for (int row = 0;
-                physics.table.roster.kinematicCount > 0 && row < crush.rows.count;
-                row++) {
-            int held = crush.held(row, true);
-            if (held >= 0 && crush.isBetween(row, held)) {
-                BodyRef body = physics.table.refs[held];
-                if (!found.contains(body)) {
-                    found.add(body);
-                }
-            }
-        }
-        return found;
+    /**
+     * The body of a row, if a kinematic one presses it against another.
+     *
+     * @return its slot, or -1
+     */
+    public int crushed(int row) {
+        int held = held(row, true);
+        return held >= 0 && isBetween(row, held) ? held : -1;
     }
 
     /** The body that is pressed in a row by one that nothing moves, or -1. */

@@ -1,4 +1,4 @@
-package dev.cairn.physics;
+package dev.cairn.physics.body;
 
 /** A body was used after it had left its world. */
 public final class BodyRemovedException extends IllegalStateException {

@@ -1,9 +1,9 @@
-package dev.cairn.physics;
+package dev.cairn.physics.body;
 
 import dev.cairn.physics.internal.Checks;
 
 /**
- * A degree of freedom that a body can be without, in world axes: {@link Body#lock}, {@link
+ * A degree of freedom that a body can be without, in world axes: {@link dev.cairn.physics.Body#lock}, {@link
  * BodyRef#setLocks}.
  *
  * <p>Along a locked axis the body does not move, to the bit; about one its angular velocity is 0
@@ -33,8 +33,13 @@ public enum Lock {
         this.bit = bit;
     }
 
-    /** The locks of {@link #bits}; others do not count. */
-    static Lock[] of(int bits) {
+    /**
+     * The locks of a set of bits; bits of others do not count.
+     *
+     * @param bits as {@link #bits} gives them
+     * @return a new array, in the order of the constants
+     */
+    public static Lock[] of(int bits) {
         Lock[] all = values();
         Lock[] found = new Lock[Integer.bitCount(bits & (1 << all.length) - 1)];
         int n = 0;
@@ -46,7 +51,13 @@ public enum Lock {
         return found;
     }
 
-    static int bits(Lock... locks) {
+    /**
+     * Locks as a set of bits.
+     *
+     * @param locks any of them
+     * @return a bit each
+     */
+    public static int bits(Lock... locks) {
         Checks.notNull("locks", locks);
         int bits = 0;
         for (Lock lock : locks) {
