@@ -1,7 +1,7 @@
 package dev.cairn.physics;
 
-import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.body.BodyType;
+import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.internal.Checks;

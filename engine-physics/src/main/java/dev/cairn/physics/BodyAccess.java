@@ -1,9 +1,9 @@
 package dev.cairn.physics;
 
-import dev.cairn.physics.body.Lock;
-import dev.cairn.physics.body.BodyType;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.body.BodyType;
+import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.contact.BoundsStage;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;

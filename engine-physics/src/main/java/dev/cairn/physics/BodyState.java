@@ -1,8 +1,8 @@
 package dev.cairn.physics;
 
 import dev.cairn.physics.body.BodyRemovedException;
-import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.body.BodyType;
+import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.joint.Jointed;
 import dev.cairn.physics.shape.Shape;

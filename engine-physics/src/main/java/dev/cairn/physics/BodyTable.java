@@ -1,10 +1,10 @@
 package dev.cairn.physics;
 
-import dev.cairn.physics.body.BodyType;
 import dev.cairn.core.ecs.Component;
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.contact.BoundsStage;

@@ -7,8 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.body.BodyType;
+import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Sphere;

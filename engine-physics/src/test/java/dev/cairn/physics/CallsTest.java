@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.HalfSpace;

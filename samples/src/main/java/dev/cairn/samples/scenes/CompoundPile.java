@@ -60,7 +60,8 @@ public final class CompoundPile {
         for (int i = 0; i < count; i++) {
             double x = 1.4 * (i % side - (side - 1) / 2.0) + scene.random(-0.1, 0.1);
             double z = 1.4 * (i / side % side - (side - 1) / 2.0) + scene.random(-0.1, 0.1);
-            double y = 0.8 + 1.3 * (i / (side * side));
+            int layer = i / (side * side);
+            double y = 0.8 + 1.3 * layer;
             Quaterniond turn =
                     new Quaterniond()
                             .rotateXYZ(
