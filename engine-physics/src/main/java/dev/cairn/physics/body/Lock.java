@@ -4,7 +4,7 @@ import dev.cairn.physics.internal.Checks;
 
 /**
  * A degree of freedom that a body can be without, in world axes: {@link
- * dev.cairn.physics.Body#lock}, {@link BodyRef#setLocks}.
+ * dev.cairn.physics.Body#lock}, {@link dev.cairn.physics.BodyRef#setLocks}.
  *
  * <p>Along a locked axis the body does not move, to the bit; about one its angular velocity is 0
  * after a step. Turning: the body's inertia is that of the axes that are left, so contacts and
