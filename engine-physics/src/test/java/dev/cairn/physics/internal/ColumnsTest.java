@@ -127,6 +127,10 @@ final class ColumnsTest {
         contacts.ensureCapacity(ROWS);
         contacts.beginRolling();
         contacts.beginUneven();
+        contacts.beginCompounds();
+        contacts.beginBelts();
+        contacts.beginHits();
+        contacts.beginHooks();
         contacts.beginMemory(5);
         contacts.columns(new Filler());
         return contacts;

@@ -65,6 +65,13 @@ public final class SceneExport {
         try (PhysicsWorld world =
                 PhysicsWorld.builder().gravity(0, -SampleScene.GRAVITY, 0).workers(1).build()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
+            if (world.joints().count() > 0) {
+                throw new UsageException(
+                        scene.id()
+                                + " has "
+                                + world.joints().count()
+                                + " joints; a scene file holds none: export another scene");
+            }
             Vector3d g = world.gravity(new Vector3d());
             SceneExport export = new SceneExport(folder.toAbsolutePath().normalize());
             List<EntitySpec> entities = new ArrayList<>();
