@@ -75,6 +75,9 @@ public final class JointSolve {
     private double push;
     private int changes;
 
+    /** Whether gaps are closed, and not only kept. */
+    private boolean closes = true;
+
     private static final SolverContext NONE = new SolverContext(Tuning.DEFAULT);
     private static final Assembly EMPTY =
             new Assembly(new int[0], new int[0], new int[0], new int[0]);
@@ -350,7 +353,7 @@ public final class JointSolve {
                 return;
             }
             if (ends || (round > 1 && !(worst <= 4 * Math.max(last, NEARLY)))) {
-                project();
+                project(most);
                 break;
             }
             last = worst;
@@ -571,7 +574,7 @@ public final class JointSolve {
         boolean isAngle = JointMath.isAngle(store.law[row]);
         double c0 = s.start[r];
         double c1 = s.now[r];
-        double most = (isAngle ? TURN_BACK : push) * Math.abs(h);
+        double most = closes ? (isAngle ? TURN_BACK : push) * Math.abs(h) : 0;
         return switch (store.role[row]) {
             case JointStore.LIMIT -> {
                 double edge = store.held[row] < 0 ? store.lower[row] : store.upper[row];
@@ -634,14 +637,26 @@ public final class JointSolve {
         return size;
     }
 
-    /** Where Newton's method fails: no impulses but those that stop the rows' speed. */
-    private void project() {
-        release();
-        for (int k = 0; k < s.joint.length; k++) {
-            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                s.now[r] = speed(k, r);
-            }
+    /**
+     * Where Newton's method fails: its first round alone, and if that adds too much energy, one that
+     * keeps the gaps as they are.
+     */
+    private void project(double most) {
+        single();
+        if (!(kinetic() <= most)) {
+            closes = false;
+            single();
+            closes = true;
         }
+    }
+
+    private void single() {
+        release();
+        keep();
+        move();
+        measure();
+        restore();
+        residuals();
         factor(true);
         correct();
     }
