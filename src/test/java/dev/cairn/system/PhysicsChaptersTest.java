@@ -74,7 +74,7 @@ final class PhysicsChaptersTest {
                     .whereLayer("single")
                     .mayOnlyBeAccessedByLayers("solver")
                     .whereLayer("joint")
-                    .mayOnlyBeAccessedByLayers("solver")
+                    .mayOnlyBeAccessedByLayers("solver", "graph")
                     .whereLayer("direct")
                     .mayOnlyBeAccessedByLayers("solver")
                     .whereLayer("wide")

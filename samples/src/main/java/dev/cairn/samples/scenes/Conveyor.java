@@ -18,7 +18,7 @@ import java.util.List;
  * <p>Truth: dragged with mu g, a crate has the belt's speed u after u/(mu g), and keeps it.
  */
 public final class Conveyor {
-    private static final double HALF_LENGTH = 12;
+    private static final double HALF_LENGTH = 32;
     private static final double HALF_THICK = 0.1;
     private static final double HALF = 0.25;
 
@@ -55,7 +55,7 @@ public final class Conveyor {
         int count = scene.count("crates");
         double speed = scene.get("speed");
         double friction = scene.get("friction");
-        scene.floor(14, 6, friction, 0);
+        scene.floor(34, 6, friction, 0);
         Body frame = Body.fixed().at(0, 1 - HALF_THICK, 0).name("belt");
         BodyRef belt =
                 scene.addParts(

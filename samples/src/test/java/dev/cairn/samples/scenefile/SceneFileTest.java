@@ -354,8 +354,7 @@ class SceneFileTest {
         SampleScene scene = SceneRegistry.get("four-bar");
         SceneOptions options = SceneOptions.defaults(scene);
         UsageException refused =
-                assertThrows(
-                        UsageException.class, () -> SceneExport.of(scene, options, 4, folder));
+                assertThrows(UsageException.class, () -> SceneExport.of(scene, options, 4, folder));
         assertTrue(String.valueOf(refused.getMessage()).contains("joints"));
     }
 

@@ -638,8 +638,8 @@ public final class JointSolve {
     }
 
     /**
-     * Where Newton's method fails: its first round alone, and if that adds too much energy, one that
-     * keeps the gaps as they are.
+     * Where Newton's method fails: its first round alone, and if that adds too much energy, one
+     * that keeps the gaps as they are.
      */
     private void project(double most) {
         single();
