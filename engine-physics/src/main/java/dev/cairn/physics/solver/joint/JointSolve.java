@@ -61,7 +61,7 @@ public final class JointSolve {
     private static final double GAIN = 1.05;
 
     /** The same where nothing is touched: joints that cannot close. */
-    private static final double GAIN_ALONE = 2;
+    private static final double GAIN_ALONE = 1.05;
 
     /** Turning speed at which a joint that is out of place is turned back, rad/s. */
     private static final double TURN_BACK = 10;
@@ -352,7 +352,8 @@ public final class JointSolve {
                 end(stay && !s.isRigid);
                 return;
             }
-            if (ends || (round > 1 && !(worst <= 4 * Math.max(last, NEARLY)))) {
+            boolean fails = round > 1 && !(worst <= 4 * Math.max(last, NEARLY));
+            if (ends || fails || round == ROUNDS - 1) {
                 project(most);
                 break;
             }
@@ -647,6 +648,9 @@ public final class JointSolve {
             closes = false;
             single();
             closes = true;
+            if (!(kinetic() <= most)) {
+                release();
+            }
         }
     }
 
