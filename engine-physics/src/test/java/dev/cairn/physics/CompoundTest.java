@@ -227,7 +227,8 @@ class CompoundTest {
             for (BodyRef body : world.bodies()) {
                 if (!body.isFixed()) {
                     assertTrue(body.position().y > -.3, body.position().toString());
-                    assertTrue(body.velocity().length() < .5, body + " " + body.velocity());
+                    // jacks roll: down from 5 cm they have 1 m/s
+                    assertTrue(body.velocity().length() < 1, body + " " + body.velocity());
                 }
             }
             for (int i = 0; i < world.contacts().count(); i++) {
