@@ -20,7 +20,7 @@ public final class BoxWarmUp extends KernelWarmUp {
     private long faces = Long.MAX_VALUE;
 
     private BoxWarmUp() {
-        super("cairn-warm-up-boxes", 3_000, 100_000);
+        super("cairn-warm-up-boxes", 12_000, 100_000);
     }
 
     /**

@@ -19,7 +19,7 @@ public final class RoundWarmUp extends KernelWarmUp {
     private long best = Long.MAX_VALUE;
 
     private RoundWarmUp() {
-        super("cairn-warm-up-round", 3_000, 100_000);
+        super("cairn-warm-up-round", 12_000, 100_000);
     }
 
     /**

@@ -119,7 +119,7 @@ public final class WideSweeps implements Sweeps {
         private long bestScalar = Long.MAX_VALUE;
 
         WarmUp() {
-            super("cairn-warm-up", 3_000, 20_000);
+            super("cairn-warm-up", 12_000, 20_000);
         }
 
         @Override
