@@ -2,8 +2,10 @@ package dev.cairn.physics.internal;
 
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.collider.Mix;
+import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.mesh.Meshed;
 
 import org.jspecify.annotations.Nullable;
 
@@ -64,6 +66,9 @@ public final class ColliderStore {
 
     /** Velocity of the surface against its body, body axes, m/s; three numbers. */
     public double[] belt = {};
+
+    /** Whether any collider is, or was, a surface of triangles. */
+    public boolean surfaces;
 
     /** Whether any collider is, or was, a sensor. */
     public boolean sensors;
@@ -220,6 +225,7 @@ public final class ColliderStore {
     private void setShape(int collider, Shape solid) {
         shape[collider] = solid;
         surface[collider] = Surface.of(solid);
+        surfaces |= (solid instanceof Moved m ? m.inner() : solid) instanceof Meshed;
         innerRadius[collider] = solid.innerRadius();
         outerRadius[collider] = solid.outerRadius();
     }

@@ -28,6 +28,17 @@ public final class ConvexHull extends Polyhedral implements Shape {
     }
 
     /**
+     * For the narrow phase: a shape that is whatever a triangle of its own is at the moment.
+     *
+     * @param triangle made by {@link Polyhedron#triangle}
+     * @return without volume; of two shapes that meet, the other one is the smaller
+     */
+    public static ConvexHull view(Polyhedron triangle) {
+        return new ConvexHull(
+                triangle, new MassProperties(0, 0, 0, 0, 0, 0, 0, 0, 0, 0), new double[9]);
+    }
+
+    /**
      * The hull of points given as x, y, z, x, y, z, ...
      *
      * @param xyz three numbers per point, m; at least 4 points; duplicates are fine; not kept
@@ -140,7 +151,8 @@ public final class ConvexHull extends Polyhedral implements Shape {
 
     @Override
     public double innerRadius() {
-        return Polyhedron.of(this).innerRadius();
+        // of a view of a triangle: it is a part of something larger
+        return unit.mass() > 0 ? Polyhedron.of(this).innerRadius() : Double.POSITIVE_INFINITY;
     }
 
     @Override
