@@ -159,9 +159,8 @@ public final class ContactRows {
             int row = every ? i : c.active[i];
             int a = c.colliderA[row];
             int b = c.colliderB[row];
-            boolean apart =
-                    (broadPhase.moved(a) || broadPhase.moved(b)) && !broadPhase.overlap(a, b)
-                            || isSpare(c, row);
+            boolean hasMoved = broadPhase.moved(a) || broadPhase.moved(b);
+            boolean apart = (hasMoved && !broadPhase.overlap(a, b)) || isSpare(c, row);
             parted[row] = apart;
             count += apart ? 1 : 0;
         }

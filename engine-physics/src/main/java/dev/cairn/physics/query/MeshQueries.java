@@ -19,8 +19,8 @@ import org.jspecify.annotations.Nullable;
  */
 final class MeshQueries {
     private final NarrowPhase narrowPhase;
-    private final Polyhedron flat = Polyhedron.triangle();
-    private final ConvexHull view = ConvexHull.view(flat);
+    private final ConvexHull view = ConvexHull.triangle();
+    private final Polyhedron flat = Polyhedron.of(view);
     private final Placement triangle = new Placement(), start = new Placement();
     private final TriangleSet.Found found = new TriangleSet.Found();
     private final double[] box = new double[6], wide = new double[6];

@@ -28,14 +28,14 @@ public final class ConvexHull extends Polyhedral implements Shape {
     }
 
     /**
-     * For the narrow phase: a shape that is whatever a triangle of its own is at the moment.
+     * A triangle without thickness, for the engine, which collides surfaces with it: it moves its
+     * corners from one collision to the next. Of no use to others, for a body needs a volume.
      *
-     * @param triangle made by {@link Polyhedron#triangle}
-     * @return without volume; of two shapes that meet, the other one is the smaller
+     * @return a new shape; of two that meet, the other one is the smaller
      */
-    public static ConvexHull view(Polyhedron triangle) {
-        return new ConvexHull(
-                triangle, new MassProperties(0, 0, 0, 0, 0, 0, 0, 0, 0, 0), new double[9]);
+    public static ConvexHull triangle() {
+        MassProperties nothing = new MassProperties(0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+        return new ConvexHull(Polyhedron.triangle(), nothing, new double[9]);
     }
 
     /**
@@ -151,7 +151,7 @@ public final class ConvexHull extends Polyhedral implements Shape {
 
     @Override
     public double innerRadius() {
-        // of a view of a triangle: it is a part of something larger
+        // a triangle is a part of something larger
         return unit.mass() > 0 ? Polyhedron.of(this).innerRadius() : Double.POSITIVE_INFINITY;
     }
 

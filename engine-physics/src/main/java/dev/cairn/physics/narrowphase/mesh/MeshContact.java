@@ -26,8 +26,8 @@ public final class MeshContact {
     private static final double UNDER = 0.02;
 
     private final NarrowPhase narrowPhase;
-    private final Polyhedron flat = Polyhedron.triangle();
-    private final ConvexHull view = ConvexHull.view(flat);
+    private final ConvexHull view = ConvexHull.triangle();
+    private final Polyhedron flat = Polyhedron.of(view);
     private final Pair pair = new Pair();
     private final Patch patch = new Patch(), plane = new Patch();
     private final Overlay overlay = new Overlay();
