@@ -222,8 +222,8 @@ public final class MeshBuilder {
         }
         for (int h = 0; h < index.length; h++) {
             int seen = ends[index[h]];
-            flags[h / 3] |= (short) ((seen & 1) * TriangleSet.CORNER << (h % 3));
-            flags[h / 3] |= (short) ((seen >> 1) * TriangleSet.CORNER_BACK << (h % 3));
+            flags[h / 3] |= (short) (((seen & 1) * TriangleSet.CORNER) << (h % 3));
+            flags[h / 3] |= (short) (((seen >> 1) * TriangleSet.CORNER_BACK) << (h % 3));
         }
     }
 
@@ -369,7 +369,7 @@ public final class MeshBuilder {
             int low = from;
             int high = to - 1;
             while (low < high) {
-                int pivot = median(order[low], order[low + high >>> 1], order[high], axis);
+                int pivot = median(order[low], order[(low + high) >>> 1], order[high], axis);
                 int i = low;
                 int j = high;
                 while (i <= j) {
