@@ -8,6 +8,7 @@ public abstract class Meshed {
     /** In the shape's frame, whose origin is what bodies are placed by. */
     final TriangleSet triangles;
 
+    /** Of these triangles. */
     protected Meshed(TriangleSet triangles) {
         this.triangles = triangles;
     }

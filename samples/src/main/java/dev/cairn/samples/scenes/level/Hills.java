@@ -99,6 +99,7 @@ public final class Hills {
         for (int i = 0; i < count; i++) {
             double x = wide * (2 * (i % side + scene.random(.2, .8)) / side - 1);
             double z = wide * (2 * (i / side % side + scene.random(.2, .8)) / side - 1);
+            int layer = i / (side * side);
             Quaterniond turn =
                     new Quaterniond()
                             .rotateXYZ(
@@ -113,7 +114,7 @@ public final class Hills {
                                             height.applyAsDouble(x, z)
                                                     + 1
                                                     + scene.random(0, 1)
-                                                    + i / (side * side),
+                                                    + layer,
                                             z)
                                     .rotation(turn)
                                     .material(Palette.material(0.6, 0))));
