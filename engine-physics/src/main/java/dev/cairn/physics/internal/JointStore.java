@@ -68,6 +68,9 @@ public final class JointStore implements EdgeSource {
     /** Whether the joint is solved with its whole assembly. */
     public boolean[] isDirect = {};
 
+    /** Whether {@link #most} of the springs along x, y and z is that of their sum's length. */
+    public boolean[] isRound = {};
+
     /** Grows with each joint of the number. */
     public int[] stamp = {};
 
@@ -146,6 +149,7 @@ public final class JointStore implements EdgeSource {
         stamp[j]++;
         isEnabled[j] = true;
         collides[j] = false;
+        isRound[j] = false;
         Arrays.fill(reaction, 6 * j, 6 * j + 6, 0.0);
         resize(j, rowsWanted);
         return j;
@@ -194,6 +198,7 @@ public final class JointStore implements EdgeSource {
         isEnabled = Arrays.copyOf(isEnabled, n);
         collides = Arrays.copyOf(collides, n);
         isDirect = Arrays.copyOf(isDirect, n);
+        isRound = Arrays.copyOf(isRound, n);
         stamp = Arrays.copyOf(stamp, n);
         bodyA = Arrays.copyOf(bodyA, n);
         bodyB = Arrays.copyOf(bodyB, n);
