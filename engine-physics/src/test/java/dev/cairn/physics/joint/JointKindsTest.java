@@ -60,7 +60,8 @@ final class JointKindsTest {
         try (PhysicsWorld world = world()) {
             world.add(Body.fixed().shape(Box.of(5, 1, 5)).at(0, -1, 0));
             BodyRef box =
-                    world.add(Body.dynamic().shape(Box.of(0.25, 0.25, 0.25)).mass(2).at(0, 0.25, 0));
+                    world.add(
+                            Body.dynamic().shape(Box.of(0.25, 0.25, 0.25)).mass(2).at(0, 0.25, 0));
             JointRef hand =
                     world.add(
                             Joint.pull(peg(world, 9), box, 3, 1, 50)
@@ -157,7 +158,10 @@ final class JointKindsTest {
             // cross: one pin along z on the input, one in the plane on the output
             JointRef cross =
                     world.add(
-                            Joint.universal(in, out).at(0, 0, 0).axis(0, 0, 1).secondAxis(-s, c, 0));
+                            Joint.universal(in, out)
+                                    .at(0, 0, 0)
+                                    .axis(0, 0, 1)
+                                    .secondAxis(-s, c, 0));
             for (int tick = 0; tick < 300; tick++) {
                 world.step(STEP);
                 double a = drive.value(JointAxis.TWIST);
@@ -166,10 +170,7 @@ final class JointKindsTest {
                 double left = StrictMath.sin(b) * StrictMath.cos(a);
                 double right = StrictMath.cos(b) * StrictMath.sin(a) * c;
                 double other = StrictMath.cos(b) * StrictMath.sin(a) / c;
-                double error =
-                        Math.min(
-                                Math.abs(left - right),
-                                Math.abs(left * 1 - other));
+                double error = Math.min(Math.abs(left - right), Math.abs(left * 1 - other));
                 assertEquals(0, error, 1e-9, "a " + a + ", b " + b);
                 assertTrue(cross.gap() < 1e-9, "gap");
             }

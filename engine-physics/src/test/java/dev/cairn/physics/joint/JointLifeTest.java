@@ -119,10 +119,11 @@ final class JointLifeTest {
                 assertNotEquals(plain, expected, "tune " + k + " does something");
             }
         }
-        Consumer<JointRef> back = j -> {
-            j.motor(JointAxis.TWIST, 2, 30);
-            j.motorOff(JointAxis.TWIST);
-        };
+        Consumer<JointRef> back =
+                j -> {
+                    j.motor(JointAxis.TWIST, 2, 30);
+                    j.motorOff(JointAxis.TWIST);
+                };
         assertEquals(plain, run(j -> {}, back), "and back");
     }
 
@@ -140,7 +141,8 @@ final class JointLifeTest {
 
     private static void refuses(String part, Runnable call) {
         RuntimeException e = assertThrows(RuntimeException.class, call::run);
-        boolean isTyped = e instanceof IllegalArgumentException || e instanceof IllegalStateException;
+        boolean isTyped =
+                e instanceof IllegalArgumentException || e instanceof IllegalStateException;
         assertTrue(isTyped, "typed: " + e);
         assertTrue(e.getMessage().contains(part), "'" + e.getMessage() + "' tells " + part);
     }
