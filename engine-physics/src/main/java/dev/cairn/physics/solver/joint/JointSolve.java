@@ -582,9 +582,7 @@ public final class JointSolve {
                 byte role = store.role[row];
                 if (role == JointStore.LIMIT) {
                     changed |= limit(k, r, row, round);
-                } else if (isRound(k, row)) {
-                    continue;
-                } else if (role != JointStore.LOCK && s.compliance[r] > 0) {
+                } else if (role != JointStore.LOCK && !isRound(k, row) && s.compliance[r] > 0) {
                     changed |= clamp(k, r, row);
                 }
             }
