@@ -69,7 +69,7 @@ public final class Joints {
     private boolean[] isApart = {};
 
     final JointValues values = new JointValues();
-    private final JointFrames frames = new JointFrames();
+    final JointFrames frames = new JointFrames();
     private final double[] frame = new double[JointStore.FRAME];
     private final Vector3d point = new Vector3d();
     private final List<JointRef> broken = new ArrayList<>();
@@ -210,6 +210,15 @@ public final class Joints {
      */
     public JointRef broken(int index) {
         return broken.get(index);
+    }
+
+    /**
+     * Copies what can be drawn of the joints. Allocates only while their number grows.
+     *
+     * @param into receives it
+     */
+    public void capture(JointData into) {
+        Checks.notNull("into", into).fill(this, refs);
     }
 
     /** Called by the world at the end of a step. */
