@@ -55,7 +55,7 @@ public final class JointData {
         }
         count = 0;
         for (int j = 0; j < s.count; j++) {
-            if (s.isThere[j]) {
+            if (joints.isThere(j)) {
                 fill(joints, refs[j], j);
                 count++;
             }

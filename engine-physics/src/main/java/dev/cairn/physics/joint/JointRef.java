@@ -1,7 +1,6 @@
 package dev.cairn.physics.joint;
 
 import dev.cairn.physics.internal.Checks;
-import dev.cairn.physics.internal.JointStore;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -82,8 +81,7 @@ public final class JointRef {
      * @return false once it or one of its bodies was removed
      */
     public boolean isAlive() {
-        JointStore s = joints.store;
-        return s.isThere[index] && s.stamp[index] == stamp;
+        return joints.store.stamp[index] == stamp && joints.isThere(index);
     }
 
     /**

@@ -30,6 +30,14 @@ public final class Joints {
         int slotOf(String name, Jointed body);
 
         /**
+         * Whether a body is in its world.
+         *
+         * @param slot of the body
+         * @param entity that it has
+         */
+        boolean isAlive(int slot, long entity);
+
+        /**
          * Wakes a body with all that hangs on it.
          *
          * @param slot of the body
@@ -180,10 +188,17 @@ public final class Joints {
         return list;
     }
 
+    /** Whether there is a joint of the number. The store forgets those of removed bodies later. */
+    boolean isThere(int j) {
+        return store.isThere[j]
+                && host.isAlive(store.bodyA[j], refs[j].entityA())
+                && host.isAlive(store.bodyB[j], refs[j].entityB());
+    }
+
     private int list(@Nullable List<JointRef> into) {
         int n = 0;
         for (int j = 0; j < store.count; j++) {
-            if (store.isThere[j]) {
+            if (isThere(j)) {
                 n++;
                 if (into != null) {
                     into.add(refs[j]);

@@ -26,6 +26,11 @@ final class JointDrawing {
 
     private static final JointAxis[] AXES = JointAxis.values();
 
+    /** Room for two points, the window thread's. */
+    private static final double[] BEFORE = new double[3];
+
+    private static final double[] NEXT = new double[3];
+
     private JointDrawing() {}
 
     static void joints(JointData data, DebugLines lines) {
@@ -80,8 +85,8 @@ final class JointDrawing {
             JointData data, int j, double low, double high, double now, DebugLines lines, int rgb) {
         double from = Math.max(low, -Math.PI);
         double to = Math.min(high, Math.PI);
-        double[] before = new double[3];
-        double[] next = new double[3];
+        double[] before = BEFORE;
+        double[] next = NEXT;
         for (int k = 0; k <= ARC; k++) {
             turned(data, j, from + k * (to - from) / ARC, next);
             if (k == 0 || k == ARC) {
@@ -116,8 +121,8 @@ final class JointDrawing {
         double[] p = data.points();
         int at = JointData.POINTS * j + 3;
         int x = JointData.AXES * j;
-        double[] before = new double[3];
-        double[] next = new double[3];
+        double[] before = BEFORE;
+        double[] next = NEXT;
         double out = Math.sin(Math.min(angle, Math.PI));
         double up = Math.cos(Math.min(angle, Math.PI));
         for (int k = 0; k <= ARC; k++) {
