@@ -5,7 +5,6 @@ import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Collider;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.body.BodyType;
-
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.joint.Joint;
 import dev.cairn.physics.joint.JointAxis;
@@ -179,8 +178,6 @@ public final class Hand {
     public Vector3d force(Vector3d destination) {
         JointRef spring = joint;
         Checks.notNull("destination", destination);
-        return spring != null && isHolding()
-                ? spring.force(destination)
-                : destination.set(0, 0, 0);
+        return spring != null && isHolding() ? spring.force(destination) : destination.set(0, 0, 0);
     }
 }

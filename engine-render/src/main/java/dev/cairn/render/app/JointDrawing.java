@@ -67,8 +67,7 @@ final class JointDrawing {
             case Y -> along(data, p, x + 3, low, high, lines, rgb);
             case TWIST -> arc(data, j, low, high, now, lines, rgb);
             case CONE -> cone(data, j, high, lines, rgb);
-            case DISTANCE ->
-                    line(lines, data.points(), p, data.points(), p + 3, rgb, 1);
+            case DISTANCE -> line(lines, data.points(), p, data.points(), p + 3, rgb, 1);
             case Z, SWING_Y, SWING_Z -> DebugDrawing.dot(lines, data.points(), p, rgb, 6);
         }
     }

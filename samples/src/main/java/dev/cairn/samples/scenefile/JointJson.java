@@ -226,8 +226,7 @@ final class JointJson {
         if (s.isSprung()) {
             JsonObject spring = new JsonObject();
             spring.add("target", SceneWriter.number(s.target()));
-            spring.add(
-                    s.isAbsolute() ? "stiffness" : "hertz", SceneWriter.number(s.stiffness()));
+            spring.add(s.isAbsolute() ? "stiffness" : "hertz", SceneWriter.number(s.stiffness()));
             spring.add(
                     s.isAbsolute() ? "damping" : "dampingRatio", SceneWriter.number(s.damping()));
             most(spring, "most", s.springMost());

@@ -21,7 +21,6 @@ import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.SceneRegistry;
 import dev.cairn.samples.SceneReport;
 import dev.cairn.samples.SceneRun;
-import dev.cairn.samples.UsageException;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFile.TickSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
@@ -418,7 +417,10 @@ class SceneFileTest {
                     {"\"type\": \"hing\", \"a\": 0, \"b\": 1", "$.joints[0].type"},
                     {"\"type\": \"hinge\", \"a\": 0, \"b\": 2", "$.joints[0].b"},
                     {"\"type\": \"hinge\", \"a\": 0", "b"},
-                    {"\"type\": \"hinge\", \"a\": 0, \"b\": 1, \"lengt\": 1", "did you mean length?"}
+                    {
+                        "\"type\": \"hinge\", \"a\": 0, \"b\": 1, \"lengt\": 1",
+                        "did you mean length?"
+                    }
                 }) {
             SceneFileException told =
                     assertThrows(
@@ -453,7 +455,8 @@ class SceneFileTest {
     /** What a joint is made of is in the file: all kinds with all they can have. */
     @Test
     void joinedEntitiesAreJoinedAgain() {
-        String ball = "{\"shape\": {\"type\": \"sphere\", \"radius\": 0.2}, \"position\": [%d, 0, 0]}";
+        String ball =
+                "{\"shape\": {\"type\": \"sphere\", \"radius\": 0.2}, \"position\": [%d, 0, 0]}";
         SceneFile scene =
                 SceneReader.parse(
                         "t",
@@ -466,8 +469,8 @@ class SceneFileTest {
                                 + ball.formatted(4)
                                 + "], \"joints\": [{\"type\": \"rod\", \"a\": 0, \"b\": 2},"
                                 + " {\"type\": \"hinge\", \"a\": 2, \"b\": 1, \"at\": [3, 0, 0],"
-                                + " \"on\": false, \"axes\": {\"twist\": {\"limits\": [-1, \"none\"],"
-                                + " \"motor\": {\"speed\": 3}}}}]}");
+                                + " \"on\": false, \"axes\": {\"twist\": {\"limits\": [-1,"
+                                + " \"none\"], \"motor\": {\"speed\": 3}}}}]}");
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
             SceneLoader.build(scene, Path.of(""), new SceneBuilder(world, NO_OPTIONS));
             List<JointRef> joints = world.joints().all();

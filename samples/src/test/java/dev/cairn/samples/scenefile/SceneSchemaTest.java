@@ -144,7 +144,8 @@ class SceneSchemaTest {
     @Test
     void whatIsWrittenFitsTheSchema() throws IOException {
         JsonObject root = schema();
-        for (String id : List.of("room", "pyramid", "slope-ball", "shapes", "obj-drop", "car", "door")) {
+        for (String id :
+                List.of("room", "pyramid", "slope-ball", "shapes", "obj-drop", "car", "door")) {
             SampleScene scene = SceneRegistry.get(id);
             String text =
                     SceneWriter.text(
