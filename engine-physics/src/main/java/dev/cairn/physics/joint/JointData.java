@@ -5,6 +5,7 @@ import dev.cairn.physics.internal.JointStore;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What can be drawn of a world's joints, copied so that another thread may look at it. World frame,
@@ -26,15 +27,12 @@ public final class JointData {
     /** Numbers to a joint in {@link #limits}. */
     public static final int LIMITS = 3;
 
-    /** In {@link #limited} of a joint without limits. */
-    public static final byte NONE = -1;
-
     private int count;
     private double[] points = {};
     private double[] axes = {};
     private double[] loads = {};
     private double[] limits = {};
-    private byte[] limited = {};
+    private @Nullable JointAxis[] limited = {};
     private boolean[] enabled = {};
     private final Vector3d point = new Vector3d();
     private final Quaterniond turn = new Quaterniond();
@@ -50,7 +48,7 @@ public final class JointData {
             axes = new double[AXES * n];
             loads = new double[LOADS * n];
             limits = new double[LIMITS * n];
-            limited = new byte[n];
+            limited = new @Nullable JointAxis[n];
             enabled = new boolean[n];
         }
         count = 0;
@@ -77,11 +75,11 @@ public final class JointData {
         }
         System.arraycopy(s.reaction, 6 * j, loads, LOADS * count, LOADS);
         enabled[count] = s.isEnabled[j];
-        limited[count] = NONE;
+        limited[count] = null;
         for (JointAxis axis : JointAxis.ALL) {
             AxisSettings a = ref.axes[axis.index];
             if (a.isLimited) {
-                limited[count] = (byte) axis.ordinal();
+                limited[count] = axis;
                 limits[LIMITS * count] = a.lower;
                 limits[LIMITS * count + 1] = a.upper;
                 limits[LIMITS * count + 2] = joints.values.of(joints, j, axis);
@@ -151,10 +149,11 @@ public final class JointData {
     /**
      * Which axis {@link #limits} is about.
      *
-     * @return the ordinal of a {@link JointAxis}, or {@link #NONE}
+     * @param joint 0 to count - 1
+     * @return the axis, or null of a joint without limits
      */
-    public byte[] limited() {
-        return limited;
+    public @Nullable JointAxis limited(int joint) {
+        return limited[joint];
     }
 
     /**

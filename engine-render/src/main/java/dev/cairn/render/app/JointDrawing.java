@@ -24,8 +24,6 @@ final class JointDrawing {
     /** Within this of a limit it counts as reached, m or rad. */
     private static final double REACHED = 1e-4;
 
-    private static final JointAxis[] AXES = JointAxis.values();
-
     /** Room for two points, the window thread's. */
     private static final double[] BEFORE = new double[3];
 
@@ -41,20 +39,21 @@ final class JointDrawing {
             int rgb = data.enabled()[j] ? LINK : OFF;
             line(lines, p, at, p, at + 3, rgb, 1.5);
             line(lines, p, at + 6, p, at + 9, rgb, 1.5);
-            boolean isRod = data.limited()[j] == JointAxis.DISTANCE.ordinal();
+            boolean isRod = data.limited(j) == JointAxis.DISTANCE;
             boolean isApart = apart(p, at + 3, at + 6) > GAP;
             line(lines, p, at + 3, p, at + 6, isApart && !isRod ? OPEN : rgb, 2);
             DebugDrawing.dot(lines, p, at + 3, data.enabled()[j] ? POINT : OFF, 4);
             double[] a = data.axes();
             ray(lines, p, at + 3, a, JointData.AXES * j, AXIS_METRES, 0, AXIS, 1.5);
-            if (data.limited()[j] != JointData.NONE) {
-                limits(data, j, lines);
+            JointAxis limited = data.limited(j);
+            if (limited != null) {
+                limits(data, j, limited, lines);
             }
         }
         lines.hidden(DebugLines.HIDDEN);
     }
 
-    private static void limits(JointData data, int j, DebugLines lines) {
+    private static void limits(JointData data, int j, JointAxis axis, DebugLines lines) {
         double[] l = data.limits();
         double low = l[JointData.LIMITS * j];
         double high = l[JointData.LIMITS * j + 1];
@@ -62,7 +61,7 @@ final class JointDrawing {
         int rgb = now < low + REACHED || now > high - REACHED ? AT_LIMIT : LIMIT;
         int p = JointData.POINTS * j + 3;
         int x = JointData.AXES * j;
-        switch (AXES[data.limited()[j]]) {
+        switch (axis) {
             case X -> along(data, p, x, low, high, lines, rgb);
             case Y -> along(data, p, x + 3, low, high, lines, rgb);
             case TWIST -> arc(data, j, low, high, now, lines, rgb);

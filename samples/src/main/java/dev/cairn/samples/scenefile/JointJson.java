@@ -91,7 +91,7 @@ final class JointJson {
         Map<String, JsonNode> in = node.fields("what is done about axes", AXES);
         List<JointSpec.Axis> axes = new ArrayList<>();
         for (JointAxis axis : JointAxis.values()) {
-            JsonNode one = in.get(AXES.get(axis.ordinal()));
+            JsonNode one = in.get(word(axis));
             if (one != null) {
                 axes.add(new JointSpec.Axis(axis, axis(one)));
             }
@@ -177,7 +177,7 @@ final class JointJson {
         if (!joint.axes().isEmpty()) {
             JsonObject axes = new JsonObject();
             for (JointSpec.Axis axis : joint.axes()) {
-                axes.add(AXES.get(axis.axis().ordinal()), axis(axis.state()));
+                axes.add(word(axis.axis()), axis(axis.state()));
             }
             out.add("axes", axes);
         }
@@ -233,5 +233,18 @@ final class JointJson {
             out.add("spring", spring);
         }
         return out;
+    }
+
+    private static String word(JointAxis axis) {
+        return switch (axis) {
+            case X -> "x";
+            case Y -> "y";
+            case Z -> "z";
+            case TWIST -> "twist";
+            case SWING_Y -> "swingY";
+            case SWING_Z -> "swingZ";
+            case CONE -> "cone";
+            case DISTANCE -> "distance";
+        };
     }
 }
