@@ -34,6 +34,7 @@ public final class Joints {
          *
          * @param slot of the body
          * @param entity that it has
+         * @return false once it was removed
          */
         boolean isAlive(int slot, long entity);
 
