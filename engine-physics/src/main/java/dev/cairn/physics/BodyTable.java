@@ -318,7 +318,9 @@ final class BodyTable implements Stateful {
 
     // State ------------------------------------------------------------------------------------
 
-    /** Bodies and their colliders. A reference that the world has given stays the one to its body. */
+    /**
+     * Bodies and their colliders. A reference that the world has given stays the one to its body.
+     */
     @Override
     public void state(StateVisitor s) {
         roster.state(s);

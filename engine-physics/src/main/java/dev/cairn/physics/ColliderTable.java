@@ -72,7 +72,9 @@ final class ColliderTable implements Stateful {
         return list;
     }
 
-    /** A reference that the world has given stays the one to its collider, and one to none is dead. */
+    /**
+     * A reference that the world has given stays the one to its collider, and one to none is dead.
+     */
     @Override
     public void state(StateVisitor s) {
         s.section("colliderTable", this);
@@ -84,7 +86,8 @@ final class ColliderTable implements Stateful {
         for (int c = 0; c < slots && !s.isRestoring(); c++) {
             places[c] = refs[c] == null ? -1 : refs[c].slot();
         }
-        ColliderRef[] saved = s.array("refs", s.isRestoring() ? new ColliderRef[slots] : refs, slots);
+        ColliderRef[] saved =
+                s.array("refs", s.isRestoring() ? new ColliderRef[slots] : refs, slots);
         places = s.array("places", places, slots);
         specs = s.array("specs", specs, slots);
         kilograms = s.array("kilograms", kilograms, slots);

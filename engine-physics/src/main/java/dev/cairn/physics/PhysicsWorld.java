@@ -325,10 +325,11 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
-     * Saves all that the next step depends on: bodies, colliders, shapes, joints, contacts with what
-     * is remembered of them, who sleeps, events of the last step, tick, entities with all
-     * components. Not saved are functions and listeners (filters of pairs, contact hooks), resources
-     * and whether the physics is paused; objects of the user are kept by reference. Between steps.
+     * Saves all that the next step depends on: bodies, colliders, shapes, joints, contacts with
+     * what is remembered of them, who sleeps, events of the last step, tick, entities with all
+     * components. Not saved are functions and listeners (filters of pairs, contact hooks),
+     * resources and whether the physics is paused; objects of the user are kept by reference.
+     * Between steps.
      *
      * @return a new state
      * @throws IllegalStateException during a step, or if the world is closed

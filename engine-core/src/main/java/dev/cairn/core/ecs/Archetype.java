@@ -179,7 +179,10 @@ final class Archetype {
     /** Makes room for all rows, and empties the slabs behind them. */
     private void prepare(int chunks) {
         for (int chunk = 0; chunk < chunks; chunk++) {
-            int local = chunk == chunks - 1 ? ChunkSizes.local(rows - 1) : ChunkSizes.capacity(chunk) - 1;
+            int local =
+                    chunk == chunks - 1
+                            ? ChunkSizes.local(rows - 1)
+                            : ChunkSizes.capacity(chunk) - 1;
             while (chunk == slabs.length || local >= slabs[chunk].entities.length) {
                 enlarge(chunk);
             }

@@ -323,12 +323,14 @@ final class Store {
         entities.state(s);
         int tables = s.value("tables", archetypes.size());
         for (int i = 0; i < tables; i++) {
-            Component<?>[] now = i < archetypes.size() ? archetypes.get(i).components : NO_PARTS;
-            Component<?>[] members = s.reference("components", now);
+            Component<?>[] now = s.isRestoring() ? NO_PARTS : archetypes.get(i).components;
+            int parts = s.value("parts", now.length);
+            Component<?>[] members = s.array("components", now, parts);
             if (s.isRestoring()) {
                 match(i, members);
             }
             archetypes.get(i).state(s);
+            s.section("entities", this);
         }
         if (s.isRestoring()) {
             dropFrom(tables);
@@ -338,8 +340,7 @@ final class Store {
 
     /** Makes the table of a number the one with these components. */
     private void match(int index, Component<?>[] members) {
-        if (index < archetypes.size()
-                && Arrays.equals(archetypes.get(index).components, members)) {
+        if (index < archetypes.size() && Arrays.equals(archetypes.get(index).components, members)) {
             return;
         }
         dropFrom(index);

@@ -171,8 +171,9 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
     }
 
     /**
-     * Saves all that decides what happens next: entities with all components, tick and seed. Between
-     * steps. Objects in columns are kept by reference, and are not copied; resources are not saved.
+     * Saves all that decides what happens next: entities with all components, tick and seed.
+     * Between steps. Objects in columns are kept by reference, and are not copied; resources are
+     * not saved.
      *
      * @return a new state
      * @throws IllegalStateException during a step

@@ -4,8 +4,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Walks over everything that the next tick depends on: to save it, or to restore it. Who holds such
- * a thing declares it in one place, a method {@link Stateful#state} that hands each of its fields to
- * one of these and keeps what comes back:
+ * a thing declares it in one place, a method {@link Stateful#state} that hands each of its fields
+ * to one of these and keeps what comes back:
  *
  * <pre>{@code
  * public void state(StateVisitor s) {

@@ -108,7 +108,10 @@ final class StateWriter implements StateVisitor {
             }
             default ->
                     throw new IllegalArgumentException(
-                            name + " is a " + now.getClass().getSimpleName() + ", which no state"
+                            name
+                                    + " is a "
+                                    + now.getClass().getSimpleName()
+                                    + ", which no state"
                                     + " holds; use double, float, long, int, byte or boolean");
         }
         return now;

@@ -190,6 +190,7 @@ public final class WorldState {
         while (section > 0 && kinds[section] != SECTION) {
             section--;
         }
-        return kinds[entry] == SECTION ? names[entry] : names[section] + "." + names[entry];
+        boolean isAlone = kinds[entry] == SECTION || kinds[section] != SECTION;
+        return isAlone ? names[entry] : names[section] + "." + names[entry];
     }
 }

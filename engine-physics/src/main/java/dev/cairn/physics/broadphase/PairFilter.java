@@ -125,9 +125,9 @@ public final class PairFilter implements Stateful {
     public void state(StateVisitor s) {
         s.section("pairFilter", this);
         active = s.value("active", active) | test != null;
-        excluded.state(s);
         reasonCount = s.value("reasonCount", reasonCount);
         reasons = s.array("reasons", reasons, reasonCount);
+        excluded.state(s);
     }
 
     /** What bodies and filters say of a pair; any worker, while nobody changes anything. */

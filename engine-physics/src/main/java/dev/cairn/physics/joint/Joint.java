@@ -23,6 +23,7 @@ public final class Joint {
 
     final Jointed a;
     final Jointed b;
+
     /** How many settings a joint has: one to an axis, and one more. */
     static final int AXES = CROSS + 1;
 

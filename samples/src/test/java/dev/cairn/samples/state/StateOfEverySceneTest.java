@@ -71,7 +71,9 @@ class StateOfEverySceneTest {
             assertEquals(entities[t], world.ecs().digest(), where + t + ", same world's entities");
             world.step(STEP);
         }
-        try (PhysicsWorld other = world(2, 4)) {
+        // a contact hook is a function, which a state does not hold: a fork has it from its world
+        boolean hasHook = id.equals("one-way");
+        try (PhysicsWorld other = hasHook ? world.fork() : world(2, 4)) {
             other.restore(state);
             for (int t = 0; t <= ticks; t++) {
                 assertEquals(digests[t], other.digest(), where + t + ", new world");

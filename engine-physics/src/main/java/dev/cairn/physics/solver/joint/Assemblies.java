@@ -70,7 +70,9 @@ public final class Assemblies implements Stateful {
         return !all.isEmpty() && ofBody[slot] >= 0 && all.get(ofBody[slot]).isDirect;
     }
 
-    /** Brings them up to date with the edges of a tick; whether they are others than in the last. */
+    /**
+     * Brings them up to date with the edges of a tick; whether they are others than in the last.
+     */
     public boolean update(EdgeList list, int slots) {
         if (kind == 0) {
             return false;
