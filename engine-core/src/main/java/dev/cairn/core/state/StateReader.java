@@ -47,7 +47,7 @@ final class StateReader implements StateVisitor {
     }
 
     @Override
-    @SuppressWarnings("unchecked") // what was saved under this name was of this type
+    @SuppressWarnings({"unchecked", "NullAway"}) // what was saved here was of this type
     public <T extends @Nullable Object> T reference(String name, T now) {
         return (T) state.objects[next(name, WorldState.REFERENCE)];
     }
