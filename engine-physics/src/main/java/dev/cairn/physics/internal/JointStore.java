@@ -71,6 +71,9 @@ public final class JointStore implements EdgeSource, Stateful {
     /** Whether the joint is solved with its whole assembly. */
     public boolean[] isDirect = {};
 
+    /** Whether {@link #most} of the springs along x, y and z is that of their sum's length. */
+    public boolean[] isRound = {};
+
     /** Grows with each joint of the number. */
     public int[] stamp = {};
 
@@ -150,6 +153,7 @@ public final class JointStore implements EdgeSource, Stateful {
         stamp[j]++;
         isEnabled[j] = true;
         collides[j] = false;
+        isRound[j] = false;
         Arrays.fill(reaction, 6 * j, 6 * j + 6, 0.0);
         resize(j, rowsWanted);
         return j;
@@ -211,6 +215,7 @@ public final class JointStore implements EdgeSource, Stateful {
         isEnabled = c.column("isEnabled", isEnabled);
         collides = c.column("collides", collides);
         isDirect = c.column("isDirect", isDirect);
+        isRound = c.column("isRound", isRound);
         stamp = c.column("stamp", stamp);
         bodyA = c.column("bodyA", bodyA);
         bodyB = c.column("bodyB", bodyB);

@@ -41,6 +41,10 @@ public final class Joint {
     final double[] y = new double[3];
     boolean hasSecond;
     boolean collides;
+
+    /** Whether the springs along x, y and z have their largest force together. */
+    boolean isRound;
+
     double breakForce = Double.POSITIVE_INFINITY;
     double breakTorque = Double.POSITIVE_INFINITY;
 
@@ -254,12 +258,13 @@ public final class Joint {
      * @param b what is drawn
      * @param hertz of the spring, Hz, above 0
      * @param dampingRatio of the spring
-     * @param mostNewtons largest force, N, above 0; may be infinite
+     * @param mostNewtons largest force, in whatever direction, N, above 0; may be infinite
      * @return a description
      */
     public static Joint pull(
             Jointed a, Jointed b, double hertz, double dampingRatio, double mostNewtons) {
         Joint j = new Joint("pull", a, b, JointAxis.X);
+        j.isRound = true;
         for (JointAxis axis : new JointAxis[] {JointAxis.X, JointAxis.Y, JointAxis.Z}) {
             j.spring(axis, 0, hertz, dampingRatio);
             j.of(axis).springMost = Checks.limit("mostNewtons", mostNewtons);

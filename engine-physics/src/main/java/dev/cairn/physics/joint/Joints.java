@@ -75,6 +75,7 @@ public final class Joints implements Stateful {
 
     final JointValues values = new JointValues();
     private final JointFrames frames = new JointFrames();
+    private final double[] frame = new double[JointStore.FRAME];
     private final Vector3d point = new Vector3d();
     private final List<JointRef> broken = new ArrayList<>();
 
@@ -111,13 +112,15 @@ public final class Joints implements Stateful {
         double distance = frames.distance(joint, bodies, a, b);
         ref.resolveLength(distance);
         rows.compile(ref.axes);
+        frames.write(joint, bodies, a, b, frame, 0);
         int j = store.add(rows.count);
         store.bodyA[j] = a;
         store.bodyB[j] = b;
         store.collides[j] = joint.collides;
+        store.isRound[j] = joint.isRound;
         store.breakForce[j] = joint.breakForce;
         store.breakTorque[j] = joint.breakTorque;
-        frames.write(joint, bodies, a, b, store.frame, JointStore.FRAME * j);
+        System.arraycopy(frame, 0, store.frame, JointStore.FRAME * j, JointStore.FRAME);
         rows.write(store, j);
         if (refs.length <= j) {
             refs = Arrays.copyOf(refs, store.isThere.length);
