@@ -322,6 +322,7 @@ final class BodyTable implements Stateful {
      * Bodies and their colliders. A reference that the world has given stays the one to its body.
      */
     @Override
+    @SuppressWarnings("NullAway") // a slot without a body has no reference
     public void state(StateVisitor s) {
         roster.state(s);
         s.section("references", this);

@@ -124,7 +124,7 @@ public final class PairFilter implements Stateful {
     @Override
     public void state(StateVisitor s) {
         s.section("pairFilter", this);
-        active = s.value("active", active) | test != null;
+        active = s.value("active", active) || test != null;
         reasonCount = s.value("reasonCount", reasonCount);
         reasons = s.array("reasons", reasons, reasonCount);
         excluded.state(s);
