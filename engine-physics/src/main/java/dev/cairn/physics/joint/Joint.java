@@ -25,7 +25,11 @@ public final class Joint {
 
     final Jointed a;
     final Jointed b;
-    final AxisSettings[] axes = new AxisSettings[CROSS + 1];
+
+    /** How many settings a joint has: one to an axis, and one more. */
+    static final int AXES = CROSS + 1;
+
+    final AxisSettings[] axes = new AxisSettings[AXES];
 
     /** What {@link #limits}, {@link #motor} and {@link #spring} without an axis are about. */
     final JointAxis main;

@@ -40,6 +40,38 @@ public final class JointRef {
         axes = joint.copyAxes();
     }
 
+    /** The same joint in another world. */
+    JointRef(Joints joints, JointRef twin) {
+        this.joints = joints;
+        name = twin.name;
+        kind = twin.kind;
+        entityA = twin.entityA;
+        entityB = twin.entityB;
+        main = twin.main;
+        length = twin.length;
+        place = twin.place;
+        axes = new AxisSettings[twin.axes.length];
+        for (int k = 0; k < axes.length; k++) {
+            axes[k] = twin.axes[k].copy();
+        }
+        index = twin.index;
+        stamp = twin.stamp;
+    }
+
+    boolean isOf(Joints owner) {
+        return joints == owner;
+    }
+
+    /** Whether this is the same joint in another world. */
+    boolean isTwin(JointRef other) {
+        return index == other.index
+                && stamp == other.stamp
+                && entityA == other.entityA
+                && entityB == other.entityB
+                && kind.equals(other.kind)
+                && name.equals(other.name);
+    }
+
     /** The length of a rod, rope or spring is known. */
     void resolveLength(double distance) {
         if (main != JointAxis.DISTANCE) {

@@ -1,5 +1,7 @@
 package dev.cairn.physics.joint;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.JointStore;
@@ -17,7 +19,7 @@ import java.util.List;
  * <p>Simulation thread, between steps. Adding and removing allocates, all else does not unless it
  * says so.
  */
-public final class Joints {
+public final class Joints implements Stateful {
     /** What joints need of the world that they are in. */
     public interface Host {
         /**
@@ -76,6 +78,9 @@ public final class Joints {
 
     /** By joint: whether it keeps its bodies from colliding. */
     private boolean[] isApart = {};
+
+    /** Room to save the settings of all axes. */
+    private double[] settings = {};
 
     final JointValues values = new JointValues();
     final JointFrames frames = new JointFrames();
@@ -137,6 +142,64 @@ public final class Joints {
         separate(j);
         wake(j);
         return ref;
+    }
+
+    /**
+     * What users know of the joints, beside the store. A reference that the world has given stays
+     * the one to its joint.
+     */
+    @Override
+    public void state(StateVisitor s) {
+        s.section("jointList", this);
+        int count = store.count;
+        JointRef[] saved = s.array("refs", s.isRestoring() ? new JointRef[count] : refs, count);
+        isApart = s.array("isApart", isApart, count);
+        int numbers = count * Joint.AXES * AxisSettings.NUMBERS;
+        if (settings.length < numbers) {
+            settings = new double[numbers + numbers / 2];
+        }
+        if (!s.isRestoring()) {
+            exchange(false);
+        }
+        settings = s.array("settings", settings, numbers);
+        int[] gone = s.array("broken", brokenNumbers(), s.value("brokenCount", broken.size()));
+        if (s.isRestoring()) {
+            own(saved);
+            exchange(true);
+            broken.clear();
+            for (int j : gone) {
+                broken.add(refs[j]);
+            }
+        }
+    }
+
+    private int[] brokenNumbers() {
+        int[] numbers = new int[broken.size()];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = broken.get(i).index;
+        }
+        return numbers;
+    }
+
+    private void own(JointRef[] saved) {
+        JointRef[] now = refs;
+        refs = Arrays.copyOf(saved, Math.max(saved.length, store.isThere.length));
+        for (int j = 0; j < saved.length; j++) {
+            if (saved[j] != null && !saved[j].isOf(this)) {
+                boolean known = j < now.length && now[j] != null && now[j].isTwin(saved[j]);
+                refs[j] = known ? now[j] : new JointRef(this, saved[j]);
+            }
+        }
+    }
+
+    /** Settings of all axes: from the references to numbers, or back. */
+    private void exchange(boolean back) {
+        for (int j = 0; j < store.count; j++) {
+            for (int k = 0; k < Joint.AXES && refs[j] != null; k++) {
+                int at = (j * Joint.AXES + k) * AxisSettings.NUMBERS;
+                refs[j].axes[k].exchange(settings, at, back);
+            }
+        }
     }
 
     private void check(Joint joint, int a, int b) {
