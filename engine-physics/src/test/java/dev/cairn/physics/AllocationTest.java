@@ -7,6 +7,7 @@ import com.sun.management.ThreadMXBean;
 
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.mesh.Grounds;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.tuning.Precision;
@@ -17,6 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.IntConsumer;
 
@@ -104,6 +106,23 @@ class AllocationTest {
                 }
                 measure(world, 1500);
             }
+        }
+    }
+
+    /** On hills of triangles, pushed now and then. */
+    @Test
+    void aHeapOnTriangles() {
+        try (PhysicsWorld world = scalar().sleeping(false).workers(2).build()) {
+            List<BodyRef> bodies = Grounds.drop(world, 40, 3);
+            measure(
+                    world,
+                    900,
+                    tick -> {
+                        if (tick % 100 == 0) {
+                            BodyRef body = bodies.get(tick / 100 % bodies.size());
+                            body.applyImpulse(10, 20, 5);
+                        }
+                    });
         }
     }
 

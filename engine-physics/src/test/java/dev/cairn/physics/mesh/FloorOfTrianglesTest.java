@@ -22,9 +22,13 @@ import org.joml.Vector3d;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+import java.util.HashMap;
+import java.util.Map;
+
 /** A floor of triangles is a floor: what slides or rolls over it does as on a slab. */
 class FloorOfTrianglesTest {
     private static final double HALF = 8;
+    private static final Map<String, Path> SLABS = new HashMap<>();
 
     /** The floors. */
     enum Ground {
@@ -102,7 +106,9 @@ class FloorOfTrianglesTest {
             double most = 0;
             for (int tick = 0; tick < 90; tick++) {
                 world.step(1 / 60.0);
-                world.validate();
+                if (tick % 30 == 0) {
+                    world.validate();
+                }
                 most = Math.max(most, Math.abs(ref.velocity(new Vector3d()).y));
             }
             return new Path(ref.position(new Vector3d()), ref.velocity(new Vector3d()), most);
@@ -114,7 +120,7 @@ class FloorOfTrianglesTest {
     void whatSlidesAndRollsGoesAsOnASlab(Ground ground) {
         TriangleMesh mesh = ground.mesh();
         for (Mover mover : movers()) {
-            Path slab = run(mover, null, 1, 4);
+            Path slab = SLABS.computeIfAbsent(mover.name, name -> run(mover, null, 1, 4));
             Path floor = run(mover, mesh, 1, 4);
             String what = mover.name + " over " + ground;
             assertTrue(floor.mostUp <= slab.mostUp + 1e-6, what);

@@ -103,6 +103,30 @@ public final class Grounds {
         };
     }
 
+    /** The inside of a ball about the origin, as far as 1.2 rad from its lowest point. */
+    public static TriangleMesh bowl(double radius, int facets) {
+        int rings = (int) Math.ceil(1.2 * facets / (2 * Math.PI));
+        double[] xyz = new double[3 * (1 + rings * facets)];
+        xyz[1] = -radius;
+        List<Integer> index = new ArrayList<>();
+        for (int ring = 1; ring <= rings; ring++) {
+            double out = radius * StrictMath.sin(1.2 * ring / rings);
+            for (int i = 0; i < facets; i++) {
+                int c = 1 + (ring - 1) * facets + i;
+                int d = 1 + (ring - 1) * facets + (i + 1) % facets;
+                xyz[3 * c] = out * StrictMath.cos(2 * Math.PI * i / facets);
+                xyz[3 * c + 1] = -radius * StrictMath.cos(1.2 * ring / rings);
+                xyz[3 * c + 2] = out * StrictMath.sin(2 * Math.PI * i / facets);
+                if (ring == 1) {
+                    index.addAll(List.of(0, d, c));
+                } else {
+                    index.addAll(List.of(c - facets, d - facets, d, c - facets, d, c));
+                }
+            }
+        }
+        return TriangleMesh.of(xyz, index.stream().mapToInt(Integer::intValue).toArray());
+    }
+
     /** Drops so many bodies of all kinds over the ground of {@link #hills}. */
     public static List<BodyRef> drop(PhysicsWorld world, int count, long seed) {
         Random random = new Random(seed);

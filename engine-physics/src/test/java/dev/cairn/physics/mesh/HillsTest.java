@@ -31,7 +31,7 @@ class HillsTest {
                         .sleeping(false)
                         .workers(workers)
                         .build()) {
-            Grounds.drop(world, 70, 11);
+            Grounds.drop(world, 35, 11);
             for (int tick = 0; tick < digests.length; tick++) {
                 world.step(1 / 60.0);
                 digests[tick] = world.digest();
@@ -54,8 +54,8 @@ class HillsTest {
     @Test
     void nothingFallsThroughAndAllComesToRest() {
         try (PhysicsWorld world = PhysicsWorld.builder().sleeping(false).workers(1).build()) {
-            List<BodyRef> bodies = Grounds.drop(world, 120, 5);
-            for (int tick = 0; tick < 3 * TICKS; tick++) {
+            List<BodyRef> bodies = Grounds.drop(world, 80, 5);
+            for (int tick = 0; tick < 2 * TICKS; tick++) {
                 world.step(1 / 60.0);
                 if (tick % 20 == 0) {
                     world.validate();

@@ -271,30 +271,74 @@ public final class MeshContact {
                 view, shape, 0, 0, 0, 1, qx, qy, qz, qw, -gx, -gy, -gz, margin, 0, manifold);
         Manifold m = manifold;
         double along = m.normalX * nx + m.normalY * ny + m.normalZ * nz;
+        boolean any = false;
         for (int i = 0; i < m.pointCount && along > 0; i++) {
-            double half = m.separation[i] / 2;
-            double x = m.pointX[i] + gx;
-            double y = m.pointY[i] + gy;
-            double z = m.pointZ[i] + gz;
-            double px = x - half * m.normalX;
-            double py = y - half * m.normalY;
-            double pz = z - half * m.normalZ;
-            if (!isOut(px, py, pz)) {
-                continue;
-            }
-            x += half * m.normalX;
-            y += half * m.normalY;
-            z += half * m.normalZ;
-            int name = name(t, m.feature[i]);
-            if (along < FaceRegions.ONE_PLANE
-                    && allows(px, py, pz, m.normalX, m.normalY, m.normalZ)) {
-                int own = loose.group(m.normalX, m.normalY, m.normalZ);
-                loose.add(own, name, x, y, z, m.separation[i]);
-            } else if (along > ContactTolerances.NEARLY_PARALLEL
-                    && name >>> 30 != FeatureIds.VERTEX_B >>> 30
-                    && allows(px, py, pz, nx, ny, nz)) {
-                loose.add(group, name, x, y, z, m.separation[i] * along);
-            }
+            any |= stands(t, group, i, along, gx, gy, gz);
+        }
+        if (m.pointCount > 0 && along < FaceRegions.ONE_PLANE && !any) {
+            nearest(t, gx, gy, gz);
+        }
+    }
+
+    /** Takes a point of the manifold; returns whether its normal may be there. */
+    private boolean stands(int t, int group, int i, double along, double gx, double gy, double gz) {
+        Manifold m = manifold;
+        double half = m.separation[i] / 2;
+        double x = m.pointX[i] + gx;
+        double y = m.pointY[i] + gy;
+        double z = m.pointZ[i] + gz;
+        double px = x - half * m.normalX;
+        double py = y - half * m.normalY;
+        double pz = z - half * m.normalZ;
+        if (!isOut(px, py, pz)) {
+            return false;
+        }
+        x += half * m.normalX;
+        y += half * m.normalY;
+        z += half * m.normalZ;
+        int name = name(t, m.feature[i]);
+        int kind = name & FeatureIds.CLOSEST;
+        if (along < FaceRegions.ONE_PLANE && allows(px, py, pz, m.normalX, m.normalY, m.normalZ)) {
+            int own = loose.group(m.normalX, m.normalY, m.normalZ);
+            loose.add(own, name, x, y, z, m.separation[i]);
+            return true;
+        }
+        if (along > ContactTolerances.NEARLY_PARALLEL
+                && kind != FeatureIds.VERTEX_B
+                && kind != FeatureIds.CLOSEST
+                && allows(px, py, pz, nx, ny, nz)) {
+            loose.add(group, name, x, y, z, m.separation[i] * along);
+            return true;
+        }
+        return false;
+    }
+
+    /**
+     * The points of a face are preferred to a slightly better pair of edges, to keep contacts calm.
+     * Where the surface does not let that face's normal be, it is the nearest points after all.
+     */
+    private void nearest(int t, double gx, double gy, double gz) {
+        Manifold m = manifold;
+        double d = narrowPhase.closest(view, shape, 0, 0, 0, 1, qx, qy, qz, qw, -gx, -gy, -gz, m);
+        double half = d / 2;
+        double x = m.pointX[0] + gx;
+        double y = m.pointY[0] + gy;
+        double z = m.pointZ[0] + gz;
+        double px = x - half * m.normalX;
+        double py = y - half * m.normalY;
+        double pz = z - half * m.normalZ;
+        if (d <= margin
+                && isOut(px, py, pz)
+                && m.normalX * nx + m.normalY * ny + m.normalZ * nz > 0
+                && allows(px, py, pz, m.normalX, m.normalY, m.normalZ)) {
+            int own = loose.group(m.normalX, m.normalY, m.normalZ);
+            loose.add(
+                    own,
+                    FeatureIds.CLOSEST,
+                    x + half * m.normalX,
+                    y + half * m.normalY,
+                    z + half * m.normalZ,
+                    d);
         }
     }
 

@@ -94,11 +94,11 @@ public final class Hills {
                 Palette.STONE,
                 Body.fixed().material(Palette.material(0.6, 0)).name("ground"));
         double wide = .7 * half;
-        int side = (int) Math.ceil(Math.sqrt(Math.min(count, 1000)));
+        int side = (int) Math.min(Math.ceil(Math.sqrt(count)), 2 * wide / 1.1);
         List<BodyRef> bodies = new ArrayList<>();
         for (int i = 0; i < count; i++) {
-            double x = wide * (2 * (i % side + scene.random(.2, .8)) / side - 1);
-            double z = wide * (2 * (i / side % side + scene.random(.2, .8)) / side - 1);
+            double x = wide * (2 * (i % side + scene.random(.45, .55)) / side - 1);
+            double z = wide * (2 * (i / side % side + scene.random(.45, .55)) / side - 1);
             int layer = i / (side * side);
             Quaterniond turn =
                     new Quaterniond()
@@ -109,13 +109,7 @@ public final class Hills {
                             KINDS[i % KINDS.length],
                             Palette.body(i),
                             Body.dynamic()
-                                    .at(
-                                            x,
-                                            height.applyAsDouble(x, z)
-                                                    + 1
-                                                    + scene.random(0, 1)
-                                                    + layer,
-                                            z)
+                                    .at(x, height.applyAsDouble(x, z) + 1 + 1.1 * layer, z)
                                     .rotation(turn)
                                     .material(Palette.material(0.6, 0))));
         }
