@@ -14,6 +14,7 @@ import dev.cairn.physics.contact.ComposeStage;
 import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.contact.HookStage;
 import dev.cairn.physics.contact.ManifoldStage;
+import dev.cairn.physics.contact.SeamStage;
 import dev.cairn.physics.contact.SensorStage;
 import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.contact.WakeStage;
@@ -77,6 +78,7 @@ final class PhysicsSystem implements WorldSystem {
     final HookStage hooks;
     private final BeltStage belts;
     private final ManifoldStage manifolds;
+    private final SeamStage seams;
     final ContactSolver solver;
     private final ForceReader forces;
     private final Publisher publisher;
@@ -99,6 +101,7 @@ final class PhysicsSystem implements WorldSystem {
         hooks = new HookStage(table.colliders, contacts);
         compose = new ComposeStage(table.colliders);
         manifolds = new ManifoldStage(table.colliders, table.bounds);
+        seams = new SeamStage(table.colliders, contacts, table.bounds);
         solver = new ContactSolver(settings.tuning(), kinds);
         forces = new ForceReader(table.roster);
         publisher = new Publisher(table.roster);
@@ -167,6 +170,7 @@ final class PhysicsSystem implements WorldSystem {
         events.approach(contacts, table.bodies, tick.jobs());
         table.roster.refreshLists();
         if (table.roster.dynamicCount > 0) {
+            seams.join(tick.stepSeconds(), tick.jobs());
             solver.step(
                     table.bodies,
                     contacts,
@@ -175,6 +179,7 @@ final class PhysicsSystem implements WorldSystem {
                     gravityZ,
                     tick.stepSeconds(),
                     tick.jobs());
+            seams.part(tick.jobs());
         }
         table.roster.motion.end(
                 table.roster.kinematic, table.roster.kinematicCount, tick.stepSeconds());

@@ -112,7 +112,8 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     }
 
     /**
-     * Whether a row is solved: its surfaces are within the margin of each other.
+     * Whether a row is solved: its surfaces are within the margin of each other, and no other row
+     * stands for it, which is so from {@code SeamStage} to the end of the solve.
      *
      * @return false for a pair that is only near
      */
@@ -150,10 +151,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
             if (bodyA[row] != slot && bodyB[row] != slot) {
                 continue;
             }
-            forgetFriction(row);
-            Arrays.fill(normalImpulse, POINTS * row, POINTS * row + POINTS, 0);
-            Arrays.fill(preload, POINTS * row, POINTS * row + POINTS, 0);
-            Arrays.fill(totalNormalImpulse, POINTS * row, POINTS * row + POINTS, 0);
+            rest(row);
         }
     }
 
@@ -243,6 +241,28 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         for (int i = 0; i < number; i++) {
             active[activeCount++] = count++;
         }
+    }
+
+    /**
+     * Makes room for rows behind the last one that last for a tick, empty; between phases only.
+     *
+     * @param number how many
+     */
+    public void reserve(int number) {
+        ensureCapacity(count + number);
+        columns(clear.rows(count, count + number));
+    }
+
+    /**
+     * Forgets with what a row pressed and rubbed.
+     *
+     * @param row any
+     */
+    public void rest(int row) {
+        forgetFriction(row);
+        Arrays.fill(normalImpulse, POINTS * row, POINTS * row + POINTS, 0);
+        Arrays.fill(preload, POINTS * row, POINTS * row + POINTS, 0);
+        Arrays.fill(totalNormalImpulse, POINTS * row, POINTS * row + POINTS, 0);
     }
 
     /**
