@@ -4,14 +4,12 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
-
-import java.util.ArrayList;
-import java.util.List;
 
 /** One body that crosses a floor, which is of tiles or one slab: the two must not differ. */
 final class TileRuns {
@@ -37,7 +35,10 @@ final class TileRuns {
             double startX,
             double startZ) {}
 
-    /** A floor of square tiles about an origin, or a slab where the tiles are 0 m. */
+    /** In place of the size of tiles: one plane without end. */
+    static final double PLANE = -1;
+
+    /** A floor of square tiles about an origin; a slab where the tiles are 0 m. */
     record Floor(double tile, double x, double y, double z) {}
 
     /** State after each tick: place, velocity, angular velocity, nine numbers a tick. */
@@ -63,6 +64,14 @@ final class TileRuns {
         double way = s.speed * ticks * Scenes.STEP;
         double dx = StrictMath.cos(s.headingRadians) * way;
         double dz = StrictMath.sin(s.headingRadians) * way;
+        if (floor.tile == PLANE) {
+            world.add(
+                    Body.fixed()
+                            .shape(HalfSpace.of())
+                            .material(surface)
+                            .at(floor.x, floor.y, floor.z));
+            return;
+        }
         if (floor.tile == 0) {
             world.add(
                     Body.fixed()
@@ -126,7 +135,7 @@ final class TileRuns {
             }
             case "hull" -> {
                 body.shape(hull(r));
-                height = 0.5 * r;
+                height = 0;
             }
             default -> {
                 body.collider(Collider.of(Box.cube(.5 * r)).at(-.5 * r, 0, 0));
@@ -150,19 +159,19 @@ final class TileRuns {
                 .angularVelocity(wx, rolls ? 0 : s.spin, wz);
     }
 
-    /** A prism on six sides, half as high as wide. */
+    /** A block that stands on four corners, and has six above: what it stands on is not a choice. */
     private static Shape hull(double r) {
-        List<Double> points = new ArrayList<>();
-        for (int i = 0; i < 6; i++) {
-            double a = i * Math.PI / 3 + .1;
-            for (int side = -1; side <= 1; side += 2) {
-                points.add(r * StrictMath.cos(a) * (side > 0 ? .8 : 1));
-                points.add(.5 * r * side);
-                points.add(r * StrictMath.sin(a) * (side > 0 ? .8 : 1));
-            }
+        double[] points = new double[3 * 10];
+        int at = 0;
+        for (int i = 0; i < 10; i++) {
+            boolean low = i < 4;
+            double a = low ? i * Math.PI / 2 + .3 : i * Math.PI / 3 + .1;
+            double wide = low ? .9 * r : r;
+            points[at++] = wide * StrictMath.cos(a) * (low && i % 2 == 0 ? .7 : 1);
+            points[at++] = low ? 0 : r;
+            points[at++] = wide * StrictMath.sin(a);
         }
-        return ConvexHull.of(points.stream().mapToDouble(d -> d).toArray())
-                .moved(0, 0, 0, new Quaterniond());
+        return ConvexHull.of(points);
     }
 
     /** Largest differences: of height, of place along the floor, of vertical speed, of speed, of spin. */

@@ -44,7 +44,7 @@ final class SeamMemory {
             stamp = Arrays.copyOf(stamp, n);
         }
         if (points.length < records) {
-            int n = records + (records >> 1);
+            int n = records;
             points = Arrays.copyOf(points, n);
             order = Arrays.copyOf(order, n);
             second = Arrays.copyOf(second, n);
@@ -205,6 +205,36 @@ final class SeamMemory {
         if (most >= 0) {
             loadFriction(r, c, most >> 1, (most & 1) != 0);
         }
+    }
+
+    /**
+     * Gives a row's points the order of a record's if they are the same, so that they are swept as
+     * before.
+     *
+     * @param entry twice the row, plus 1 where the touching collider is B
+     */
+    void arrange(int r, ContactStore c, int entry) {
+        int row = entry >> 1;
+        int n = points[r];
+        if (c.pointCount[row] != n) {
+            return;
+        }
+        int flip = ((entry & 1) != 0) == second[r] ? 0 : SIDE;
+        int first = POINTS * row;
+        for (int k = 0; k < n; k++) {
+            int at = k;
+            while (at < n && c.feature[first + at] != (feature[POINTS * r + k] ^ flip)) {
+                at++;
+            }
+            if (at == n) {
+                break;
+            }
+            if (at != k) {
+                c.swapPoints(first + k, first + at);
+                c.keeps[row] = false;
+            }
+        }
+        c.order[row] = (byte) PointOrder.of(c.feature, first, n);
     }
 
     /** Four times the place among the members, plus the point; -1 if there are no points. */

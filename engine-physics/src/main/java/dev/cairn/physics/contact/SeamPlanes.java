@@ -36,6 +36,9 @@ import java.util.Arrays;
  * <p>One instance per worker.
  */
 final class SeamPlanes {
+    /** More planes than these are not joined for one collider. */
+    static final int MOST = 4;
+
     /** Of M's inner radius: surfaces that are nearer to one plane are flush. */
     private static final double FLUSH = 0x1p-15;
 
@@ -62,9 +65,18 @@ final class SeamPlanes {
 
     private SeamMemory memory = new SeamMemory();
     private int firstRecord, records;
-    private long recordsLeft;
+    private int recordsLeft;
 
     private int m;
+
+    /** See {@link #stand}; the neighbour that the row is of, and from M's centre to its. */
+    private int common, base;
+
+    private double baseX, baseY, baseZ;
+
+    /** Whether M is the second of the row. */
+    private boolean isSecond;
+
     private int size;
     private double reach;
     private int[] member = {};
@@ -87,7 +99,7 @@ final class SeamPlanes {
     /** Makes room for groups of some size; between phases only. */
     void ensure(int most) {
         if (raw.length < most) {
-            int n = most + (most >> 1);
+            int n = Math.max(32, 2 * most);
             normal = new double[3 * n];
             apart = new double[3 * n];
             separation = new double[n];
@@ -159,12 +171,22 @@ final class SeamPlanes {
                 s.orientationW[collider]);
     }
 
+    /**
+     * Chooses the neighbour that rows are told of where it stands still against the others: so rows
+     * of parts of one body are solved in the order of the parts, whatever they touch.
+     *
+     * @param collider or {@link ColliderStore#NONE} for the one that a plane is of
+     */
+    void stand(int collider) {
+        common = collider;
+    }
+
     /** Chooses what is known of the last tick: the first so many records. */
     void remember(SeamMemory records, int number) {
         memory = records;
         this.records = number;
         firstRecord = number > 0 ? records.first(m) : 0;
-        recordsLeft = number >= 64 ? -1 : (1L << number) - 1;
+        recordsLeft = (1 << number) - 1;
     }
 
     private int row(int i) {
@@ -180,7 +202,9 @@ final class SeamPlanes {
     }
 
     /**
-     * Finds the planes, one after the other, and joins their contacts.
+     * Finds the planes, one after the other, and joins their contacts. What was a joined row in the
+     * last tick goes on as one if M has one neighbour on that plane now, so that nothing changes
+     * while M crosses the middle of a tile. Of a body with parts all rows are joined ones if one is.
      *
      * @param target the first row that is free
      * @param at the same, counted from the end of the store's rows
@@ -192,8 +216,11 @@ final class SeamPlanes {
     int join(int target, int at, int[] firstHeld, int[] held) {
         int made = 0;
         int settled = 0;
-        while (size - settled >= 2) {
+        while (settled < size && made < MOST) {
             int plane = findPlane(settled);
+            for (int i = settled; plane < 0 && i < size; i++) {
+                plane = common >= 0 || findRecord(i) >= 0 ? i : -1;
+            }
             if (plane < 0) {
                 break;
             }
@@ -348,13 +375,13 @@ final class SeamPlanes {
 
     /** Makes the row of a plane, if M stands on it with nothing but what is over its members. */
     private boolean makeRow(int row, int leader, int end) {
-        boolean isSecond = isSecond(leader);
+        chooseBase(leader);
         long key = 0;
         int record = findRecord(leader);
         if (record >= 0 && memory.isSecond(record) == isSecond) {
             key = memory.key(record);
         }
-        key = collide(leader, isSecond, key);
+        key = collide(leader, key);
         for (int p = 0; p < manifold.pointCount; p++) {
             if (!isSupported(p, leader, end)) {
                 return false;
@@ -365,7 +392,7 @@ final class SeamPlanes {
         }
         ContactStore c = contacts;
         int like = row(leader);
-        c.join(row, colliders, c.colliderA[like], c.colliderB[like]);
+        c.join(row, colliders, isSecond ? base : m, isSecond ? m : base);
         c.setFriction(row, c.friction(like));
         c.restitution[row] = c.restitution[like];
         c.cache[row] = key;
@@ -377,7 +404,7 @@ final class SeamPlanes {
         }
         if (record >= 0) {
             memory.load(record, c, row, isSecond, colliders.poses);
-            recordsLeft &= ~(1L << (record - firstRecord));
+            recordsLeft &= ~(1 << (record - firstRecord));
         } else {
             loadMembers(row, leader, end);
         }
@@ -387,8 +414,23 @@ final class SeamPlanes {
         return true;
     }
 
-    /** The contact of M with the plane of a member, as of that member's row. */
-    private long collide(int leader, boolean isSecond, long key) {
+    private void chooseBase(int leader) {
+        base = neighbour(leader);
+        BodyStore s = colliders.bodies;
+        if (common != ColliderStore.NONE
+                && s.kind[colliders.body[base]] != BodyStore.DYNAMIC
+                && movesTogether(common, base)) {
+            base = common;
+        }
+        isSecond = base < m;
+        Poses p = colliders.poses;
+        baseX = p.apartX(m, base);
+        baseY = p.apartY(m, base);
+        baseZ = p.apartZ(m, base);
+    }
+
+    /** The contact of M with the plane of a member, as of the row to be. */
+    private long collide(int leader, long key) {
         Poses s = colliders.poses;
         int i = 3 * leader;
         double x = normal[i];
@@ -420,11 +462,11 @@ final class SeamPlanes {
                 narrowPhase.collide(
                         PLANE, colliders.shape[m], px, py, pz, pw, qx, qy, qz, qw, dx, dy, dz,
                         margin, key, manifold);
-        // from a point of the plane to the neighbour's centre
+        // from a point of the plane to the centre of A
         for (int p = 0; p < manifold.pointCount; p++) {
-            manifold.pointX[p] += h * x - apart[i];
-            manifold.pointY[p] += h * y - apart[i + 1];
-            manifold.pointZ[p] += h * z - apart[i + 2];
+            manifold.pointX[p] += h * x - baseX;
+            manifold.pointY[p] += h * y - baseY;
+            manifold.pointZ[p] += h * z - baseZ;
         }
         return next;
     }
@@ -433,10 +475,9 @@ final class SeamPlanes {
     private boolean isSupported(int p, int leader, int end) {
         double half = manifold.separation[p] / 2;
         int i = 3 * leader;
-        boolean isSecond = isSecond(leader);
-        double x = manifold.pointX[p] - half * normal[i] + (isSecond ? apart[i] : 0);
-        double y = manifold.pointY[p] - half * normal[i + 1] + (isSecond ? apart[i + 1] : 0);
-        double z = manifold.pointZ[p] - half * normal[i + 2] + (isSecond ? apart[i + 2] : 0);
+        double x = manifold.pointX[p] - half * normal[i] + (isSecond ? baseX : 0);
+        double y = manifold.pointY[p] - half * normal[i + 1] + (isSecond ? baseY : 0);
+        double z = manifold.pointZ[p] - half * normal[i + 2] + (isSecond ? baseZ : 0);
         for (int k = leader; k < end; k++) {
             int other = neighbour(k);
             take(other);
@@ -457,7 +498,7 @@ final class SeamPlanes {
     private int findRecord(int i) {
         int best = -1;
         double most = LIKE;
-        for (int r = 0; r < Math.min(records, Long.SIZE); r++) {
+        for (int r = 0; r < records; r++) {
             if ((recordsLeft >> r & 1) != 0) {
                 double cosine = cosine(firstRecord + r, i);
                 if (cosine > most) {
@@ -479,21 +520,21 @@ final class SeamPlanes {
     private void loadMembers(int row, int leader, int end) {
         ContactStore c = contacts;
         c.pointCount[row] = 0;
-        c.order[row] = (byte) 0b11_10_01_00;
         c.forgetFriction(row);
         for (int pass = 0; pass < 2; pass++) {
             for (int k = leader; k < end; k++) {
                 if (isSame(k, leader)) {
-                    loadMember(row, leader, k, pass == 0);
+                    loadMember(row, k, pass == 0);
                 }
             }
         }
+        int first = ContactStore.POINTS * row;
+        c.order[row] = (byte) PointOrder.of(c.feature, first, c.pointCount[row]);
     }
 
-    private void loadMember(int row, int leader, int k, boolean vertices) {
+    private void loadMember(int row, int k, boolean vertices) {
         ContactStore c = contacts;
         int like = row(k);
-        boolean isSecond = isSecond(leader);
         boolean flips = isSecond(k) != isSecond;
         int own = isSecond ? FeatureIds.VERTEX_B : FeatureIds.VERTEX_A;
         for (int p = ContactStore.POINTS * like; p < ContactStore.POINTS * like + c.pointCount[like];
@@ -518,7 +559,7 @@ final class SeamPlanes {
                 c.feature[to] = name;
                 c.normalImpulse[to] = 0;
                 c.preload[to] = 0;
-                place(to, p, leader, k);
+                place(to, p, k);
             }
             c.normalImpulse[to] += c.normalImpulse[p];
             c.preload[to] += c.preload[p];
@@ -528,15 +569,19 @@ final class SeamPlanes {
         }
     }
 
-    /** Where a point of a member is, from the centre of collider A of the leader. */
-    private void place(int to, int p, int leader, int k) {
+    /** Where a point of a member is, from the centre of collider A of the row to be. */
+    private void place(int to, int p, int k) {
         ContactStore c = contacts;
         int side = isSecond(k) ? 3 : 0;
-        int at = ContactStore.anchor(to);
-        for (int axis = 0; axis < 3; axis++) {
-            double lever = c.compounds ? c.lever[6 * row(k) + side + axis] : 0;
-            double mine = c.anchors[ContactStore.anchor(p) + side + axis] - lever;
-            c.anchors[at + axis] = isSecond(leader) ? mine - apart[3 * leader + axis] : mine;
+        int from = ContactStore.anchor(p) + side;
+        int lever = 6 * row(k) + side;
+        double x = c.anchors[from] - (c.compounds ? c.lever[lever] : 0);
+        double y = c.anchors[from + 1] - (c.compounds ? c.lever[lever + 1] : 0);
+        double z = c.anchors[from + 2] - (c.compounds ? c.lever[lever + 2] : 0);
+        if (isSecond) {
+            c.setAnchors(to, x - baseX, y - baseY, z - baseZ, x, y, z);
+        } else {
+            c.setAnchors(to, x, y, z, x - baseX, y - baseY, z - baseZ);
         }
     }
 
@@ -563,7 +608,7 @@ final class SeamPlanes {
 
     /** Rows that are solved by themselves again go on where the joined row ended. */
     private void goOnAlone() {
-        for (int r = 0; r < Math.min(records, Long.SIZE); r++) {
+        for (int r = 0; r < records; r++) {
             if ((recordsLeft >> r & 1) == 0) {
                 continue;
             }
@@ -575,6 +620,9 @@ final class SeamPlanes {
             }
             if (alone > 0) {
                 memory.spread(firstRecord + r, contacts, raw, alone);
+                if (alone == 1) {
+                    memory.arrange(firstRecord + r, contacts, raw[0]);
+                }
             }
         }
     }

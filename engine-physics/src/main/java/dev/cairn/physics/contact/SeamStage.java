@@ -31,6 +31,9 @@ public final class SeamStage {
     private static final int ROWS_PER_BLOCK = 512;
     private static final int GROUPS_PER_BLOCK = 8;
 
+    /** Rows for which there is room from the first group on. */
+    private static final int LEAST = 256;
+
     private final BlockJob findJob = this::findBlock;
     private final BlockJob joinJob = this::joinBlock;
     private final BlockJob partJob = this::partBlock;
@@ -45,7 +48,7 @@ public final class SeamStage {
 
     private int[] foundInBlock = {};
 
-    /** By collider: how many were found, then 1 + its group; 0 between ticks. */
+    /** By collider: how many were found, then minus 1 less its group; 0 between ticks. */
     private int[] groupOf = {};
 
     private int[] touched = {};
@@ -53,7 +56,10 @@ public final class SeamStage {
     /** By group: the collider; where its members, and where its rows begin; how many of each. */
     private int[] collider = {}, firstMember = {}, firstRow = {}, size = {}, rows = {};
 
-    private int groups;
+    /** By group: the first group of a part of the same body; the lowest collider of all theirs. */
+    private int[] firstPart = {}, base = {};
+
+    private int groups, members, room;
     private int[] member = {};
 
     /** By row of a group: the first and the number of members that it stands for; see join. */
@@ -189,10 +195,7 @@ public final class SeamStage {
             for (int b = 0; b < blocks; b++) {
                 int begin = Blocks.begin(b, ROWS_PER_BLOCK);
                 for (int i = begin; i < begin + foundInBlock[b]; i++) {
-                    int g = groupOf[touching(found[i])] - 1;
-                    if (g >= 0) {
-                        member[firstMember[g] + size[g]++] = found[i];
-                    }
+                    put(found[i]);
                 }
             }
         }
@@ -201,41 +204,90 @@ public final class SeamStage {
         }
     }
 
+    private void put(int entry) {
+        int m = touching(entry);
+        int g = -groupOf[m] - 1;
+        if (g < 0) {
+            return;
+        }
+        member[firstMember[g] + size[g]++] = entry;
+        if (colliders.isChild(m)) {
+            // parts of one body say the same
+            int other = (entry & 1) == 0 ? contacts.colliderB[entry >> 1] : contacts.colliderA[entry >> 1];
+            int part = firstPart[g];
+            base[part] = Math.min(base[part], other);
+        }
+    }
+
     /** Opens the groups, and makes room for their rows. */
     private void open(int all) {
         if (collider.length < all) {
-            int n = all + (all >> 1);
+            int n = Math.max(LEAST, 2 * all);
             collider = new int[n];
             firstMember = new int[n];
             firstRow = new int[n];
             size = new int[n];
+            firstPart = new int[n];
+            base = new int[n];
             rows = new int[n];
         }
-        int members = 0;
-        int room = 0;
+        members = 0;
+        room = 0;
         for (int i = 0; i < all; i++) {
             int m = touched[i];
-            int n = groupOf[m];
-            groupOf[m] = 0;
-            if (n >= 2 || last.count(m, tick - 1) > 0) {
-                collider[groups] = m;
-                firstMember[groups] = members;
-                firstRow[groups] = room;
-                size[groups] = 0;
-                groupOf[m] = ++groups;
-                members += n;
-                room += n / 2;
+            if (!colliders.isChild(m)) {
+                open(m, groups, 2);
+                continue;
+            }
+            int first = groups;
+            int part = colliders.bodies.collider[colliders.body[m]];
+            int least = anyCrosses(part) ? 1 : 2;
+            for (; part != ColliderStore.NONE; part = colliders.next[part]) {
+                open(part, first, least);
             }
         }
         if (member.length < members) {
-            member = new int[members + (members >> 1)];
+            member = new int[Math.max(LEAST, 2 * members)];
         }
         if (held.length < room) {
-            held = new int[room + (room >> 1)];
+            held = new int[Math.max(LEAST, 2 * room)];
             firstHeld = new int[held.length];
         }
-        next.ensure(colliders.slotCount, room);
-        contacts.reserve(room);
+        if (room > 0) {
+            next.ensure(colliders.slotCount, held.length);
+            contacts.reserve(room);
+        }
+    }
+
+    /** Whether one of the parts from this one on has two neighbours, or had joined rows. */
+    private boolean anyCrosses(int first) {
+        boolean any = false;
+        for (int c = first; c != ColliderStore.NONE; c = colliders.next[c]) {
+            any |= groupOf[c] >= 2 || (groupOf[c] == 1 && last.count(c, tick - 1) > 0);
+        }
+        return any;
+    }
+
+    /** Opens the group of a collider, if it was found at least so often and has none yet. */
+    private void open(int m, int first, int least) {
+        int n = groupOf[m];
+        if (n <= 0) {
+            return;
+        }
+        if (n < least && last.count(m, tick - 1) == 0) {
+            groupOf[m] = 0;
+            return;
+        }
+        int g = groups++;
+        groupOf[m] = -groups;
+        collider[g] = m;
+        firstPart[g] = first;
+        base[g] = Integer.MAX_VALUE;
+        firstMember[g] = members;
+        firstRow[g] = room;
+        size[g] = 0;
+        members += n;
+        room += Math.min(n, SeamPlanes.MOST);
     }
 
     private void ensureWorkers(int workers) {
@@ -260,6 +312,7 @@ public final class SeamStage {
         int end = Blocks.end(block, GROUPS_PER_BLOCK, groups);
         for (int g = Blocks.begin(block, GROUPS_PER_BLOCK); g < end; g++) {
             p.begin(collider[g], member, firstMember[g], size[g], reach);
+            p.stand(colliders.isChild(collider[g]) ? base[firstPart[g]] : ColliderStore.NONE);
             p.remember(last, last.count(collider[g], tick - 1));
             rows[g] = p.join(contacts.count + firstRow[g], firstRow[g], firstHeld, held);
         }

@@ -254,6 +254,35 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     }
 
     /**
+     * Two points of a row change places; what the narrow phase keeps of the row holds no more.
+     *
+     * @param p place of a point
+     * @param q place of another one
+     */
+    public void swapPoints(int p, int q) {
+        int i = anchor(p);
+        int j = anchor(q);
+        for (int k = 0; k < ANCHORS; k++) {
+            double coordinate = anchors[i + k];
+            anchors[i + k] = anchors[j + k];
+            anchors[j + k] = coordinate;
+        }
+        int name = feature[p];
+        feature[p] = feature[q];
+        feature[q] = name;
+        swap(separation, p, q);
+        swap(normalImpulse, p, q);
+        swap(preload, p, q);
+        swap(totalNormalImpulse, p, q);
+    }
+
+    private static void swap(double[] column, int p, int q) {
+        double number = column[p];
+        column[p] = column[q];
+        column[q] = number;
+    }
+
+    /**
      * Forgets with what a row pressed and rubbed.
      *
      * @param row any
