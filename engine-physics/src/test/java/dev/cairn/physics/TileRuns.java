@@ -149,8 +149,10 @@ final class TileRuns {
         double wz = rolls ? -vx / r : 0;
         if (rolls && !s.kind.equals("ball")) {
             // rolls along its heading only
-            q = new Quaterniond().rotationY(-s.headingRadians).mul(
-                    new Quaterniond().rotationX(Math.PI / 2));
+            q =
+                    new Quaterniond()
+                            .rotationY(-s.headingRadians)
+                            .mul(new Quaterniond().rotationX(Math.PI / 2));
         }
         return body.material(new Material(s.friction, 0, 1000))
                 .at(floor.x + s.startX, floor.y + height, floor.z + s.startZ)
@@ -159,7 +161,9 @@ final class TileRuns {
                 .angularVelocity(wx, rolls ? 0 : s.spin, wz);
     }
 
-    /** A block that stands on four corners, and has six above: what it stands on is not a choice. */
+    /**
+     * A block that stands on four corners, and has six above: what it stands on is not a choice.
+     */
     private static Shape hull(double r) {
         double[] points = new double[3 * 10];
         int at = 0;
@@ -174,7 +178,10 @@ final class TileRuns {
         return ConvexHull.of(points);
     }
 
-    /** Largest differences: of height, of place along the floor, of vertical speed, of speed, of spin. */
+    /**
+     * Largest differences: of height, of place along the floor, of vertical speed, of speed, of
+     * spin.
+     */
     static double[] differences(double[] a, double[] b) {
         double[] most = new double[5];
         for (int i = 0; i < a.length; i += 9) {

@@ -165,7 +165,10 @@ final class SeamMemory {
                 friction[4 * r + 3]);
         if (c.rolls) {
             c.setRollingImpulse(
-                    row, sign * rolling[3 * r], sign * rolling[3 * r + 1], sign * rolling[3 * r + 2]);
+                    row,
+                    sign * rolling[3 * r],
+                    sign * rolling[3 * r + 1],
+                    sign * rolling[3 * r + 2]);
         }
         if (c.uneven) {
             for (int axis = 0; axis < 3; axis++) {

@@ -150,7 +150,10 @@ final class SeamPlanes {
         double y = shape.faceY;
         double z = shape.faceZ;
         double plane =
-                shape.along(x, y, z) + x * apart[3 * i] + y * apart[3 * i + 1] + z * apart[3 * i + 2];
+                shape.along(x, y, z)
+                        + x * apart[3 * i]
+                        + y * apart[3 * i + 1]
+                        + z * apart[3 * i + 2];
         take(m);
         double lowest = -shape.along(-x, -y, -z);
         double held = 2 * ContactTolerances.HYSTERESIS * colliders.innerRadius[m];
@@ -204,12 +207,13 @@ final class SeamPlanes {
     /**
      * Finds the planes, one after the other, and joins their contacts. What was a joined row in the
      * last tick goes on as one if M has one neighbour on that plane now, so that nothing changes
-     * while M crosses the middle of a tile. Of a body with parts all rows are joined ones if one is.
+     * while M crosses the middle of a tile. Of a body with parts all rows are joined ones if one
+     * is.
      *
      * @param target the first row that is free
      * @param at the same, counted from the end of the store's rows
-     * @param firstHeld receives, for each row made, where the members begin that it stands for:
-     *     the group's members are put in that order
+     * @param firstHeld receives, for each row made, where the members begin that it stands for: the
+     *     group's members are put in that order
      * @param held receives how many
      * @return how many rows were made
      */
@@ -257,8 +261,7 @@ final class SeamPlanes {
             for (int k = begin; k < size; k++) {
                 count += k != j && covers(j, k) ? 1 : 0;
             }
-            if (count > most
-                    || (best >= 0 && count == most && separation[j] > separation[best])) {
+            if (count > most || (best >= 0 && count == most && separation[j] > separation[best])) {
                 best = j;
                 most = count;
             }
@@ -455,13 +458,41 @@ final class SeamPlanes {
         double qw = s.orientationW[m];
         if (!isSecond) {
             return narrowPhase.collide(
-                    colliders.shape[m], PLANE, qx, qy, qz, qw, px, py, pz, pw, dx, dy, dz, margin,
-                    key, manifold);
+                    colliders.shape[m],
+                    PLANE,
+                    qx,
+                    qy,
+                    qz,
+                    qw,
+                    px,
+                    py,
+                    pz,
+                    pw,
+                    dx,
+                    dy,
+                    dz,
+                    margin,
+                    key,
+                    manifold);
         }
         long next =
                 narrowPhase.collide(
-                        PLANE, colliders.shape[m], px, py, pz, pw, qx, qy, qz, qw, dx, dy, dz,
-                        margin, key, manifold);
+                        PLANE,
+                        colliders.shape[m],
+                        px,
+                        py,
+                        pz,
+                        pw,
+                        qx,
+                        qy,
+                        qz,
+                        qw,
+                        dx,
+                        dy,
+                        dz,
+                        margin,
+                        key,
+                        manifold);
         // from a point of the plane to the centre of A
         for (int p = 0; p < manifold.pointCount; p++) {
             manifold.pointX[p] += h * x - baseX;
@@ -537,12 +568,12 @@ final class SeamPlanes {
         int like = row(k);
         boolean flips = isSecond(k) != isSecond;
         int own = isSecond ? FeatureIds.VERTEX_B : FeatureIds.VERTEX_A;
-        for (int p = ContactStore.POINTS * like; p < ContactStore.POINTS * like + c.pointCount[like];
+        for (int p = ContactStore.POINTS * like;
+                p < ContactStore.POINTS * like + c.pointCount[like];
                 p++) {
             int kind = c.feature[p] & FeatureIds.CLOSEST;
             int name = flips ? c.feature[p] ^ FeatureIds.VERTEX_B : c.feature[p];
-            boolean isVertex =
-                    kind == FeatureIds.CLOSEST || (name & FeatureIds.CLOSEST) == own;
+            boolean isVertex = kind == FeatureIds.CLOSEST || (name & FeatureIds.CLOSEST) == own;
             if (isVertex != vertices) {
                 continue;
             }

@@ -213,7 +213,10 @@ public final class SeamStage {
         member[firstMember[g] + size[g]++] = entry;
         if (colliders.isChild(m)) {
             // parts of one body say the same
-            int other = (entry & 1) == 0 ? contacts.colliderB[entry >> 1] : contacts.colliderA[entry >> 1];
+            int other =
+                    (entry & 1) == 0
+                            ? contacts.colliderB[entry >> 1]
+                            : contacts.colliderA[entry >> 1];
             int part = firstPart[g];
             base[part] = Math.min(base[part], other);
         }
