@@ -1,5 +1,7 @@
 package dev.cairn.physics;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.PairFilter;
@@ -12,6 +14,7 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.TriangleMesh;
 
 import org.jspecify.annotations.Nullable;
 
@@ -24,17 +27,22 @@ import java.util.function.BiPredicate;
  * The colliders as users know them, by slot: references, filters, who was taken apart. Simulation
  * thread, between steps.
  */
-final class ColliderTable {
+final class ColliderTable implements Stateful {
     final ColliderStore colliders;
     final PairFilter pairFilter;
     private final BodyTable table;
     private final BroadPhase broadPhase;
+
+    private @Nullable BiPredicate<ColliderRef, ColliderRef> asked;
 
     /** By slot; that of a collider that is gone stays until the slot is used again. */
     private ColliderRef[] refs = {};
 
     /** What each collider was made of, with material and filter. */
     private Collider[] specs = {};
+
+    /** Where the references say that their colliders are; room to save them. */
+    private int[] places = {};
 
     /** By body: mass and inertia that the user gave instead, or NaN. */
     private double[] kilograms = {}, inertiaXX = {}, inertiaYY = {}, inertiaZZ = {};
@@ -65,6 +73,60 @@ final class ColliderTable {
         return list;
     }
 
+    /**
+     * A reference that the world has given stays the one to its collider, and one to none is dead.
+     */
+    @Override
+    public void state(StateVisitor s) {
+        s.section("colliderTable", this);
+        ensureSlots();
+        int slots = colliders.slotCount;
+        if (places.length < slots) {
+            places = new int[specs.length];
+        }
+        for (int c = 0; c < slots && !s.isRestoring(); c++) {
+            places[c] = refs[c] == null ? -1 : refs[c].slot();
+        }
+        ColliderRef[] saved =
+                s.array("refs", s.isRestoring() ? new ColliderRef[slots] : refs, slots);
+        places = s.array("places", places, slots);
+        specs = s.array("specs", specs, slots);
+        kilograms = s.array("kilograms", kilograms, slots);
+        inertiaXX = s.array("inertiaXX", inertiaXX, slots);
+        inertiaYY = s.array("inertiaYY", inertiaYY, slots);
+        inertiaZZ = s.array("inertiaZZ", inertiaZZ, slots);
+        if (s.isRestoring()) {
+            own(saved);
+        }
+    }
+
+    private void own(ColliderRef[] saved) {
+        ColliderRef[] now = refs.clone();
+        for (ColliderRef ref : now) {
+            if (ref != null) {
+                ref.move(-1);
+            }
+        }
+        Arrays.fill(refs, null);
+        for (int c = 0; c < saved.length; c++) {
+            ColliderRef ref = saved[c];
+            if (ref == null) {
+                continue;
+            }
+            if (!ref.isOf(this)) {
+                BodyRef body = table.refs[ref.body().slot()];
+                ref = now[c] != null && now[c].body() == body ? now[c] : null;
+                ref = ref == null ? new ColliderRef(this, body, places[c]) : ref;
+            }
+            refs[c] = ref;
+        }
+        for (int c = 0; c < saved.length; c++) {
+            if (refs[c] != null) {
+                refs[c].move(places[c]);
+            }
+        }
+    }
+
     // What a body is made of ---------------------------------------------------------------------
 
     /** Mass, centre and inertia of parts, or what the user gave instead. */
@@ -80,6 +142,15 @@ final class ColliderTable {
 
     private static MassProperties mass(
             List<Collider> parts, boolean fixed, double mass, double xx, double yy, double zz) {
+        for (Collider part : parts) {
+            if (!fixed && isSurface(part.shape())) {
+                throw new IllegalArgumentException(
+                        part.shape()
+                                + " is a surface without an inside, so its body cannot be dynamic;"
+                                + " make the body fixed or kinematic, or take ConvexHull.of its"
+                                + " vertices, or several hulls as colliders of one body");
+            }
+        }
         if (parts.size() == 1) {
             Collider only = parts.get(0);
             double density = only.material().density();
@@ -302,6 +373,16 @@ final class ColliderTable {
                             + (whole.sensor ? " is no sensor" : " is a sensor")
                             + ", and stays so; remove it and add another one");
         }
+        if (isSurface(whole.shape()) != isSurface(specs[collider].shape())) {
+            throw new IllegalArgumentException(
+                    ref(collider)
+                            + " is "
+                            + specs[collider].shape()
+                            + " and cannot become "
+                            + whole.shape()
+                            + ", for contacts of surfaces are of another kind; remove it and add"
+                            + " another one");
+        }
         List<Collider> parts = parts(body);
         int at = 0;
         for (int c = colliders.bodies.collider[body]; c != collider; c = colliders.next[c]) {
@@ -314,6 +395,10 @@ final class ColliderTable {
         surface(collider, whole);
         contacts().renew(collider, colliders);
         settle(body, mass);
+    }
+
+    private static boolean isSurface(Shape shape) {
+        return (shape instanceof Moved m ? m.inner() : shape) instanceof TriangleMesh;
     }
 
     private List<Collider> parts(int body) {
@@ -468,8 +553,18 @@ final class ColliderTable {
         }
     }
 
-    void ask(@Nullable BiPredicate<ColliderRef, ColliderRef> test) {
+    /** As another world: its pairs are what they are, and are not asked anew. */
+    void askAs(ColliderTable other) {
+        choose(other.asked);
+    }
+
+    private void choose(@Nullable BiPredicate<ColliderRef, ColliderRef> test) {
+        asked = test;
         pairFilter.ask(test == null ? null : (a, b) -> test.test(ref(a), ref(b)));
+    }
+
+    void ask(@Nullable BiPredicate<ColliderRef, ColliderRef> test) {
+        choose(test);
         for (int c = 0; c < colliders.slotCount; c++) {
             broadPhase.refilter(c);
         }

@@ -3,6 +3,7 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
@@ -26,6 +27,7 @@ public final class BoundsStage {
      */
     public static final double LIMIT = 1e60;
 
+    private static final double MOST = Double.POSITIVE_INFINITY;
     private static final int BODIES_PER_BLOCK = 128;
     private static final byte STAYS = 0;
     private static final byte LEFT = 1;
@@ -142,6 +144,12 @@ public final class BoundsStage {
                 apply(b);
             }
         }
+    }
+
+    /** How far those reach that are not looked at in each tick; slots have room already. */
+    public void state(StateVisitor s, int slots) {
+        s.section("bounds", this);
+        ahead = s.array("ahead", ahead, 0, AHEAD * slots, ahead.length, false);
     }
 
     /** Places a fixed body. */
@@ -367,7 +375,8 @@ public final class BoundsStage {
     private byte look(int c, double vx, double vy, double vz, double spin, double bend) {
         Poses p = colliders.poses;
         double reach = step * speculativeTime;
-        double inner = colliders.innerRadius[c];
+        // of a surface of triangles it is infinite: nothing is known to be inside
+        double inner = colliders.innerRadius[c] < MOST ? colliders.innerRadius[c] : 0;
         double outer = colliders.outerRadius[c];
         double arc = Math.min(spin * outer * reach, outer - inner) + bend;
         setAhead(c, vx, vy, vz, arc);

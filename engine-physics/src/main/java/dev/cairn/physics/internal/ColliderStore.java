@@ -1,9 +1,13 @@
 package dev.cairn.physics.internal;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.collider.Mix;
+import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.mesh.Meshed;
 
 import org.jspecify.annotations.Nullable;
 
@@ -19,7 +23,7 @@ import java.util.Arrays;
  * their poses are composed of the body's and of where they are in it. Simulation thread, and blocks
  * of its stages, only.
  */
-public final class ColliderStore {
+public final class ColliderStore implements Stateful {
     /** In place of a collider where there is none. */
     public static final int NONE = -1;
 
@@ -65,6 +69,9 @@ public final class ColliderStore {
     /** Velocity of the surface against its body, body axes, m/s; three numbers. */
     public double[] belt = {};
 
+    /** Whether any collider is, or was, a surface of triangles. */
+    public boolean surfaces;
+
     /** Whether any collider is, or was, a sensor. */
     public boolean sensors;
 
@@ -96,6 +103,7 @@ public final class ColliderStore {
     public int compoundCount;
 
     private final double[] turned = new double[3];
+    private final Columns.Kept kept = new Columns.Kept();
 
     /**
      * Without colliders.
@@ -145,6 +153,19 @@ public final class ColliderStore {
         if (compounds) {
             local = c.column("local", local, LOCAL);
         }
+    }
+
+    @Override
+    public void state(StateVisitor s) {
+        s.section("colliders", this);
+        slotCount = s.value("slotCount", slotCount);
+        belts = s.value("belts", belts);
+        sensors = s.value("sensors", sensors);
+        compounds = s.value("compounds", compounds);
+        compoundCount = s.value("compoundCount", compoundCount);
+        compound = s.array("compound", compound, compoundCount);
+        ensureCapacity(slotCount);
+        columns(kept.of(s, slotCount, body.length, false));
     }
 
     /**
@@ -220,6 +241,7 @@ public final class ColliderStore {
     private void setShape(int collider, Shape solid) {
         shape[collider] = solid;
         surface[collider] = Surface.of(solid);
+        surfaces |= (solid instanceof Moved m ? m.inner() : solid) instanceof Meshed;
         innerRadius[collider] = solid.innerRadius();
         outerRadius[collider] = solid.outerRadius();
     }

@@ -1,15 +1,17 @@
 package dev.cairn.physics.internal;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.collider.Mix;
 
 import java.util.Arrays;
 
 /**
  * All contacts of this tick as a structure of arrays; a contact is a row in {@code [0, count)}, one
- * row per pair of colliders whose fat bounds overlap. Only some of them are solved, see {@link
- * #isSolved}.
+ * row per pair of colliders whose fat bounds overlap, and further ones for a pair with a surface of
+ * triangles, see {@link #group}. Only some of them are solved, see {@link #isSolved}.
  */
-public final class ContactStore extends ContactColumns implements EdgeSource {
+public final class ContactStore extends ContactColumns implements EdgeSource, Stateful {
     /** Makes an empty store. */
     public ContactStore() {}
 
@@ -28,6 +30,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     private int remembered;
     private final Columns.Move move = new Columns.Move();
     private final Columns.Clear clear = new Columns.Clear();
+    private final Columns.Kept rows = new Columns.Kept();
 
     /** Forgets what a row rubbed and rolled with. */
     public void forgetFriction(int row) {
@@ -62,6 +65,23 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
             belts = true;
             columns(new Columns.Growth(bodyA.length));
         }
+    }
+
+    /** Makes room for pairs with several rows; between phases only. */
+    public void beginGroups() {
+        if (!grouped) {
+            grouped = true;
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
+    /**
+     * Whether a row is not the first one of its pair.
+     *
+     * @return false for the row that stays as long as its pair
+     */
+    public boolean isFurther(int row) {
+        return grouped && group[row] < 0;
     }
 
     /** Makes room for speeds of approach; between phases only. */
@@ -186,6 +206,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         patch = c.column("patch", patch);
         head = c.column("head", head, START, HEAD);
         restitution = c.column("restitution", restitution);
+        if (grouped) {
+            group = c.column("group", group);
+        }
         if (rolls) {
             rollingArm = c.column("rollingArm", rollingArm);
             rollingImpulse = c.column("rollingImpulse", rollingImpulse, 3);
@@ -218,6 +241,23 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         normalImpulse = c.column("normalImpulse", normalImpulse, POINTS);
         preload = c.column("preload", preload, POINTS);
         totalNormalImpulse = c.column("totalNormalImpulse", totalNormalImpulse, POINTS);
+    }
+
+    @Override
+    public void state(StateVisitor s) {
+        s.section("contacts", this);
+        count = s.value("count", count);
+        remembered = s.value("remembered", remembered);
+        rolls = s.value("rolls", rolls);
+        uneven = s.value("uneven", uneven);
+        belts = s.value("belts", belts);
+        hits = s.value("hits", hits);
+        hooked = s.value("hooked", hooked);
+        compounds = s.value("compounds", compounds);
+        ensureCapacity(count);
+        columns(rows.of(s, count, bodyA.length, false));
+        activeCount = s.value("activeCount", activeCount);
+        active = s.array("active", active, 0, activeCount, bodyA.length, false);
     }
 
     /**
