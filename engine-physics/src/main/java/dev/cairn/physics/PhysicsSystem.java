@@ -221,6 +221,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         }
         events.state(s);
         sensors.state(s);
+        seams.state(s);
         forces.state(s);
         index.state(s);
         solver.state(s, table.bodies.slotCount);
