@@ -161,7 +161,13 @@ final class PhysicsSystem implements WorldSystem {
         profile.end(StepStage.ROWS);
         manifolds.run(contacts, tick.stepSeconds(), tick.jobs());
         profile.end(StepStage.POINTS);
-        wakes.run(table.bounds, table.broadPhase, manifolds, tick.stepSeconds(), tick.jobs());
+        wakes.run(
+                table.bounds,
+                table.broadPhase,
+                manifolds,
+                gravity(),
+                tick.stepSeconds(),
+                tick.jobs());
         hooks.run(tick.jobs());
         belts.run(tick.jobs());
         events.approach(contacts, table.bodies, tick.jobs());
@@ -223,16 +229,20 @@ final class PhysicsSystem implements WorldSystem {
     private void fallAsleep(Tick tick) {
         Sleepers sleepers = table.sleepers;
         long changes = sleepers.changes();
-        double gravity = Math.sqrt(gravityX * gravityX + gravityY * gravityY + gravityZ * gravityZ);
         sleepers.look(
                 table.roster.dynamic,
                 table.roster.dynamicCount,
-                gravity,
+                gravity(),
                 tick.stepSeconds(),
                 tick.jobs());
         if (sleepers.changes() != changes) {
             table.roster.restBounds();
+            wakes.lean();
         }
+    }
+
+    private double gravity() {
+        return Math.sqrt(gravityX * gravityX + gravityY * gravityY + gravityZ * gravityZ);
     }
 
     /** Boxes follow their bodies; a body that cannot be computed with stays where it is. */

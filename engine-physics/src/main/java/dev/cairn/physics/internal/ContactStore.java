@@ -72,6 +72,14 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         }
     }
 
+    /** Makes room for what sleepers carry of those that move beside them; between phases only. */
+    public void beginLeaning() {
+        if (!leans) {
+            leans = true;
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
     /** Makes room for what a user's hook remembers; between phases only. */
     public void beginHooks() {
         if (!hooked) {
@@ -197,6 +205,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         }
         if (hits) {
             approach = c.column("approach", approach);
+        }
+        if (leans) {
+            lean = c.column("lean", lean);
         }
         if (hooked) {
             hookMemory = c.column("hookMemory", hookMemory);
