@@ -4,6 +4,8 @@ import dev.cairn.core.ecs.Component;
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.component.Velocity;
@@ -30,9 +32,11 @@ import java.util.List;
  * The bodies of a world as users know them: a reference, a material and a shape to each slot of the
  * {@link Roster}; what is born is checked and filled in here.
  */
-final class BodyTable {
+final class BodyTable implements Stateful {
     /** No entity. */
     private static final long NONE = 0;
+
+    private static final BodyRef[] NO_BODIES = {};
 
     /** Of a kinematic body: room for some ticks until what the step computes with ends. */
     private static final double MOST_SPEED = 1e59;
@@ -310,6 +314,49 @@ final class BodyTable {
             refs = Arrays.copyOf(refs, n);
             userData = Arrays.copyOf(userData, n);
         }
+    }
+
+    // State ------------------------------------------------------------------------------------
+
+    /**
+     * Bodies and their colliders. A reference that the world has given stays the one to its body.
+     */
+    @Override
+    @SuppressWarnings("NullAway") // a slot without a body has no reference
+    public void state(StateVisitor s) {
+        roster.state(s);
+        s.section("references", this);
+        int slots = bodies.slotCount;
+        if (s.isRestoring()) {
+            ensureSlots();
+        }
+        BodyRef[] saved = s.array("refs", s.isRestoring() ? new BodyRef[slots] : refs, slots);
+        userData = s.array("userData", userData, slots);
+        int count = s.value("quarantined", quarantined.size());
+        BodyRef[] stopped = s.array("stopped", quarantined.toArray(NO_BODIES), count);
+        if (s.isRestoring()) {
+            for (int slot = 0; slot < refs.length; slot++) {
+                refs[slot] = slot < slots ? own(saved[slot], refs[slot]) : null;
+            }
+            quarantined.clear();
+            for (BodyRef ref : stopped) {
+                quarantined.add(own(ref, refs[ref.slot()]));
+            }
+        }
+        collision.state(s);
+    }
+
+    /** This world's reference to the body that a saved one, maybe another world's, names. */
+    private @Nullable BodyRef own(@Nullable BodyRef saved, @Nullable BodyRef now) {
+        if (saved == null || saved.table == this) {
+            return saved;
+        }
+        boolean same =
+                now != null
+                        && now.slot() == saved.slot()
+                        && now.entity() == saved.entity()
+                        && now.name().equals(saved.name());
+        return same ? now : new BodyRef(this, saved.slot(), saved.entity(), saved.name());
     }
 
     // Life -------------------------------------------------------------------------------------

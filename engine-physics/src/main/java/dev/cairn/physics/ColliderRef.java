@@ -30,6 +30,10 @@ public final class ColliderRef {
         return collider;
     }
 
+    boolean isOf(ColliderTable owner) {
+        return table == owner;
+    }
+
     /** It has another slot, or -1 for none. */
     void move(int slot) {
         collider = slot;

@@ -1,5 +1,7 @@
 package dev.cairn.physics;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.PairFilter;
@@ -24,17 +26,22 @@ import java.util.function.BiPredicate;
  * The colliders as users know them, by slot: references, filters, who was taken apart. Simulation
  * thread, between steps.
  */
-final class ColliderTable {
+final class ColliderTable implements Stateful {
     final ColliderStore colliders;
     final PairFilter pairFilter;
     private final BodyTable table;
     private final BroadPhase broadPhase;
+
+    private @Nullable BiPredicate<ColliderRef, ColliderRef> asked;
 
     /** By slot; that of a collider that is gone stays until the slot is used again. */
     private ColliderRef[] refs = {};
 
     /** What each collider was made of, with material and filter. */
     private Collider[] specs = {};
+
+    /** Where the references say that their colliders are; room to save them. */
+    private int[] places = {};
 
     /** By body: mass and inertia that the user gave instead, or NaN. */
     private double[] kilograms = {}, inertiaXX = {}, inertiaYY = {}, inertiaZZ = {};
@@ -63,6 +70,60 @@ final class ColliderTable {
             list.add(ref(c));
         }
         return list;
+    }
+
+    /**
+     * A reference that the world has given stays the one to its collider, and one to none is dead.
+     */
+    @Override
+    public void state(StateVisitor s) {
+        s.section("colliderTable", this);
+        ensureSlots();
+        int slots = colliders.slotCount;
+        if (places.length < slots) {
+            places = new int[specs.length];
+        }
+        for (int c = 0; c < slots && !s.isRestoring(); c++) {
+            places[c] = refs[c] == null ? -1 : refs[c].slot();
+        }
+        ColliderRef[] saved =
+                s.array("refs", s.isRestoring() ? new ColliderRef[slots] : refs, slots);
+        places = s.array("places", places, slots);
+        specs = s.array("specs", specs, slots);
+        kilograms = s.array("kilograms", kilograms, slots);
+        inertiaXX = s.array("inertiaXX", inertiaXX, slots);
+        inertiaYY = s.array("inertiaYY", inertiaYY, slots);
+        inertiaZZ = s.array("inertiaZZ", inertiaZZ, slots);
+        if (s.isRestoring()) {
+            own(saved);
+        }
+    }
+
+    private void own(ColliderRef[] saved) {
+        ColliderRef[] now = refs.clone();
+        for (ColliderRef ref : now) {
+            if (ref != null) {
+                ref.move(-1);
+            }
+        }
+        Arrays.fill(refs, null);
+        for (int c = 0; c < saved.length; c++) {
+            ColliderRef ref = saved[c];
+            if (ref == null) {
+                continue;
+            }
+            if (!ref.isOf(this)) {
+                BodyRef body = table.refs[ref.body().slot()];
+                ref = now[c] != null && now[c].body() == body ? now[c] : null;
+                ref = ref == null ? new ColliderRef(this, body, places[c]) : ref;
+            }
+            refs[c] = ref;
+        }
+        for (int c = 0; c < saved.length; c++) {
+            if (refs[c] != null) {
+                refs[c].move(places[c]);
+            }
+        }
     }
 
     // What a body is made of ---------------------------------------------------------------------
@@ -468,8 +529,18 @@ final class ColliderTable {
         }
     }
 
-    void ask(@Nullable BiPredicate<ColliderRef, ColliderRef> test) {
+    /** As another world: its pairs are what they are, and are not asked anew. */
+    void askAs(ColliderTable other) {
+        choose(other.asked);
+    }
+
+    private void choose(@Nullable BiPredicate<ColliderRef, ColliderRef> test) {
+        asked = test;
         pairFilter.ask(test == null ? null : (a, b) -> test.test(ref(a), ref(b)));
+    }
+
+    void ask(@Nullable BiPredicate<ColliderRef, ColliderRef> test) {
+        choose(test);
         for (int c = 0; c < colliders.slotCount; c++) {
             broadPhase.refilter(c);
         }

@@ -163,6 +163,11 @@ public final class PhysicsSettings {
         return new PhysicsSettings(tuning.with(tunable, value), sleeping);
     }
 
+    /** Whether they lead to the same bits: lanes do not count, nor sub-steps, which may change. */
+    boolean isLike(PhysicsSettings other) {
+        return withSubsteps(1).withLanes(1).equals(other.withSubsteps(1).withLanes(1));
+    }
+
     @Override
     public boolean equals(Object other) {
         return other instanceof PhysicsSettings settings

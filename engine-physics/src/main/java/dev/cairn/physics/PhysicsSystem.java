@@ -6,6 +6,8 @@ import dev.cairn.core.ecs.IntField;
 import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.WorldSystem;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.component.Force;
 import dev.cairn.physics.component.Torque;
 import dev.cairn.physics.component.Velocity;
@@ -43,7 +45,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Simulation thread; each stage runs in blocks over the tick's workers. A steady tick allocates
  * nothing.
  */
-final class PhysicsSystem implements WorldSystem {
+final class PhysicsSystem implements WorldSystem, Stateful {
     /** The system's name in the schedule. */
     static final String NAME = "physics";
 
@@ -199,6 +201,40 @@ final class PhysicsSystem implements WorldSystem {
         sleepView.update();
         profile.end(StepStage.TOUCH);
         profile.end(table.bodies.slotCount, contacts.count);
+    }
+
+    /** All that the next tick depends on, but for entities. */
+    @Override
+    public void state(StateVisitor s) {
+        s.section("physics", this);
+        gravityX = s.value("gravityX", gravityX);
+        gravityY = s.value("gravityY", gravityY);
+        gravityZ = s.value("gravityZ", gravityZ);
+        int substeps = s.value("substeps", settings.substeps());
+        if (substeps != settings.substeps()) {
+            setSubsteps(substeps);
+        }
+        table.state(s);
+        contacts.state(s);
+        joints.state(s);
+        if (jointList != null) {
+            jointList.state(s);
+        }
+        events.state(s);
+        sensors.state(s);
+        forces.state(s);
+        index.state(s);
+        solver.state(s, table.bodies.slotCount);
+        if (s.isRestoring()) {
+            hooks.renew();
+            view.update();
+            sleepView.show();
+        }
+    }
+
+    void setSubsteps(int count) {
+        settings = settings.withSubsteps(count);
+        solver.setSubsteps(count);
     }
 
     int lanes() {

@@ -1,8 +1,14 @@
 package dev.cairn.physics;
 
+import dev.cairn.core.ecs.EcsSystem;
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
+import dev.cairn.core.job.Jobs;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.core.state.StateException;
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
+import dev.cairn.core.state.WorldState;
 import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
@@ -41,8 +47,11 @@ public final class PhysicsWorld implements AutoCloseable {
     private boolean closed;
 
     private final Joints joints;
+    private final EcsSystem[] systems;
+    private final Stateful whole = this::state;
 
-    PhysicsWorld(PhysicsSystem physics, World ecs) {
+    PhysicsWorld(PhysicsSystem physics, World ecs, EcsSystem... systems) {
+        this.systems = systems;
         this.physics = physics;
         this.ecs = ecs;
         physics.table.roster.bind(ecs);
@@ -108,6 +117,11 @@ public final class PhysicsWorld implements AutoCloseable {
 
     /** What joints need of this world. */
     private final class JointHost implements Joints.Host {
+        @Override
+        public boolean isAlive(int slot, long entity) {
+            return physics.table.isAlive(slot, entity);
+        }
+
         @Override
         public int slotOf(String name, Jointed body) {
             if (!(Checks.notNull(name, body) instanceof BodyRef ref) || !ref.isOf(physics.table)) {
@@ -316,6 +330,99 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
+     * Saves all that the next step depends on: bodies, colliders, shapes, joints, contacts with
+     * what is remembered of them, who sleeps, events of the last step, tick, entities with all
+     * components. Not saved are functions and listeners (filters of pairs, contact hooks),
+     * resources and whether the physics is paused; objects of the user are kept by reference.
+     * Between steps.
+     *
+     * @return a new state
+     * @throws IllegalStateException during a step, or if the world is closed
+     */
+    public WorldState save() {
+        WorldState state = new WorldState();
+        save(state);
+        return state;
+    }
+
+    /**
+     * The same into a state that may be there already. Allocates only while its buffers grow.
+     *
+     * @param into what to fill
+     * @return {@code into}
+     */
+    public WorldState save(WorldState into) {
+        requireBetweenSteps("save");
+        Checks.notNull("into", into).save(whole);
+        return into;
+    }
+
+    /**
+     * Goes on from a state that was saved here, or in another world with the same systems and
+     * settings; workers and lanes may differ. Every later step has the same bits as it had there.
+     * References to bodies, colliders and joints that were there when it was saved name them again;
+     * those to later ones are dead. Listeners hear nothing of it. Between steps.
+     *
+     * @param state what to restore
+     * @throws StateException if it is the state of something else; the world is as before if that
+     *     is told by its settings, and needs another state otherwise
+     * @throws IllegalStateException during a step, or if the world is closed
+     */
+    public void restore(WorldState state) {
+        requireBetweenSteps("restore");
+        Checks.notNull("state", state).restore(whole);
+    }
+
+    /**
+     * A second world in the same state, which goes on by itself: with the systems, resources, pair
+     * filter and contact hook of this one, and without its listeners. Both use the same workers, so
+     * they must be stepped one after the other. Close it when it is done.
+     *
+     * @return another world; {@link #bodyOf} finds its bodies by their entities
+     */
+    public PhysicsWorld fork() {
+        return fork(ecs.jobs());
+    }
+
+    /**
+     * The same with workers of its own, so that it can be stepped while others are.
+     *
+     * @param jobs its workers; the caller closes them, after the world
+     * @return another world
+     */
+    public PhysicsWorld fork(Jobs jobs) {
+        requireBetweenSteps("fork");
+        PhysicsWorld twin =
+                builder()
+                        .settings(physics.settings)
+                        .seed(ecs.seed())
+                        .systems(systems)
+                        .jobs(jobs)
+                        .build();
+        twin.physics.hooks.set(physics.hooks.get());
+        twin.physics.table.collision.askAs(physics.table.collision);
+        twin.ecs.putResourcesOf(ecs);
+        twin.restore(save());
+        return twin;
+    }
+
+    /** Settings are compared first: nothing has changed when they are refused. */
+    private void state(StateVisitor s) {
+        s.section("physicsWorld", this);
+        PhysicsSettings saved = s.reference("settings", physics.settings);
+        if (!physics.settings.isLike(saved)) {
+            throw new StateException(
+                    "the state is of a world with "
+                            + saved
+                            + ", and this one has "
+                            + physics.settings
+                            + "; build the world with the settings of the state");
+        }
+        ecs.state(s);
+        physics.state(s);
+    }
+
+    /**
      * Checks the state that the next step starts from, for a report of a fault: motions, boxes,
      * contacts, impulses and islands. Between steps; costs about as much as a step, and allocates.
      *
@@ -428,8 +535,7 @@ public final class PhysicsWorld implements AutoCloseable {
      */
     public void setSubsteps(int count) {
         requireBetweenSteps("setSubsteps");
-        physics.settings = physics.settings.withSubsteps(count);
-        physics.solver.setSubsteps(count);
+        physics.setSubsteps(count);
     }
 
     /** Ends the world and its helpers. A second call does nothing. */

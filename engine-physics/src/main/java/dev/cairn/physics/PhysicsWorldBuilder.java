@@ -140,6 +140,6 @@ public final class PhysicsWorldBuilder {
         } else {
             builder.workers(workers == 0 ? Jobs.defaultWorkers() : workers);
         }
-        return new PhysicsWorld(physics, builder.build());
+        return new PhysicsWorld(physics, builder.build(), systems.toArray(new EcsSystem[0]));
     }
 }

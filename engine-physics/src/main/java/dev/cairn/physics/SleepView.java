@@ -19,8 +19,13 @@ final class SleepView implements SleepEvents {
 
     /** At the end of a step. */
     void update() {
+        table.sleepers.tell();
+        show();
+    }
+
+    /** The events of the last tick. */
+    void show() {
         Sleepers s = table.sleepers;
-        s.tell();
         fellCount = s.fellCount();
         wokeCount = s.wokeCount();
         if (fell.length < fellCount) {

@@ -1,5 +1,7 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.state.StateVisitor;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
@@ -159,6 +161,41 @@ final class Archetype {
         lastSlab.structureTick = tick;
         rows = last;
         return moved;
+    }
+
+    /** All rows; slabs that are not in use are empty. */
+    void state(StateVisitor s) {
+        s.section("table", this);
+        rows = s.value("rows", rows);
+        int chunks = chunkCount();
+        if (s.isRestoring()) {
+            prepare(chunks);
+        }
+        for (int chunk = 0; chunk < chunks; chunk++) {
+            slabs[chunk].state(s);
+        }
+    }
+
+    /** Makes room for all rows, and empties the slabs behind them. */
+    private void prepare(int chunks) {
+        for (int chunk = 0; chunk < chunks; chunk++) {
+            int local =
+                    chunk == chunks - 1
+                            ? ChunkSizes.local(rows - 1)
+                            : ChunkSizes.capacity(chunk) - 1;
+            while (chunk == slabs.length || local >= slabs[chunk].entities.length) {
+                enlarge(chunk);
+            }
+        }
+        for (int chunk = chunks; chunk < slabs.length; chunk++) {
+            slabs[chunk].empty();
+        }
+    }
+
+    /** Forgets which tables follow from this one: there may be others now. */
+    void forgetNeighbours() {
+        Arrays.fill(grown, null);
+        Arrays.fill(shrunk, null);
     }
 
     @Nullable Archetype grownBy(Component<?> component) {

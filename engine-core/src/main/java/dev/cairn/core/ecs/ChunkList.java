@@ -15,6 +15,7 @@ final class ChunkList {
     private final ComponentSet excluded;
 
     private int scanned;
+    private int dropped;
     private Archetype[] archetypes = new Archetype[0];
     private byte[][] rights = new byte[0][];
     private int[][] writable = new int[0][];
@@ -50,6 +51,14 @@ final class ChunkList {
     }
 
     private void rebuild() {
+        if (dropped != store.dropped) {
+            dropped = store.dropped;
+            scanned = 0;
+            archetypes = new Archetype[0];
+            rights = new byte[0][];
+            writable = new int[0][];
+            views = new Chunk[0][];
+        }
         for (; scanned < store.archetypes.size(); scanned++) {
             Archetype archetype = store.archetypes.get(scanned);
             if (archetype.set.containsAll(required) && !archetype.set.intersects(excluded)) {

@@ -154,6 +154,15 @@ public final class Commands {
         record(SET, entity, component);
     }
 
+    /** Forgets what was recorded and spawned: the world has another state. */
+    void forget() {
+        tick = -1;
+        Arrays.fill(payloads, 0, count, null);
+        count = 0;
+        spawns = 0;
+        resolved = 0;
+    }
+
     private void check(long entity, String call) {
         if (!Handle.isHandle(entity)) {
             store.require(entity, call);

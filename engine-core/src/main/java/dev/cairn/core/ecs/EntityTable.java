@@ -1,5 +1,7 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.state.StateVisitor;
+
 import java.util.Arrays;
 
 /**
@@ -85,6 +87,20 @@ final class EntityTable {
 
     int aliveCount() {
         return alive;
+    }
+
+    /** All of it. */
+    void state(StateVisitor s) {
+        s.section("ids", this);
+        used = s.value("used", used);
+        alive = s.value("alive", alive);
+        freeCount = s.value("freeCount", freeCount);
+        places = s.array("places", places, used);
+        generations = s.array("generations", generations, used);
+        free = s.array("free", free, freeCount);
+        if (generations.length != places.length) {
+            generations = Arrays.copyOf(generations, places.length);
+        }
     }
 
     /** What decides the ids of coming spawns. */

@@ -74,6 +74,13 @@ final class Runner implements Commands.Handles {
         }
     }
 
+    /** The world has another state: what commands of the last tick made is forgotten. */
+    void forgetCommands() {
+        for (SystemRunner system : systems) {
+            system.forgetCommands();
+        }
+    }
+
     @Override
     public long entityOf(long handle) {
         int system = Handle.system(handle);

@@ -1,5 +1,7 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.state.StateVisitor;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
@@ -110,6 +112,27 @@ final class Slab {
             fields[slot].kind.copy(from.published[slot], fromRow, published[slot], row);
         }
         entities[row] = from.entities[fromRow];
+    }
+
+    /** Rows and published columns; between ticks, when nobody writes. */
+    void state(StateVisitor s) {
+        s.section("chunk", this);
+        size = s.value("size", size);
+        structureTick = s.value("structureTick", structureTick);
+        s.array("versions", versions, versions.length);
+        s.array("entities", entities, size);
+        for (int slot = 0; slot < published.length; slot++) {
+            s.array(archetype.fields[slot].name, published[slot], size);
+        }
+    }
+
+    /** Without rows. */
+    void empty() {
+        for (int row = 0; row < size; row++) {
+            forgetRow(row);
+            forgetSpare(row);
+        }
+        size = 0;
     }
 
     /** Drops the references of a row that is no longer used. */

@@ -47,6 +47,12 @@ final class SpawnPlans {
         }
     }
 
+    /** Without plans. */
+    void clear() {
+        Arrays.fill(table, null);
+        count = 0;
+    }
+
     void put(SpawnPlan plan) {
         if (++count * 2 > table.length) {
             @Nullable SpawnPlan[] old = table;

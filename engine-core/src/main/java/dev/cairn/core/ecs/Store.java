@@ -1,5 +1,7 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.state.StateVisitor;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
@@ -28,6 +30,11 @@ final class Store {
 
     long[] told = {};
     int toldCount;
+
+    /** Goes up when tables go: then their numbers name others. */
+    int dropped;
+
+    private static final Component<?>[] NO_PARTS = {};
 
     private final Map<ComponentSet, Archetype> bySet = new HashMap<>();
     private final SpawnPlans plans = new SpawnPlans();
@@ -305,6 +312,55 @@ final class Store {
     private static ComponentException absent(long entity, Component<?> component, String remedy) {
         return new ComponentException(
                 "entity " + Entities.toString(entity) + " has no " + component + "; " + remedy);
+    }
+
+    /** Entities and tables. */
+    void state(StateVisitor s) {
+        s.section("entities", this);
+        tick = s.value("tick", tick);
+        toldCount = s.value("toldCount", toldCount);
+        told = s.array("told", told, toldCount);
+        entities.state(s);
+        int tables = s.value("tables", archetypes.size());
+        for (int i = 0; i < tables; i++) {
+            Component<?>[] now = s.isRestoring() ? NO_PARTS : archetypes.get(i).components;
+            int parts = s.value("parts", now.length);
+            Component<?>[] members = s.array("components", now, parts);
+            if (s.isRestoring()) {
+                match(i, members);
+            }
+            archetypes.get(i).state(s);
+            s.section("entities", this);
+        }
+        if (s.isRestoring()) {
+            dropFrom(tables);
+            structureVersion++;
+        }
+    }
+
+    /** Makes the table of a number the one with these components. */
+    private void match(int index, Component<?>[] members) {
+        if (index < archetypes.size() && Arrays.equals(archetypes.get(index).components, members)) {
+            return;
+        }
+        dropFrom(index);
+        List<Component<?>> list = List.of(members);
+        archetype(ComponentSet.of(list), list);
+    }
+
+    /** The order of tables is part of the state: those that came later were never there. */
+    private void dropFrom(int count) {
+        if (count == archetypes.size()) {
+            return;
+        }
+        while (archetypes.size() > count) {
+            bySet.remove(archetypes.removeLast().set);
+        }
+        for (Archetype archetype : archetypes) {
+            archetype.forgetNeighbours();
+        }
+        plans.clear();
+        dropped++;
     }
 
     long digest(long hash) {

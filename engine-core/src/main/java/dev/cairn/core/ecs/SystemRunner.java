@@ -134,6 +134,15 @@ final class SystemRunner {
         return skipped;
     }
 
+    /** The world has another state. */
+    void forgetCommands() {
+        for (Commands buffer : commands) {
+            if (buffer != null) {
+                buffer.forget();
+            }
+        }
+    }
+
     long entityOf(long handle) {
         int chunk = Handle.chunk(handle);
         Commands buffer = chunk < commands.length ? commands[chunk] : null;

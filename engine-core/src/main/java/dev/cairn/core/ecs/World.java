@@ -1,6 +1,10 @@
 package dev.cairn.core.ecs;
 
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateException;
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
+import dev.cairn.core.state.WorldState;
 
 import org.jspecify.annotations.Nullable;
 
@@ -29,11 +33,11 @@ import java.util.Objects;
  * <p>A call with bad arguments throws and changes nothing. A steady tick, without structural
  * changes, allocates nothing.
  */
-public final class World extends WorldContents implements AutoCloseable {
+public final class World extends WorldContents implements AutoCloseable, Stateful {
     private final Schedule schedule;
     private final Jobs jobs;
     private final boolean ownsJobs;
-    private final long seed;
+    private long seed;
     private final Runner runner;
     private double stepSeconds;
     private int skipped;
@@ -164,6 +168,71 @@ public final class World extends WorldContents implements AutoCloseable {
     public long digest() {
         long hash = Hash.mix(Hash.mix(Hash.START, seed), tickNumber);
         return store.digest(hash);
+    }
+
+    /**
+     * Saves all that decides what happens next: entities with all components, tick and seed.
+     * Between steps. Objects in columns are kept by reference, and are not copied; resources are
+     * not saved.
+     *
+     * @return a new state
+     * @throws IllegalStateException during a step
+     * @throws WorldFailedException if the world has failed
+     */
+    public WorldState save() {
+        WorldState state = new WorldState();
+        save(state);
+        return state;
+    }
+
+    /**
+     * The same into a state that may be there already. Allocates only while its buffers grow.
+     *
+     * @param into what to fill
+     */
+    public void save(WorldState into) {
+        requireChangeable("save");
+        into.save(this);
+    }
+
+    /**
+     * Goes on from a state that was saved here, or in another world with the same systems. Handles
+     * of earlier ticks name nothing any more; ids that were given since the state was saved will be
+     * given again. A world that has failed can step again.
+     *
+     * @param state what to restore
+     * @throws StateException if it is the state of something else
+     * @throws IllegalStateException during a step
+     */
+    public void restore(WorldState state) {
+        requireChangeable("restore");
+        state.restore(this);
+    }
+
+    /**
+     * The declaration of all state, for those who hold a world as a part. Between steps.
+     *
+     * @param s saves or restores
+     */
+    @Override
+    public void state(StateVisitor s) {
+        if (failed && !s.isRestoring()) {
+            throw new WorldFailedException(
+                    "this world failed in tick "
+                            + (tickNumber + 1)
+                            + ", so its state is no state to go on from; restore an earlier one",
+                    null);
+        }
+        s.section("world", this);
+        tickNumber = s.value("tickNumber", tickNumber);
+        stepSeconds = s.value("stepSeconds", stepSeconds);
+        seed = s.value("seed", seed);
+        skipped = s.value("skipped", skipped);
+        store.state(s);
+        if (s.isRestoring()) {
+            failed = false;
+            runner.forgetCommands();
+        }
     }
 
     /**

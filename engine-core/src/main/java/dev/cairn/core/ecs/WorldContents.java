@@ -273,6 +273,16 @@ abstract sealed class WorldContents permits World {
     }
 
     /**
+     * Shares all that another world shares, under the same keys.
+     *
+     * @param other whose resources these are
+     */
+    public final void putResourcesOf(World other) {
+        requireChangeable("putResourcesOf");
+        resources.putAll(((WorldContents) other).resources);
+    }
+
+    /**
      * A shared object.
      *
      * @param type the class that it was put under

@@ -1,5 +1,8 @@
 package dev.cairn.physics.broadphase;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
+
 import java.util.Arrays;
 
 /**
@@ -12,7 +15,7 @@ import java.util.Arrays;
  *
  * <p>One thread changes it; any number may read it between changes. Allocates only when it grows.
  */
-public final class AabbTree {
+public final class AabbTree implements Stateful {
     /** No node. */
     public static final int NONE = -1;
 
@@ -360,6 +363,34 @@ public final class AabbTree {
         return x * y + y * z + z * x;
     }
 
+    @Override
+    public void state(StateVisitor s) {
+        s.section("tree", this);
+        root = s.value("root", root);
+        free = s.value("free", free);
+        used = s.value("used", used);
+        leaves = s.value("leaves", leaves);
+        changes = s.value("changes", changes);
+        if (used > parent.length) {
+            grow(used);
+        }
+        bounds = s.array("bounds", bounds, 0, 6 * used, 6 * parent.length, false);
+        parent = s.array("parent", parent, 0, used, used, false);
+        left = s.array("left", left, 0, used, used, false);
+        right = s.array("right", right, 0, used, used, false);
+        height = s.array("height", height, 0, used, used, false);
+        item = s.array("item", item, 0, used, used, false);
+    }
+
+    private void grow(int nodes) {
+        bounds = Arrays.copyOf(bounds, 6 * nodes);
+        parent = Arrays.copyOf(parent, nodes);
+        left = Arrays.copyOf(left, nodes);
+        right = Arrays.copyOf(right, nodes);
+        height = Arrays.copyOf(height, nodes);
+        item = Arrays.copyOf(item, nodes);
+    }
+
     private int allocate() {
         if (free != NONE) {
             int node = free;
@@ -367,13 +398,7 @@ public final class AabbTree {
             return node;
         }
         if (used == parent.length) {
-            int n = 2 * used;
-            bounds = Arrays.copyOf(bounds, 6 * n);
-            parent = Arrays.copyOf(parent, n);
-            left = Arrays.copyOf(left, n);
-            right = Arrays.copyOf(right, n);
-            height = Arrays.copyOf(height, n);
-            item = Arrays.copyOf(item, n);
+            grow(2 * used);
         }
         return used++;
     }

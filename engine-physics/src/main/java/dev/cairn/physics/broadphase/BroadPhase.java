@@ -3,6 +3,7 @@ package dev.cairn.physics.broadphase;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 
@@ -443,6 +444,29 @@ public final class BroadPhase {
      */
     public boolean isPair(int a, int b) {
         return pairs.contains(PairSet.key(a, b));
+    }
+
+    /**
+     * All that lasts from tick to tick; slots have room already.
+     *
+     * @param slots in use
+     */
+    public void state(StateVisitor s, int slots) {
+        s.section("broadPhase", this);
+        staticTree.state(s);
+        dynamicTree.state(s);
+        pairs.state(s);
+        s.section("boxes", this);
+        fat = s.array("fat", fat, 0, 6 * slots, fat.length, false);
+        leaf = s.array("leaf", leaf, 0, slots, leaf.length, false);
+        where = s.array("where", where, slots);
+        moved = s.array("moved", moved, slots);
+        movedCount = s.value("movedCount", movedCount);
+        movedSlots = s.array("movedSlots", movedSlots, movedCount);
+        endlessCount = s.value("endlessCount", endlessCount);
+        endless = s.array("endless", endless, endlessCount);
+        refiltered = s.value("refiltered", refiltered);
+        newPairCount = s.isRestoring() ? 0 : newPairCount;
     }
 
     /** Nothing counts as moved any more. */

@@ -1,5 +1,7 @@
 package dev.cairn.physics.broadphase;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.ColliderStore;
 
@@ -16,7 +18,7 @@ import java.util.Arrays;
  * between steps on the simulation thread; {@link #admits} from blocks of a stage, {@link #passes}
  * on the simulation thread and in a fixed order. Allocates only when something grows.
  */
-public final class PairFilter {
+public final class PairFilter implements Stateful {
     /** A question of the user about a pair, lower collider first. */
     public interface Test {
         /** Whether the two collide; pure. */
@@ -116,6 +118,16 @@ public final class PairFilter {
             }
         }
         reasonCount = kept;
+    }
+
+    /** The user's test is the world's own, and stays. */
+    @Override
+    public void state(StateVisitor s) {
+        s.section("pairFilter", this);
+        active = s.value("active", active) || test != null;
+        reasonCount = s.value("reasonCount", reasonCount);
+        reasons = s.array("reasons", reasons, reasonCount);
+        excluded.state(s);
     }
 
     /** What bodies and filters say of a pair; any worker, while nobody changes anything. */

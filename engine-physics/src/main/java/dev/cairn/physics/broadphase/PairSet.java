@@ -1,12 +1,15 @@
 package dev.cairn.physics.broadphase;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
+
 /**
  * A set of unordered pairs of colliders: open addressing with linear probing, no tombstones. Asked
  * for membership only; it is never iterated, so its layout cannot reach any result.
  *
  * <p>One thread changes it; any number may ask between changes. Allocates only when it grows.
  */
-public final class PairSet {
+public final class PairSet implements Stateful {
     private long[] keys = new long[64];
     private int shift = 64 - 6;
     private int size;
@@ -83,6 +86,19 @@ public final class PairSet {
         keys[hole] = 0;
         size--;
         return true;
+    }
+
+    /** The table as it lies, so that nothing has to be put in anew. */
+    @Override
+    public void state(StateVisitor s) {
+        s.section("pairs", this);
+        size = s.value("size", size);
+        int length = s.value("length", keys.length);
+        if (length != keys.length) {
+            keys = new long[length];
+        }
+        keys = s.array("keys", keys, length);
+        shift = 64 - Integer.numberOfTrailingZeros(length);
     }
 
     private int home(long key) {

@@ -3,6 +3,7 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
@@ -124,6 +125,12 @@ public final class BoundsStage {
                 apply(b);
             }
         }
+    }
+
+    /** How far those reach that are not looked at in each tick; slots have room already. */
+    public void state(StateVisitor s, int slots) {
+        s.section("bounds", this);
+        ahead = s.array("ahead", ahead, 0, AHEAD * slots, ahead.length, false);
     }
 
     /** Places a fixed body. */

@@ -48,6 +48,19 @@ public final class HookStage {
         }
     }
 
+    /** The hook that was chosen. */
+    public @Nullable ContactHook get() {
+        return hook;
+    }
+
+    /** Another state was restored: the hook stays, and what it remembered may never have been. */
+    public void renew() {
+        if (hook != null && !contacts.hooked) {
+            contacts.beginHooks();
+            Arrays.fill(contacts.hookMemory, 0);
+        }
+    }
+
     /** Asks the hook about all active rows. */
     public void run(Jobs jobs) {
         if (hook == null) {

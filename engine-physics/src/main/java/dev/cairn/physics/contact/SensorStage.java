@@ -3,6 +3,8 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
@@ -26,7 +28,7 @@ import java.util.Arrays;
  * <p>Simulation thread, the questions in blocks of rows; row order is a function of history, as
  * that of contacts. Allocates only when something grows.
  */
-public final class SensorStage {
+public final class SensorStage implements Stateful {
     private static final int ROWS_PER_BLOCK = 32;
     private static final byte OUT = 0;
     private static final byte IN = 1;
@@ -35,6 +37,7 @@ public final class SensorStage {
     private final ColliderStore colliders;
     private final BroadPhase broadPhase;
     private final BlockJob job = this::block;
+    private final Columns.Kept kept = new Columns.Kept();
     private Scratch[] scratch = {};
 
     /** Pairs of a sensor and what its box overlaps. */
@@ -106,6 +109,20 @@ public final class SensorStage {
         found = c.column("found", found);
         looked = c.column("looked", looked);
         from = c.column("from", from, 3);
+    }
+
+    @Override
+    public void state(StateVisitor s) {
+        s.section("sensors", this);
+        count = s.value("count", count);
+        if (count > sensor.length) {
+            columns(new Columns.Growth(count));
+        }
+        columns(kept.of(s, count, sensor.length, false));
+        enteredCount = s.value("enteredCount", enteredCount);
+        entered = s.array("entered", entered, 2 * enteredCount);
+        leftCount = s.value("leftCount", leftCount);
+        left = s.array("left", left, 2 * leftCount);
     }
 
     /** Pairs whose boxes parted, or that filters refuse now, go; who was in has left. */

@@ -3,6 +3,8 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 
@@ -18,7 +20,7 @@ import java.util.Arrays;
  *
  * <p>Simulation thread; allocates only when a list grows.
  */
-public final class TouchEvents {
+public final class TouchEvents implements Stateful {
     private static final int ROWS_PER_BLOCK = 512;
 
     private final BlockJob job = this::block;
@@ -217,6 +219,18 @@ public final class TouchEvents {
         ended[2 * endedCount] = a;
         ended[2 * endedCount + 1] = b;
         endedCount++;
+    }
+
+    @Override
+    public void state(StateVisitor s) {
+        s.section("touches", this);
+        hitSpeed = s.value("hitSpeed", hitSpeed);
+        beganCount = s.value("beganCount", beganCount);
+        began = s.array("began", began, 2 * beganCount);
+        endedCount = s.value("endedCount", endedCount);
+        ended = s.array("ended", ended, 2 * endedCount);
+        hitCount = s.value("hitCount", hitCount);
+        hits = s.array("hits", hits, hitCount);
     }
 
     /** How many pairs began to touch. */

@@ -1,5 +1,8 @@
 package dev.cairn.physics.internal;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
+
 import java.util.Arrays;
 
 /**
@@ -10,7 +13,7 @@ import java.util.Arrays;
  * of mass. Simulation thread, and blocks of its stages, only; the fields are public because the
  * kernels of the step are loops over them.
  */
-public final class BodyStore extends Poses {
+public final class BodyStore extends Poses implements Stateful {
     /** Makes an empty store. */
     public BodyStore() {}
 
@@ -144,6 +147,8 @@ public final class BodyStore extends Poses {
     /** Factor on the world's gravity; 1 for most. */
     public double[] gravityScale = {};
 
+    private final Columns.Kept kept = new Columns.Kept();
+
     /**
      * Grows every column to at least {@code capacity} slots; between phases only.
      *
@@ -210,6 +215,17 @@ public final class BodyStore extends Poses {
         angularDamping = c.column("angularDamping", angularDamping);
         speedLimit = c.column("speedLimit", speedLimit);
         gravityScale = c.column("gravityScale", gravityScale);
+    }
+
+    @Override
+    public void state(StateVisitor s) {
+        s.section("bodies", this);
+        slotCount = s.value("slotCount", slotCount);
+        driven = s.value("driven", driven);
+        belts = s.value("belts", belts);
+        isFar = s.value("isFar", isFar);
+        ensureCapacity(slotCount);
+        columns(kept.of(s, slotCount, kind.length, false));
     }
 
     /**

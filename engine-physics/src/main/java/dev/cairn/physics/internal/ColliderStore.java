@@ -1,5 +1,7 @@
 package dev.cairn.physics.internal;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.collider.Mix;
 import dev.cairn.physics.shape.Shape;
@@ -19,7 +21,7 @@ import java.util.Arrays;
  * their poses are composed of the body's and of where they are in it. Simulation thread, and blocks
  * of its stages, only.
  */
-public final class ColliderStore {
+public final class ColliderStore implements Stateful {
     /** In place of a collider where there is none. */
     public static final int NONE = -1;
 
@@ -96,6 +98,7 @@ public final class ColliderStore {
     public int compoundCount;
 
     private final double[] turned = new double[3];
+    private final Columns.Kept kept = new Columns.Kept();
 
     /**
      * Without colliders.
@@ -145,6 +148,19 @@ public final class ColliderStore {
         if (compounds) {
             local = c.column("local", local, LOCAL);
         }
+    }
+
+    @Override
+    public void state(StateVisitor s) {
+        s.section("colliders", this);
+        slotCount = s.value("slotCount", slotCount);
+        belts = s.value("belts", belts);
+        sensors = s.value("sensors", sensors);
+        compounds = s.value("compounds", compounds);
+        compoundCount = s.value("compoundCount", compoundCount);
+        compound = s.array("compound", compound, compoundCount);
+        ensureCapacity(slotCount);
+        columns(kept.of(s, slotCount, body.length, false));
     }
 
     /**

@@ -1,5 +1,9 @@
 package dev.cairn.physics.internal;
 
+import dev.cairn.core.state.StateVisitor;
+
+import org.jspecify.annotations.Nullable;
+
 import java.lang.reflect.Array;
 import java.util.Arrays;
 
@@ -108,6 +112,61 @@ public interface Columns {
             Object grown = Array.newInstance(array.getClass().getComponentType(), length);
             System.arraycopy(array, 0, grown, 0, old);
             return (A) grown;
+        }
+    }
+
+    /** Saves or restores rows, the first ones of a store. Reused. */
+    final class Kept implements Columns {
+        private @Nullable StateVisitor visitor;
+        private int rows;
+        private int capacity;
+        private boolean clears;
+
+        /** Nothing chosen yet. */
+        public Kept() {}
+
+        /**
+         * Chooses what is done to which rows.
+         *
+         * @param s saves or restores
+         * @param count rows from 0 on
+         * @param room rows that fit without growing
+         * @param clearing whether the rows behind them are emptied when they are restored; not
+         *     needed where a row is emptied when it is taken
+         * @return this
+         */
+        public Kept of(StateVisitor s, int count, int room, boolean clearing) {
+            visitor = s;
+            clears = clearing;
+            rows = count;
+            capacity = room;
+            return this;
+        }
+
+        private StateVisitor visitor() {
+            if (visitor == null) {
+                throw new IllegalStateException("of(..) has chosen nothing yet");
+            }
+            return visitor;
+        }
+
+        @Override
+        public <A> A column(String name, A array, int start, int stride) {
+            return visitor()
+                    .array(name, array, start, stride * rows, start + stride * capacity, clears);
+        }
+
+        @Override
+        public double[] grouped(
+                String name, double[] array, int start, int stride, int group, boolean[] holds) {
+            int whole = rows + group - 1 & -group;
+            int room = start + stride * (capacity + 2 * group - 1 & -group);
+            return visitor().array(name, array, start, stride * whole, room, false);
+        }
+
+        @Override
+        public int[] room(String name, int[] array) {
+            return array.length < capacity ? new int[capacity] : array;
         }
     }
 

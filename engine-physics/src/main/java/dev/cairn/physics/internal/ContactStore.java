@@ -1,5 +1,7 @@
 package dev.cairn.physics.internal;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.collider.Mix;
 
 import java.util.Arrays;
@@ -9,7 +11,7 @@ import java.util.Arrays;
  * row per pair of colliders whose fat bounds overlap. Only some of them are solved, see {@link
  * #isSolved}.
  */
-public final class ContactStore extends ContactColumns implements EdgeSource {
+public final class ContactStore extends ContactColumns implements EdgeSource, Stateful {
     /** Makes an empty store. */
     public ContactStore() {}
 
@@ -28,6 +30,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
     private int remembered;
     private final Columns.Move move = new Columns.Move();
     private final Columns.Clear clear = new Columns.Clear();
+    private final Columns.Kept rows = new Columns.Kept();
 
     /** Forgets what a row rubbed and rolled with. */
     public void forgetFriction(int row) {
@@ -231,6 +234,23 @@ public final class ContactStore extends ContactColumns implements EdgeSource {
         normalImpulse = c.column("normalImpulse", normalImpulse, POINTS);
         preload = c.column("preload", preload, POINTS);
         totalNormalImpulse = c.column("totalNormalImpulse", totalNormalImpulse, POINTS);
+    }
+
+    @Override
+    public void state(StateVisitor s) {
+        s.section("contacts", this);
+        count = s.value("count", count);
+        remembered = s.value("remembered", remembered);
+        rolls = s.value("rolls", rolls);
+        uneven = s.value("uneven", uneven);
+        belts = s.value("belts", belts);
+        hits = s.value("hits", hits);
+        hooked = s.value("hooked", hooked);
+        compounds = s.value("compounds", compounds);
+        ensureCapacity(count);
+        columns(rows.of(s, count, bodyA.length, false));
+        activeCount = s.value("activeCount", activeCount);
+        active = s.array("active", active, 0, activeCount, bodyA.length, false);
     }
 
     /**

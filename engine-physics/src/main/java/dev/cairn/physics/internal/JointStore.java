@@ -1,5 +1,8 @@
 package dev.cairn.physics.internal;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
+
 import java.util.Arrays;
 
 /**
@@ -11,7 +14,7 @@ import java.util.Arrays;
  * {@code r} says what is measured ({@link #law}), what is wanted ({@link #role}) and between which
  * bounds. Simulation thread, but for impulses, which the worker writes that solves the joint.
  */
-public final class JointStore implements EdgeSource {
+public final class JointStore implements EdgeSource, Stateful {
     // What a row measures -------------------------------------------------------------------------
 
     /** Offset of B's origin from A's along A's axis 0, 1 or 2, m. */
@@ -67,6 +70,9 @@ public final class JointStore implements EdgeSource {
 
     /** Whether the joint is solved with its whole assembly. */
     public boolean[] isDirect = {};
+
+    /** Whether {@link #most} of the springs along x, y and z is that of their sum's length. */
+    public boolean[] isRound = {};
 
     /** Grows with each joint of the number. */
     public int[] stamp = {};
@@ -129,6 +135,7 @@ public final class JointStore implements EdgeSource {
 
     private int[] free = {};
     private int freeCount;
+    private final Columns.Kept kept = new Columns.Kept();
 
     /** Makes an empty store. */
     public JointStore() {}
@@ -146,6 +153,7 @@ public final class JointStore implements EdgeSource {
         stamp[j]++;
         isEnabled[j] = true;
         collides[j] = false;
+        isRound[j] = false;
         Arrays.fill(reaction, 6 * j, 6 * j + 6, 0.0);
         resize(j, rowsWanted);
         return j;
@@ -190,20 +198,7 @@ public final class JointStore implements EdgeSource {
             return;
         }
         int n = Math.max(wanted, Math.max(16, isThere.length + (isThere.length >> 1)));
-        isThere = Arrays.copyOf(isThere, n);
-        isEnabled = Arrays.copyOf(isEnabled, n);
-        collides = Arrays.copyOf(collides, n);
-        isDirect = Arrays.copyOf(isDirect, n);
-        stamp = Arrays.copyOf(stamp, n);
-        bodyA = Arrays.copyOf(bodyA, n);
-        bodyB = Arrays.copyOf(bodyB, n);
-        frame = Arrays.copyOf(frame, FRAME * n);
-        firstRow = Arrays.copyOf(firstRow, n);
-        rows = Arrays.copyOf(rows, n);
-        room = Arrays.copyOf(room, n);
-        reaction = Arrays.copyOf(reaction, 6 * n);
-        breakForce = Arrays.copyOf(breakForce, n);
-        breakTorque = Arrays.copyOf(breakTorque, n);
+        columnsOfJoints(new Columns.Growth(n));
     }
 
     private void ensureRows(int wanted) {
@@ -211,18 +206,56 @@ public final class JointStore implements EdgeSource {
             return;
         }
         int n = Math.max(wanted, Math.max(32, law.length + (law.length >> 1)));
-        law = Arrays.copyOf(law, n);
-        role = Arrays.copyOf(role, n);
-        lower = Arrays.copyOf(lower, n);
-        upper = Arrays.copyOf(upper, n);
-        target = Arrays.copyOf(target, n);
-        most = Arrays.copyOf(most, n);
-        stiffness = Arrays.copyOf(stiffness, n);
-        damping = Arrays.copyOf(damping, n);
-        isAbsolute = Arrays.copyOf(isAbsolute, n);
-        before = Arrays.copyOf(before, n);
-        after = Arrays.copyOf(after, n);
-        held = Arrays.copyOf(held, n);
+        columnsOfRows(new Columns.Growth(n));
+    }
+
+    /** Declares the columns with one entry to a joint. */
+    private void columnsOfJoints(Columns c) {
+        isThere = c.column("isThere", isThere);
+        isEnabled = c.column("isEnabled", isEnabled);
+        collides = c.column("collides", collides);
+        isDirect = c.column("isDirect", isDirect);
+        isRound = c.column("isRound", isRound);
+        stamp = c.column("stamp", stamp);
+        bodyA = c.column("bodyA", bodyA);
+        bodyB = c.column("bodyB", bodyB);
+        frame = c.column("frame", frame, FRAME);
+        firstRow = c.column("firstRow", firstRow);
+        rows = c.column("rows", rows);
+        room = c.column("room", room);
+        reaction = c.column("reaction", reaction, 6);
+        breakForce = c.column("breakForce", breakForce);
+        breakTorque = c.column("breakTorque", breakTorque);
+    }
+
+    /** Declares the columns with one entry to a row. */
+    private void columnsOfRows(Columns c) {
+        law = c.column("law", law);
+        role = c.column("role", role);
+        lower = c.column("lower", lower);
+        upper = c.column("upper", upper);
+        target = c.column("target", target);
+        most = c.column("most", most);
+        stiffness = c.column("stiffness", stiffness);
+        damping = c.column("damping", damping);
+        isAbsolute = c.column("isAbsolute", isAbsolute);
+        before = c.column("before", before);
+        after = c.column("after", after);
+        held = c.column("held", held);
+    }
+
+    @Override
+    public void state(StateVisitor s) {
+        s.section("joints", this);
+        count = s.value("count", count);
+        rowCount = s.value("rowCount", rowCount);
+        revision = s.value("revision", revision);
+        freeCount = s.value("freeCount", freeCount);
+        free = s.array("free", free, freeCount);
+        ensureJoints(count);
+        ensureRows(rowCount);
+        columnsOfJoints(kept.of(s, count, isThere.length, true));
+        columnsOfRows(kept.of(s, rowCount, law.length, true));
     }
 
     // Edges ---------------------------------------------------------------------------------------

@@ -3,6 +3,7 @@ package dev.cairn.physics.island;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.internal.BodyStore;
 
 import java.util.Arrays;
@@ -124,6 +125,16 @@ public final class RestDetector {
      */
     boolean isStill(int slot) {
         return stayed[slot] >= stillSeconds;
+    }
+
+    /** What is remembered of each slot; slots have room already. */
+    void state(StateVisitor s, int slots) {
+        s.section("rest", this);
+        seconds = s.array("seconds", seconds, slots);
+        before = s.array("before", before, slots);
+        rests = s.array("rests", rests, slots);
+        maySleep = s.array("maySleep", maySleep, slots);
+        start = s.array("start", start, POSE * slots);
     }
 
     /**

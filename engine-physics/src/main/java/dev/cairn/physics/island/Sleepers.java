@@ -1,6 +1,7 @@
 package dev.cairn.physics.island;
 
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.EdgeSource;
 
@@ -99,6 +100,42 @@ public final class Sleepers {
         settled = Arrays.copyOf(settled, n);
         toldAsleep = Arrays.copyOf(toldAsleep, n);
         tail = new int[n];
+    }
+
+    /**
+     * Who sleeps, and since when; slots have room already. Changes are counted on, so that nobody
+     * takes another state for the one that he has seen.
+     *
+     * @param slots in use
+     */
+    public void state(StateVisitor s, int slots) {
+        s.section("sleepers", this);
+        changes += s.isRestoring() ? 1 : 0;
+        asleepCount = s.value("asleepCount", asleepCount);
+        rowsStale = s.value("rowsStale", rowsStale);
+        rostersStale = s.value("rostersStale", rostersStale);
+        ticksToLook = s.value("ticksToLook", ticksToLook);
+        changedCount = s.value("changedCount", changedCount);
+        changed = s.array("changed", changed, changedCount);
+        fellCount = s.value("fellCount", fellCount);
+        fell = s.array("fell", fell, fellCount);
+        wokeCount = s.value("wokeCount", wokeCount);
+        woke = s.array("woke", woke, wokeCount);
+        freshCount = s.value("freshCount", freshCount);
+        fresh = s.array("fresh", fresh, freshCount);
+        if (enabled) {
+            quiet.state(s, slots);
+            s.section("islands", this);
+            island = s.array("island", island, slots);
+            if (s.isRestoring()) {
+                Arrays.fill(island, slots, island.length, NONE);
+            }
+            next = s.array("next", next, slots);
+            pressed = s.array("pressed", pressed, slots);
+            pressing = s.array("pressing", pressing, slots);
+            settled = s.array("settled", settled, slots);
+            toldAsleep = s.array("toldAsleep", toldAsleep, slots);
+        }
     }
 
     /**

@@ -40,6 +40,56 @@ final class AxisSettings {
         return c;
     }
 
+    /** The same for others to see; what is not there is 0. */
+    AxisState view() {
+        return new AxisState(
+                isLocked,
+                isLimited,
+                isLimited ? lower : 0,
+                isLimited ? upper : 0,
+                isDriven,
+                isDriven ? speed : 0,
+                isDriven ? motorMost : 0,
+                isSprung,
+                isSprung ? target : 0,
+                isSprung ? stiffness : 0,
+                isSprung ? damping : 0,
+                isSprung && isAbsolute,
+                isSprung ? springMost : 0);
+    }
+
+    /** Numbers of {@link #exchange}: one to a field. */
+    static final int NUMBERS = 14;
+
+    /** All fields to numbers, or back. */
+    void exchange(double[] n, int at, boolean back) {
+        isLocked = flag(n, at, isLocked, back);
+        isLimited = flag(n, at + 1, isLimited, back);
+        lower = number(n, at + 2, lower, back);
+        upper = number(n, at + 3, upper, back);
+        held = number(n, at + 4, held, back);
+        isDriven = flag(n, at + 5, isDriven, back);
+        speed = number(n, at + 6, speed, back);
+        motorMost = number(n, at + 7, motorMost, back);
+        isSprung = flag(n, at + 8, isSprung, back);
+        target = number(n, at + 9, target, back);
+        stiffness = number(n, at + 10, stiffness, back);
+        damping = number(n, at + 11, damping, back);
+        isAbsolute = flag(n, at + 12, isAbsolute, back);
+        springMost = number(n, at + 13, springMost, back);
+    }
+
+    private static double number(double[] n, int at, double now, boolean back) {
+        if (!back) {
+            n[at] = now;
+        }
+        return n[at];
+    }
+
+    private static boolean flag(double[] n, int at, boolean now, boolean back) {
+        return number(n, at, now ? 1 : 0, back) != 0;
+    }
+
     void free() {
         isLocked = false;
         isLimited = false;

@@ -2,6 +2,8 @@ package dev.cairn.physics.joint;
 
 import dev.cairn.physics.internal.Checks;
 
+import org.joml.Vector3d;
+
 import java.util.Arrays;
 
 /**
@@ -23,7 +25,11 @@ public final class Joint {
 
     final Jointed a;
     final Jointed b;
-    final AxisSettings[] axes = new AxisSettings[CROSS + 1];
+
+    /** How many settings a joint has: one to an axis, and one more. */
+    static final int AXES = CROSS + 1;
+
+    final AxisSettings[] axes = new AxisSettings[AXES];
 
     /** What {@link #limits}, {@link #motor} and {@link #spring} without an axis are about. */
     final JointAxis main;
@@ -37,6 +43,10 @@ public final class Joint {
     final double[] y = new double[3];
     boolean hasSecond;
     boolean collides;
+
+    /** Whether the springs along x, y and z have their largest force together. */
+    boolean isRound;
+
     double breakForce = Double.POSITIVE_INFINITY;
     double breakTorque = Double.POSITIVE_INFINITY;
 
@@ -250,12 +260,13 @@ public final class Joint {
      * @param b what is drawn
      * @param hertz of the spring, Hz, above 0
      * @param dampingRatio of the spring
-     * @param mostNewtons largest force, N, above 0; may be infinite
+     * @param mostNewtons largest force, in whatever direction, N, above 0; may be infinite
      * @return a description
      */
     public static Joint pull(
             Jointed a, Jointed b, double hertz, double dampingRatio, double mostNewtons) {
         Joint j = new Joint("pull", a, b, JointAxis.X);
+        j.isRound = true;
         for (JointAxis axis : new JointAxis[] {JointAxis.X, JointAxis.Y, JointAxis.Z}) {
             j.spring(axis, 0, hertz, dampingRatio);
             j.of(axis).springMost = Checks.limit("mostNewtons", mostNewtons);
@@ -264,7 +275,8 @@ public final class Joint {
     }
 
     /**
-     * All axes are free, to be locked, limited, driven and sprung one by one.
+     * All axes are free, to be locked, limited, driven and sprung one by one. One that is left so
+     * only keeps its two bodies from colliding.
      *
      * @param a the first body
      * @param b the second one
@@ -347,6 +359,8 @@ public final class Joint {
 
     private static void direction(double[] into, String name, double px, double py, double pz) {
         double length = Math.sqrt(px * px + py * py + pz * pz);
+        // what is of length 1 but for rounding stays bit for bit
+        length = Math.abs(length - 1) <= 0x1p-50 ? 1 : length;
         if (!(length > 0) || length == Double.POSITIVE_INFINITY) {
             throw new IllegalArgumentException(
                     name
@@ -563,6 +577,24 @@ public final class Joint {
     /** Whether it is a rod, rope or spring, which may be without a place. */
     boolean isDistance() {
         return main == JointAxis.DISTANCE;
+    }
+
+    JointPlace place() {
+        return new JointPlace(
+                isPlaced ? new Vector3d(anchorA) : null,
+                isPlaced ? new Vector3d(anchorB) : null,
+                new Vector3d(x),
+                hasSecond ? new Vector3d(y) : null);
+    }
+
+    /**
+     * What the description says of an axis.
+     *
+     * @param axis which one
+     * @return its settings; the length of rods, ropes and springs is not in them
+     */
+    public AxisState settings(JointAxis axis) {
+        return of(axis).view();
     }
 
     AxisSettings[] copyAxes() {

@@ -1,5 +1,7 @@
 package dev.cairn.physics.joint;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.JointStore;
@@ -17,7 +19,7 @@ import java.util.List;
  * <p>Simulation thread, between steps. Adding and removing allocates, all else does not unless it
  * says so.
  */
-public final class Joints {
+public final class Joints implements Stateful {
     /** What joints need of the world that they are in. */
     public interface Host {
         /**
@@ -28,6 +30,15 @@ public final class Joints {
          * @return its slot
          */
         int slotOf(String name, Jointed body);
+
+        /**
+         * Whether a body is in its world.
+         *
+         * @param slot of the body
+         * @param entity that it has
+         * @return false once it was removed
+         */
+        boolean isAlive(int slot, long entity);
 
         /**
          * Wakes a body with all that hangs on it.
@@ -68,8 +79,12 @@ public final class Joints {
     /** By joint: whether it keeps its bodies from colliding. */
     private boolean[] isApart = {};
 
+    /** Room to save the settings of all axes. */
+    private double[] settings = {};
+
     final JointValues values = new JointValues();
-    private final JointFrames frames = new JointFrames();
+    final JointFrames frames = new JointFrames();
+    private final double[] frame = new double[JointStore.FRAME];
     private final Vector3d point = new Vector3d();
     private final List<JointRef> broken = new ArrayList<>();
 
@@ -106,13 +121,15 @@ public final class Joints {
         double distance = frames.distance(joint, bodies, a, b);
         ref.resolveLength(distance);
         rows.compile(ref.axes);
+        frames.write(joint, bodies, a, b, frame, 0);
         int j = store.add(rows.count);
         store.bodyA[j] = a;
         store.bodyB[j] = b;
         store.collides[j] = joint.collides;
+        store.isRound[j] = joint.isRound;
         store.breakForce[j] = joint.breakForce;
         store.breakTorque[j] = joint.breakTorque;
-        frames.write(joint, bodies, a, b, store.frame, JointStore.FRAME * j);
+        System.arraycopy(frame, 0, store.frame, JointStore.FRAME * j, JointStore.FRAME);
         rows.write(store, j);
         if (refs.length <= j) {
             refs = Arrays.copyOf(refs, store.isThere.length);
@@ -125,6 +142,64 @@ public final class Joints {
         separate(j);
         wake(j);
         return ref;
+    }
+
+    /**
+     * What users know of the joints, beside the store. A reference that the world has given stays
+     * the one to its joint.
+     */
+    @Override
+    public void state(StateVisitor s) {
+        s.section("jointList", this);
+        int count = store.count;
+        JointRef[] saved = s.array("refs", s.isRestoring() ? new JointRef[count] : refs, count);
+        isApart = s.array("isApart", isApart, count);
+        int numbers = count * Joint.AXES * AxisSettings.NUMBERS;
+        if (settings.length < numbers) {
+            settings = new double[numbers + numbers / 2];
+        }
+        if (!s.isRestoring()) {
+            exchange(false);
+        }
+        settings = s.array("settings", settings, numbers);
+        int[] gone = s.array("broken", brokenNumbers(), s.value("brokenCount", broken.size()));
+        if (s.isRestoring()) {
+            own(saved);
+            exchange(true);
+            broken.clear();
+            for (int j : gone) {
+                broken.add(refs[j]);
+            }
+        }
+    }
+
+    private int[] brokenNumbers() {
+        int[] numbers = new int[broken.size()];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = broken.get(i).index;
+        }
+        return numbers;
+    }
+
+    private void own(JointRef[] saved) {
+        JointRef[] now = refs;
+        refs = Arrays.copyOf(saved, Math.max(saved.length, store.isThere.length));
+        for (int j = 0; j < saved.length; j++) {
+            if (saved[j] != null && !saved[j].isOf(this)) {
+                boolean known = j < now.length && now[j] != null && now[j].isTwin(saved[j]);
+                refs[j] = known ? now[j] : new JointRef(this, saved[j]);
+            }
+        }
+    }
+
+    /** Settings of all axes: from the references to numbers, or back. */
+    private void exchange(boolean back) {
+        for (int j = 0; j < store.count; j++) {
+            for (int k = 0; k < Joint.AXES && refs[j] != null; k++) {
+                int at = (j * Joint.AXES + k) * AxisSettings.NUMBERS;
+                refs[j].axes[k].exchange(settings, at, back);
+            }
+        }
     }
 
     private void check(Joint joint, int a, int b) {
@@ -177,10 +252,17 @@ public final class Joints {
         return list;
     }
 
+    /** Whether there is a joint of the number. The store forgets those of removed bodies later. */
+    boolean isThere(int j) {
+        return store.isThere[j]
+                && host.isAlive(store.bodyA[j], refs[j].entityA())
+                && host.isAlive(store.bodyB[j], refs[j].entityB());
+    }
+
     private int list(@Nullable List<JointRef> into) {
         int n = 0;
         for (int j = 0; j < store.count; j++) {
-            if (store.isThere[j]) {
+            if (isThere(j)) {
                 n++;
                 if (into != null) {
                     into.add(refs[j]);
@@ -207,6 +289,15 @@ public final class Joints {
      */
     public JointRef broken(int index) {
         return broken.get(index);
+    }
+
+    /**
+     * Copies what can be drawn of the joints. Allocates only while their number grows.
+     *
+     * @param into receives it
+     */
+    public void capture(JointData into) {
+        Checks.notNull("into", into).fill(this, refs);
     }
 
     /** Called by the world at the end of a step. */

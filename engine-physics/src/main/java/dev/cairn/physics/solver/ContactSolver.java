@@ -3,6 +3,7 @@ package dev.cairn.physics.solver;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.Motion;
@@ -503,6 +504,31 @@ public final class ContactSolver {
         sub.still = STILL * tick.weight() * stepSeconds;
         sub.closing = CLOSING * tick.weight() * stepSeconds;
         sub.touch = TOUCH * tick.weight() * sub.seconds * sub.seconds;
+    }
+
+    /**
+     * What lasts from tick to tick beside bodies and contacts. Between steps.
+     *
+     * @param s saves or restores
+     * @param slots of bodies
+     */
+    public void state(StateVisitor s, int slots) {
+        tick.body.state(s, slots);
+        softPace.state(s);
+        list.state(s);
+        assemblies.state(s);
+        collector.state(s);
+        loads.state(s);
+        direct.state(s);
+        s.section("solver", this);
+        substepsBefore = s.value("substepsBefore", substepsBefore);
+        tick.step = s.value("step", tick.step);
+        tick.subStep = s.value("subStep", tick.subStep);
+        if (s.isRestoring()) {
+            if (tick.step > 0) {
+                sub.set(tick.step, softPace.seconds(), tick.settings);
+            }
+        }
     }
 
     /**

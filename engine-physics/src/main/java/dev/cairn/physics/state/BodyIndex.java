@@ -2,12 +2,14 @@ package dev.cairn.physics.state;
 
 import dev.cairn.core.ecs.Field;
 import dev.cairn.core.ecs.Tick;
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 
 /**
  * Whether entities came, went or were given another slot since the physics last looked: asks the
  * chunks, not their rows.
  */
-public final class BodyIndex {
+public final class BodyIndex implements Stateful {
     private final Field slot;
     private int chunks = -1;
     private long looked;
@@ -19,6 +21,13 @@ public final class BodyIndex {
      */
     public BodyIndex(Field slot) {
         this.slot = slot;
+    }
+
+    @Override
+    public void state(StateVisitor s) {
+        s.section("index", this);
+        chunks = s.value("chunks", chunks);
+        looked = s.value("looked", looked);
     }
 
     /**

@@ -5,6 +5,8 @@ import dev.cairn.core.ecs.Component;
 import dev.cairn.core.ecs.DoubleField;
 import dev.cairn.core.ecs.IntField;
 import dev.cairn.core.ecs.Tick;
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.component.Force;
 import dev.cairn.physics.component.Torque;
 import dev.cairn.physics.internal.BodyStore;
@@ -17,7 +19,7 @@ import java.util.Arrays;
  *
  * <p>Simulation thread; a world without such components pays one question per chunk.
  */
-public final class ForceReader {
+public final class ForceReader implements Stateful {
     private static final IntField SLOT = RigidBody.COMPONENT.intField("slot");
     private static final DoubleField[] FORCE = fields(Force.COMPONENT);
     private static final DoubleField[] TORQUE = fields(Torque.COMPONENT);
@@ -40,6 +42,13 @@ public final class ForceReader {
         return new DoubleField[] {
             component.doubleField("x"), component.doubleField("y"), component.doubleField("z")
         };
+    }
+
+    @Override
+    public void state(StateVisitor s) {
+        s.section("forces", this);
+        int count = Math.min(last.length, 6 * roster.bodies.slotCount);
+        last = s.array("last", last, s.value("count", count));
     }
 
     /** Reads all chunks of the tick. */

@@ -1,5 +1,6 @@
 package dev.cairn.physics.state;
 
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.solver.body.Rotation;
 
@@ -44,6 +45,20 @@ public final class KinematicMotion {
             if (target.length > 0) {
                 target = Arrays.copyOf(target, STRIDE * n);
             }
+        }
+    }
+
+    /** Targets, and who moved; slots have room already. */
+    void state(StateVisitor s, int slots) {
+        s.section("kinematic", this);
+        boolean aims = s.value("aims", target.length > 0);
+        if (aims && target.length == 0) {
+            target = new double[STRIDE * state.length];
+        }
+        state = s.array("state", state, slots);
+        moved = s.array("moved", moved, slots);
+        if (aims) {
+            target = s.array("target", target, STRIDE * slots);
         }
     }
 

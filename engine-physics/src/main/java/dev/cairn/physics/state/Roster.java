@@ -2,6 +2,8 @@ package dev.cairn.physics.state;
 
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.PairFilter;
 import dev.cairn.physics.contact.BoundsStage;
@@ -25,7 +27,7 @@ import java.util.Arrays;
  * rows leave in that tick; then it is free. Free slots are used again last freed first, which is
  * part of the deterministic state.
  */
-public final class Roster {
+public final class Roster implements Stateful {
     public final BodyStore bodies = new BodyStore();
     public final ColliderStore colliders = new ColliderStore(bodies);
     public final PairFilter pairFilter = new PairFilter(colliders);
@@ -99,6 +101,39 @@ public final class Roster {
             throw new IllegalStateException("the physics system is in no world yet");
         }
         return world;
+    }
+
+    /** Bodies, colliders, boxes, who sleeps, who is about to come or go. */
+    @Override
+    public void state(StateVisitor s) {
+        bodies.state(s);
+        colliders.state(s);
+        int slots = bodies.slotCount;
+        if (s.isRestoring()) {
+            ensureSlots(slots);
+            listsStale = true;
+            rosters++;
+            places++;
+        }
+        pairFilter.state(s);
+        broadPhase.state(s, slots);
+        bounds.state(s, slots);
+        sleepers.state(s, slots);
+        motion.state(s, slots);
+        s.section("roster", this);
+        comX = s.array("comX", comX, slots);
+        comY = s.array("comY", comY, slots);
+        comZ = s.array("comZ", comZ, slots);
+        jumps = s.array("jumps", jumps, slots);
+        seen = s.array("seen", seen, slots);
+        freeCount = s.value("freeCount", freeCount);
+        free = s.array("free", free, freeCount);
+        goneCount = s.value("goneCount", goneCount);
+        gone = s.array("gone", gone, goneCount);
+        goneChildCount = s.value("goneChildCount", goneChildCount);
+        goneChildren = s.array("goneChildren", goneChildren, goneChildCount);
+        unplacedCount = s.value("unplacedCount", unplacedCount);
+        unplaced = s.array("unplaced", unplaced, unplacedCount);
     }
 
     // Birth ------------------------------------------------------------------------------------

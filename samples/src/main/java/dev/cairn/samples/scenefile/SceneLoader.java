@@ -4,6 +4,8 @@ import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.Visual;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.DegenerateShapeException;
@@ -180,6 +182,31 @@ public final class SceneLoader {
                                 .formatted(i, entity.name(), refused.getMessage()),
                         refused);
             }
+        }
+        for (int i = 0; i < scene.joints().size(); i++) {
+            JointSpec joint = scene.joints().get(i);
+            try {
+                join(into.world(), scene, joint, made);
+            } catch (IllegalArgumentException refused) {
+                throw new IllegalArgumentException(
+                        "$.joints[%d] \"%s\": %s".formatted(i, joint.name(), refused.getMessage()),
+                        refused);
+            }
+        }
+    }
+
+    private static void join(PhysicsWorld world, SceneFile scene, JointSpec joint, long[] made) {
+        for (int entity : new int[] {joint.a(), joint.b()}) {
+            if (scene.entities().get(entity).body() == BodyKind.NONE) {
+                throw new IllegalArgumentException(
+                        "$.entities[%d] is only drawn; a joint holds two bodies".formatted(entity));
+            }
+        }
+        BodyRef a = Objects.requireNonNull(world.bodyOf(made[joint.a()]), "body of a");
+        BodyRef b = Objects.requireNonNull(world.bodyOf(made[joint.b()]), "body of b");
+        JointRef ref = world.add(joint.joint(a, b));
+        if (!joint.isOn()) {
+            ref.setEnabled(false);
         }
     }
 

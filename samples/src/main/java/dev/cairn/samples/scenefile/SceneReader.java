@@ -37,7 +37,8 @@ public final class SceneReader {
                     "tick",
                     "camera",
                     "light",
-                    "entities");
+                    "entities",
+                    "joints");
     static final List<String> TICK = List.of("seconds", "substeps", "ticks", "pictureTick");
     static final List<String> CAMERA = List.of("eye", "target", "fieldOfViewDegrees");
     static final List<String> LIGHT =
@@ -143,6 +144,12 @@ public final class SceneReader {
         for (JsonNode entity : root.required(in, "entities").items("a list of entities")) {
             entities.add(entity(entity));
         }
+        List<JointSpec> joints = new ArrayList<>();
+        if (in.containsKey("joints")) {
+            for (JsonNode joint : in.get("joints").items("a list of joints")) {
+                joints.add(JointJson.read(joint, entities.size()));
+            }
+        }
         return new SceneFile(
                 in.containsKey("name") ? in.get("name").text("a name") : "",
                 in.containsKey("description") ? in.get("description").text("a description") : "",
@@ -150,7 +157,8 @@ public final class SceneReader {
                 in.containsKey("tick") ? tick(in.get("tick")) : empty.tick(),
                 in.containsKey("camera") ? camera(in.get("camera")) : empty.camera(),
                 in.containsKey("light") ? light(in.get("light")) : empty.light(),
-                entities);
+                entities,
+                joints);
     }
 
     private static TickSpec tick(JsonNode node) {

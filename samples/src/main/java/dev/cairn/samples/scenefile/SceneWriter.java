@@ -82,6 +82,11 @@ public final class SceneWriter {
         JsonArray entities = new JsonArray();
         scene.entities().forEach(entity -> entities.add(entity(entity)));
         out.add("entities", entities);
+        if (!scene.joints().isEmpty()) {
+            JsonArray joints = new JsonArray();
+            scene.joints().forEach(joint -> joints.add(JointJson.write(joint)));
+            out.add("joints", joints);
+        }
         StringBuilder text = new StringBuilder();
         put(text, out, 0);
         return text.append('\n').toString();
@@ -215,7 +220,7 @@ public final class SceneWriter {
     }
 
     /** The shortest decimal that reads back as the same double; 2 and not 2.0. */
-    private static JsonPrimitive number(double value) {
+    static JsonPrimitive number(double value) {
         boolean whole =
                 value == Math.rint(value)
                         && Math.abs(value) < 1e15

@@ -1,5 +1,6 @@
 package dev.cairn.physics.solver.body;
 
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.internal.BodyStore;
 
 import java.util.Arrays;
@@ -89,6 +90,9 @@ public final class SolverBodies {
      */
     double[] carry = {};
 
+    /** Room for {@link #state(StateVisitor, int)}. */
+    private boolean[] loaded = {};
+
     /** By slot: no point of the body is faster until the next sub-step, m/s; see {@link #limit}. */
     public double[] fastest = {};
 
@@ -104,6 +108,26 @@ public final class SolverBodies {
     public int drivenFrom = Integer.MAX_VALUE;
 
     public final PrincipalAxes axes = new PrincipalAxes();
+
+    /**
+     * What a body's flight has lost to rounding, and whether a contact pressed on it; all else is
+     * loaded in each tick.
+     *
+     * @param slots in use
+     */
+    public void state(StateVisitor s, int slots) {
+        s.section("flight", this);
+        int count = s.value("count", Math.min(slots, guide.length));
+        ensureCapacity(count);
+        carry = s.array("carry", carry, 0, 12 * count, carry.length, true);
+        for (int i = 0; i < count && !s.isRestoring(); i++) {
+            loaded[i] = state[offset(i) + LOADED] != 0;
+        }
+        loaded = s.array("loaded", loaded, count);
+        for (int i = 0; i < guide.length && s.isRestoring(); i++) {
+            state[offset(i) + LOADED] = loaded[i] ? 1 : 0;
+        }
+    }
 
     public static int offset(int slot) {
         return (slot + 1) * STRIDE;
@@ -126,6 +150,7 @@ public final class SolverBodies {
             glide = Arrays.copyOf(glide, n * MotionRecord.STRIDE);
             carry = Arrays.copyOf(carry, n * 12);
             guide = Arrays.copyOf(guide, n);
+            loaded = new boolean[n];
             fastest = new double[n];
             impactTime = new double[n];
             shifted = new boolean[n];

@@ -1,5 +1,7 @@
 package dev.cairn.physics.solver.direct;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.island.Islands;
 import dev.cairn.physics.solver.graph.Batches;
@@ -32,7 +34,7 @@ import java.util.Arrays;
  * Stockmeyer 1976, of one round). A function of the contacts alone. Simulation thread; allocates
  * only when a store has grown.
  */
-public final class DirectIslands {
+public final class DirectIslands implements Stateful {
     /** Width of an envelope, in bodies. */
     private static final int WIDE = 4;
 
@@ -91,6 +93,14 @@ public final class DirectIslands {
 
     private double yield;
 
+    /** The same two when all was found. */
+    private int foundMost;
+
+    private double foundYield;
+
+    /** Whether another state was restored since all was found. */
+    private boolean renewed;
+
     /** Who touches whom. */
     private int[] firstNeighbour = new int[1];
 
@@ -137,6 +147,7 @@ public final class DirectIslands {
     public void update(
             BodyStore b, EdgeList list, Batches batches, int from, double fall, boolean same) {
         isStale |= !same;
+        count = renewed ? 0 : count;
         openCount = 0;
         most = from;
         yield = fall;
@@ -144,11 +155,26 @@ public final class DirectIslands {
             return;
         }
         if (isStale) {
+            foundMost = most;
+            foundYield = yield;
+        }
+        if (isStale || renewed) {
             find(b, list, batches);
+            renewed = false;
         }
         if (count > 0) {
             gate(b, batches);
         }
+    }
+
+    /** By what it was found; what was found is found anew. */
+    @Override
+    public void state(StateVisitor s) {
+        s.section("direct", this);
+        isStale = s.value("isStale", isStale);
+        foundMost = s.value("foundMost", foundMost);
+        foundYield = s.value("foundYield", foundYield);
+        renewed |= s.isRestoring();
     }
 
     /** Whether as many bodies are at rest as an island needs at least. */
@@ -162,13 +188,17 @@ public final class DirectIslands {
                 radius = Math.min(radius, b.innerRadius[i]);
             }
         }
-        return resting >= from(radius);
+        return resting >= from(radius, most, yield);
     }
 
     /** Bodies from end to end of an island whose smallest body has a radius: 2 or more. */
-    private int from(double radius) {
+    private static int from(double radius, int most, double yield) {
         double few = Math.ceil(most * Math.sqrt(radius / (STIFF * yield)));
         return few < most ? Math.max(2, (int) few) : most;
+    }
+
+    private int from(double radius) {
+        return from(radius, foundMost, foundYield);
     }
 
     private void find(BodyStore b, EdgeList list, Batches batches) {

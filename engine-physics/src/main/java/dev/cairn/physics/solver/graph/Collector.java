@@ -3,6 +3,8 @@ package dev.cairn.physics.solver.graph;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
@@ -23,7 +25,7 @@ import java.util.Arrays;
  * So all persists, and yet is a function of the present edges alone. Simulation thread, the
  * comparison of contacts in blocks; allocates only when a store has grown.
  */
-public final class Collector {
+public final class Collector implements Stateful {
     private static final int CONTACTS_PER_BLOCK = 1024;
 
     private final Colouring colouring;
@@ -67,6 +69,9 @@ public final class Collector {
 
     private boolean sameBodies;
 
+    /** Whether another state was restored since the last tick. */
+    private boolean renewed;
+
     private boolean sameColours;
     private boolean sameVariants;
 
@@ -108,32 +113,42 @@ public final class Collector {
         ensureEdges();
         sameColours = true;
         sameVariants = true;
-        sameList = hasSameKinds();
+        sameList = !renewed && hasSameKinds();
         if (sameList) {
             jobs.run(compare, Blocks.count(contacts.activeCount, CONTACTS_PER_BLOCK));
         }
         sameBodies = sameList || list();
         sameBodies &= slots == bodies.slotCount;
-        sameBodies &= workers == workerCount;
+        sameBodies &= workers == workerCount || renewed;
         sameBodies &= !assemblies.update(list, bodies.slotCount);
-        if (!sameBodies) {
+        boolean isAnew = !sameBodies || renewed;
+        renewed = false;
+        if (isAnew) {
             slots = bodies.slotCount;
             workers = workerCount;
             bind(guide);
             batches.cut(list, slots, guide, workerCount, floatsFrom, assemblies);
             listSides();
         }
-        if (!sameList || !sameBodies) {
+        if (!sameList || isAnew) {
             listBouncers();
         }
-        if (!sameBodies || !sameColours) {
+        if (isAnew || !sameColours) {
             colour();
         }
-        if (!sameBodies || !sameColours || !sameVariants) {
+        if (isAnew || !sameColours || !sameVariants) {
             colouring.finish(list, batches);
             link();
         }
         return stacked;
+    }
+
+    /** The edges of the last tick; all that follows from them is made anew. */
+    @Override
+    public void state(StateVisitor s) {
+        s.section("collector", this);
+        slots = s.value("slots", slots);
+        renewed |= s.isRestoring();
     }
 
     /** Whether the edges and their bodies are those of the tick before. */

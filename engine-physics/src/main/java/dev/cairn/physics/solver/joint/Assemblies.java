@@ -1,5 +1,7 @@
 package dev.cairn.physics.solver.joint;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.island.Islands;
 import dev.cairn.physics.solver.row.EdgeList;
@@ -15,7 +17,7 @@ import java.util.function.IntUnaryOperator;
  * <p>Found anew when the joints that are solved, or their bodies, are others than in the last tick;
  * what touches what does not matter. Simulation thread; allocates when they change.
  */
-public final class Assemblies {
+public final class Assemblies implements Stateful {
     /** Of the joints, among the kinds of the edges; 0 if there is no such kind. */
     private final int kind;
 
@@ -35,6 +37,9 @@ public final class Assemblies {
 
     private int seenCount;
     private long revision = -1;
+
+    /** Whether another state was restored since they were found. */
+    private boolean renewed;
 
     /** By batch: its first assembly in {@link #byBatch}; one more for the end. */
     private int[] firstOfBatch = new int[1];
@@ -65,16 +70,20 @@ public final class Assemblies {
         return !all.isEmpty() && ofBody[slot] >= 0 && all.get(ofBody[slot]).isDirect;
     }
 
-    /** Brings them up to date with the edges of a tick; whether they are others. */
+    /**
+     * Brings them up to date with the edges of a tick; whether they are others than in the last.
+     */
     public boolean update(EdgeList list, int slots) {
         if (kind == 0) {
             return false;
         }
         int from = list.first[kind];
         int to = list.first[kind + 1];
-        if (isSame(list, from, to)) {
+        boolean same = isSame(list, from, to);
+        if (same && !renewed) {
             return false;
         }
+        renewed = false;
         if (seen.length < 3 * (to - from)) {
             seen = new int[3 * (to - from) + 3 * (to - from) / 2];
         }
@@ -87,7 +96,17 @@ public final class Assemblies {
         seenCount = to - from;
         revision = store.revision;
         find(list, from, to, slots);
-        return true;
+        return !same;
+    }
+
+    /** Whose joints were seen in the last tick; what follows from it is found anew. */
+    @Override
+    public void state(StateVisitor s) {
+        s.section("assemblies", this);
+        seenCount = s.value("seenCount", seenCount);
+        revision = s.value("revision", revision);
+        seen = s.array("seen", seen, 3 * seenCount);
+        renewed |= s.isRestoring();
     }
 
     private boolean isSame(EdgeList list, int from, int to) {

@@ -72,6 +72,11 @@ public final class Assembly {
     /** By row: impulse in work. */
     final double[] impulse;
 
+    /** By row, of motors and springs: speed and impulse before the bodies were moved. */
+    final double[] speed;
+
+    final double[] noted;
+
     /** Whether its sub-steps are cut into more. */
     public boolean isTaut() {
         return parts > 1;
@@ -97,6 +102,8 @@ public final class Assembly {
         isActive = new boolean[n];
         compliance = new double[n];
         impulse = new double[n];
+        speed = new double[n];
+        noted = new double[n];
         quick = new double[body.length];
         carried = new double[Swing.CARRIED * body.length];
         taut = new double[9 * body.length];

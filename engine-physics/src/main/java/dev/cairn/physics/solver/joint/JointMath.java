@@ -36,7 +36,7 @@ public final class JointMath {
     private final double[] axesB = new double[9];
 
     /** Origins relative to the bodies' centres; that of B relative to A's; the gap between them. */
-    private final double[] armA = new double[3];
+    final double[] armA = new double[3];
 
     final double[] armB = new double[3];
     final double[] reach = new double[3];

@@ -170,7 +170,7 @@ public final class JointRows implements KindRows {
                         way = JointMath.isAngle(store.law[r]) ? Angles.wrap(way) : way;
                         // l = -k way - d v, v after the impulse
                         double after = old + (-k * way - d * v - old) / (1 + d * compliance[r]);
-                        yield moves ? within(after, most) : old;
+                        yield moves ? within(after, left(link[LINK * p + 2], r, most)) : old;
                     }
                     case JointStore.LIMIT -> limit(sub, r, v, old, moves);
                     default ->
@@ -184,6 +184,21 @@ public final class JointRows implements KindRows {
 
     private static double within(double x, double most) {
         return Math.max(-most, Math.min(most, x));
+    }
+
+    /** What the other springs along x, y and z leave of a force that they have together. */
+    private double left(int j, int r, double most) {
+        if (!store.isRound[j] || store.law[r] >= JointStore.TURN) {
+            return most;
+        }
+        double square = most * most;
+        for (int i = store.firstRow[j]; i < store.firstRow[j] + store.rows[j]; i++) {
+            boolean isOther = i != r && store.role[i] == JointStore.SPRING;
+            if (isOther && store.law[i] < JointStore.TURN) {
+                square -= store.before[i] * store.before[i];
+            }
+        }
+        return Math.sqrt(Math.max(0, square));
     }
 
     private double limit(SubStep sub, int r, double v, double old, boolean moves) {

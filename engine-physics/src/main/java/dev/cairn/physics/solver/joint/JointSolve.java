@@ -50,7 +50,7 @@ public final class JointSolve {
     /** A joint is closed to this share of its bodies' size, or rad. */
     private static final double CLOSED = 1e-13;
 
-    /** Beyond this a round that gains nothing ends the search, as rounding does not explain it. */
+    /** Up to this the search may end with a round that gains little, or with the last one. */
     private static final double NEARLY = 1e-9;
 
     /**
@@ -63,6 +63,11 @@ public final class JointSolve {
     /** The same where nothing is touched: joints that cannot close. */
     private static final double GAIN_ALONE = 1.05;
 
+    /**
+     * A gap beyond this share of the bodies' size may be closed with whatever energy that takes.
+     */
+    private static final double OPEN = 1e-3;
+
     /** Turning speed at which a joint that is out of place is turned back, rad/s. */
     private static final double TURN_BACK = 10;
 
@@ -73,6 +78,7 @@ public final class JointSolve {
     private JointStore store = new JointStore();
     private double h;
     private double push;
+    private double turnBack;
     private int changes;
 
     /** Whether gaps are closed, and not only kept. */
@@ -84,10 +90,21 @@ public final class JointSolve {
 
     /** Takes an assembly to work. */
     public void open(SolverContext context, SubStep sub, JointStore joints, Assembly assembly) {
+        open(context, sub, joints, assembly, 1);
+    }
+
+    /**
+     * The same for sub-steps that are made of steps to and fro.
+     *
+     * @param way sum of the steps' lengths, of a sub-step
+     */
+    void open(
+            SolverContext context, SubStep sub, JointStore joints, Assembly assembly, double way) {
         tick = context;
         s = assembly;
         store = joints;
-        push = sub.pushSpeed;
+        push = sub.pushSpeed / way;
+        turnBack = TURN_BACK / way;
     }
 
     // Rows ----------------------------------------------------------------------------------------
@@ -333,7 +350,8 @@ public final class JointSolve {
         h = seconds;
         changes = 0;
         activate(true);
-        double most = (stay ? GAIN_ALONE : GAIN) * kinetic();
+        double most = (stay ? GAIN_ALONE : GAIN) * kinetic() + closing();
+        note();
         double last = Double.POSITIVE_INFINITY;
         for (int round = 0; round < ROUNDS; round++) {
             keep();
@@ -344,11 +362,12 @@ public final class JointSolve {
             }
             boolean changed = !s.isRigid && hold(round);
             double worst = residuals();
-            boolean ends = !changed && (worst <= CLOSED || (worst > 0.3 * last && worst <= NEARLY));
+            boolean gains = worst <= 0.3 * last && round < ROUNDS - 1;
+            boolean ends = !changed && worst <= (gains ? CLOSED : NEARLY);
             if (s.isRigid && !(ends && stay)) {
                 restore();
             }
-            if (ends && kinetic() <= most) {
+            if (ends && kinetic() <= most + work()) {
                 end(stay && !s.isRigid);
                 return;
             }
@@ -362,6 +381,55 @@ public final class JointSolve {
             correct();
         }
         end(stay);
+    }
+
+    /** Energy that it takes to draw together what is far apart, J. */
+    private double closing() {
+        double sum = 0;
+        for (int k = 0; k < s.joint.length; k++) {
+            double least = OPEN * size(k);
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                int row = row(k, r);
+                byte role = store.role[row];
+                boolean isAngle = JointMath.isAngle(store.law[row]);
+                double gap = role == JointStore.LOCK ? s.start[r] - store.target[row] : 0;
+                if (role == JointStore.LIMIT) {
+                    gap = Math.max(store.lower[row] - s.start[r], s.start[r] - store.upper[row]);
+                    gap = Math.max(0, gap);
+                }
+                if (Math.abs(gap) > (isAngle ? OPEN : least) && s.compliance[r] > 0) {
+                    double speed = within(gap, reach(isAngle)) / h;
+                    sum += 0.5 * speed * speed / s.compliance[r];
+                }
+            }
+        }
+        return sum;
+    }
+
+    /** Notes speeds and impulses of motors and springs, for {@link #work}. */
+    private void note() {
+        for (int k = 0; k < s.joint.length && !s.isRigid; k++) {
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                if (store.role[row(k, r)] >= JointStore.MOTOR) {
+                    s.speed[r] = speed(k, r);
+                    s.noted[r] = s.impulse[r];
+                }
+            }
+        }
+    }
+
+    /** Energy that motors and springs may have given since: impulse times mean speed, J. */
+    private double work() {
+        double sum = 0;
+        for (int k = 0; k < s.joint.length && !s.isRigid; k++) {
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                if (store.role[row(k, r)] >= JointStore.MOTOR) {
+                    double mean = 0.5 * (s.speed[r] + speed(k, r));
+                    sum += (s.impulse[r] - s.noted[r]) * mean;
+                }
+            }
+        }
+        return GAIN * Math.max(0, sum);
     }
 
     /** Energy of motion of the bodies, J. */
@@ -428,7 +496,7 @@ public final class JointSolve {
                                 }
                                 && s.compliance[r] > 0;
                 if (bound && store.role[row] >= JointStore.MOTOR && moves) {
-                    set(k, r, store.held[row] * bound(row));
+                    set(k, r, isRound(k, row) ? held(k, row) : store.held[row] * bound(row));
                 }
             }
         }
@@ -508,12 +576,13 @@ public final class JointSolve {
         }
         boolean changed = false;
         for (int k = 0; k < s.joint.length; k++) {
+            changed |= store.isRound[s.joint[k]] && clampLength(k);
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 int row = row(k, r);
                 byte role = store.role[row];
                 if (role == JointStore.LIMIT) {
                     changed |= limit(k, r, row, round);
-                } else if (role != JointStore.LOCK && s.compliance[r] > 0) {
+                } else if (role != JointStore.LOCK && !isRound(k, row) && s.compliance[r] > 0) {
                     changed |= clamp(k, r, row);
                 }
             }
@@ -570,12 +639,70 @@ public final class JointSolve {
         return false;
     }
 
+    /** Whether a row is one of the springs whose forces together have a largest length. */
+    private boolean isRound(int k, int row) {
+        return store.isRound[s.joint[k]]
+                && store.role[row] == JointStore.SPRING
+                && store.law[row] < JointStore.TURN;
+    }
+
+    /** The last impulse of such a row, if they were at their most. */
+    private double held(int k, int row) {
+        double square = 0;
+        for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+            double l = isRound(k, row(k, r)) ? store.before[row(k, r)] : 0;
+            square += l * l;
+        }
+        return square > 0 ? store.before[row] * bound(row) / Math.sqrt(square) : 0;
+    }
+
+    /**
+     * The same as {@link #clamp} for springs whose forces together have a largest length. At their
+     * most they push as {@code -h/2 k x - d/2 step} points, which is sought by iteration.
+     */
+    private boolean clampLength(int k) {
+        double square = 0;
+        double most = Double.POSITIVE_INFINITY;
+        boolean isFree = false;
+        for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+            int row = row(k, r);
+            if (isRound(k, row)) {
+                double l = wanted(r, row);
+                square += l * l;
+                most = bound(row);
+                isFree |= s.isActive[r];
+            }
+        }
+        double length = Math.sqrt(square);
+        if (isFree && length <= most) {
+            return false;
+        }
+        boolean changed = isFree || length <= most;
+        for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+            int row = row(k, r);
+            if (isRound(k, row) && s.compliance[r] > 0) {
+                s.isActive[r] = length <= most;
+                store.held[row] = (byte) (length <= most ? 0 : 1);
+                double l = wanted(r, row) * Math.min(1, most / length);
+                changed |= Math.abs(l - s.impulse[r]) > NEARLY * most;
+                set(k, r, l);
+            }
+        }
+        return changed;
+    }
+
+    /** Impulse that a spring wants. */
+    private double wanted(int r, int row) {
+        double give = 0.25 * h * stiffness(r, row) + 0.5 * damping(r, row);
+        return s.isActive[r] ? s.impulse[r] : s.impulse[r] - give * miss(r, row);
+    }
+
     /** What an equation lacks; in metres or rad. */
     private double miss(int r, int row) {
         boolean isAngle = JointMath.isAngle(store.law[row]);
         double c0 = s.start[r];
         double c1 = s.now[r];
-        double most = closes ? (isAngle ? TURN_BACK : push) * Math.abs(h) : 0;
+        double most = closes ? reach(isAngle) : 0;
         return switch (store.role[row]) {
             case JointStore.LIMIT -> {
                 double edge = store.held[row] < 0 ? store.lower[row] : store.upper[row];
@@ -597,6 +724,11 @@ public final class JointSolve {
                 yield c1 - store.target[row] - (gap - within(gap, most));
             }
         };
+    }
+
+    /** How much of a gap a step closes, m or rad. */
+    private double reach(boolean isAngle) {
+        return (isAngle ? turnBack : push) * Math.abs(h);
     }
 
     private static double within(double x, double most) {
@@ -644,11 +776,11 @@ public final class JointSolve {
      */
     private void project(double most) {
         single();
-        if (!(kinetic() <= most)) {
+        if (!(kinetic() <= most + work())) {
             closes = false;
             single();
             closes = true;
-            if (!(kinetic() <= most)) {
+            if (!(kinetic() <= most + work())) {
                 release();
             }
         }

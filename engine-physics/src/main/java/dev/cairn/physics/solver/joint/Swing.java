@@ -43,9 +43,9 @@ public final class Swing {
 
     /** Runs a tick. */
     public void run(SolverContext tick, SubStep sub, JointStore store, Assembly s) {
-        solve.open(tick, sub, store, s);
-        s.isFresh = false;
         boolean isReversible = isReversible(tick.bodies, s);
+        solve.open(tick, sub, store, s, isReversible ? 8 * OUTER - 1 : 1);
+        s.isFresh = false;
         double quick = sub.seconds * tension.quickest(tick, store, s);
         int parts = parts(quick, isReversible ? SLOW_FIVE : SLOW);
         double h = sub.seconds / parts;

@@ -37,7 +37,10 @@ final class Tension {
                     a < 0 ? 0 : SolverBodies.offset(s.body[a]),
                     b < 0 ? 0 : SolverBodies.offset(s.body[b]));
             if (a >= 0) {
-                add(store.reaction, 6 * j, -1, math.reach, s.taut, 9 * a);
+                // the force of a rod turns with the rod, not with A
+                boolean isRod = store.law[store.firstRow[j]] == JointStore.DISTANCE;
+                double[] arm = isRod ? math.armA : math.reach;
+                add(store.reaction, 6 * j, -1, arm, s.taut, 9 * a);
             }
             if (b >= 0) {
                 add(store.reaction, 6 * j, 1, math.armB, s.taut, 9 * b);

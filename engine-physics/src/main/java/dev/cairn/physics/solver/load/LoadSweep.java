@@ -5,6 +5,8 @@ import static dev.cairn.physics.solver.body.SolverBodies.norm;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.SolverBodies;
@@ -36,7 +38,7 @@ import java.util.Arrays;
  * <p>Simulation thread, what bodies and contacts tell by themselves in blocks; allocates only when
  * a store has grown. Source: own study.
  */
-public final class LoadSweep {
+public final class LoadSweep implements Stateful {
     /** Contacts steeper than this (cosine with up) carry no load. */
     private static final double CARRIES = 0.2;
 
@@ -104,6 +106,10 @@ public final class LoadSweep {
     private boolean hurt, moved;
 
     private boolean stale;
+
+    /** Whether another state was restored since it ran. */
+    private boolean renewed;
+
     private BodyStore bodies = new BodyStore();
     private ContactStore contacts = new ContactStore();
     private EdgeList list = new EdgeList();
@@ -153,7 +159,7 @@ public final class LoadSweep {
         int bodyBlocks = Blocks.count(bodies.slotCount, BODIES_PER_BLOCK);
         hurt = false;
         moved = false;
-        boolean keeps = same && !stale;
+        boolean keeps = same && !stale && !renewed;
         jobs.run(measureJob, bodyBlocks);
         jobs.run(lookJob, Blocks.count(list.contacts, ROWS_PER_BLOCK));
         if (hurt) {
@@ -168,7 +174,17 @@ public final class LoadSweep {
         raised = false;
         jobs.run(scaleJob, bodyBlocks);
         stale = false;
+        renewed = false;
         return true;
+    }
+
+    /** Whether it ran in the last tick, and on what; lists and orders are made anew. */
+    @Override
+    public void state(StateVisitor s) {
+        s.section("loads", this);
+        stale = s.value("stale", stale);
+        raised = s.value("raised", raised);
+        renewed |= s.isRestoring();
     }
 
     private void ensureCapacity() {

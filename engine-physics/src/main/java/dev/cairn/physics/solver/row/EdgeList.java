@@ -1,5 +1,8 @@
 package dev.cairn.physics.solver.row;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
+
 import java.util.Arrays;
 
 /**
@@ -9,7 +12,7 @@ import java.util.Arrays;
  *
  * <p>Simulation thread; read by all. Allocates only when a store has grown.
  */
-public final class EdgeList {
+public final class EdgeList implements Stateful {
     /** Rows of contacts. */
     public final ConstraintRows floats;
 
@@ -89,6 +92,20 @@ public final class EdgeList {
     /** The rows of a kind, of one precision. */
     public EdgePlaces places(int kind, boolean isSingle) {
         return kind == 0 ? isSingle ? floats : doubles : kinds[kind - 1].rows(isSingle);
+    }
+
+    /** Who bound whom in the last tick; where the rows lie is found anew. */
+    @Override
+    public void state(StateVisitor s) {
+        s.section("edges", this);
+        count = s.value("count", count);
+        contacts = s.value("contacts", contacts);
+        s.array("first", first, first.length);
+        ensureCapacity(count);
+        source = s.array("source", source, 0, count, source.length, false);
+        slotA = s.array("slotA", slotA, 0, count, source.length, false);
+        slotB = s.array("slotB", slotB, 0, count, source.length, false);
+        carrier = s.array("carrier", carrier, 0, count, source.length, false);
     }
 
     /** Slot of a body of an edge that moves. */

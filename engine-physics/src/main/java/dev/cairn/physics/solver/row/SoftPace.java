@@ -1,5 +1,8 @@
 package dev.cairn.physics.solver.row;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
+
 /**
  * The sub-step that the softness of contacts goes by: the longest of late.
  *
@@ -13,7 +16,7 @@ package dev.cairn.physics.solver.row;
  *
  * <p>Ticks of one length: that length. Simulation thread. Does not allocate.
  */
-public final class SoftPace {
+public final class SoftPace implements Stateful {
     /** After so much time of shorter ticks they are the rule, s. */
     private static final double WINDOW = 2;
 
@@ -44,6 +47,14 @@ public final class SoftPace {
             elapsed = 0;
         }
         return before == 0 ? 1 : seconds / before;
+    }
+
+    @Override
+    public void state(StateVisitor s) {
+        s.section("softPace", this);
+        seconds = s.value("seconds", seconds);
+        longest = s.value("longest", longest);
+        elapsed = s.value("elapsed", elapsed);
     }
 
     /** Length of the sub-step, s. */

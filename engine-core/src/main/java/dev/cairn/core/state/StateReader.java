@@ -1,0 +1,180 @@
+package dev.cairn.core.state;
+
+import org.jspecify.annotations.Nullable;
+
+import java.lang.foreign.MemorySegment;
+import java.lang.reflect.Array;
+import java.util.Arrays;
+
+/** Restores. */
+final class StateReader implements StateVisitor {
+    private final WorldState state;
+    private int entry;
+
+    StateReader(WorldState state) {
+        this.state = state;
+    }
+
+    @Override
+    public boolean isRestoring() {
+        return true;
+    }
+
+    @Override
+    public void section(String name, Object owner) {
+        next(name, WorldState.SECTION);
+    }
+
+    @Override
+    public int value(String name, int now) {
+        return state.memory.get(StateWriter.INTS, next(name, WorldState.INT));
+    }
+
+    @Override
+    public long value(String name, long now) {
+        return state.memory.get(StateWriter.LONGS, next(name, WorldState.LONG));
+    }
+
+    @Override
+    public double value(String name, double now) {
+        return Double.longBitsToDouble(
+                state.memory.get(StateWriter.LONGS, next(name, WorldState.DOUBLE)));
+    }
+
+    @Override
+    public boolean value(String name, boolean now) {
+        return state.bytes[next(name, WorldState.BOOLEAN)] != 0;
+    }
+
+    @Override
+    @SuppressWarnings({"unchecked", "NullAway"}) // what was saved here was of this type
+    public <T extends @Nullable Object> T reference(String name, T now) {
+        return (T) state.objects[next(name, WorldState.REFERENCE)];
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // an array of the same type
+    public <A> A array(String name, A now, int from, int count, int room, boolean clears) {
+        A to = now;
+        int length = Math.max(room, from + count);
+        if (Array.getLength(now) < length) {
+            to = (A) Array.newInstance(now.getClass().getComponentType(), length);
+        }
+        int end = from + count;
+        switch (to) {
+            case double[] a -> {
+                int at = next(name, WorldState.DOUBLES, count);
+                MemorySegment.copy(state.memory, StateWriter.DOUBLES, at, a, from, count);
+                if (clears) {
+                    Arrays.fill(a, end, a.length, 0);
+                }
+            }
+            case int[] a -> {
+                int at = next(name, WorldState.INTS, count);
+                MemorySegment.copy(state.memory, StateWriter.INTS, at, a, from, count);
+                if (clears) {
+                    Arrays.fill(a, end, a.length, 0);
+                }
+            }
+            case long[] a -> {
+                int at = next(name, WorldState.LONGS, count);
+                MemorySegment.copy(state.memory, StateWriter.LONGS, at, a, from, count);
+                if (clears) {
+                    Arrays.fill(a, end, a.length, 0);
+                }
+            }
+            case byte[] a -> {
+                int at = next(name, WorldState.BYTES, count);
+                System.arraycopy(state.bytes, at, a, from, count);
+                if (clears) {
+                    Arrays.fill(a, end, a.length, (byte) 0);
+                }
+            }
+            case boolean[] a -> {
+                int at = next(name, WorldState.BOOLEANS, count);
+                byte[] saved = state.bytes;
+                for (int i = 0; i < count; i++) {
+                    a[from + i] = saved[at + i] != 0;
+                }
+                if (clears) {
+                    Arrays.fill(a, end, a.length, false);
+                }
+            }
+            case float[] a -> {
+                int at = next(name, WorldState.FLOATS, count);
+                MemorySegment.copy(state.memory, StateWriter.FLOATS, at, a, from, count);
+                if (clears) {
+                    Arrays.fill(a, end, a.length, 0);
+                }
+            }
+            case Object[] a -> objects(name, a, from, count);
+            default -> throw new IllegalArgumentException(name + " is no array");
+        }
+        return to;
+    }
+
+    private void objects(String name, @Nullable Object[] to, int from, int count) {
+        int at = next(name, WorldState.REFERENCES, count);
+        try {
+            System.arraycopy(state.objects, at, to, from, count);
+        } catch (ArrayStoreException other) {
+            throw new StateException(
+                    state.path(entry - 1)
+                            + " holds an object that is no "
+                            + to.getClass().getComponentType().getName()
+                            + "; the state is not one of this world",
+                    other);
+        }
+        Arrays.fill(to, from + count, to.length, null);
+    }
+
+    private int next(String name, byte kind, int count) {
+        int at = next(name, kind);
+        if (state.counts[entry - 1] != count) {
+            throw new StateException(
+                    state.path(entry - 1)
+                            + " has "
+                            + state.counts[entry - 1]
+                            + " elements where "
+                            + count
+                            + " are expected; the state is damaged, or of another version");
+        }
+        return at;
+    }
+
+    private int next(String name, byte kind) {
+        WorldState s = state;
+        if (entry == s.entries) {
+            throw new StateException(
+                    "the state ends where "
+                            + name
+                            + " is expected; it is of another kind of world, or of another"
+                            + " version");
+        }
+        if (!name.equals(s.names[entry]) || kind != s.kinds[entry]) {
+            throw new StateException(
+                    "the state has "
+                            + s.path(entry)
+                            + " ("
+                            + WorldState.KIND_NAMES[s.kinds[entry]]
+                            + ") where "
+                            + name
+                            + " ("
+                            + WorldState.KIND_NAMES[kind]
+                            + ") is expected; it is of another kind of world, or of another"
+                            + " version");
+        }
+        return s.at[entry++];
+    }
+
+    /** All must have been asked for. */
+    void end() {
+        if (entry != state.entries) {
+            throw new StateException(
+                    "the state goes on with "
+                            + state.path(entry)
+                            + " where nothing is expected; it is of another kind of world, or of"
+                            + " another version");
+        }
+    }
+}

@@ -1,0 +1,134 @@
+package dev.cairn.core.state;
+
+import org.jspecify.annotations.Nullable;
+
+import java.lang.foreign.MemorySegment;
+import java.lang.foreign.ValueLayout;
+import java.nio.ByteOrder;
+
+/** Saves. */
+final class StateWriter implements StateVisitor {
+    static final ValueLayout.OfDouble DOUBLES =
+            ValueLayout.JAVA_DOUBLE_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
+    static final ValueLayout.OfLong LONGS =
+            ValueLayout.JAVA_LONG_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
+    static final ValueLayout.OfInt INTS =
+            ValueLayout.JAVA_INT_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
+    static final ValueLayout.OfFloat FLOATS =
+            ValueLayout.JAVA_FLOAT_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
+
+    private final WorldState state;
+
+    StateWriter(WorldState state) {
+        this.state = state;
+    }
+
+    @Override
+    public boolean isRestoring() {
+        return false;
+    }
+
+    @Override
+    public void section(String name, Object owner) {
+        state.add(name, WorldState.SECTION, state.size, 0);
+    }
+
+    @Override
+    public int value(String name, int now) {
+        int at = room(name, WorldState.INT, 1);
+        state.memory.set(INTS, at, now);
+        return now;
+    }
+
+    @Override
+    public long value(String name, long now) {
+        int at = room(name, WorldState.LONG, 1);
+        state.memory.set(LONGS, at, now);
+        return now;
+    }
+
+    @Override
+    public double value(String name, double now) {
+        int at = room(name, WorldState.DOUBLE, 1);
+        state.memory.set(LONGS, at, Double.doubleToRawLongBits(now));
+        return now;
+    }
+
+    @Override
+    public boolean value(String name, boolean now) {
+        int at = room(name, WorldState.BOOLEAN, 1);
+        state.bytes[at] = (byte) (now ? 1 : 0);
+        return now;
+    }
+
+    @Override
+    public <T extends @Nullable Object> T reference(String name, T now) {
+        state.ensureObjects(state.objectCount + 1);
+        state.add(name, WorldState.REFERENCE, state.objectCount, 1);
+        state.objects[state.objectCount++] = now;
+        return now;
+    }
+
+    @Override
+    public <A> A array(String name, A now, int begin, int count, int room, boolean clears) {
+        int from = count == 0 ? 0 : begin; // an empty array may be shorter than where rows begin
+        switch (now) {
+            case double[] a -> {
+                int at = room(name, WorldState.DOUBLES, count);
+                MemorySegment.copy(a, from, state.memory, DOUBLES, at, count);
+            }
+            case int[] a -> {
+                int at = room(name, WorldState.INTS, count);
+                MemorySegment.copy(a, from, state.memory, INTS, at, count);
+            }
+            case long[] a -> {
+                int at = room(name, WorldState.LONGS, count);
+                MemorySegment.copy(a, from, state.memory, LONGS, at, count);
+            }
+            case byte[] a -> {
+                int at = room(name, WorldState.BYTES, count);
+                System.arraycopy(a, from, state.bytes, at, count);
+            }
+            case boolean[] a -> {
+                int at = room(name, WorldState.BOOLEANS, count);
+                byte[] to = state.bytes;
+                for (int i = 0; i < count; i++) {
+                    to[at + i] = (byte) (a[from + i] ? 1 : 0);
+                }
+            }
+            case float[] a -> {
+                int at = room(name, WorldState.FLOATS, count);
+                MemorySegment.copy(a, from, state.memory, FLOATS, at, count);
+            }
+            case Object[] a -> {
+                state.ensureObjects(state.objectCount + count);
+                state.add(name, WorldState.REFERENCES, state.objectCount, count);
+                System.arraycopy(a, from, state.objects, state.objectCount, count);
+                state.objectCount += count;
+            }
+            default ->
+                    throw new IllegalArgumentException(
+                            name
+                                    + " is a "
+                                    + now.getClass().getSimpleName()
+                                    + ", which no state"
+                                    + " holds; use double, float, long, int, byte or boolean");
+        }
+        return now;
+    }
+
+    /** A new entry of numbers; the bytes up to the next multiple of eight are 0. */
+    private int room(String name, byte kind, int count) {
+        WorldState s = state;
+        int at = s.size;
+        long length = (long) WorldState.WIDTH[kind] * count;
+        long end = at + (length + 7 & -8L);
+        s.ensureBytes(end);
+        for (long i = at + length; i < end; i++) {
+            s.bytes[(int) i] = 0;
+        }
+        s.add(name, kind, at, count);
+        s.size = (int) end;
+        return at;
+    }
+}

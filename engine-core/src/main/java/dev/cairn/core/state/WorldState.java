@@ -1,0 +1,196 @@
+package dev.cairn.core.state;
+
+import org.jspecify.annotations.Nullable;
+
+import java.lang.foreign.MemorySegment;
+import java.util.Arrays;
+import java.util.Objects;
+
+/**
+ * All that the next tick of a world depends on, as a value: save it, and restore it as often as you
+ * like, into the world that it came from or into another one.
+ *
+ * <p>A state is no part of the world: what the world does later does not change it. Objects that
+ * never change (shapes, filters) and objects of the user are kept by reference. One thread at a
+ * time; a state that nobody saves into may be restored by many threads into a world each.
+ */
+public final class WorldState {
+    static final byte SECTION = 0;
+    static final byte INT = 1;
+    static final byte LONG = 2;
+    static final byte DOUBLE = 3;
+    static final byte BOOLEAN = 4;
+    static final byte REFERENCE = 5;
+    static final byte INTS = 6;
+    static final byte LONGS = 7;
+    static final byte DOUBLES = 8;
+    static final byte FLOATS = 9;
+    static final byte BYTES = 10;
+    static final byte BOOLEANS = 11;
+    static final byte REFERENCES = 12;
+
+    static final String[] KIND_NAMES = {
+        "section",
+        "int",
+        "long",
+        "double",
+        "boolean",
+        "reference",
+        "int[]",
+        "long[]",
+        "double[]",
+        "float[]",
+        "byte[]",
+        "boolean[]",
+        "reference[]"
+    };
+
+    /** Bytes to an element, by kind; 0 for what lies among the objects. */
+    static final int[] WIDTH = {0, 4, 8, 8, 1, 0, 4, 8, 8, 4, 1, 1, 0};
+
+    private static final int FIRST_BYTES = 1 << 12;
+    private static final int FIRST_ENTRIES = 64;
+
+    /** Numbers, each entry from a multiple of eight on. */
+    byte[] bytes = new byte[FIRST_BYTES];
+
+    MemorySegment memory = MemorySegment.ofArray(bytes);
+    int size;
+
+    @Nullable Object[] objects = new Object[FIRST_ENTRIES];
+    int objectCount;
+
+    /** By entry: name and kind; where it begins among bytes or objects; how many elements. */
+    String[] names = new String[FIRST_ENTRIES];
+
+    byte[] kinds = new byte[FIRST_ENTRIES];
+    int[] at = new int[FIRST_ENTRIES];
+    int[] counts = new int[FIRST_ENTRIES];
+    int entries;
+
+    private final StateWriter writer = new StateWriter(this);
+
+    /** Nothing yet. */
+    public WorldState() {}
+
+    /**
+     * Takes over all that something declares, in place of what was held before. Allocates only
+     * while buffers grow.
+     *
+     * @param root what is saved
+     */
+    public void save(Stateful root) {
+        Objects.requireNonNull(root, "root must not be null");
+        int before = objectCount;
+        size = 0;
+        objectCount = 0;
+        entries = 0;
+        root.state(writer);
+        if (objectCount < before) {
+            Arrays.fill(objects, objectCount, before, null);
+        }
+    }
+
+    /**
+     * Gives back all that was saved.
+     *
+     * @param root of the same kind as what was saved
+     * @throws StateException if this is no state of such a thing
+     */
+    public void restore(Stateful root) {
+        Objects.requireNonNull(root, "root must not be null");
+        if (isEmpty()) {
+            throw new StateException("the state is empty: save something into it first");
+        }
+        StateReader reader = new StateReader(this);
+        root.state(reader);
+        reader.end();
+    }
+
+    /**
+     * Whether nothing was saved.
+     *
+     * @return true until the first save
+     */
+    public boolean isEmpty() {
+        return entries == 0;
+    }
+
+    /**
+     * How much memory the numbers take, beside the objects.
+     *
+     * @return bytes
+     */
+    public long byteCount() {
+        return size;
+    }
+
+    /**
+     * The first thing in which two states differ: the field, its index and both values. Objects are
+     * compared by {@code equals}.
+     *
+     * @param other another one
+     * @return a sentence, or null if they are equal
+     */
+    public @Nullable String difference(WorldState other) {
+        return Differences.first(this, other);
+    }
+
+    /**
+     * Whether two states are equal in every bit.
+     *
+     * @param other another one
+     * @return true if {@link #difference} finds nothing
+     */
+    public boolean matches(WorldState other) {
+        return difference(other) == null;
+    }
+
+    /** Room for more bytes; the segment follows. */
+    void ensureBytes(long needed) {
+        if (needed > bytes.length) {
+            if (needed > Integer.MAX_VALUE - 64) {
+                throw new StateException(
+                        "the state needs "
+                                + needed
+                                + " bytes; at most 2147483583 are possible: make the world"
+                                + " smaller");
+            }
+            long wanted = Math.max(needed, bytes.length + (bytes.length >> 1));
+            bytes = Arrays.copyOf(bytes, (int) Math.min(Integer.MAX_VALUE - 64, wanted));
+            memory = MemorySegment.ofArray(bytes);
+        }
+    }
+
+    void ensureObjects(int needed) {
+        if (needed > objects.length) {
+            objects = Arrays.copyOf(objects, Math.max(needed, 2 * objects.length));
+        }
+    }
+
+    /** A new entry of the table of contents. */
+    void add(String name, byte kind, int begin, int count) {
+        if (entries == names.length) {
+            int n = 2 * entries;
+            names = Arrays.copyOf(names, n);
+            kinds = Arrays.copyOf(kinds, n);
+            at = Arrays.copyOf(at, n);
+            counts = Arrays.copyOf(counts, n);
+        }
+        names[entries] = name;
+        kinds[entries] = kind;
+        at[entries] = begin;
+        counts[entries] = count;
+        entries++;
+    }
+
+    /** Section and field, such as {@code bodies.positionX}. */
+    String path(int entry) {
+        int section = entry;
+        while (section > 0 && kinds[section] != SECTION) {
+            section--;
+        }
+        boolean isAlone = kinds[entry] == SECTION || kinds[section] != SECTION;
+        return isAlone ? names[entry] : names[section] + "." + names[entry];
+    }
+}

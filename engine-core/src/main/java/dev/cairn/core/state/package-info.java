@@ -1,0 +1,26 @@
+/**
+ * The world as a value.
+ *
+ * <p>Problem: what a tick depends on is spread over many arrays in many objects, and each of them
+ * is grown, moved and reused in its own way. A copy that forgets one of them is no error that
+ * anybody sees: the world goes on from it, a little otherwise.
+ *
+ * <p>So nobody copies from outside. Each object that outlives a tick declares its fields once, in
+ * {@link dev.cairn.core.state.Stateful#state}; saving and restoring are two visitors of this
+ * declaration, as growing and moving are two visitors of a store's columns. A test walks over all
+ * objects that a world reaches, and fails for a field that is neither declared nor named as room
+ * that every tick fills anew.
+ *
+ * <pre>
+ *   Stateful.state ──▶ StateVisitor ──▶ WorldState: bytes, and references to what never changes
+ *                 ◀──  (save | restore)
+ * </pre>
+ *
+ * <p>A {@link dev.cairn.core.state.WorldState} is one block of bytes with a table of contents, so
+ * that two can be compared, subtracted and written; numbers have their place and their least
+ * significant byte first, on every machine.
+ */
+@NullMarked
+package dev.cairn.core.state;
+
+import org.jspecify.annotations.NullMarked;
