@@ -222,6 +222,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         }
         events.state(s);
         sensors.state(s);
+        wakes.state(s);
         forces.state(s);
         index.state(s);
         solver.state(s, table.bodies.slotCount);

@@ -39,7 +39,9 @@ class HeapSleepTest {
         return points;
     }
 
-    /** A hundred stones in a pit come to rest in some 4 s; they creep for longer than anyone waits. */
+    /**
+     * A hundred stones in a pit come to rest in some 4 s; they creep for longer than anyone waits.
+     */
     @Test
     void stonesInAPitSleep() {
         System.out.println("seed " + SEED);
@@ -126,8 +128,7 @@ class HeapSleepTest {
             world.add(Body.fixed().shape(Box.of(0.3, 0.5, 0.5)).at(0, 0.5, 0));
             double half = 0.05;
             BodyRef plank =
-                    world.add(
-                            Body.dynamic().shape(Box.of(1.5, half, 0.3)).mass(10).at(0, 1.05, 0));
+                    world.add(Body.dynamic().shape(Box.of(1.5, half, 0.3)).mass(10).at(0, 1.05, 0));
             double speed = 0.02;
             BodyRef ball =
                     world.add(

@@ -1,6 +1,7 @@
 package dev.cairn.physics.contact;
 
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
@@ -85,9 +86,15 @@ public final class WakeStage {
         sleepers.forgetFresh();
     }
 
+    /** The lengths of ticks that forces are reckoned with. */
+    public void state(StateVisitor s) {
+        s.section("wakes", this);
+        seconds = s.value("seconds", seconds);
+    }
+
     /**
-     * Remembers what those carry of bodies that move who fell asleep beside them; after
-     * {@link Sleepers#look}, if anybody fell asleep.
+     * Remembers what those carry of bodies that move who fell asleep beside them; after {@link
+     * Sleepers#look}, if anybody fell asleep.
      */
     public void lean() {
         byte[] kind = bodies.kind;
@@ -170,7 +177,8 @@ public final class WakeStage {
     private boolean mayBeginToLean(int row, int mover, double weight) {
         // m |v| <= share m g h; not so for a body on which nobody leans yet: d is not a number
         boolean small =
-                bodies.surfaceSpeed(mover) <= LEAN_CHANGE * weight * seconds * bodies.inverseMass[mover]
+                bodies.surfaceSpeed(mover)
+                                <= LEAN_CHANGE * weight * seconds * bodies.inverseMass[mover]
                         && sleepers.movers().moved(mover) >= 0;
         if (small) {
             contacts.beginLeaning();

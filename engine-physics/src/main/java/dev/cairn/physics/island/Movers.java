@@ -1,5 +1,6 @@
 package dev.cairn.physics.island;
 
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.internal.BodyStore;
 
 import java.util.Arrays;
@@ -24,6 +25,14 @@ public final class Movers {
         int old = leanAt.length;
         leanAt = Arrays.copyOf(leanAt, 3 * n);
         Arrays.fill(leanAt, old, 3 * n, Double.NaN);
+    }
+
+    void state(StateVisitor s, int slots) {
+        s.section("movers", this);
+        leanAt = s.array("leanAt", leanAt, 3 * slots);
+        if (s.isRestoring()) {
+            Arrays.fill(leanAt, 3 * slots, leanAt.length, Double.NaN);
+        }
     }
 
     /**

@@ -135,6 +135,8 @@ public final class RestDetector {
         rests = s.array("rests", rests, slots);
         maySleep = s.array("maySleep", maySleep, slots);
         start = s.array("start", start, POSE * slots);
+        stayed = s.array("stayed", stayed, slots);
+        place = s.array("place", place, POSE * slots);
     }
 
     /**
@@ -276,8 +278,8 @@ public final class RestDetector {
      * Adds what this class remembers of a body to a hash.
      *
      * @param slot of an awake body
-     * @param at 0 to 17: time in the window, motion before, rest, time about its place, pose at
-     *     the start, its place
+     * @param at 0 to 17: time in the window, motion before, rest, time about its place, pose at the
+     *     start, its place
      * @return bits
      */
     public long bits(int slot, int at) {

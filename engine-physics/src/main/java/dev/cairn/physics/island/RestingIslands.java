@@ -129,7 +129,9 @@ final class RestingIslands {
         restless[root] |= !quiet.maySleep[s];
     }
 
-    /** What is bound to a body that moves by another edge than a contact does not sleep beside it. */
+    /**
+     * What is bound to a body that moves by another edge than a contact does not sleep beside it.
+     */
     private void bind(EdgeSource source) {
         for (int i = 0; i < source.edges(); i++) {
             int a = source.edgeA(i);

@@ -125,6 +125,7 @@ public final class Sleepers {
         fresh = s.array("fresh", fresh, freshCount);
         if (enabled) {
             quiet.state(s, slots);
+            movers.state(s, slots);
             s.section("islands", this);
             island = s.array("island", island, slots);
             if (s.isRestoring()) {

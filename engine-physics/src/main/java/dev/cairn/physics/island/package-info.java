@@ -22,9 +22,9 @@
  *
  * <p>A heap never meets that: hundreds of bodies creep by micrometres, a few rock on two points or
  * roll in a trough for minutes, since nothing in a contact dissipates that. So among others, in an
- * island of two bodies or more, a body that has stayed within {@code min(0.01 r, 0.001 sqrt(g r) T)}
- * of one place for {@code T}, four times the time of quiet, is still. A heap sleeps when all in it
- * are at rest or still, but for one or one in sixteen. These movers stay awake, and those asleep
+ * island of two bodies or more, a body that has stayed within {@code min(0.01 r, 0.001 sqrt(g r)
+ * T)} of one place for {@code T}, four times the time of quiet, is still. A heap sleeps when all in
+ * it are at rest or still, but for one or one in sixteen. These movers stay awake, and those asleep
  * are to them as if fixed. A sleeper remembers the force {@code F0} of each mover that leans on
  * him, and the mover where it was; he wakes, with his ring, when {@code max(0, F - F0) + max(F, F0)
  * d/r} exceeds half of his weight or of {@code F0}, when the mover leaves him, or when it comes to
