@@ -10,9 +10,11 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.DegenerateShapeException;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.render.camera.CameraMount;
 import dev.cairn.render.input.Control;
 import dev.cairn.render.input.Controllable;
+import dev.cairn.render.mesh.Mesh;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.mesh.ModelGroup;
 import dev.cairn.render.mesh.ObjFormatException;
@@ -271,10 +273,10 @@ public final class SceneLoader {
         Shared key = new Shared(entity.shape(), entity.scale());
         Shape known = shapes.get(key);
         if (known == null) {
-            if (!(entity.shape() instanceof MeshShape(String file))) {
+            if (!(entity.shape() instanceof MeshShape(String file, boolean isLevel))) {
                 known = entity.shape().collider(entity.scale());
             } else if (entity.body() != BodyKind.NONE) {
-                known = hull(file, entity, index);
+                known = fileShape(file, isLevel, entity, index);
             }
             if (known != null) {
                 shapes.put(key, known);
@@ -283,7 +285,7 @@ public final class SceneLoader {
         return known;
     }
 
-    private @Nullable Shape hull(String file, EntitySpec entity, int index) {
+    private @Nullable Shape fileShape(String file, boolean isLevel, EntitySpec entity, int index) {
         ObjModel mesh = mesh(file, index);
         if (mesh == null) {
             return null;
@@ -294,12 +296,23 @@ public final class SceneLoader {
             points[i] *= scale[i % 3];
         }
         try {
-            return ConvexHull.of(points);
+            return isLevel ? level(mesh.mesh(), scale) : ConvexHull.of(points);
         } catch (DegenerateShapeException flat) {
             meshes.put(file, null);
-            complain(index, file + ": no convex hull of its points: " + flat.getMessage());
+            String what = isLevel ? ": no surface: " : ": no convex hull of its points: ";
+            complain(index, file + what + flat.getMessage());
             return null;
         }
+    }
+
+    /** The triangles as they are drawn; corners at one place become one. */
+    private static TriangleMesh level(Mesh mesh, double[] scale) {
+        float[] drawn = mesh.vertices();
+        double[] xyz = new double[3 * mesh.vertexCount()];
+        for (int i = 0; i < xyz.length; i++) {
+            xyz[i] = scale[i % 3] * drawn[i / 3 * Mesh.FLOATS_PER_VERTEX + i % 3];
+        }
+        return TriangleMesh.of(xyz, mesh.indices());
     }
 
     private Visual look(EntitySpec entity, @Nullable Shape shape, int index) {
@@ -309,7 +322,9 @@ public final class SceneLoader {
         String file =
                 look.mesh() != null
                         ? look.mesh()
-                        : entity.shape() instanceof MeshShape(String own) ? own : null;
+                        : entity.shape() instanceof MeshShape(String own, boolean isLevel)
+                                ? own
+                                : null;
         if (file == null) {
             if (shape == null) {
                 throw new IllegalStateException("entity " + index + " has no shape");
