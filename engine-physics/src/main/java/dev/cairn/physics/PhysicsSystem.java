@@ -16,6 +16,7 @@ import dev.cairn.physics.contact.ComposeStage;
 import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.contact.HookStage;
 import dev.cairn.physics.contact.ManifoldStage;
+import dev.cairn.physics.contact.SeamStage;
 import dev.cairn.physics.contact.SensorStage;
 import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.contact.WakeStage;
@@ -79,6 +80,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
     final HookStage hooks;
     private final BeltStage belts;
     private final ManifoldStage manifolds;
+    private final SeamStage seams;
     final ContactSolver solver;
     private final ForceReader forces;
     private final Publisher publisher;
@@ -101,6 +103,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         hooks = new HookStage(table.colliders, contacts);
         compose = new ComposeStage(table.colliders);
         manifolds = new ManifoldStage(table.colliders, table.bounds, rows);
+        seams = new SeamStage(table.colliders, contacts, table.bounds);
         solver = new ContactSolver(settings.tuning(), kinds);
         forces = new ForceReader(table.roster);
         publisher = new Publisher(table.roster);
@@ -175,6 +178,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         events.approach(contacts, table.bodies, tick.jobs());
         table.roster.refreshLists();
         if (table.roster.dynamicCount > 0) {
+            seams.join(tick.stepSeconds(), tick.jobs());
             solver.step(
                     table.bodies,
                     contacts,
@@ -183,6 +187,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
                     gravityZ,
                     tick.stepSeconds(),
                     tick.jobs());
+            seams.part(tick.jobs());
         }
         table.roster.motion.end(
                 table.roster.kinematic, table.roster.kinematicCount, tick.stepSeconds());
