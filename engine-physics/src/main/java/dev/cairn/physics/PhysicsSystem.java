@@ -166,7 +166,13 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         profile.end(StepStage.ROWS);
         manifolds.run(contacts, tick.stepSeconds(), tick.jobs());
         profile.end(StepStage.POINTS);
-        wakes.run(table.bounds, table.broadPhase, manifolds, tick.stepSeconds(), tick.jobs());
+        wakes.run(
+                table.bounds,
+                table.broadPhase,
+                manifolds,
+                gravity(),
+                tick.stepSeconds(),
+                tick.jobs());
         hooks.run(tick.jobs());
         belts.run(tick.jobs());
         events.approach(contacts, table.bodies, tick.jobs());
@@ -222,6 +228,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         events.state(s);
         sensors.state(s);
         seams.state(s);
+        wakes.state(s);
         forces.state(s);
         index.state(s);
         solver.state(s, table.bodies.slotCount);
@@ -265,16 +272,20 @@ final class PhysicsSystem implements WorldSystem, Stateful {
     private void fallAsleep(Tick tick) {
         Sleepers sleepers = table.sleepers;
         long changes = sleepers.changes();
-        double gravity = Math.sqrt(gravityX * gravityX + gravityY * gravityY + gravityZ * gravityZ);
         sleepers.look(
                 table.roster.dynamic,
                 table.roster.dynamicCount,
-                gravity,
+                gravity(),
                 tick.stepSeconds(),
                 tick.jobs());
         if (sleepers.changes() != changes) {
             table.roster.restBounds();
+            wakes.lean();
         }
+    }
+
+    private double gravity() {
+        return Math.sqrt(gravityX * gravityX + gravityY * gravityY + gravityZ * gravityZ);
     }
 
     /** Boxes follow their bodies; a body that cannot be computed with stays where it is. */

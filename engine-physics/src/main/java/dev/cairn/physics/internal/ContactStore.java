@@ -92,6 +92,14 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         }
     }
 
+    /** Makes room for what sleepers carry of those that move beside them; between phases only. */
+    public void beginLeaning() {
+        if (!leans) {
+            leans = true;
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
     /** Makes room for what a user's hook remembers; between phases only. */
     public void beginHooks() {
         if (!hooked) {
@@ -219,6 +227,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         if (hits) {
             approach = c.column("approach", approach);
         }
+        if (leans) {
+            lean = c.column("lean", lean);
+        }
         if (hooked) {
             hookMemory = c.column("hookMemory", hookMemory);
         }
@@ -254,6 +265,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         hits = s.value("hits", hits);
         hooked = s.value("hooked", hooked);
         compounds = s.value("compounds", compounds);
+        leans = s.value("leans", leans);
         ensureCapacity(count);
         columns(rows.of(s, count, bodyA.length, false));
         activeCount = s.value("activeCount", activeCount);
