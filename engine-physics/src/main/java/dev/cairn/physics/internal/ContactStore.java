@@ -92,6 +92,14 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         }
     }
 
+    /** Makes room for what sleepers carry of those that move beside them; between phases only. */
+    public void beginLeaning() {
+        if (!leans) {
+            leans = true;
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
     /** Makes room for what a user's hook remembers; between phases only. */
     public void beginHooks() {
         if (!hooked) {
@@ -132,7 +140,8 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     }
 
     /**
-     * Whether a row is solved: its surfaces are within the margin of each other.
+     * Whether a row is solved: its surfaces are within the margin of each other, and no other row
+     * stands for it, which is so from {@code SeamStage} to the end of the solve.
      *
      * @return false for a pair that is only near
      */
@@ -170,10 +179,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
             if (bodyA[row] != slot && bodyB[row] != slot) {
                 continue;
             }
-            forgetFriction(row);
-            Arrays.fill(normalImpulse, POINTS * row, POINTS * row + POINTS, 0);
-            Arrays.fill(preload, POINTS * row, POINTS * row + POINTS, 0);
-            Arrays.fill(totalNormalImpulse, POINTS * row, POINTS * row + POINTS, 0);
+            rest(row);
         }
     }
 
@@ -221,6 +227,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         if (hits) {
             approach = c.column("approach", approach);
         }
+        if (leans) {
+            lean = c.column("lean", lean);
+        }
         if (hooked) {
             hookMemory = c.column("hookMemory", hookMemory);
         }
@@ -256,6 +265,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         hits = s.value("hits", hits);
         hooked = s.value("hooked", hooked);
         compounds = s.value("compounds", compounds);
+        leans = s.value("leans", leans);
         ensureCapacity(count);
         columns(rows.of(s, count, bodyA.length, false));
         activeCount = s.value("activeCount", activeCount);
@@ -283,6 +293,57 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         for (int i = 0; i < number; i++) {
             active[activeCount++] = count++;
         }
+    }
+
+    /**
+     * Makes room for rows behind the last one that last for a tick, empty; between phases only.
+     *
+     * @param number how many
+     */
+    public void reserve(int number) {
+        ensureCapacity(count + number);
+        columns(clear.rows(count, count + number));
+    }
+
+    /**
+     * Two points of a row change places; what the narrow phase keeps of the row holds no more.
+     *
+     * @param p place of a point
+     * @param q place of another one
+     */
+    public void swapPoints(int p, int q) {
+        int i = anchor(p);
+        int j = anchor(q);
+        for (int k = 0; k < ANCHORS; k++) {
+            double coordinate = anchors[i + k];
+            anchors[i + k] = anchors[j + k];
+            anchors[j + k] = coordinate;
+        }
+        int name = feature[p];
+        feature[p] = feature[q];
+        feature[q] = name;
+        swap(separation, p, q);
+        swap(normalImpulse, p, q);
+        swap(preload, p, q);
+        swap(totalNormalImpulse, p, q);
+    }
+
+    private static void swap(double[] column, int p, int q) {
+        double number = column[p];
+        column[p] = column[q];
+        column[q] = number;
+    }
+
+    /**
+     * Forgets with what a row pressed and rubbed.
+     *
+     * @param row any
+     */
+    public void rest(int row) {
+        forgetFriction(row);
+        Arrays.fill(normalImpulse, POINTS * row, POINTS * row + POINTS, 0);
+        Arrays.fill(preload, POINTS * row, POINTS * row + POINTS, 0);
+        Arrays.fill(totalNormalImpulse, POINTS * row, POINTS * row + POINTS, 0);
     }
 
     /**
