@@ -1,5 +1,6 @@
 package dev.cairn.physics.contact;
 
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.internal.ContactStore;
 
 import java.util.Arrays;
@@ -36,11 +37,29 @@ final class PairGroups {
     /** Without groups. */
     PairGroups() {}
 
+    /** The numbers in use, and how many rows of each group touch; between ticks. */
+    void state(StateVisitor s) {
+        s.section("groups", this);
+        used = s.value("used", used);
+        freeCount = s.value("freeCount", freeCount);
+        ensure(used);
+        free = s.array("free", free, 0, freeCount, touching.length, false);
+        touching = s.array("touching", touching, 0, used + 1, touching.length, false);
+        ensure(used);
+    }
+
     /** A new pair; returns its group's number. */
     int open() {
         int group = freeCount > 0 ? free[--freeCount] : ++used;
-        if (group >= touching.length) {
-            int n = Math.max(16, 2 * group);
+        ensure(group);
+        touching[group] = 0;
+        return group;
+    }
+
+    /** All columns are of one length, but after a restored state two of them may be longer. */
+    private void ensure(int group) {
+        if (group >= Math.min(before.length, Math.min(free.length, touching.length))) {
+            int n = Math.max(16, Math.max(2 * group, Math.max(free.length, touching.length)));
             free = Arrays.copyOf(free, n);
             touching = Arrays.copyOf(touching, n);
             before = Arrays.copyOf(before, n);
@@ -49,8 +68,6 @@ final class PairGroups {
             firstRow = Arrays.copyOf(firstRow, n);
             lastRow = Arrays.copyOf(lastRow, n);
         }
-        touching[group] = 0;
-        return group;
     }
 
     /** A pair is gone; returns whether it touched. */

@@ -161,6 +161,7 @@ public final class ColliderStore implements Stateful {
         slotCount = s.value("slotCount", slotCount);
         belts = s.value("belts", belts);
         sensors = s.value("sensors", sensors);
+        surfaces = s.value("surfaces", surfaces);
         compounds = s.value("compounds", compounds);
         compoundCount = s.value("compoundCount", compoundCount);
         compound = s.array("compound", compound, compoundCount);

@@ -71,6 +71,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     public void beginGroups() {
         if (!grouped) {
             grouped = true;
+            group = new int[0]; // what a later state left there, before an earlier one was restored
             columns(new Columns.Growth(bodyA.length));
         }
     }
@@ -266,6 +267,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         hooked = s.value("hooked", hooked);
         compounds = s.value("compounds", compounds);
         leans = s.value("leans", leans);
+        grouped = s.value("grouped", grouped);
         ensureCapacity(count);
         columns(rows.of(s, count, bodyA.length, false));
         activeCount = s.value("activeCount", activeCount);

@@ -14,6 +14,7 @@ import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.component.Force;
 import dev.cairn.physics.joint.Joint;
+import dev.cairn.physics.mesh.Grounds;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.Shape;
@@ -155,6 +156,8 @@ class NothingForgottenTest {
             last = ball;
         }
         // It falls asleep under a ball that spins on.
+        world.add(Body.fixed().shape(Grounds.regular(3, 4)).at(0, 0, 80));
+        world.add(Body.dynamic().shape(Box.cube(0.4)).at(0, 0.4, 80));
         world.add(Body.fixed().shape(Box.cube(1)).at(0, -1, 40));
         world.add(Body.dynamic().shape(Box.cube(0.4)).at(0, 0.4, 40));
         world.add(Body.dynamic().shape(Sphere.of(0.4)).at(0, 1.2, 40).angularVelocity(0, 5, 0));
