@@ -111,8 +111,8 @@ final class JointFrames {
         parameters[0] = point.dot(z);
         if (!(Math.abs(parameters[0]) > SMALL)) {
             throw new IllegalArgumentException(
-                    "the rack's point is beside the pinion's centre along the rack or the axis; give"
-                            + " a point that is a radius away from it");
+                    "the rack's point is beside the pinion's centre along the rack or the axis;"
+                            + " give a point that is a radius away from it");
         }
         double along = point.dot(y);
         point.set(

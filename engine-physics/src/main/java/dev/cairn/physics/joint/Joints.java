@@ -119,7 +119,8 @@ public final class Joints implements Stateful {
         JointRef ref = new JointRef(this, joint);
         RowList rows = new RowList();
         double distance = frames.distance(joint, bodies, a, b);
-        ref.resolveLength(joint.kind.equals("pulley") ? frames.rope(joint, bodies, a, b) : distance);
+        ref.resolveLength(
+                joint.kind.equals("pulley") ? frames.rope(joint, bodies, a, b) : distance);
         rows.compile(ref.axes);
         frames.write(joint, bodies, a, b, frame, 0, ref.parameters);
         int j = store.add(rows.count);
@@ -226,7 +227,10 @@ public final class Joints implements Stateful {
         }
         if (!joint.isPlaced && !joint.isDistance()) {
             throw new IllegalArgumentException(
-                    joint.kind + " joint" + named(joint) + " has no place; call .at(x, y, z) or .anchors(..)");
+                    joint.kind
+                            + " joint"
+                            + named(joint)
+                            + " has no place; call .at(x, y, z) or .anchors(..)");
         }
     }
 

@@ -59,7 +59,10 @@ final class ClosedStructuresTest {
             }
             BodyRef box =
                     world.add(
-                            Body.dynamic().shape(Box.of(0.1, 0.2, 0.1)).mass(20).at(0.05, 0.5, 0.1));
+                            Body.dynamic()
+                                    .shape(Box.of(0.1, 0.2, 0.1))
+                                    .mass(20)
+                                    .at(0.05, 0.5, 0.1));
             double start = world.kineticEnergy() + world.potentialEnergy();
             for (int tick = 0; tick < 300; tick++) {
                 world.step(STEP);

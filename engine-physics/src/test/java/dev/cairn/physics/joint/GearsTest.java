@@ -121,8 +121,7 @@ final class GearsTest {
                                         .at(0, 0, 0)
                                         .axis(0, 0, 1)
                                         .motor(-3, FOREVER));
-                JointRef slider =
-                        world.add(Joint.slider(base, rack).at(0, side, 1).axis(1, 0, 0));
+                JointRef slider = world.add(Joint.slider(base, rack).at(0, side, 1).axis(1, 0, 0));
                 JointRef teeth =
                         world.add(
                                 Joint.rack(pinion, rack)

@@ -126,10 +126,7 @@ public record JointSpec(
      */
     static JointSpec of(JointRef joint, int a, int b, Jointed bodyA, Jointed bodyB) {
         List<Double> parameters =
-                Arrays.stream(joint.parameters())
-                        .limit(parameters(joint.kind()))
-                        .boxed()
-                        .toList();
+                Arrays.stream(joint.parameters()).limit(parameters(joint.kind())).boxed().toList();
         Joint plain = start(joint.kind(), bodyA, bodyB, parameters);
         List<Axis> axes = new ArrayList<>();
         for (JointAxis axis : JointAxis.values()) {

@@ -92,7 +92,14 @@ final class Gearing {
 
     /** The derivative of the length of a rope at one body. */
     private void rope(
-            JointMath m, JointStore s, int p, int side, double[] lever, double k, double[] d, int o) {
+            JointMath m,
+            JointStore s,
+            int p,
+            int side,
+            double[] lever,
+            double k,
+            double[] d,
+            int o) {
         double[] at = side == 0 ? m.placeA : m.placeB;
         double length = Math.max(rope(m, s, p, side), JointMath.SMALL);
         for (int c = 0; c < 3; c++) {
@@ -105,7 +112,8 @@ final class Gearing {
     private static void write(double[] force, double[] r, double[] d, int o) {
         for (int k = 0; k < 3; k++) {
             d[o + k] = force[k];
-            d[o + 3 + k] = r[(k + 1) % 3] * force[(k + 2) % 3] - r[(k + 2) % 3] * force[(k + 1) % 3];
+            d[o + 3 + k] =
+                    r[(k + 1) % 3] * force[(k + 2) % 3] - r[(k + 2) % 3] * force[(k + 1) % 3];
         }
     }
 

@@ -44,12 +44,7 @@ public final class Chains {
      */
     public static SampleScene plain() {
         return entry(
-                "chain",
-                "Chain",
-                "Forty links swing by one end and do not stretch.",
-                40,
-                1,
-                80);
+                "chain", "Chain", "Forty links swing by one end and do not stretch.", 40, 1, 80);
     }
 
     private static SampleScene entry(

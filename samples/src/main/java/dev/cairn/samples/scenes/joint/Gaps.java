@@ -38,8 +38,7 @@ final class Gaps {
             for (int k = 0; k < joints.size(); k++) {
                 JointRef joint = joints.get(k);
                 if (joint.isAlive() && joint.isEnabled()) {
-                    worst[0] =
-                            Math.max(worst[0], joint.anchorA(a).distance(joint.anchorB(b)));
+                    worst[0] = Math.max(worst[0], joint.anchorA(a).distance(joint.anchorB(b)));
                 }
             }
         });

@@ -57,7 +57,8 @@ public final class Machines {
                 Body.dynamic().mass(20 * radius).at(x, y, 0).rotationAbout(1, 0, 0, Math.PI / 2));
     }
 
-    private static JointRef pin(SceneBuilder scene, BodyRef base, BodyRef wheel, double x, double y) {
+    private static JointRef pin(
+            SceneBuilder scene, BodyRef base, BodyRef wheel, double x, double y) {
         return scene.world().add(Joint.hinge(base, wheel).at(x, y, 0).axis(0, 0, 1));
     }
 
@@ -167,9 +168,7 @@ public final class Machines {
                             Body.dynamic().at(x - s, top - c, 0).material(Palette.material(0, 1)));
             for (int side = -1; side <= 1; side += 2) {
                 scene.world()
-                        .add(
-                                Joint.rod(frame, ball)
-                                        .anchors(x, top, 0.5 * side, x - s, top - c, 0));
+                        .add(Joint.rod(frame, ball).anchors(x, top, 0.5 * side, x - s, top - c, 0));
             }
             balls.add(ball);
         }
@@ -184,8 +183,7 @@ public final class Machines {
                 double height = balls.get(count - 1).position(p).y - (top - length);
                 highest[0] = Math.max(highest[0], height);
                 for (int k = 1; k < count - 1; k++) {
-                    highest[1] =
-                            Math.max(highest[1], balls.get(k).position(p).y - (top - length));
+                    highest[1] = Math.max(highest[1], balls.get(k).position(p).y - (top - length));
                 }
             }
         });
@@ -228,8 +226,7 @@ public final class Machines {
                                 .rotationAbout(0, 0, 1, -angle));
         // the hinge's own axis, so that the inertia about it is what the world has
         double inertia = 1 / rod.inverseInertia(new org.joml.Matrix3d()).m22() + 0.25;
-        JointRef hinge =
-                scene.world().add(Joint.hinge(base, rod).at(0, foot, 0).axis(0, 0, -1));
+        JointRef hinge = scene.world().add(Joint.hinge(base, rod).at(0, foot, 0).axis(0, 0, -1));
         scene.view(new SceneBuilder.View(0.3, 1.6, 3, 0.3, 1.2, 0));
         double[] y = {angle, 0};
         double[] worst = {0};

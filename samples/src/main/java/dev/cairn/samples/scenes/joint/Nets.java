@@ -38,7 +38,8 @@ public final class Nets {
                 List.of(
                         Parameter.count("planks", 20, 2, 100, "planks of 10 kg"),
                         Parameter.count("boxes", 6, 0, 50, "boxes of 20 kg"),
-                        Parameter.real("slack", 0.02, 0.005, 0.2, "how much longer it is than straight")),
+                        Parameter.real(
+                                "slack", 0.02, 0.005, 0.2, "how much longer it is than straight")),
                 600,
                 200,
                 Nets::buildBridge);
@@ -74,7 +75,12 @@ public final class Nets {
                             Box.of(half - 0.02, 0.04, 0.6),
                             Palette.body(k % 2),
                             Body.dynamic().mass(10).at(x, y, 0).rotationAbout(0, 0, 1, angle));
-            join(scene, last, plank, x - half * StrictMath.cos(angle), y - half * StrictMath.sin(angle));
+            join(
+                    scene,
+                    last,
+                    plank,
+                    x - half * StrictMath.cos(angle),
+                    y - half * StrictMath.sin(angle));
             last = plank;
         }
         join(scene, last, pier(scene, span, top), span, top);
@@ -84,7 +90,10 @@ public final class Nets {
                     Palette.body(4),
                     Body.dynamic()
                             .mass(20)
-                            .at(0.55 * span * ((k * 0.618033988749895) % 1 * 2 - 1), top + 1 + k, 0.1));
+                            .at(
+                                    0.55 * span * ((k * 0.618033988749895) % 1 * 2 - 1),
+                                    top + 1 + k,
+                                    0.1));
         }
         scene.view(new SceneBuilder.View(0, top + 2, 2 * span + 3, 0, top - 0.5, 0));
         Gaps.watchPoints(scene);
@@ -129,8 +138,7 @@ public final class Nets {
                 double x = MESH * (k - 0.5 * (n - 1));
                 double z = MESH * row;
                 BodyRef knot =
-                        scene.add(
-                                Sphere.of(0.4), Palette.body((row + k) % 2), body.at(x, top, z));
+                        scene.add(Sphere.of(0.4), Palette.body((row + k) % 2), body.at(x, top, z));
                 if (left != null && row > 0) {
                     scene.world().add(Joint.ball(left, knot).at(x - 0.5 * MESH, top, z));
                 }

@@ -96,9 +96,7 @@ public final class Ragdolls {
             int color) {
         Body body = Body.dynamic().mass(mass).at(x, y, z).velocity(1.5, 0, 0);
         return scene.add(
-                shape,
-                Palette.body(color),
-                lies ? body.rotationAbout(1, 0, 0, Math.PI / 2) : body);
+                shape, Palette.body(color), lies ? body.rotationAbout(1, 0, 0, Math.PI / 2) : body);
     }
 
     /** A ball joint that lets B swing and twist within limits about an axis in the y-z plane. */
