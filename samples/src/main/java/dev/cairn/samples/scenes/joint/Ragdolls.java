@@ -51,7 +51,8 @@ public final class Ragdolls {
                     Body.fixed().at(-3 + 0.5 * k, 0.5 * height, 0));
         }
         for (int k = 0; k < scene.count("figures"); k++) {
-            figure(scene, -2.5 + 0.6 * (k % 3), 4.2 + 1.1 * (k / 5), -3 + 1.5 * (k % 5), k);
+            int row = k / 5;
+            figure(scene, -2.5 + 0.6 * (k % 3), 4.2 + 1.1 * row, -3 + 1.5 * (k % 5), k);
         }
         scene.view(new SceneBuilder.View(6, 5, 9, -1, 1.2, 0));
         Gaps.watchPoints(scene);
