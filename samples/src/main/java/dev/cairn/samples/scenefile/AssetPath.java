@@ -31,15 +31,14 @@ final class AssetPath {
         if (endings.stream().noneMatch(last::endsWith)) {
             throw new IllegalArgumentException(
                     "expected a file that ends in %s, found \"%s\""
-                            .formatted(
-                                    String.join(", ", endings), SceneFileException.shown(name)));
+                            .formatted(String.join(", ", endings), SceneFileException.shown(name)));
         }
         Path real = real(file);
         if (!real.startsWith(real(folder)) && !real.startsWith(real(Path.of("")))) {
             throw new IllegalArgumentException(
                     ("expected a file in the scene's folder or below the current one, found \"%s\","
-                                    + " which is outside of both; copy it beside the scene, or start"
-                                    + " in a folder above both")
+                         + " which is outside of both; copy it beside the scene, or start in a"
+                         + " folder above both")
                             .formatted(SceneFileException.shown(name)));
         }
         return file;

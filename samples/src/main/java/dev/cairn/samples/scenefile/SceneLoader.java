@@ -374,7 +374,10 @@ public final class SceneLoader {
         if (!meshes.containsKey(file)) {
             ObjModel mesh = null;
             try {
-                mesh = ObjReader.readModel(AssetPath.of(folder, file, AssetPath.MESHES), told -> complain(index, told));
+                mesh =
+                        ObjReader.readModel(
+                                AssetPath.of(folder, file, AssetPath.MESHES),
+                                told -> complain(index, told));
             } catch (IllegalArgumentException broken) {
                 complain(index, String.valueOf(broken.getMessage()));
             }
