@@ -1,9 +1,13 @@
 package dev.cairn.physics.joint;
 
+import dev.cairn.core.state.StateCodec;
+import dev.cairn.core.state.StateInput;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.JointStore;
 
 import org.joml.Vector3d;
+
+import java.util.Arrays;
 
 /**
  * A joint in a world. Read-outs are those of the last step.
@@ -36,6 +40,38 @@ public final class JointRef {
         main = joint.main;
         length = joint.length;
         axes = joint.copyAxes();
+    }
+
+    /** What is not among the settings of the axes; a world makes a reference of its own of it. */
+    static final StateCodec<JointRef> CODEC =
+            StateCodec.of(
+                    JointRef.class,
+                    "joint",
+                    (ref, out) -> {
+                        out.writeString(ref.name);
+                        out.writeString(ref.kind);
+                        out.writeLong(ref.entityA);
+                        out.writeLong(ref.entityB);
+                        out.writeString(ref.main.name());
+                        out.writeDouble(ref.length);
+                        out.writeInt(ref.index);
+                        out.writeInt(ref.stamp);
+                    },
+                    JointRef::new);
+
+    @SuppressWarnings("NullAway") // nobody sees it before a world has made its own of it
+    private JointRef(StateInput in) {
+        joints = null;
+        name = in.readString();
+        kind = in.readString();
+        entityA = in.readLong();
+        entityB = in.readLong();
+        main = JointAxis.valueOf(in.readString());
+        length = in.readDouble();
+        index = in.readInt();
+        stamp = in.readInt();
+        axes = new AxisSettings[Joint.AXES];
+        Arrays.setAll(axes, k -> new AxisSettings());
     }
 
     /** The same joint in another world. */
