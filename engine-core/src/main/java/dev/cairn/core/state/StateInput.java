@@ -32,7 +32,7 @@ public final class StateInput {
         need(4, 1);
         int value = 0;
         for (int i = 0; i < 4; i++) {
-            value |= (bytes[at++] & 255) << 8 * i;
+            value |= (bytes[at++] & 255) << (8 * i);
         }
         return value;
     }

@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 
 /**
  * Takes what is to become bytes: numbers with their least significant byte first, texts, objects.
@@ -15,7 +14,7 @@ import java.util.Map;
  */
 public final class StateOutput {
     private final StateCodecs codecs;
-    private final Map<Object, Integer> numbers = new IdentityHashMap<>();
+    private final IdentityHashMap<Object, Integer> numbers = new IdentityHashMap<>();
 
     /** By object: its bytes, written by its codec. */
     private final List<byte[]> pool = new ArrayList<>();
@@ -35,7 +34,7 @@ public final class StateOutput {
     public void writeInt(int value) {
         byte[] to = room(4);
         for (int i = 0; i < 4; i++) {
-            to[size++] = (byte) (value >>> 8 * i);
+            to[size++] = (byte) (value >>> (8 * i));
         }
     }
 
