@@ -100,7 +100,10 @@ public final class Rollback<I> {
         this.inputs = inputs;
         length = 2 * window + 2;
         history = new History(world, window + 1, Long.MAX_VALUE);
-        told = new ArrayList<>(Collections.nCopies(players * length, null));
+        told = new ArrayList<@Nullable I>();
+        for (int i = 0; i < players * length; i++) {
+            told.add(null);
+        }
         used = new ArrayList<>(Collections.nCopies(players * length, none));
         now = new ArrayList<>(Collections.nCopies(players, none));
         unknown = new long[players];
