@@ -9,6 +9,7 @@ module dev.cairn.physics {
     requires transitive org.joml;
 
     exports dev.cairn.physics;
+    exports dev.cairn.physics.hand;
     exports dev.cairn.physics.joint;
     exports dev.cairn.physics.collider;
     exports dev.cairn.physics.body;

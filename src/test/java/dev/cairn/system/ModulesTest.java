@@ -25,6 +25,7 @@ final class ModulesTest {
     static final Set<String> PHYSICS_EXPORTS =
             Set.of(
                     "dev.cairn.physics",
+                    "dev.cairn.physics.hand",
                     "dev.cairn.physics.joint",
                     "dev.cairn.physics.collider",
                     "dev.cairn.physics.body",

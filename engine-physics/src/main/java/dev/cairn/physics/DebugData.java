@@ -5,12 +5,13 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.island.Islands;
+import dev.cairn.physics.joint.JointData;
 
 import java.util.Arrays;
 
 /**
  * What the engine knows beyond poses, copied so that another thread may look at it: contact points
- * with normals and impulses; boxes, velocities and centres of mass of the bodies. {@link
+ * with normals and impulses; boxes, velocities and centres of mass of the bodies; joints. {@link
  * PhysicsWorld#capture} fills it. World frame, SI units.
  *
  * <p>One thread at a time; the arrays belong to the object and are at least as long as the counts
@@ -51,6 +52,7 @@ public final class DebugData {
     private double[] boxes = {};
     private byte[] states = {};
     private long[] entities = {};
+    private final JointData joints = new JointData();
 
     /** Empty data. */
     public DebugData() {}
@@ -66,6 +68,18 @@ public final class DebugData {
         Arrays.fill(colourOfRow, 0, rows.count, NONE);
         physics.solver.readColours(colourOfRow);
         fillPoints(physics.table.bodies, rows);
+        if (physics.jointList != null) {
+            physics.jointList.capture(joints);
+        }
+    }
+
+    /**
+     * The joints: where they are, how far they may go, and what they bear.
+     *
+     * @return this object's own; it changes with the next filling
+     */
+    public JointData joints() {
+        return joints;
     }
 
     private void fillPoints(BodyStore bodies, ContactStore rows) {

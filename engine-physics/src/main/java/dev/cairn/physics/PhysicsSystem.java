@@ -100,7 +100,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         belts = new BeltStage(table.colliders, contacts);
         hooks = new HookStage(table.colliders, contacts);
         compose = new ComposeStage(table.colliders);
-        manifolds = new ManifoldStage(table.colliders, table.bounds);
+        manifolds = new ManifoldStage(table.colliders, table.bounds, rows);
         solver = new ContactSolver(settings.tuning(), kinds);
         forces = new ForceReader(table.roster);
         publisher = new Publisher(table.roster);
@@ -190,7 +190,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         sensors.run(tick.jobs());
         assert StageCheck.poses(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
         profile.end(StepStage.PUBLISH);
-        events.update(contacts, tick.jobs());
+        events.update(contacts, rows, tick.jobs());
         view.update();
         sleepView.update();
         profile.end(StepStage.TOUCH);

@@ -128,6 +128,11 @@ public final class PhysicsWorld implements AutoCloseable {
     /** What joints need of this world. */
     private final class JointHost implements Joints.Host {
         @Override
+        public boolean isAlive(int slot, long entity) {
+            return physics.table.isAlive(slot, entity);
+        }
+
+        @Override
         public int slotOf(String name, Jointed body) {
             if (!(Checks.notNull(name, body) instanceof BodyRef ref) || !ref.isOf(physics.table)) {
                 throw new IllegalArgumentException(

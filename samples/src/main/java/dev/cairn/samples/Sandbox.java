@@ -68,7 +68,7 @@ class Sandbox extends Application {
     // The simulation thread's own, from initScene on.
     private final Map<String, SceneOptions> options;
     private final History history = new History();
-    private final Hand hand = new Hand();
+    private final MouseHand hand = new MouseHand();
     private int current;
     private int workers;
     private int substeps;
@@ -405,7 +405,7 @@ class Sandbox extends Application {
     void grab(long entity, double distance, Vector3d localPoint) {
         BodyRef body = scene().physics().bodyOf(entity);
         if (body != null) {
-            hand.grab(body, distance, localPoint);
+            hand.grab(scene().physics(), body, distance, localPoint);
             publishState();
         }
     }

@@ -27,6 +27,7 @@ public final class BoundsStage {
      */
     public static final double LIMIT = 1e60;
 
+    private static final double MOST = Double.POSITIVE_INFINITY;
     private static final int BODIES_PER_BLOCK = 128;
     private static final byte STAYS = 0;
     private static final byte LEFT = 1;
@@ -356,7 +357,8 @@ public final class BoundsStage {
     private byte look(int c, double vx, double vy, double vz, double spin, double bend) {
         Poses p = colliders.poses;
         double reach = step * speculativeTime;
-        double inner = colliders.innerRadius[c];
+        // of a surface of triangles it is infinite: nothing is known to be inside
+        double inner = colliders.innerRadius[c] < MOST ? colliders.innerRadius[c] : 0;
         double outer = colliders.outerRadius[c];
         double arc = Math.min(spin * outer * reach, outer - inner) + bend;
         setAhead(c, vx, vy, vz, arc);

@@ -6,6 +6,8 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.island.Sleepers;
 
+import java.util.Arrays;
+
 /**
  * Between narrow phase and solve: whom an awake body has come to touch is woken, with all that
  * hangs on him, and collides within the same tick; again until nobody more wakes.
@@ -55,9 +57,16 @@ public final class WakeStage {
             int count = contacts.activeCount;
             contacts.active = late;
             contacts.activeCount = lateCount;
+            int before = contacts.count;
             manifolds.run(contacts, stepSeconds, jobs);
-            contacts.active = all;
+            late = contacts.active;
+            lateCount = contacts.activeCount;
+            int added = contacts.count - before;
+            contacts.active = added == 0 ? all : Arrays.copyOf(all, contacts.bodyA.length);
             contacts.activeCount = count;
+            for (int i = 0; i < added; i++) {
+                contacts.active[contacts.activeCount++] = before + i;
+            }
             wakeTouched(late, lateCount);
             sleepers.wakeLinked();
         }

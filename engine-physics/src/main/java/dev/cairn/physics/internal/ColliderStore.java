@@ -4,8 +4,10 @@ import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.collider.Mix;
+import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.mesh.Meshed;
 
 import org.jspecify.annotations.Nullable;
 
@@ -66,6 +68,9 @@ public final class ColliderStore implements Stateful {
 
     /** Velocity of the surface against its body, body axes, m/s; three numbers. */
     public double[] belt = {};
+
+    /** Whether any collider is, or was, a surface of triangles. */
+    public boolean surfaces;
 
     /** Whether any collider is, or was, a sensor. */
     public boolean sensors;
@@ -236,6 +241,7 @@ public final class ColliderStore implements Stateful {
     private void setShape(int collider, Shape solid) {
         shape[collider] = solid;
         surface[collider] = Surface.of(solid);
+        surfaces |= (solid instanceof Moved m ? m.inner() : solid) instanceof Meshed;
         innerRadius[collider] = solid.innerRadius();
         outerRadius[collider] = solid.outerRadius();
     }

@@ -128,6 +128,15 @@ public class ContactColumns {
      */
     public double[] lever = {};
 
+    /** Whether a surface of triangles has been here; until then {@link #group} is empty. */
+    public boolean grouped;
+
+    /**
+     * Of a row that is one of several of its pair of colliders: the number of the pair's group, at
+     * least 1; negative for all but the first row of the group. 0 for the only row of a pair.
+     */
+    public int[] group = {};
+
     /** Mixed coefficient of restitution, 0..1. */
     public double[] restitution = {};
 

@@ -8,8 +8,8 @@ import java.util.Arrays;
 
 /**
  * All contacts of this tick as a structure of arrays; a contact is a row in {@code [0, count)}, one
- * row per pair of colliders whose fat bounds overlap. Only some of them are solved, see {@link
- * #isSolved}.
+ * row per pair of colliders whose fat bounds overlap, and further ones for a pair with a surface of
+ * triangles, see {@link #group}. Only some of them are solved, see {@link #isSolved}.
  */
 public final class ContactStore extends ContactColumns implements EdgeSource, Stateful {
     /** Makes an empty store. */
@@ -65,6 +65,23 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
             belts = true;
             columns(new Columns.Growth(bodyA.length));
         }
+    }
+
+    /** Makes room for pairs with several rows; between phases only. */
+    public void beginGroups() {
+        if (!grouped) {
+            grouped = true;
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
+    /**
+     * Whether a row is not the first one of its pair.
+     *
+     * @return false for the row that stays as long as its pair
+     */
+    public boolean isFurther(int row) {
+        return grouped && group[row] < 0;
     }
 
     /** Makes room for speeds of approach; between phases only. */
@@ -191,6 +208,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         patch = c.column("patch", patch);
         head = c.column("head", head, START, HEAD);
         restitution = c.column("restitution", restitution);
+        if (grouped) {
+            group = c.column("group", group);
+        }
         if (rolls) {
             rollingArm = c.column("rollingArm", rollingArm);
             rollingImpulse = c.column("rollingImpulse", rollingImpulse, 3);

@@ -40,6 +40,24 @@ final class AxisSettings {
         return c;
     }
 
+    /** The same for others to see; what is not there is 0. */
+    AxisState view() {
+        return new AxisState(
+                isLocked,
+                isLimited,
+                isLimited ? lower : 0,
+                isLimited ? upper : 0,
+                isDriven,
+                isDriven ? speed : 0,
+                isDriven ? motorMost : 0,
+                isSprung,
+                isSprung ? target : 0,
+                isSprung ? stiffness : 0,
+                isSprung ? damping : 0,
+                isSprung && isAbsolute,
+                isSprung ? springMost : 0);
+    }
+
     /** Numbers of {@link #exchange}: one to a field. */
     static final int NUMBERS = 14;
 

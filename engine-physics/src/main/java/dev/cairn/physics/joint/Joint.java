@@ -2,6 +2,8 @@ package dev.cairn.physics.joint;
 
 import dev.cairn.physics.internal.Checks;
 
+import org.joml.Vector3d;
+
 import java.util.Arrays;
 
 /**
@@ -273,7 +275,8 @@ public final class Joint {
     }
 
     /**
-     * All axes are free, to be locked, limited, driven and sprung one by one.
+     * All axes are free, to be locked, limited, driven and sprung one by one. One that is left so
+     * only keeps its two bodies from colliding.
      *
      * @param a the first body
      * @param b the second one
@@ -356,6 +359,8 @@ public final class Joint {
 
     private static void direction(double[] into, String name, double px, double py, double pz) {
         double length = Math.sqrt(px * px + py * py + pz * pz);
+        // what is of length 1 but for rounding stays bit for bit
+        length = Math.abs(length - 1) <= 0x1p-50 ? 1 : length;
         if (!(length > 0) || length == Double.POSITIVE_INFINITY) {
             throw new IllegalArgumentException(
                     name
@@ -572,6 +577,24 @@ public final class Joint {
     /** Whether it is a rod, rope or spring, which may be without a place. */
     boolean isDistance() {
         return main == JointAxis.DISTANCE;
+    }
+
+    JointPlace place() {
+        return new JointPlace(
+                isPlaced ? new Vector3d(anchorA) : null,
+                isPlaced ? new Vector3d(anchorB) : null,
+                new Vector3d(x),
+                hasSecond ? new Vector3d(y) : null);
+    }
+
+    /**
+     * What the description says of an axis.
+     *
+     * @param axis which one
+     * @return its settings; the length of rods, ropes and springs is not in them
+     */
+    public AxisState settings(JointAxis axis) {
+        return of(axis).view();
     }
 
     AxisSettings[] copyAxes() {

@@ -26,6 +26,9 @@ public enum JointAxis {
     /** Distance of the origins of the two frames, m. */
     DISTANCE(7, false);
 
+    /** All of them, without a copy. */
+    static final JointAxis[] ALL = values();
+
     /** Where an axis lies in tables by axis. */
     final int index;
 

@@ -1,6 +1,7 @@
 package dev.cairn.physics.joint;
 
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.JointStore;
 
 import org.joml.Matrix3d;
 import org.joml.Quaterniond;
@@ -78,15 +79,36 @@ final class JointFrames {
 
     /** Writes a point that is given relative to the centre of mass, in world axes. */
     void write(BodyStore b, int slot, Vector3d world, double[] into, int o) {
-        body.set(
-                        b.orientationX[slot],
-                        b.orientationY[slot],
-                        b.orientationZ[slot],
-                        b.orientationW[slot])
-                .conjugate();
-        body.transform(world);
+        read(b, slot).conjugate().transform(world);
         into[o] = world.x;
         into[o + 1] = world.y;
         into[o + 2] = world.z;
+    }
+
+    /** World point of a joint on one of its bodies. */
+    Vector3d point(Joints joints, int j, boolean isA, Vector3d into) {
+        BodyStore b = joints.bodies;
+        int slot = isA ? joints.store.bodyA[j] : joints.store.bodyB[j];
+        int o = JointStore.FRAME * j + (isA ? 0 : 7);
+        double[] f = joints.store.frame;
+        read(b, slot).transform(into.set(f[o], f[o + 1], f[o + 2]));
+        return into.add(b.positionX[slot], b.positionY[slot], b.positionZ[slot]);
+    }
+
+    /** World orientation of a joint's frame in one of its bodies. */
+    Quaterniond turn(Joints joints, int j, boolean isA, Quaterniond into) {
+        int slot = isA ? joints.store.bodyA[j] : joints.store.bodyB[j];
+        int o = JointStore.FRAME * j + (isA ? 3 : 10);
+        double[] f = joints.store.frame;
+        into.set(f[o], f[o + 1], f[o + 2], f[o + 3]);
+        return into.premul(read(joints.bodies, slot));
+    }
+
+    private Quaterniond read(BodyStore b, int slot) {
+        return body.set(
+                b.orientationX[slot],
+                b.orientationY[slot],
+                b.orientationZ[slot],
+                b.orientationW[slot]);
     }
 }

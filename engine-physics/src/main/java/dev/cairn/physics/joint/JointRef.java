@@ -3,8 +3,8 @@ package dev.cairn.physics.joint;
 import dev.cairn.core.state.StateCodec;
 import dev.cairn.core.state.StateInput;
 import dev.cairn.physics.internal.Checks;
-import dev.cairn.physics.internal.JointStore;
 
+import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 import java.util.Arrays;
@@ -25,7 +25,8 @@ public final class JointRef {
     private final long entityA;
     private final long entityB;
     private final JointAxis main;
-    private final double length;
+    private double length;
+    private final JointPlace place;
     final AxisSettings[] axes;
     int index;
     int stamp;
@@ -39,6 +40,7 @@ public final class JointRef {
         entityB = joint.b.entity();
         main = joint.main;
         length = joint.length;
+        place = joint.place();
         axes = joint.copyAxes();
     }
 
@@ -83,6 +85,7 @@ public final class JointRef {
         entityB = twin.entityB;
         main = twin.main;
         length = twin.length;
+        place = twin.place;
         axes = new AxisSettings[twin.axes.length];
         for (int k = 0; k < axes.length; k++) {
             axes[k] = twin.axes[k].copy();
@@ -111,6 +114,7 @@ public final class JointRef {
             return;
         }
         double wanted = length > 0 ? length : distance;
+        length = wanted;
         AxisSettings s = axes[main.index];
         if (s.isLocked && !(wanted > 0)) {
             throw new IllegalArgumentException(
@@ -145,8 +149,7 @@ public final class JointRef {
      * @return false once it or one of its bodies was removed
      */
     public boolean isAlive() {
-        JointStore s = joints.store;
-        return s.isThere[index] && s.stamp[index] == stamp;
+        return joints.store.stamp[index] == stamp && joints.isThere(index);
     }
 
     /**
@@ -266,6 +269,106 @@ public final class JointRef {
      */
     public double gap() {
         return joints.values.gap(joints, alive());
+    }
+
+    /**
+     * Where the joint was put when it was made.
+     *
+     * @return the place
+     */
+    public JointPlace madeAt() {
+        return place;
+    }
+
+    /**
+     * The length of a rod, rope or spring.
+     *
+     * @return m; below 0 for joints of other kinds
+     */
+    public double length() {
+        return length;
+    }
+
+    /**
+     * Where the joint is on A.
+     *
+     * @param destination receives the point, world, m, now
+     * @return destination
+     */
+    public Vector3d anchorA(Vector3d destination) {
+        return joints.frames.point(
+                joints, alive(), true, Checks.notNull("destination", destination));
+    }
+
+    /**
+     * Where the joint is on B.
+     *
+     * @param destination receives the point, world, m, now
+     * @return destination
+     */
+    public Vector3d anchorB(Vector3d destination) {
+        return joints.frames.point(
+                joints, alive(), false, Checks.notNull("destination", destination));
+    }
+
+    /**
+     * How the joint's frame in A is turned; its x axis is that of a hinge.
+     *
+     * @param destination receives the rotation, world from frame, now
+     * @return destination
+     */
+    public Quaterniond frameA(Quaterniond destination) {
+        return joints.frames.turn(
+                joints, alive(), true, Checks.notNull("destination", destination));
+    }
+
+    /**
+     * How the joint's frame in B is turned.
+     *
+     * @param destination receives the rotation, world from frame, now
+     * @return destination
+     */
+    public Quaterniond frameB(Quaterniond destination) {
+        return joints.frames.turn(
+                joints, alive(), false, Checks.notNull("destination", destination));
+    }
+
+    /**
+     * What the joint does about an axis.
+     *
+     * @param axis which one
+     * @return the settings in force; allocates
+     */
+    public AxisState settings(JointAxis axis) {
+        alive();
+        return of(axis).view();
+    }
+
+    /**
+     * Whether the two bodies collide.
+     *
+     * @return what {@link Joint#collide} said
+     */
+    public boolean collides() {
+        return joints.store.collides[alive()];
+    }
+
+    /**
+     * The force under which the joint breaks.
+     *
+     * @return N, infinite for none
+     */
+    public double breakForce() {
+        return joints.store.breakForce[alive()];
+    }
+
+    /**
+     * The torque under which the joint breaks.
+     *
+     * @return N m, infinite for none
+     */
+    public double breakTorque() {
+        return joints.store.breakTorque[alive()];
     }
 
     /**

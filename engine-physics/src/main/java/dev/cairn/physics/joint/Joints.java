@@ -33,6 +33,15 @@ public final class Joints implements Stateful {
         int slotOf(String name, Jointed body);
 
         /**
+         * Whether a body is in its world.
+         *
+         * @param slot of the body
+         * @param entity that it has
+         * @return false once it was removed
+         */
+        boolean isAlive(int slot, long entity);
+
+        /**
          * Wakes a body with all that hangs on it.
          *
          * @param slot of the body
@@ -75,7 +84,7 @@ public final class Joints implements Stateful {
     private double[] settings = {};
 
     final JointValues values = new JointValues();
-    private final JointFrames frames = new JointFrames();
+    final JointFrames frames = new JointFrames();
     private final double[] frame = new double[JointStore.FRAME];
     private final Vector3d point = new Vector3d();
     private final List<JointRef> broken = new ArrayList<>();
@@ -253,10 +262,17 @@ public final class Joints implements Stateful {
         return list;
     }
 
+    /** Whether there is a joint of the number. The store forgets those of removed bodies later. */
+    boolean isThere(int j) {
+        return store.isThere[j]
+                && host.isAlive(store.bodyA[j], refs[j].entityA())
+                && host.isAlive(store.bodyB[j], refs[j].entityB());
+    }
+
     private int list(@Nullable List<JointRef> into) {
         int n = 0;
         for (int j = 0; j < store.count; j++) {
-            if (store.isThere[j]) {
+            if (isThere(j)) {
                 n++;
                 if (into != null) {
                     into.add(refs[j]);
@@ -283,6 +299,15 @@ public final class Joints implements Stateful {
      */
     public JointRef broken(int index) {
         return broken.get(index);
+    }
+
+    /**
+     * Copies what can be drawn of the joints. Allocates only while their number grows.
+     *
+     * @param into receives it
+     */
+    public void capture(JointData into) {
+        Checks.notNull("into", into).fill(this, refs);
     }
 
     /** Called by the world at the end of a step. */

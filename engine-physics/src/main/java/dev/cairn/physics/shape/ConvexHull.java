@@ -28,6 +28,17 @@ public final class ConvexHull extends Polyhedral implements Shape {
     }
 
     /**
+     * A triangle without thickness, for the engine, which collides surfaces with it: it moves its
+     * corners from one collision to the next. Of no use to others, for a body needs a volume.
+     *
+     * @return a new shape; of two that meet, the other one is the smaller
+     */
+    public static ConvexHull triangle() {
+        MassProperties nothing = new MassProperties(0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+        return new ConvexHull(Polyhedron.triangle(), nothing, new double[9]);
+    }
+
+    /**
      * The hull of points given as x, y, z, x, y, z, ...
      *
      * @param xyz three numbers per point, m; at least 4 points; duplicates are fine; not kept
@@ -148,7 +159,8 @@ public final class ConvexHull extends Polyhedral implements Shape {
 
     @Override
     public double innerRadius() {
-        return Polyhedron.of(this).innerRadius();
+        // a triangle is a part of something larger
+        return unit.mass() > 0 ? Polyhedron.of(this).innerRadius() : Double.POSITIVE_INFINITY;
     }
 
     @Override

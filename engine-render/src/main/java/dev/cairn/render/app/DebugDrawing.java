@@ -55,6 +55,12 @@ final class DebugDrawing {
         if (has(mask, DebugLayer.IMPULSES)) {
             along(data, lines, IMPULSE, true);
         }
+        if (has(mask, DebugLayer.JOINTS)) {
+            JointDrawing.joints(data.joints(), lines);
+        }
+        if (has(mask, DebugLayer.JOINT_FORCES)) {
+            JointDrawing.loads(data.joints(), lines);
+        }
         if (has(mask, DebugLayer.CONTACTS)) {
             for (int i = 0; i < data.pointCount(); i++) {
                 boolean deep = data.separations()[i] < -OVERLAP_METRES;
@@ -67,7 +73,7 @@ final class DebugDrawing {
         return (mask & layer.bit()) != 0;
     }
 
-    private static void dot(DebugLines lines, double[] at, int i, int rgb, double pixels) {
+    static void dot(DebugLines lines, double[] at, int i, int rgb, double pixels) {
         lines.line(at[i], at[i + 1], at[i + 2], at[i], at[i + 1], at[i + 2], rgb, pixels);
     }
 

@@ -21,7 +21,14 @@ public enum DebugLayer {
      */
     ISLANDS("islands", 128),
     /** The constraint graph: a line for each contact, in the colour in which it is solved. */
-    COLOURS("colours of the constraint graph", 256);
+    COLOURS("colours of the constraint graph", 256),
+    /**
+     * Joints: from the centres of mass to the joint's points, its axis, and its limits as a
+     * segment, an arc or a cone with where it stands; grey where it is off.
+     */
+    JOINTS("joints and their limits", 512),
+    /** Forces of joints on the second body, and torques; the largest of each is 1 m long. */
+    JOINT_FORCES("forces of joints", 1024);
 
     private final String title;
     private final int bit;

@@ -344,7 +344,8 @@ public final class Editor {
                                 scene.tick(),
                                 camera,
                                 scene.light(),
-                                scene.entities()),
+                                scene.entities(),
+                                scene.joints()),
                 false);
     }
 

@@ -35,7 +35,7 @@ public final class SceneEdit {
     }
 
     /**
-     * Takes an entity away.
+     * Takes an entity away, and the joints that hold it.
      *
      * @param scene the scene
      * @param index which entity
@@ -44,7 +44,15 @@ public final class SceneEdit {
     public static SceneFile delete(SceneFile scene, int index) {
         List<EntitySpec> entities = new ArrayList<>(scene.entities());
         entities.remove(Objects.checkIndex(index, entities.size()));
-        return scene.withEntities(entities);
+        List<JointSpec> joints = new ArrayList<>();
+        for (JointSpec joint : scene.joints()) {
+            int a = joint.a();
+            int b = joint.b();
+            if (a != index && b != index) {
+                joints.add(joint.between(a > index ? a - 1 : a, b > index ? b - 1 : b));
+            }
+        }
+        return scene.withEntities(entities).withJoints(joints);
     }
 
     /**
@@ -126,9 +134,9 @@ public final class SceneEdit {
                                     look.tileMetres(),
                                     rebase(look.mesh(), source, target),
                                     look.meshScale()));
-            if (entity.shape() instanceof MeshShape(String file)) {
+            if (entity.shape() instanceof MeshShape(String file, boolean isLevel)) {
                 String there = rebase(file, source, target);
-                moved = moved.withShape(new MeshShape(there == null ? file : there));
+                moved = moved.withShape(new MeshShape(there == null ? file : there, isLevel));
             }
             entities.add(moved);
         }

@@ -6,6 +6,7 @@ import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.body.BodyType;
+import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cone;
@@ -15,6 +16,7 @@ import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.render.camera.CameraMount;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.samples.SampleScene;
@@ -28,12 +30,14 @@ import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MovedShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+import dev.cairn.samples.scenefile.ShapeSpec.SurfaceShape;
 import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 
 import org.joml.Vector3d;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 
@@ -65,13 +69,6 @@ public final class SceneExport {
         try (PhysicsWorld world =
                 PhysicsWorld.builder().gravity(0, -SampleScene.GRAVITY, 0).workers(1).build()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
-            if (world.joints().count() > 0) {
-                throw new UsageException(
-                        scene.id()
-                                + " has "
-                                + world.joints().count()
-                                + " joints; a scene file holds none: export another scene");
-            }
             Vector3d g = world.gravity(new Vector3d());
             SceneExport export = new SceneExport(folder.toAbsolutePath().normalize());
             List<EntitySpec> entities = new ArrayList<>();
@@ -91,8 +88,20 @@ public final class SceneExport {
                             new Xyz(view.targetX(), view.targetY(), view.targetZ()),
                             Math.toDegrees(view.fieldOfView())),
                     built.light(),
-                    entities);
+                    entities,
+                    joints(world, built.bodies()));
         }
+    }
+
+    private static List<JointSpec> joints(PhysicsWorld world, List<BodyRef> bodies) {
+        List<Long> ids = bodies.stream().map(BodyRef::entity).toList();
+        List<JointSpec> joints = new ArrayList<>();
+        for (JointRef joint : world.joints().all()) {
+            int a = ids.indexOf(joint.entityA());
+            int b = ids.indexOf(joint.entityB());
+            joints.add(JointSpec.of(joint, a, b, bodies.get(a), bodies.get(b)));
+        }
+        return joints;
     }
 
     private EntitySpec entity(PhysicsWorld world, BodyRef body) {
@@ -116,7 +125,7 @@ public final class SceneExport {
                         .at(
                                 new Xyz(pose.x(), pose.y(), pose.z()),
                                 new Turn(pose.qx(), pose.qy(), pose.qz(), pose.qw()))
-                        .withMaterial(material, ownMass ? (Double) body.mass() : null)
+                        .withMaterial(material, ownMass ? (Double) given(body.mass()) : null)
                         .withLook(look(world, body));
         if (world.ecs().has(body.entity(), CameraMount.COMPONENT)) {
             CameraMount mount = world.ecs().get(body.entity(), CameraMount.COMPONENT);
@@ -128,6 +137,23 @@ public final class SceneExport {
         Vector3d v = body.velocity();
         Vector3d w = body.angularVelocity();
         return entity.moving(new Xyz(v.x, v.y, v.z), new Xyz(w.x, w.y, w.z));
+    }
+
+    /**
+     * The mass as it was given. The body keeps its inverse, of which some neighbours have the same;
+     * of these people write the shortest.
+     */
+    private static double given(double mass) {
+        double best = mass;
+        double next = Math.nextDown(Math.nextDown(mass));
+        for (int k = 0; k < 5; k++) {
+            boolean isSame = 1 / (1 / next) == mass;
+            if (isSame && Double.toString(next).length() < Double.toString(best).length()) {
+                best = next;
+            }
+            next = Math.nextUp(next);
+        }
+        return best;
     }
 
     private static BodyKind kind(BodyRef body) {
@@ -142,18 +168,16 @@ public final class SceneExport {
         return switch (shape) {
             case Box box -> new BoxShape(new Xyz(box.halfX(), box.halfY(), box.halfZ()));
             case Sphere sphere -> new SphereShape(sphere.radius());
-            case ConvexHull hull -> {
-                double[] xyz = hull.vertices();
-                List<Xyz> points = new ArrayList<>();
-                for (int i = 0; i < xyz.length; i += 3) {
-                    points.add(new Xyz(xyz[i], xyz[i + 1], xyz[i + 2]));
-                }
-                yield new HullShape(points);
-            }
+            case ConvexHull hull -> new HullShape(points(hull.vertices()));
             case Capsule c -> new TurnedShape("capsule", c.radius(), c.halfLength());
             case Cylinder c -> new TurnedShape("cylinder", c.radius(), c.halfHeight());
             case Cone c -> new TurnedShape("cone", c.radius(), c.halfHeight());
             case HalfSpace _ -> new GroundShape();
+            case TriangleMesh mesh ->
+                    new SurfaceShape(
+                            points(mesh.vertices()),
+                            Arrays.stream(mesh.indices()).boxed().toList(),
+                            mesh.isTwoSided());
             case Moved moved -> {
                 Vector3d at = moved.position(new Vector3d());
                 yield new MovedShape(
@@ -166,6 +190,14 @@ public final class SceneExport {
                                 moved.rotationW()));
             }
         };
+    }
+
+    private static List<Xyz> points(double[] xyz) {
+        List<Xyz> points = new ArrayList<>();
+        for (int i = 0; i < xyz.length; i += 3) {
+            points.add(new Xyz(xyz[i], xyz[i + 1], xyz[i + 2]));
+        }
+        return points;
     }
 
     private LookSpec look(PhysicsWorld world, BodyRef body) {

@@ -15,6 +15,7 @@ import java.util.List;
  * @param camera from where it is seen
  * @param light in which light
  * @param entities what is there, in the order of creation
+ * @param joints what holds entities together, in the order of creation
  */
 public record SceneFile(
         String name,
@@ -23,16 +24,40 @@ public record SceneFile(
         TickSpec tick,
         CameraSpec camera,
         Light light,
-        List<EntitySpec> entities) {
+        List<EntitySpec> entities,
+        List<JointSpec> joints) {
     /** The value of {@code format} in every file. */
     public static final String FORMAT = "cairn-scene";
 
     /** The version that is written, and the newest that is read. */
     public static final int VERSION = 1;
 
-    /** Copies the list. */
+    /** Copies the lists. */
     public SceneFile {
         entities = List.copyOf(entities);
+        joints = List.copyOf(joints);
+    }
+
+    /**
+     * A scene without joints.
+     *
+     * @param name a few words for the window's title
+     * @param description what is there and what should be seen; may be empty
+     * @param gravity m/s²
+     * @param tick the run's lengths
+     * @param camera from where it is seen
+     * @param light in which light
+     * @param entities what is there, in the order of creation
+     */
+    public SceneFile(
+            String name,
+            String description,
+            Xyz gravity,
+            TickSpec tick,
+            CameraSpec camera,
+            Light light,
+            List<EntitySpec> entities) {
+        this(name, description, gravity, tick, camera, light, entities, List.of());
     }
 
     /**
@@ -59,7 +84,17 @@ public record SceneFile(
      * @return a copy
      */
     public SceneFile withEntities(List<EntitySpec> value) {
-        return new SceneFile(name, description, gravity, tick, camera, light, value);
+        return new SceneFile(name, description, gravity, tick, camera, light, value, joints);
+    }
+
+    /**
+     * The same, held together otherwise.
+     *
+     * @param value the joints
+     * @return a copy
+     */
+    public SceneFile withJoints(List<JointSpec> value) {
+        return new SceneFile(name, description, gravity, tick, camera, light, entities, value);
     }
 
     /**

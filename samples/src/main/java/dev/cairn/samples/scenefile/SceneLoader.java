@@ -4,13 +4,17 @@ import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.Visual;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.DegenerateShapeException;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.render.camera.CameraMount;
 import dev.cairn.render.input.Control;
 import dev.cairn.render.input.Controllable;
+import dev.cairn.render.mesh.Mesh;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.mesh.ModelGroup;
 import dev.cairn.render.mesh.ObjFormatException;
@@ -181,6 +185,31 @@ public final class SceneLoader {
                         refused);
             }
         }
+        for (int i = 0; i < scene.joints().size(); i++) {
+            JointSpec joint = scene.joints().get(i);
+            try {
+                join(into.world(), scene, joint, made);
+            } catch (IllegalArgumentException refused) {
+                throw new IllegalArgumentException(
+                        "$.joints[%d] \"%s\": %s".formatted(i, joint.name(), refused.getMessage()),
+                        refused);
+            }
+        }
+    }
+
+    private static void join(PhysicsWorld world, SceneFile scene, JointSpec joint, long[] made) {
+        for (int entity : new int[] {joint.a(), joint.b()}) {
+            if (scene.entities().get(entity).body() == BodyKind.NONE) {
+                throw new IllegalArgumentException(
+                        "$.entities[%d] is only drawn; a joint holds two bodies".formatted(entity));
+            }
+        }
+        BodyRef a = Objects.requireNonNull(world.bodyOf(made[joint.a()]), "body of a");
+        BodyRef b = Objects.requireNonNull(world.bodyOf(made[joint.b()]), "body of b");
+        JointRef ref = world.add(joint.joint(a, b));
+        if (!joint.isOn()) {
+            ref.setEnabled(false);
+        }
     }
 
     private long add(EntitySpec entity, int index) {
@@ -244,10 +273,10 @@ public final class SceneLoader {
         Shared key = new Shared(entity.shape(), entity.scale());
         Shape known = shapes.get(key);
         if (known == null) {
-            if (!(entity.shape() instanceof MeshShape(String file))) {
+            if (!(entity.shape() instanceof MeshShape(String file, boolean isLevel))) {
                 known = entity.shape().collider(entity.scale());
             } else if (entity.body() != BodyKind.NONE) {
-                known = hull(file, entity, index);
+                known = fileShape(file, isLevel, entity, index);
             }
             if (known != null) {
                 shapes.put(key, known);
@@ -256,7 +285,7 @@ public final class SceneLoader {
         return known;
     }
 
-    private @Nullable Shape hull(String file, EntitySpec entity, int index) {
+    private @Nullable Shape fileShape(String file, boolean isLevel, EntitySpec entity, int index) {
         ObjModel mesh = mesh(file, index);
         if (mesh == null) {
             return null;
@@ -267,12 +296,23 @@ public final class SceneLoader {
             points[i] *= scale[i % 3];
         }
         try {
-            return ConvexHull.of(points);
+            return isLevel ? level(mesh.mesh(), scale) : ConvexHull.of(points);
         } catch (DegenerateShapeException flat) {
             meshes.put(file, null);
-            complain(index, file + ": no convex hull of its points: " + flat.getMessage());
+            String what = isLevel ? ": no surface: " : ": no convex hull of its points: ";
+            complain(index, file + what + flat.getMessage());
             return null;
         }
+    }
+
+    /** The triangles as they are drawn; corners at one place become one. */
+    private static TriangleMesh level(Mesh mesh, double[] scale) {
+        float[] drawn = mesh.vertices();
+        double[] xyz = new double[3 * mesh.vertexCount()];
+        for (int i = 0; i < xyz.length; i++) {
+            xyz[i] = scale[i % 3] * drawn[i / 3 * Mesh.FLOATS_PER_VERTEX + i % 3];
+        }
+        return TriangleMesh.of(xyz, mesh.indices());
     }
 
     private Visual look(EntitySpec entity, @Nullable Shape shape, int index) {
@@ -282,7 +322,9 @@ public final class SceneLoader {
         String file =
                 look.mesh() != null
                         ? look.mesh()
-                        : entity.shape() instanceof MeshShape(String own) ? own : null;
+                        : entity.shape() instanceof MeshShape(String own, boolean isLevel)
+                                ? own
+                                : null;
         if (file == null) {
             if (shape == null) {
                 throw new IllegalStateException("entity " + index + " has no shape");

@@ -13,6 +13,7 @@ import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MovedShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+import dev.cairn.samples.scenefile.ShapeSpec.SurfaceShape;
 import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 
 import java.io.IOException;
@@ -82,6 +83,11 @@ public final class SceneWriter {
         JsonArray entities = new JsonArray();
         scene.entities().forEach(entity -> entities.add(entity(entity)));
         out.add("entities", entities);
+        if (!scene.joints().isEmpty()) {
+            JsonArray joints = new JsonArray();
+            scene.joints().forEach(joint -> joints.add(JointJson.write(joint)));
+            out.add("joints", joints);
+        }
         StringBuilder text = new StringBuilder();
         put(text, out, 0);
         return text.append('\n').toString();
@@ -174,7 +180,23 @@ public final class SceneWriter {
                 q.add(number(turn.w()));
                 out.add("rotation", q);
             }
-            case MeshShape(String file) -> out.addProperty("file", file);
+            case MeshShape(String file, boolean isLevel) -> {
+                out.addProperty("file", file);
+                if (isLevel) {
+                    out.addProperty("as", "level");
+                }
+            }
+            case SurfaceShape surface -> {
+                JsonArray points = new JsonArray();
+                surface.points().forEach(point -> points.add(xyz(point)));
+                out.add("points", points);
+                JsonArray triangles = new JsonArray();
+                surface.triangles().forEach(corner -> triangles.add(corner));
+                out.add("triangles", triangles);
+                if (surface.twoSided()) {
+                    out.addProperty("twoSided", true);
+                }
+            }
         }
         return out;
     }
@@ -215,7 +237,7 @@ public final class SceneWriter {
     }
 
     /** The shortest decimal that reads back as the same double; 2 and not 2.0. */
-    private static JsonPrimitive number(double value) {
+    static JsonPrimitive number(double value) {
         boolean whole =
                 value == Math.rint(value)
                         && Math.abs(value) < 1e15

@@ -144,7 +144,8 @@ class SceneSchemaTest {
     @Test
     void whatIsWrittenFitsTheSchema() throws IOException {
         JsonObject root = schema();
-        for (String id : List.of("room", "pyramid", "slope-ball", "shapes", "obj-drop")) {
+        for (String id :
+                List.of("room", "pyramid", "slope-ball", "shapes", "obj-drop", "car", "door")) {
             SampleScene scene = SceneRegistry.get(id);
             String text =
                     SceneWriter.text(
@@ -168,6 +169,13 @@ class SceneSchemaTest {
         assertEquals(Set.copyOf(SceneReader.LOOK), names(entity, "look"));
         assertEquals(Set.copyOf(DrivenJson.CONTROL), names(defs, "control"));
         assertEquals(Set.copyOf(DrivenJson.MOUNT), names(entity, "camera"));
+        assertEquals(Set.copyOf(JointJson.JOINT), names(defs, "joint"));
+        assertEquals(Set.copyOf(JointJson.AXIS), names(defs, "axis"));
+        JsonObject joint = defs.getAsJsonObject("joint").getAsJsonObject("properties");
+        assertEquals(Set.copyOf(JointJson.AXES), names(joint, "axes"));
+        JsonObject axis = defs.getAsJsonObject("axis").getAsJsonObject("properties");
+        assertEquals(Set.copyOf(JointJson.MOTOR), names(axis, "motor"));
+        assertEquals(Set.copyOf(JointJson.SPRING), names(axis, "spring"));
     }
 
     private static Set<String> names(JsonObject of, String name) {

@@ -55,7 +55,7 @@ public final class Mechanisms {
                 Box.of(0.5 * length, 0.06, 0.04),
                 Palette.body(color),
                 Body.dynamic()
-                        .mass(2 * length)
+                        .mass(Math.rint(2e3 * length) / 1e3)
                         .at(0.5 * (x0 + x1), 0.5 * (y0 + y1), z)
                         .rotationAbout(0, 0, 1, StrictMath.atan2(dy, dx)));
     }
@@ -77,7 +77,7 @@ public final class Mechanisms {
                         Palette.body(4),
                         Body.dynamic().mass(3).at(x, 2, 0.4));
         PhysicsWorld world = scene.world();
-        world.collisions().exclude(crank, slider);
+        world.add(Joint.generic(crank, slider).at(0, 0, 0)); // they pass each other
         world.add(
                 Joint.hinge(base, crank)
                         .at(0, 2, 0)
@@ -132,7 +132,7 @@ public final class Mechanisms {
         BodyRef two = bar(scene, 0, span, 2, end[0], 2 + end[1], 0);
         BodyRef rod = bar(scene, 1, 0, 2 + crank, end[0], 2 + end[1], 0.2);
         PhysicsWorld world = scene.world();
-        world.collisions().exclude(one, two);
+        world.add(Joint.generic(one, two).at(0, 0, 0)); // they pass each other
         world.add(
                 Joint.hinge(left, one)
                         .at(0, 2, 0)
