@@ -162,6 +162,7 @@ public final class ColliderStore implements Stateful {
         belts = s.value("belts", belts);
         sensors = s.value("sensors", sensors);
         compounds = s.value("compounds", compounds);
+        surfaces = s.value("surfaces", surfaces);
         compoundCount = s.value("compoundCount", compoundCount);
         compound = s.array("compound", compound, compoundCount);
         ensureCapacity(slotCount);

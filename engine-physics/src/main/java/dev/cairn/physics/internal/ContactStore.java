@@ -256,6 +256,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         hits = s.value("hits", hits);
         hooked = s.value("hooked", hooked);
         compounds = s.value("compounds", compounds);
+        grouped = s.value("grouped", grouped);
         ensureCapacity(count);
         columns(rows.of(s, count, bodyA.length, false));
         activeCount = s.value("activeCount", activeCount);

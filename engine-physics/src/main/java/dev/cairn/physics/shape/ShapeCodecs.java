@@ -58,6 +58,7 @@ public final class ShapeCodecs {
                         in -> Cone.of(in.readDouble(), in.readDouble())),
                 codec(HalfSpace.class, (s, out) -> {}, in -> HalfSpace.of()),
                 codec(ConvexHull.class, ShapeCodecs::write, ShapeCodecs::readHull),
+                codec(TriangleMesh.class, TriangleMesh::write, TriangleMesh::read),
                 codec(Moved.class, ShapeCodecs::write, ShapeCodecs::readMoved));
     }
 

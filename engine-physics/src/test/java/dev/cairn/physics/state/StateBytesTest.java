@@ -26,6 +26,7 @@ import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 
 import org.joml.Quaterniond;
 import org.junit.jupiter.api.Test;
@@ -46,6 +47,8 @@ class StateBytesTest {
     private static PhysicsWorld world() {
         PhysicsWorld world = PhysicsWorld.builder().workers(1).build();
         world.add(Body.fixed().shape(HalfSpace.of()));
+        double[] corners = {-9, 0.2, -9, -9, 0.1, 9, 9, 0.1, 9, 9, 0.3, -9};
+        world.add(Body.fixed().shape(TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3})));
         double[] points = new double[60];
         SplittableRandom random = new SplittableRandom(3);
         Arrays.setAll(points, i -> random.nextDouble(-0.5, 0.5));
