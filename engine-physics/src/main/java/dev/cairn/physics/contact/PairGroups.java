@@ -66,7 +66,7 @@ final class PairGroups {
             grow(used + 1);
         }
         free = s.array("free", free, freeCount);
-        touching = s.array("touching", touching, Math.min(touching.length, used + 1));
+        touching = s.array("touching", touching, used == 0 ? 0 : used + 1); // from 1 on
         changes = s.isRestoring() ? 0 : changes;
     }
 

@@ -114,7 +114,7 @@ class StateBytesTest {
             assertEquals(world.bodies().get(3).name(), twin.name());
             assertEquals(world.bodies().get(3).shape().toString(), twin.shape().toString());
             assertEquals(
-                    new Wind(2, "west"), other.ecs().get(twin.entity(), Component.of(Wind.class)));
+                    new Wind(1, "west"), other.ecs().get(twin.entity(), Component.of(Wind.class)));
             assertEquals(world.joints().count(), other.joints().count());
             for (int tick = 0; tick < 60; tick++) {
                 assertEquals(world.digest(), other.digest(), "tick " + tick);
