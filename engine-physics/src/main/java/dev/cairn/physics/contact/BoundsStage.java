@@ -80,6 +80,24 @@ public final class BoundsStage {
         boundsTime = settings.get(Tunable.BOUNDS_TICKS);
     }
 
+    /**
+     * The speculative margin of two colliders; see the package's essay.
+     *
+     * @param reach the tick's share in which relative motion counts, s
+     * @param smaller inner radius of which a share is added, m
+     */
+    double margin(int a, int b, double reach, double smaller) {
+        int i = AHEAD * a;
+        int j = AHEAD * b;
+        double vx = ahead[j] - ahead[i];
+        double vy = ahead[j + 1] - ahead[i + 1];
+        double vz = ahead[j + 2] - ahead[i + 2];
+        return reach * Math.sqrt(vx * vx + vy * vy + vz * vz)
+                + ahead[i + 3]
+                + ahead[j + 3]
+                + speculativeFraction * smaller;
+    }
+
     /** Grows the columns; between phases only. */
     public void ensureSlots(int capacity) {
         if (capacity <= state.length) {

@@ -398,16 +398,7 @@ public final class ManifoldStage {
 
     /** With the smaller inner radius. */
     private double margin(int a, int b, double smaller) {
-        double[] ahead = bounds.ahead;
-        int i = BoundsStage.AHEAD * a;
-        int j = BoundsStage.AHEAD * b;
-        double vx = ahead[j] - ahead[i];
-        double vy = ahead[j + 1] - ahead[i + 1];
-        double vz = ahead[j + 2] - ahead[i + 2];
-        return reach * Math.sqrt(vx * vx + vy * vy + vz * vz)
-                + ahead[i + 3]
-                + ahead[j + 3]
-                + bounds.speculativeFraction * smaller;
+        return bounds.margin(a, b, reach, smaller);
     }
 
     /** What one worker needs. */

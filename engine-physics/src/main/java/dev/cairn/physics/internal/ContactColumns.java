@@ -110,6 +110,17 @@ public class ContactColumns {
     /** How fast the two approached before they touched, m/s. */
     public double[] approach = {};
 
+    /**
+     * Whether anybody fell asleep beside one that moves; until then nothing is in {@link #lean}.
+     */
+    public boolean leans;
+
+    /**
+     * Force of a contact between a body asleep and one that moves when the one fell asleep, N; 0
+     * for other contacts.
+     */
+    public double[] lean = {};
+
     /** Whether a user's hook has been here; until then nothing is in {@link #hookMemory}. */
     public boolean hooked;
 
