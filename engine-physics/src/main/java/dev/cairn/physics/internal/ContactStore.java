@@ -258,7 +258,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         totalNormalImpulse = c.column("totalNormalImpulse", totalNormalImpulse, POINTS);
     }
 
-    /** Columns that the state does not have are as if they had never been: begun anew they are 0. */
+    /**
+     * Columns that the state does not have are as if they had never been: begun anew they are 0.
+     */
     private void dropUnused() {
         group = grouped ? group : NO_INTS;
         rollingArm = rolls ? rollingArm : NO_DOUBLES;
