@@ -221,12 +221,14 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         }
         table.state(s);
         contacts.state(s);
+        rows.state(s);
         joints.state(s);
         if (jointList != null) {
             jointList.state(s);
         }
         events.state(s);
         sensors.state(s);
+        seams.state(s);
         wakes.state(s);
         forces.state(s);
         index.state(s);

@@ -197,6 +197,26 @@ class SeamTest {
         }
     }
 
+    /** A world that is saved while bodies cross seams goes on with the same bits. */
+    @Test
+    void aSavedWorldGoesOnOverTheSeams() {
+        TileRuns.Start start = new TileRuns.Start("cube", .3, 6, .4, .2, 1, .2, .1, .1);
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
+            TileRuns.floor(world, start, new TileRuns.Floor(.5, 0, 0, 0), 60);
+            world.add(TileRuns.body(start, new TileRuns.Floor(.5, 0, 0, 0)));
+            for (int tick = 0; tick < 25; tick++) {
+                world.step(Scenes.STEP);
+            }
+            try (PhysicsWorld twin = world.fork()) {
+                for (int tick = 0; tick < 25; tick++) {
+                    world.step(Scenes.STEP);
+                    twin.step(Scenes.STEP);
+                    assertEquals(world.digest(), twin.digest(), "tick " + tick);
+                }
+            }
+        }
+    }
+
     private static double[] crowd(int workers, int lanes) {
         PhysicsSettings settings = PhysicsSettings.DEFAULT.withLanes(lanes);
         try (PhysicsWorld world = Scenes.awake().workers(workers).settings(settings).build()) {

@@ -59,7 +59,7 @@ final class TileRuns {
         }
     }
 
-    private static void floor(PhysicsWorld world, Start s, Floor floor, int ticks) {
+    static void floor(PhysicsWorld world, Start s, Floor floor, int ticks) {
         Material surface = new Material(s.friction, 0, 1000);
         double way = s.speed * ticks * Scenes.STEP;
         double dx = StrictMath.cos(s.headingRadians) * way;
@@ -106,7 +106,7 @@ final class TileRuns {
         }
     }
 
-    private static Body body(Start s, Floor floor) {
+    static Body body(Start s, Floor floor) {
         double r = s.size;
         Quaterniond q = new Quaterniond().rotationY(-s.yawRadians);
         Body body = Body.dynamic();

@@ -1,5 +1,7 @@
 package dev.cairn.physics.contact;
 
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.physics.internal.Columns;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;
 
@@ -34,6 +36,11 @@ final class SeamMemory {
     int[] feature = {};
     double[] position = {}, impulse = {}, preload = {}, total = {};
     private double[] friction = {}, rolling = {}, load = {};
+    private final Columns.Kept kept = new Columns.Kept();
+    private final Columns.Clear clear = new Columns.Clear();
+
+    /** Records in use, with some that are empty. */
+    private int records;
 
     /** Makes room; between phases only. */
     void ensure(int colliders, int records) {
@@ -44,21 +51,54 @@ final class SeamMemory {
             stamp = Arrays.copyOf(stamp, n);
         }
         if (points.length < records) {
-            int n = records;
-            points = Arrays.copyOf(points, n);
-            order = Arrays.copyOf(order, n);
-            second = Arrays.copyOf(second, n);
-            key = Arrays.copyOf(key, n);
-            normal = Arrays.copyOf(normal, 3 * n);
-            feature = Arrays.copyOf(feature, POINTS * n);
-            position = Arrays.copyOf(position, 3 * POINTS * n);
-            impulse = Arrays.copyOf(impulse, POINTS * n);
-            preload = Arrays.copyOf(preload, POINTS * n);
-            total = Arrays.copyOf(total, POINTS * n);
-            friction = Arrays.copyOf(friction, 4 * n);
-            rolling = Arrays.copyOf(rolling, 3 * n);
-            load = Arrays.copyOf(load, 4 * n);
+            columns(new Columns.Growth(records));
         }
+    }
+
+    private void columns(Columns c) {
+        points = c.column("points", points);
+        order = c.column("order", order);
+        second = c.column("second", second);
+        key = c.column("key", key);
+        normal = c.column("normal", normal, 3);
+        feature = c.column("feature", feature, POINTS);
+        position = c.column("position", position, 3 * POINTS);
+        impulse = c.column("impulse", impulse, POINTS);
+        preload = c.column("preload", preload, POINTS);
+        total = c.column("total", total, POINTS);
+        friction = c.column("friction", friction, 4);
+        rolling = c.column("rolling", rolling, 3);
+        load = c.column("load", load, 4);
+    }
+
+    /** Saves or restores what is of a tick; what is older nobody reads. */
+    void state(StateVisitor s, long tick) {
+        s.section("seamMemory", this);
+        int known = 0;
+        for (int c = 0; c < stamp.length; c++) {
+            if (stamp[c] == tick) {
+                known = c + 1;
+            } else {
+                first[c] = 0;
+                count[c] = 0;
+                stamp[c] = 0;
+            }
+        }
+        known = s.value("known", known);
+        first = s.array("first", first, known);
+        count = s.array("count", count, known);
+        stamp = s.array("stamp", stamp, known);
+        records = s.value("records", known > 0 ? records : 0);
+        if (records > points.length) {
+            columns(new Columns.Growth(records));
+        }
+        columns(kept.of(s, records, points.length, false));
+    }
+
+    /** Says how many records there are, and empties them; they are written in any order. */
+    void begin(int number) {
+        records = number;
+        columns(clear.rows(0, number));
     }
 
     /** How many records a collider has of a tick. */

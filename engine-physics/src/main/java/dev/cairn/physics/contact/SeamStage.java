@@ -3,6 +3,8 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
@@ -27,7 +29,7 @@ import java.util.Arrays;
  * points, so it is not solved. Simulation thread; allocates only when something grows. A collider
  * with one neighbour is looked at and left alone.
  */
-public final class SeamStage {
+public final class SeamStage implements Stateful {
     private static final int ROWS_PER_BLOCK = 512;
     private static final int GROUPS_PER_BLOCK = 8;
 
@@ -124,6 +126,14 @@ public final class SeamStage {
             last = next;
             next = read;
         }
+    }
+
+    /** Where joined rows ended: the only thing that outlives a tick. */
+    @Override
+    public void state(StateVisitor s) {
+        s.section("seams", this);
+        tick = s.value("tick", tick);
+        last.state(s, tick);
     }
 
     private void findBlock(int block, int worker) {
@@ -258,6 +268,7 @@ public final class SeamStage {
         }
         if (room > 0) {
             next.ensure(colliders.slotCount, held.length);
+            next.begin(room);
             contacts.reserve(room);
         }
     }
