@@ -14,6 +14,7 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.TriangleMesh;
 
 import org.jspecify.annotations.Nullable;
 
@@ -141,6 +142,15 @@ final class ColliderTable implements Stateful {
 
     private static MassProperties mass(
             List<Collider> parts, boolean fixed, double mass, double xx, double yy, double zz) {
+        for (Collider part : parts) {
+            if (!fixed && isSurface(part.shape())) {
+                throw new IllegalArgumentException(
+                        part.shape()
+                                + " is a surface without an inside, so its body cannot be dynamic;"
+                                + " make the body fixed or kinematic, or take ConvexHull.of its"
+                                + " vertices, or several hulls as colliders of one body");
+            }
+        }
         if (parts.size() == 1) {
             Collider only = parts.get(0);
             double density = only.material().density();
@@ -363,6 +373,16 @@ final class ColliderTable implements Stateful {
                             + (whole.sensor ? " is no sensor" : " is a sensor")
                             + ", and stays so; remove it and add another one");
         }
+        if (isSurface(whole.shape()) != isSurface(specs[collider].shape())) {
+            throw new IllegalArgumentException(
+                    ref(collider)
+                            + " is "
+                            + specs[collider].shape()
+                            + " and cannot become "
+                            + whole.shape()
+                            + ", for contacts of surfaces are of another kind; remove it and add"
+                            + " another one");
+        }
         List<Collider> parts = parts(body);
         int at = 0;
         for (int c = colliders.bodies.collider[body]; c != collider; c = colliders.next[c]) {
@@ -375,6 +395,10 @@ final class ColliderTable implements Stateful {
         surface(collider, whole);
         contacts().renew(collider, colliders);
         settle(body, mass);
+    }
+
+    private static boolean isSurface(Shape shape) {
+        return (shape instanceof Moved m ? m.inner() : shape) instanceof TriangleMesh;
     }
 
     private List<Collider> parts(int body) {

@@ -16,6 +16,7 @@ import dev.cairn.physics.contact.ComposeStage;
 import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.contact.HookStage;
 import dev.cairn.physics.contact.ManifoldStage;
+import dev.cairn.physics.contact.SeamStage;
 import dev.cairn.physics.contact.SensorStage;
 import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.contact.WakeStage;
@@ -79,6 +80,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
     final HookStage hooks;
     private final BeltStage belts;
     private final ManifoldStage manifolds;
+    private final SeamStage seams;
     final ContactSolver solver;
     private final ForceReader forces;
     private final Publisher publisher;
@@ -100,7 +102,8 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         belts = new BeltStage(table.colliders, contacts);
         hooks = new HookStage(table.colliders, contacts);
         compose = new ComposeStage(table.colliders);
-        manifolds = new ManifoldStage(table.colliders, table.bounds);
+        manifolds = new ManifoldStage(table.colliders, table.bounds, rows);
+        seams = new SeamStage(table.colliders, contacts, table.bounds);
         solver = new ContactSolver(settings.tuning(), kinds);
         forces = new ForceReader(table.roster);
         publisher = new Publisher(table.roster);
@@ -163,12 +166,19 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         profile.end(StepStage.ROWS);
         manifolds.run(contacts, tick.stepSeconds(), tick.jobs());
         profile.end(StepStage.POINTS);
-        wakes.run(table.bounds, table.broadPhase, manifolds, tick.stepSeconds(), tick.jobs());
+        wakes.run(
+                table.bounds,
+                table.broadPhase,
+                manifolds,
+                gravity(),
+                tick.stepSeconds(),
+                tick.jobs());
         hooks.run(tick.jobs());
         belts.run(tick.jobs());
         events.approach(contacts, table.bodies, tick.jobs());
         table.roster.refreshLists();
         if (table.roster.dynamicCount > 0) {
+            seams.join(tick.stepSeconds(), tick.jobs());
             solver.step(
                     table.bodies,
                     contacts,
@@ -177,6 +187,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
                     gravityZ,
                     tick.stepSeconds(),
                     tick.jobs());
+            seams.part(tick.jobs());
         }
         table.roster.motion.end(
                 table.roster.kinematic, table.roster.kinematicCount, tick.stepSeconds());
@@ -190,7 +201,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         sensors.run(tick.jobs());
         assert StageCheck.poses(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
         profile.end(StepStage.PUBLISH);
-        events.update(contacts, tick.jobs());
+        events.update(contacts, rows, tick.jobs());
         view.update();
         sleepView.update();
         profile.end(StepStage.TOUCH);
@@ -210,12 +221,15 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         }
         table.state(s);
         contacts.state(s);
+        rows.state(s);
         joints.state(s);
         if (jointList != null) {
             jointList.state(s);
         }
         events.state(s);
         sensors.state(s);
+        seams.state(s);
+        wakes.state(s);
         forces.state(s);
         index.state(s);
         solver.state(s, table.bodies.slotCount);
@@ -259,16 +273,20 @@ final class PhysicsSystem implements WorldSystem, Stateful {
     private void fallAsleep(Tick tick) {
         Sleepers sleepers = table.sleepers;
         long changes = sleepers.changes();
-        double gravity = Math.sqrt(gravityX * gravityX + gravityY * gravityY + gravityZ * gravityZ);
         sleepers.look(
                 table.roster.dynamic,
                 table.roster.dynamicCount,
-                gravity,
+                gravity(),
                 tick.stepSeconds(),
                 tick.jobs());
         if (sleepers.changes() != changes) {
             table.roster.restBounds();
+            wakes.lean();
         }
+    }
+
+    private double gravity() {
+        return Math.sqrt(gravityX * gravityX + gravityY * gravityY + gravityZ * gravityZ);
     }
 
     /** Boxes follow their bodies; a body that cannot be computed with stays where it is. */

@@ -2,7 +2,9 @@ package dev.cairn.samples;
 
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.ColliderRef;
+import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.TriangleMesh;
 
 import org.joml.Quaterniondc;
 import org.joml.Vector3dc;
@@ -47,11 +49,16 @@ public final class Penetration {
         return deepestOf(entries);
     }
 
-    /** All that a body is made of, but what only tells who is in it. */
+    /**
+     * All that a body is made of, but what only tells who is in it, and surfaces of triangles, in
+     * which nothing can be deep.
+     */
     private static void add(BodyRef body, List<Entry> entries) {
         for (ColliderRef part : body.colliders()) {
-            if (!part.isSensor()) {
-                Shape shape = part.description().placed();
+            Shape shape = part.description().placed();
+            boolean isSurface =
+                    (shape instanceof Moved m ? m.inner() : shape) instanceof TriangleMesh;
+            if (!part.isSensor() && !isSurface) {
                 Solid solid = Solid.of(shape, body.position(), body.orientation());
                 entries.add(new Entry(solid, body.isFixed(), body));
             }

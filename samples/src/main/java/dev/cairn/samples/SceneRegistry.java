@@ -41,6 +41,9 @@ import dev.cairn.samples.scenes.joint.Mechanisms;
 import dev.cairn.samples.scenes.joint.Nets;
 import dev.cairn.samples.scenes.joint.Pendulums;
 import dev.cairn.samples.scenes.joint.Ragdolls;
+import dev.cairn.samples.scenes.level.Bowl;
+import dev.cairn.samples.scenes.level.Hills;
+import dev.cairn.samples.scenes.level.House;
 
 import java.util.List;
 
@@ -107,7 +110,11 @@ public final class SceneRegistry {
                     Mechanisms.sliderCrank(),
                     Mechanisms.fourBar(),
                     Mechanisms.robotArm(),
-                    Car.scene());
+                    Car.scene(),
+                    Bowl.scene(),
+                    House.scene(),
+                    Hills.terrain(),
+                    Hills.meshDrop());
 
     private SceneRegistry() {}
 

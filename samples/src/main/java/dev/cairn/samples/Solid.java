@@ -9,6 +9,7 @@ import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
@@ -88,6 +89,8 @@ final class Solid {
                     turned(c.halfHeight(), c.radius(), c.radius(), 0, position, rotation);
             case Cone c -> turned(c.halfHeight(), c.radius(), 0, 0, position, rotation);
             case HalfSpace ground -> below(position, rotation);
+            case TriangleMesh mesh ->
+                    throw new IllegalArgumentException(mesh + " has no inside; leave it out");
             case Moved moved ->
                     of(
                             moved.inner(),

@@ -27,6 +27,7 @@ public final class BoundsStage {
      */
     public static final double LIMIT = 1e60;
 
+    private static final double MOST = Double.POSITIVE_INFINITY;
     private static final int BODIES_PER_BLOCK = 128;
     private static final byte STAYS = 0;
     private static final byte LEFT = 1;
@@ -77,6 +78,24 @@ public final class BoundsStage {
         speculativeFraction = settings.get(Tunable.SPECULATIVE_FRACTION);
         boundsMargin = settings.get(Tunable.BOUNDS_MARGIN);
         boundsTime = settings.get(Tunable.BOUNDS_TICKS);
+    }
+
+    /**
+     * The speculative margin of two colliders; see the package's essay.
+     *
+     * @param reach the tick's share in which relative motion counts, s
+     * @param smaller inner radius of which a share is added, m
+     */
+    double margin(int a, int b, double reach, double smaller) {
+        int i = AHEAD * a;
+        int j = AHEAD * b;
+        double vx = ahead[j] - ahead[i];
+        double vy = ahead[j + 1] - ahead[i + 1];
+        double vz = ahead[j + 2] - ahead[i + 2];
+        return reach * Math.sqrt(vx * vx + vy * vy + vz * vz)
+                + ahead[i + 3]
+                + ahead[j + 3]
+                + speculativeFraction * smaller;
     }
 
     /** Grows the columns; between phases only. */
@@ -356,7 +375,8 @@ public final class BoundsStage {
     private byte look(int c, double vx, double vy, double vz, double spin, double bend) {
         Poses p = colliders.poses;
         double reach = step * speculativeTime;
-        double inner = colliders.innerRadius[c];
+        // of a surface of triangles it is infinite: nothing is known to be inside
+        double inner = colliders.innerRadius[c] < MOST ? colliders.innerRadius[c] : 0;
         double outer = colliders.outerRadius[c];
         double arc = Math.min(spin * outer * reach, outer - inner) + bend;
         setAhead(c, vx, vy, vz, arc);

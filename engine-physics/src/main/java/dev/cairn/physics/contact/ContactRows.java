@@ -3,6 +3,7 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
@@ -28,6 +29,7 @@ public final class ContactRows {
     private final BodyStore bodies;
     private final ColliderStore colliders;
     private final Sleepers sleepers;
+    final PairGroups groups = new PairGroups();
     private int candidates;
     private boolean every;
 
@@ -41,6 +43,11 @@ public final class ContactRows {
         this.colliders = colliders;
         bodies = colliders.bodies;
         this.sleepers = sleepers;
+    }
+
+    /** What lasts of pairs beside their rows. */
+    public void state(StateVisitor s) {
+        groups.state(s);
     }
 
     /**
@@ -128,8 +135,15 @@ public final class ContactRows {
             kept += row - first;
             first = row + 1;
             parted[row] = false;
-            broadPhase.forget(c.colliderA[row], c.colliderB[row]);
-            if (c.touching[row] != 0) {
+            boolean touches = c.touching[row] != 0;
+            if (c.grouped && c.group[row] != 0) {
+                // its pair ends with the first row, and is told once
+                touches = c.group[row] > 0 && groups.close(c.group[row]);
+            }
+            if (!c.isFurther(row)) {
+                broadPhase.forget(c.colliderA[row], c.colliderB[row]);
+            }
+            if (touches) {
                 events.addEnded(c.colliderA[row], c.colliderB[row]);
             }
             if (c.isSolved(row)) {
@@ -151,12 +165,17 @@ public final class ContactRows {
             int row = every ? i : c.active[i];
             int a = c.colliderA[row];
             int b = c.colliderB[row];
-            boolean apart =
-                    (broadPhase.moved(a) || broadPhase.moved(b)) && !broadPhase.overlap(a, b);
+            boolean hasMoved = broadPhase.moved(a) || broadPhase.moved(b);
+            boolean apart = (hasMoved && !broadPhase.overlap(a, b)) || isSpare(c, row);
             parted[row] = apart;
             count += apart ? 1 : 0;
         }
         partedInBlock[block] = count;
+    }
+
+    /** Whether a row is none of the first of its pair, and empty. */
+    private static boolean isSpare(ContactStore c, int row) {
+        return c.isFurther(row) && c.pointCount[row] == 0 && c.touching[row] == 0;
     }
 
     /** Marks rows that the filters refuse since they were changed; in row order. */
@@ -206,6 +225,11 @@ public final class ContactRows {
         c.activeCount = count;
     }
 
+    private boolean isSurface(int a, int b) {
+        return SurfaceStage.triangles(colliders.shape[a]) != null
+                || SurfaceStage.triangles(colliders.shape[b]) != null;
+    }
+
     private void append(ContactStore c, BroadPhase pairs, SensorStage sensors) {
         int added = pairs.newPairCount();
         if (added == 0) {
@@ -233,6 +257,10 @@ public final class ContactRows {
             if (sensed > 0 && sensors.takes(a, b)) {
                 sensors.add(a, b);
             } else {
+                if (colliders.surfaces && isSurface(a, b)) {
+                    c.beginGroups();
+                    c.group[row] = groups.open();
+                }
                 c.join(row++, colliders, a, b);
             }
         }

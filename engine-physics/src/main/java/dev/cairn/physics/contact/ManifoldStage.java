@@ -51,6 +51,7 @@ public final class ManifoldStage {
     private final PointStore points;
     private final Recycler recycler;
     private final RoundRows roundRows;
+    private final SurfaceStage surfaces;
     private Scratch[] scratch = {};
 
     private final ColliderStore colliders;
@@ -71,12 +72,28 @@ public final class ManifoldStage {
      * @param bounds the margin rule, and where the bodies may go within the tick
      */
     public ManifoldStage(ColliderStore colliders, BoundsStage bounds) {
+        this(colliders, bounds, new PairGroups());
+    }
+
+    /**
+     * A stage.
+     *
+     * @param colliders with their poses at the start of the tick
+     * @param bounds the margin rule, and where the bodies may go within the tick
+     * @param rows knows the pairs with several contacts
+     */
+    public ManifoldStage(ColliderStore colliders, BoundsStage bounds, ContactRows rows) {
+        this(colliders, bounds, rows.groups);
+    }
+
+    private ManifoldStage(ColliderStore colliders, BoundsStage bounds, PairGroups groups) {
         this.colliders = colliders;
         kinds = new PairKinds(colliders);
         points = new PointStore(colliders);
         recycler = new Recycler(colliders);
         roundRows = new RoundRows(colliders, kinds, points);
         this.bounds = bounds;
+        surfaces = new SurfaceStage(colliders, bounds, points, groups);
     }
 
     /**
@@ -97,6 +114,9 @@ public final class ManifoldStage {
         points.use(rows);
         recycler.use(rows, stepSeconds);
         roundRows.use(rows, bounds, reach, bounds.speculativeFraction);
+        if (rows.grouped) {
+            surfaces.run(rows, reach, jobs);
+        }
         kinds.sort(rows, jobs);
         int round = kinds.begin(PairKinds.ROUND);
         int others = kinds.begin(PairKinds.OTHERS);
@@ -308,6 +328,9 @@ public final class ManifoldStage {
     private void collide(int row, Scratch own) {
         Poses s = colliders.poses;
         ContactStore c = contacts;
+        if (c.grouped && c.group[row] != 0) {
+            return; // a surface has collided it
+        }
         int a = c.colliderA[row];
         int b = c.colliderB[row];
         double margin = margin(a, b);
@@ -375,16 +398,7 @@ public final class ManifoldStage {
 
     /** With the smaller inner radius. */
     private double margin(int a, int b, double smaller) {
-        double[] ahead = bounds.ahead;
-        int i = BoundsStage.AHEAD * a;
-        int j = BoundsStage.AHEAD * b;
-        double vx = ahead[j] - ahead[i];
-        double vy = ahead[j + 1] - ahead[i + 1];
-        double vz = ahead[j + 2] - ahead[i + 2];
-        return reach * Math.sqrt(vx * vx + vy * vy + vz * vz)
-                + ahead[i + 3]
-                + ahead[j + 3]
-                + bounds.speculativeFraction * smaller;
+        return bounds.margin(a, b, reach, smaller);
     }
 
     /** What one worker needs. */

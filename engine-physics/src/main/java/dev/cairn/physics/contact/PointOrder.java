@@ -42,6 +42,24 @@ final class PointOrder {
         return order | (ASCENDING & (-1 << (2 * places)));
     }
 
+    /**
+     * The order that the points of a row have.
+     *
+     * @param first place of its first point
+     */
+    static int of(int[] feature, int first, int points) {
+        int order = ASCENDING & (-1 << (2 * points));
+        for (int p = 0; p < points; p++) {
+            int rank = 0;
+            for (int q = 0; q < points; q++) {
+                int least = Integer.compareUnsigned(feature[first + q], feature[first + p]);
+                rank += least < 0 || (least == 0 && q < p) ? 1 : 0;
+            }
+            order |= rank << (2 * p);
+        }
+        return order;
+    }
+
     private static boolean isBefore(Manifold m, int p, int q) {
         double higher = m.separation[p] - m.separation[q];
         return higher > 0 || (higher == 0 && square(m, p) < square(m, q));

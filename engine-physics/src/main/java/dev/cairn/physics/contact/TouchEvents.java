@@ -12,7 +12,7 @@ import java.util.Arrays;
 
 /**
  * Which pairs began and ceased to touch in a tick: first the touches that ended with their row,
- * then the others, in row order.
+ * then the others, in row order, and last those of pairs with several rows.
  *
  * <p>A pair begins to touch when one of its points overlaps or pushes; it ceases when no point is
  * within the speculative margin any more. Between the two the state stays, so that a resting pair
@@ -138,8 +138,11 @@ public final class TouchEvents implements Stateful {
     /**
      * Compares the active rows with their state before; after the solve. A pair that sleeps stays
      * as it is.
+     *
+     * @param pairs knows the pairs with several rows
      */
-    public void update(ContactStore rows, Jobs jobs) {
+    public void update(ContactStore rows, ContactRows pairs, Jobs jobs) {
+        PairGroups groups = pairs.groups;
         contacts = rows;
         int count = rows.activeCount;
         if (change.length < count) {
@@ -148,6 +151,12 @@ public final class TouchEvents implements Stateful {
         }
         int blocks = Blocks.count(count, ROWS_PER_BLOCK);
         jobs.run(job, blocks);
+        collect(rows, groups, blocks);
+    }
+
+    /** Pairs with several rows are told once, after the others. */
+    private void collect(ContactStore rows, PairGroups groups, int blocks) {
+        int count = rows.activeCount;
         for (int b = 0; b < blocks; b++) {
             if (changesInBlock[b] == 0) {
                 continue;
@@ -155,13 +164,27 @@ public final class TouchEvents implements Stateful {
             int end = Blocks.end(b, ROWS_PER_BLOCK, count);
             for (int i = Blocks.begin(b, ROWS_PER_BLOCK); i < end; i++) {
                 int row = rows.active[i];
-                if (change[i] > 0) {
+                if (rows.grouped && rows.group[row] != 0) {
+                    if (change[i] != 0) {
+                        groups.change(Math.abs(rows.group[row]), change[i] > 0, row);
+                    }
+                } else if (change[i] > 0) {
                     addBegan(rows.colliderA[row], rows.colliderB[row], row);
                 } else if (change[i] < 0) {
                     addEnded(rows.colliderA[row], rows.colliderB[row]);
                 }
             }
         }
+        for (int i = 0; i < groups.changes; i++) {
+            int row = groups.row(i);
+            int outcome = groups.outcome(i);
+            if (outcome > 0) {
+                addBegan(rows.colliderA[row], rows.colliderB[row], row);
+            } else if (outcome < 0) {
+                addEnded(rows.colliderA[row], rows.colliderB[row]);
+            }
+        }
+        groups.endChanges();
     }
 
     private void block(int block, int worker) {

@@ -352,6 +352,22 @@ public final class BodyStore extends Poses implements Stateful {
     }
 
     /**
+     * Bound of the speed of any point of a body: |v| + R |w|.
+     *
+     * @return m/s
+     */
+    public double surfaceSpeed(int slot) {
+        double vx = velocityX[slot];
+        double vy = velocityY[slot];
+        double vz = velocityZ[slot];
+        double wx = angularVelocityX[slot];
+        double wy = angularVelocityY[slot];
+        double wz = angularVelocityZ[slot];
+        return Math.sqrt(vx * vx + vy * vy + vz * vz)
+                + outerRadius[slot] * Math.sqrt(wx * wx + wy * wy + wz * wz);
+    }
+
+    /**
      * The smaller inner radius of two bodies, one of which at least moves; fixed ones have none.
      */
     public double innerRadiusOfMoving(int a, int b) {

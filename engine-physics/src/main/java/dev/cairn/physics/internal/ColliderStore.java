@@ -4,8 +4,10 @@ import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.collider.Mix;
+import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.mesh.Meshed;
 
 import org.jspecify.annotations.Nullable;
 
@@ -67,6 +69,9 @@ public final class ColliderStore implements Stateful {
     /** Velocity of the surface against its body, body axes, m/s; three numbers. */
     public double[] belt = {};
 
+    /** Whether any collider is, or was, a surface of triangles. */
+    public boolean surfaces;
+
     /** Whether any collider is, or was, a sensor. */
     public boolean sensors;
 
@@ -96,6 +101,8 @@ public final class ColliderStore implements Stateful {
 
     /** How many there are. */
     public int compoundCount;
+
+    private static final double[] NOTHING = {};
 
     private final double[] turned = new double[3];
     private final Columns.Kept kept = new Columns.Kept();
@@ -157,8 +164,13 @@ public final class ColliderStore implements Stateful {
         belts = s.value("belts", belts);
         sensors = s.value("sensors", sensors);
         compounds = s.value("compounds", compounds);
+        surfaces = s.value("surfaces", surfaces);
         compoundCount = s.value("compoundCount", compoundCount);
         compound = s.array("compound", compound, compoundCount);
+        if (s.isRestoring()) {
+            belt = belts ? belt : NOTHING;
+            local = compounds ? local : NOTHING;
+        }
         ensureCapacity(slotCount);
         columns(kept.of(s, slotCount, body.length, false));
     }
@@ -236,6 +248,7 @@ public final class ColliderStore implements Stateful {
     private void setShape(int collider, Shape solid) {
         shape[collider] = solid;
         surface[collider] = Surface.of(solid);
+        surfaces |= (solid instanceof Moved m ? m.inner() : solid) instanceof Meshed;
         innerRadius[collider] = solid.innerRadius();
         outerRadius[collider] = solid.outerRadius();
     }

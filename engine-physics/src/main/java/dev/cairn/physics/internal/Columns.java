@@ -218,7 +218,7 @@ public interface Columns {
         private int end;
 
         /** Chooses the rows. */
-        Clear rows(int first, int last) {
+        public Clear rows(int first, int last) {
             begin = first;
             end = last;
             return this;

@@ -110,6 +110,17 @@ public class ContactColumns {
     /** How fast the two approached before they touched, m/s. */
     public double[] approach = {};
 
+    /**
+     * Whether anybody fell asleep beside one that moves; until then nothing is in {@link #lean}.
+     */
+    public boolean leans;
+
+    /**
+     * Force of a contact between a body asleep and one that moves when the one fell asleep, N; 0
+     * for other contacts.
+     */
+    public double[] lean = {};
+
     /** Whether a user's hook has been here; until then nothing is in {@link #hookMemory}. */
     public boolean hooked;
 
@@ -127,6 +138,15 @@ public class ContactColumns {
      * the start of the tick, m; six numbers a row, what its anchors contain.
      */
     public double[] lever = {};
+
+    /** Whether a surface of triangles has been here; until then {@link #group} is empty. */
+    public boolean grouped;
+
+    /**
+     * Of a row that is one of several of its pair of colliders: the number of the pair's group, at
+     * least 1; negative for all but the first row of the group. 0 for the only row of a pair.
+     */
+    public int[] group = {};
 
     /** Mixed coefficient of restitution, 0..1. */
     public double[] restitution = {};

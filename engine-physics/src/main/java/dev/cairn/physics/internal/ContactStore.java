@@ -8,8 +8,8 @@ import java.util.Arrays;
 
 /**
  * All contacts of this tick as a structure of arrays; a contact is a row in {@code [0, count)}, one
- * row per pair of colliders whose fat bounds overlap. Only some of them are solved, see {@link
- * #isSolved}.
+ * row per pair of colliders whose fat bounds overlap, and further ones for a pair with a surface of
+ * triangles, see {@link #group}. Only some of them are solved, see {@link #isSolved}.
  */
 public final class ContactStore extends ContactColumns implements EdgeSource, Stateful {
     /** Makes an empty store. */
@@ -26,6 +26,10 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
      * them: their points and impulses stay as they are.
      */
     public int[] active = {};
+
+    private static final double[] NO_DOUBLES = {};
+    private static final long[] NO_LONGS = {};
+    private static final int[] NO_INTS = {};
 
     private int remembered;
     private final Columns.Move move = new Columns.Move();
@@ -67,10 +71,35 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         }
     }
 
+    /** Makes room for pairs with several rows; between phases only. */
+    public void beginGroups() {
+        if (!grouped) {
+            grouped = true;
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
+    /**
+     * Whether a row is not the first one of its pair.
+     *
+     * @return false for the row that stays as long as its pair
+     */
+    public boolean isFurther(int row) {
+        return grouped && group[row] < 0;
+    }
+
     /** Makes room for speeds of approach; between phases only. */
     public void beginHits() {
         if (!hits) {
             hits = true;
+            columns(new Columns.Growth(bodyA.length));
+        }
+    }
+
+    /** Makes room for what sleepers carry of those that move beside them; between phases only. */
+    public void beginLeaning() {
+        if (!leans) {
+            leans = true;
             columns(new Columns.Growth(bodyA.length));
         }
     }
@@ -115,7 +144,8 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     }
 
     /**
-     * Whether a row is solved: its surfaces are within the margin of each other.
+     * Whether a row is solved: its surfaces are within the margin of each other, and no other row
+     * stands for it, which is so from {@code SeamStage} to the end of the solve.
      *
      * @return false for a pair that is only near
      */
@@ -153,10 +183,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
             if (bodyA[row] != slot && bodyB[row] != slot) {
                 continue;
             }
-            forgetFriction(row);
-            Arrays.fill(normalImpulse, POINTS * row, POINTS * row + POINTS, 0);
-            Arrays.fill(preload, POINTS * row, POINTS * row + POINTS, 0);
-            Arrays.fill(totalNormalImpulse, POINTS * row, POINTS * row + POINTS, 0);
+            rest(row);
         }
     }
 
@@ -191,6 +218,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         patch = c.column("patch", patch);
         head = c.column("head", head, START, HEAD);
         restitution = c.column("restitution", restitution);
+        if (grouped) {
+            group = c.column("group", group);
+        }
         if (rolls) {
             rollingArm = c.column("rollingArm", rollingArm);
             rollingImpulse = c.column("rollingImpulse", rollingImpulse, 3);
@@ -200,6 +230,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         }
         if (hits) {
             approach = c.column("approach", approach);
+        }
+        if (leans) {
+            lean = c.column("lean", lean);
         }
         if (hooked) {
             hookMemory = c.column("hookMemory", hookMemory);
@@ -225,6 +258,22 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         totalNormalImpulse = c.column("totalNormalImpulse", totalNormalImpulse, POINTS);
     }
 
+    /**
+     * Columns that the state does not have are as if they had never been: begun anew they are 0.
+     */
+    private void dropUnused() {
+        group = grouped ? group : NO_INTS;
+        rollingArm = rolls ? rollingArm : NO_DOUBLES;
+        rollingImpulse = rolls ? rollingImpulse : NO_DOUBLES;
+        belt = belts ? belt : NO_DOUBLES;
+        approach = hits ? approach : NO_DOUBLES;
+        lean = leans ? lean : NO_DOUBLES;
+        hookMemory = hooked ? hookMemory : NO_INTS;
+        lever = compounds ? lever : NO_DOUBLES;
+        frictionLoad = uneven ? frictionLoad : NO_DOUBLES;
+        memory = remembered > 0 ? memory : NO_LONGS;
+    }
+
     @Override
     public void state(StateVisitor s) {
         s.section("contacts", this);
@@ -236,6 +285,11 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         hits = s.value("hits", hits);
         hooked = s.value("hooked", hooked);
         compounds = s.value("compounds", compounds);
+        grouped = s.value("grouped", grouped);
+        leans = s.value("leans", leans);
+        if (s.isRestoring()) {
+            dropUnused();
+        }
         ensureCapacity(count);
         columns(rows.of(s, count, bodyA.length, false));
         activeCount = s.value("activeCount", activeCount);
@@ -263,6 +317,57 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         for (int i = 0; i < number; i++) {
             active[activeCount++] = count++;
         }
+    }
+
+    /**
+     * Makes room for rows behind the last one that last for a tick, empty; between phases only.
+     *
+     * @param number how many
+     */
+    public void reserve(int number) {
+        ensureCapacity(count + number);
+        columns(clear.rows(count, count + number));
+    }
+
+    /**
+     * Two points of a row change places; what the narrow phase keeps of the row holds no more.
+     *
+     * @param p place of a point
+     * @param q place of another one
+     */
+    public void swapPoints(int p, int q) {
+        int i = anchor(p);
+        int j = anchor(q);
+        for (int k = 0; k < ANCHORS; k++) {
+            double coordinate = anchors[i + k];
+            anchors[i + k] = anchors[j + k];
+            anchors[j + k] = coordinate;
+        }
+        int name = feature[p];
+        feature[p] = feature[q];
+        feature[q] = name;
+        swap(separation, p, q);
+        swap(normalImpulse, p, q);
+        swap(preload, p, q);
+        swap(totalNormalImpulse, p, q);
+    }
+
+    private static void swap(double[] column, int p, int q) {
+        double number = column[p];
+        column[p] = column[q];
+        column[q] = number;
+    }
+
+    /**
+     * Forgets with what a row pressed and rubbed.
+     *
+     * @param row any
+     */
+    public void rest(int row) {
+        forgetFriction(row);
+        Arrays.fill(normalImpulse, POINTS * row, POINTS * row + POINTS, 0);
+        Arrays.fill(preload, POINTS * row, POINTS * row + POINTS, 0);
+        Arrays.fill(totalNormalImpulse, POINTS * row, POINTS * row + POINTS, 0);
     }
 
     /**

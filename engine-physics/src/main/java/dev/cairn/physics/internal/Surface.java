@@ -7,6 +7,7 @@ import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 
 /**
  * What the surface of a collider is made of, as far as it matters to who computes with contacts.
@@ -48,6 +49,7 @@ public final class Surface {
             case ConvexHull hull -> CORNERED;
             case Cone cone -> TIPPED;
             case HalfSpace plane -> PLANE;
+            case TriangleMesh mesh -> CORNERED;
             default -> ROUND;
         };
     }

@@ -19,6 +19,15 @@ public final class RestDetector {
      */
     private static final double SLOW = 0.0015;
 
+    /** How far a still body may be from its place, over the inner radius, and no further than */
+    private static final double STAYS = 0.01;
+
+    /** this speed over {@code sqrt(g r)} takes it in the time: 2.2 mm/s for a cube of 1 m. */
+    private static final double DRIFT = 0.001;
+
+    /** A body that is faster than this over {@code sqrt(g r)} is not still, wherever it is. */
+    private static final double FAST = 0.1;
+
     /** A motion that fades by less than this in a window counts as steady. */
     private static final double FADES = 0.95;
 
@@ -28,10 +37,14 @@ public final class RestDetector {
     /** A motion over a window that counts as none, over the inner radius. */
     private static final double NONE = 5e-6;
 
+    /** Times of quiet after which a body counts as still whatever is left of its motion. */
+    private static final double STILL = 4;
+
     private static final int BODIES_PER_BLOCK = 256;
     private static final int POSE = 7;
 
     private final double window;
+    private final double stillSeconds;
     private final BlockJob job = this::block;
 
     /** How long the body has been quiet in the present window, s; negative: no window has begun. */
@@ -42,6 +55,12 @@ public final class RestDetector {
 
     /** Whether it was at rest when the last window ended, and has been quiet since. */
     boolean[] rests = {};
+
+    /** How long it has stayed about its place, s; negative: it has none. */
+    private double[] stayed = {};
+
+    /** Its place: position and orientation. */
+    private double[] place = {};
 
     /** Whether it may sleep at all. */
     boolean[] maySleep = {};
@@ -64,6 +83,7 @@ public final class RestDetector {
      */
     public RestDetector(double sleepSeconds) {
         window = 0.5 * sleepSeconds;
+        stillSeconds = STILL * sleepSeconds;
     }
 
     /**
@@ -78,6 +98,8 @@ public final class RestDetector {
         seconds = Arrays.copyOf(seconds, n);
         before = Arrays.copyOf(before, n);
         rests = Arrays.copyOf(rests, n);
+        stayed = Arrays.copyOf(stayed, n);
+        place = Arrays.copyOf(place, POSE * n);
         maySleep = Arrays.copyOf(maySleep, n);
         start = Arrays.copyOf(start, POSE * n);
         restsInBlock = new int[Blocks.count(n, BODIES_PER_BLOCK)];
@@ -92,6 +114,17 @@ public final class RestDetector {
         seconds[slot] = -1;
         before[slot] = -1;
         rests[slot] = false;
+        stayed[slot] = -1;
+    }
+
+    /**
+     * Whether a body has stayed about its place for so long that, among others, it is still.
+     *
+     * @param slot of the body
+     * @return true if so
+     */
+    boolean isStill(int slot) {
+        return stayed[slot] >= stillSeconds;
     }
 
     /** What is remembered of each slot; slots have room already. */
@@ -102,6 +135,8 @@ public final class RestDetector {
         rests = s.array("rests", rests, slots);
         maySleep = s.array("maySleep", maySleep, slots);
         start = s.array("start", start, POSE * slots);
+        stayed = s.array("stayed", stayed, slots);
+        place = s.array("place", place, POSE * slots);
     }
 
     /**
@@ -113,7 +148,7 @@ public final class RestDetector {
      * @param g size of gravity, m/s²
      * @param stepSeconds length of the tick, s
      * @param jobs runs the blocks
-     * @return how many are at rest
+     * @return how many are at rest or still
      */
     public int run(
             BodyStore store, int[] awake, int awakeCount, double g, double stepSeconds, Jobs jobs) {
@@ -139,45 +174,54 @@ public final class RestDetector {
             if (!maySleep[s]) {
                 continue;
             }
-            if (isQuiet(s)) {
+            double limit = gravity * bodies.innerRadius[s];
+            double bound = bodies.surfaceSpeed(s);
+            double speed = isPushed(s) ? Double.POSITIVE_INFINITY : bound * bound;
+            stay(s, speed <= FAST * FAST * limit, limit);
+            if (speed <= SLOW * SLOW * limit) {
                 watch(s);
             } else if (seconds[s] >= 0) {
-                reset(s);
+                seconds[s] = -1;
+                before[s] = -1;
+                rests[s] = false;
             }
-            sum += rests[s] ? 1 : 0;
+            sum += rests[s] || isStill(s) ? 1 : 0;
         }
         restsInBlock[block] = sum;
     }
 
-    private boolean isQuiet(int s) {
+    private boolean isPushed(int s) {
         BodyStore b = bodies;
-        double vx = b.velocityX[s];
-        double vy = b.velocityY[s];
-        double vz = b.velocityZ[s];
-        double wx = b.angularVelocityX[s];
-        double wy = b.angularVelocityY[s];
-        double wz = b.angularVelocityZ[s];
-        // |v| + R |w| <= limit, without roots for those that move
-        double limit = SLOW * SLOW * gravity * b.innerRadius[s];
-        double outer = b.outerRadius[s];
-        double v = vx * vx + vy * vy + vz * vz;
-        double w = (wx * wx + wy * wy + wz * wz) * outer * outer;
-        if (!(v <= limit && w <= limit && v + w + 2 * Math.sqrt(v * w) <= limit)) {
-            return false;
+        return b.forceX[s] != 0
+                || b.forceY[s] != 0
+                || b.forceZ[s] != 0
+                || b.torqueX[s] != 0
+                || b.torqueY[s] != 0
+                || b.torqueZ[s] != 0;
+    }
+
+    /** One more tick about its place, or at a new one. */
+    private void stay(int s, boolean isSlow, double limit) {
+        if (!isSlow) {
+            stayed[s] = -1;
+            return;
         }
-        return b.forceX[s] == 0
-                && b.forceY[s] == 0
-                && b.forceZ[s] == 0
-                && b.torqueX[s] == 0
-                && b.torqueY[s] == 0
-                && b.torqueZ[s] == 0;
+        if (stayed[s] >= 0) {
+            double drift = DRIFT * stillSeconds * Math.sqrt(limit);
+            if (moved(s, place) <= Math.min(STAYS * bodies.innerRadius[s], drift)) {
+                stayed[s] += step;
+                return;
+            }
+        }
+        stayed[s] = 0;
+        remember(s, place);
     }
 
     /** One more tick of quiet. */
     private void watch(int s) {
         if (seconds[s] < 0) {
             seconds[s] = 0;
-            remember(s);
+            remember(s, start);
             return;
         }
         seconds[s] += step;
@@ -185,39 +229,39 @@ public final class RestDetector {
         if (seconds[s] + 0.5 * step < window) {
             return;
         }
-        double moved = moved(s);
+        double moved = moved(s, start);
         double last = before[s];
         double r = bodies.innerRadius[s];
         boolean fades = moved <= FADES * last && moved * moved <= LEFT * r * (last - moved);
         rests[s] = last >= 0 && (moved <= NONE * r || fades);
         before[s] = moved;
         seconds[s] = 0;
-        remember(s);
+        remember(s, start);
     }
 
-    private void remember(int s) {
+    private void remember(int s, double[] poses) {
         BodyStore b = bodies;
         int o = POSE * s;
-        start[o] = b.positionX[s];
-        start[o + 1] = b.positionY[s];
-        start[o + 2] = b.positionZ[s];
-        start[o + 3] = b.orientationX[s];
-        start[o + 4] = b.orientationY[s];
-        start[o + 5] = b.orientationZ[s];
-        start[o + 6] = b.orientationW[s];
+        poses[o] = b.positionX[s];
+        poses[o + 1] = b.positionY[s];
+        poses[o + 2] = b.positionZ[s];
+        poses[o + 3] = b.orientationX[s];
+        poses[o + 4] = b.orientationY[s];
+        poses[o + 5] = b.orientationZ[s];
+        poses[o + 6] = b.orientationW[s];
     }
 
-    /** How far any point of the body has moved since the window began, at most; m. */
-    private double moved(int s) {
+    /** How far any point of the body has moved since a pose, at most; m. */
+    private double moved(int s, double[] poses) {
         BodyStore b = bodies;
         int o = POSE * s;
-        double x = b.positionX[s] - start[o];
-        double y = b.positionY[s] - start[o + 1];
-        double z = b.positionZ[s] - start[o + 2];
-        double qx = start[o + 3];
-        double qy = start[o + 4];
-        double qz = start[o + 5];
-        double qw = start[o + 6];
+        double x = b.positionX[s] - poses[o];
+        double y = b.positionY[s] - poses[o + 1];
+        double z = b.positionZ[s] - poses[o + 2];
+        double qx = poses[o + 3];
+        double qy = poses[o + 4];
+        double qz = poses[o + 5];
+        double qw = poses[o + 6];
         double ox = b.orientationX[s];
         double oy = b.orientationY[s];
         double oz = b.orientationZ[s];
@@ -234,7 +278,8 @@ public final class RestDetector {
      * Adds what this class remembers of a body to a hash.
      *
      * @param slot of an awake body
-     * @param at 0 to 9: time in the window, motion before, rest, pose at the start
+     * @param at 0 to 17: time in the window, motion before, rest, time about its place, pose at the
+     *     start, its place
      * @return bits
      */
     public long bits(int slot, int at) {
@@ -242,7 +287,13 @@ public final class RestDetector {
             return rests[slot] ? 1 : 0;
         }
         double value =
-                at == 0 ? seconds[slot] : at == 1 ? before[slot] : start[POSE * slot + at - 3];
+                switch (at) {
+                    case 0 -> seconds[slot];
+                    case 1 -> before[slot];
+                    case 3 -> stayed[slot];
+                    case 4, 5, 6, 7, 8, 9, 10 -> start[POSE * slot + at - 4];
+                    default -> place[POSE * slot + at - 11];
+                };
         return Double.doubleToRawLongBits(value);
     }
 }

@@ -19,7 +19,7 @@ public final class Sleepers {
     private static final int LOOK = 4;
 
     /** Words that {@link #bits} gives of a body. */
-    public static final int WORDS = 11;
+    public static final int WORDS = 22;
 
     private static final int NONE = -1;
 
@@ -27,7 +27,8 @@ public final class Sleepers {
     private final EdgeSource[] edges;
     private final boolean enabled;
     private final RestDetector quiet;
-    private final Islands islands = new Islands();
+    private final RestingIslands resting;
+    private final Movers movers;
 
     /** Name of the island that a body sleeps in, and the next body of it in a ring. */
     private int[] island = {};
@@ -42,7 +43,6 @@ public final class Sleepers {
     /** Whether a body's state was published since it fell asleep. */
     private boolean[] settled = {};
 
-    private boolean[] restless = {};
     private int[] tail = {};
 
     private boolean[] toldAsleep = {};
@@ -74,6 +74,8 @@ public final class Sleepers {
         this.edges = edges;
         this.enabled = enabled;
         quiet = new RestDetector(sleepSeconds);
+        resting = new RestingIslands(quiet, bodies, edges);
+        movers = new Movers(bodies);
     }
 
     /**
@@ -88,7 +90,8 @@ public final class Sleepers {
         int n = Math.max(slots, Math.max(64, island.length + (island.length >> 1)));
         int old = island.length;
         quiet.ensureSlots(n);
-        islands.ensureSlots(n);
+        resting.ensureSlots(n);
+        movers.ensureSlots(n);
         island = Arrays.copyOf(island, n);
         Arrays.fill(island, old, n, NONE);
         next = Arrays.copyOf(next, n);
@@ -96,7 +99,6 @@ public final class Sleepers {
         pressing = Arrays.copyOf(pressing, n);
         settled = Arrays.copyOf(settled, n);
         toldAsleep = Arrays.copyOf(toldAsleep, n);
-        restless = new boolean[n];
         tail = new int[n];
     }
 
@@ -123,6 +125,7 @@ public final class Sleepers {
         fresh = s.array("fresh", fresh, freshCount);
         if (enabled) {
             quiet.state(s, slots);
+            movers.state(s, slots);
             s.section("islands", this);
             island = s.array("island", island, slots);
             if (s.isRestoring()) {
@@ -146,6 +149,7 @@ public final class Sleepers {
         if (enabled) {
             quiet.reset(slot);
             quiet.maySleep[slot] = maySleep;
+            movers.forget(slot);
         }
     }
 
@@ -172,6 +176,15 @@ public final class Sleepers {
      */
     public int asleepCount() {
         return asleepCount;
+    }
+
+    /**
+     * Those that move beside sleepers.
+     *
+     * @return where they were
+     */
+    public Movers movers() {
+        return movers;
     }
 
     /**
@@ -209,63 +222,22 @@ public final class Sleepers {
         if (!enabled || count == 0) {
             return;
         }
-        int resting = quiet.run(bodies, awake, count, gravity, stepSeconds, jobs);
+        int still = quiet.run(bodies, awake, count, gravity, stepSeconds, jobs);
         if (ticksToLook > 0) {
             ticksToLook--;
             return;
         }
         ticksToLook = LOOK - 1;
-        if (resting == 0) {
+        if (still == 0) {
             return;
         }
-        islands.build(bodies, edges, awake, count);
-        for (int i = 0; i < count; i++) {
-            restless[awake[i]] = false;
-        }
+        resting.find(awake, count, asleepCount > 0);
         for (int i = 0; i < count; i++) {
             int s = awake[i];
-            if (!quiet.rests[s] || !(islands.touched(s) || still(s))) {
-                restless[islands.root(s)] = true;
+            if (resting.sleeps(s)) {
+                lieDown(s, resting.head(s));
             }
         }
-        if (bodies.driven > 0) {
-            for (EdgeSource source : edges) {
-                stir(source);
-            }
-        }
-        for (int i = 0; i < count; i++) {
-            int root = islands.root(awake[i]);
-            if (!restless[root]) {
-                lieDown(awake[i], root);
-            }
-        }
-    }
-
-    /** What touches a body that moves of itself does not rest, however slow that is. */
-    private void stir(EdgeSource source) {
-        byte[] kind = bodies.kind;
-        for (int i = 0; i < source.edges(); i++) {
-            int a = source.edgeA(i);
-            if (a < 0) {
-                continue;
-            }
-            int b = source.edgeB(i);
-            if (kind[a] == BodyStore.DYNAMIC && bodies.isDriven(b)) {
-                restless[islands.root(a)] = true;
-            } else if (kind[b] == BodyStore.DYNAMIC && bodies.isDriven(a)) {
-                restless[islands.root(b)] = true;
-            }
-        }
-    }
-
-    private boolean still(int s) {
-        BodyStore b = bodies;
-        return b.velocityX[s] == 0
-                && b.velocityY[s] == 0
-                && b.velocityZ[s] == 0
-                && b.angularVelocityX[s] == 0
-                && b.angularVelocityY[s] == 0
-                && b.angularVelocityZ[s] == 0;
     }
 
     /**
@@ -276,23 +248,22 @@ public final class Sleepers {
      * @param count how many there are
      */
     public void sleep(int slot, int[] awake, int count) {
-        islands.build(bodies, edges, awake, count);
-        int root = islands.root(slot);
+        int root = resting.link(slot, awake, count);
         for (int i = 0; i < count; i++) {
-            if (islands.root(awake[i]) == root) {
+            if (resting.root(awake[i]) == root) {
                 lieDown(awake[i], root);
             }
         }
     }
 
-    /** Slots come ascending: the root first, then the others at the tail of its ring. */
-    private void lieDown(int s, int root) {
-        island[s] = root;
-        if (s != root) {
-            next[tail[root]] = s;
+    /** Slots come ascending: the first of a ring, then the others at its tail. */
+    private void lieDown(int s, int first) {
+        island[s] = first;
+        if (s != first) {
+            next[tail[first]] = s;
         }
-        next[s] = root;
-        tail[root] = s;
+        next[s] = first;
+        tail[first] = s;
         BodyStore b = bodies;
         b.kind[s] = BodyStore.ASLEEP;
         b.velocityX[s] = 0;
@@ -546,11 +517,14 @@ public final class Sleepers {
      * Adds what is remembered of a body to a hash.
      *
      * @param slot of a body
-     * @param at 0 to 10
+     * @param at 0 to 21
      * @return bits
      */
     public long bits(int slot, int at) {
         if (bodies.kind[slot] == BodyStore.DYNAMIC) {
+            if (at > 18) {
+                return movers.bits(slot, at - 19);
+            }
             return at == 0 ? NONE : quiet.bits(slot, at - 1);
         }
         return switch (at) {

@@ -7,7 +7,7 @@
  * <pre>
  *   solve ─▶ RestDetector: is each at rest?     ─▶ Islands: who touches whom ─▶ all of an island at rest:
  *            speed, and what is left to travel     union-find, every 4th tick     Sleepers.sleep
- *   points ─▶ WakeStage: a point between an awake body and one asleep ─▶ Sleepers.wake, whole island,
+ *   points ─▶ WakeStage: a new point between an awake body and one asleep ─▶ Sleepers.wake, whole island,
  *             its rows collide in the same tick, before the solve; again until nothing more wakes
  * </pre>
  *
@@ -16,14 +16,24 @@
  * {@code 0.0015 sqrt(g r)} and the user does not push it. Let {@code D1} and {@code D2} be what its
  * surface moved in two windows in a row. It is at rest if its motion fades and what is left of it,
  * were it to fade on as {@code D2/D1}, is small: {@code D2 D2/(D1 - D2) <= 0.002 r}; or if {@code
- * D2 <= 5e-6 r}. So a body that moves steadily, however slowly, is not stopped, and one that creeps
- * to rest is stopped only where that does not matter. A body without contacts, or without gravity,
- * sleeps only if it does not move at all.
+ * D2 <= 5e-6 r}. So a body by itself that moves steadily, however slowly, is not stopped, and one
+ * that creeps to rest is stopped only where that does not matter. A body without contacts, or
+ * without gravity, sleeps only if it does not move at all.
  *
- * <p>Invariants: an island sleeps and wakes as a whole. A body asleep has the kind {@code ASLEEP},
- * velocity 0, and its rows keep points, impulses and place, but are not active unless the other
- * body is awake. No row with points has a body awake and a body asleep when the solver starts. The
- * smallest slot names the island: nothing depends on workers.
+ * <p>A heap never meets that: hundreds of bodies creep by micrometres, a few rock on two points or
+ * roll in a trough for minutes, since nothing in a contact dissipates that. So among others, in an
+ * island of two bodies or more, a body that has stayed within {@code min(0.01 r, 0.001 sqrt(g r)
+ * T)} of one place for {@code T}, four times the time of quiet, is still. A heap sleeps when all in
+ * it are at rest or still, but for one or one in sixteen. These movers stay awake, and those asleep
+ * are to them as if fixed. A sleeper remembers the force {@code F0} of each mover that leans on
+ * him, and the mover where it was; he wakes, with his ring, when {@code max(0, F - F0) + max(F, F0)
+ * d/r} exceeds half of his weight or of {@code F0}, when the mover leaves him, or when it comes to
+ * touch another sleeper with a momentum above half of what his weight gives him in a tick.
+ *
+ * <p>Invariants: a ring of sleepers sleeps and wakes as a whole. A body asleep has the kind {@code
+ * ASLEEP}, velocity 0, and its rows keep points, impulses and place, but are not active unless the
+ * other body is awake. When the solver starts, a row with points between a body awake and a body
+ * asleep is one of a mover. The smallest slot names the ring: nothing depends on workers.
  *
  * <p>Sources: sleep by islands and half a second, Box2D and Box3D (Erin Catto); criterion: own.
  */

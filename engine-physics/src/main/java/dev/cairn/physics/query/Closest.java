@@ -3,6 +3,8 @@ package dev.cairn.physics.query;
 /** The nearest points of two shapes. Filled by a query, again and again. */
 public final class Closest {
     double distance, normalX, normalY, normalZ, ax, ay, az, bx, by, bz;
+    int triangle = -1;
+    double weight1, weight2;
 
     /** Without content. */
     public Closest() {}
@@ -23,6 +25,44 @@ public final class Closest {
         bx = other.bx;
         by = other.by;
         bz = other.bz;
+        triangle = other.triangle;
+        weight1 = other.weight1;
+        weight2 = other.weight2;
+    }
+
+    /** Exchanges the two shapes. */
+    void swap() {
+        double x = ax;
+        double y = ay;
+        double z = az;
+        ax = bx;
+        ay = by;
+        az = bz;
+        bx = x;
+        by = y;
+        bz = z;
+        normalX = -normalX;
+        normalY = -normalY;
+        normalZ = -normalZ;
+    }
+
+    /**
+     * Which triangle of a mesh is nearest.
+     *
+     * @return the number that the triangle was given with, or -1 when no shape is a mesh
+     */
+    public int triangle() {
+        return triangle;
+    }
+
+    /**
+     * Where in its triangle the nearest point is: barycentric coordinates, which add up to 1.
+     *
+     * @param corner 0, 1 or 2, in the order in which they were given
+     * @return the share of that corner
+     */
+    public double weight(int corner) {
+        return corner == 1 ? weight1 : corner == 2 ? weight2 : 1 - weight1 - weight2;
     }
 
     /**

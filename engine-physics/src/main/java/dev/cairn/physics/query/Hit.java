@@ -5,6 +5,8 @@ public final class Hit {
     double distance, pointX, pointY, pointZ, normalX, normalY, normalZ;
     boolean inside;
     boolean capped;
+    int triangle = -1;
+    double weight1, weight2;
 
     /** Without a hit. */
     public Hit() {}
@@ -24,6 +26,19 @@ public final class Hit {
         normalZ = other.normalZ;
         inside = other.inside;
         capped = other.capped;
+        triangle = other.triangle;
+        weight1 = other.weight1;
+        weight2 = other.weight2;
+    }
+
+    /** From what met the mover to what the mover met, which it had moved away from. */
+    void back(double dx, double dy, double dz) {
+        pointX += distance * dx;
+        pointY += distance * dy;
+        pointZ += distance * dz;
+        normalX = -normalX;
+        normalY = -normalY;
+        normalZ = -normalZ;
     }
 
     /**
@@ -97,6 +112,25 @@ public final class Hit {
      */
     public boolean startsInside() {
         return inside;
+    }
+
+    /**
+     * Which triangle of a mesh it touched.
+     *
+     * @return the number that the triangle was given with, or -1 when no mesh was met
+     */
+    public int triangle() {
+        return triangle;
+    }
+
+    /**
+     * Where in its triangle the point is: barycentric coordinates, which add up to 1.
+     *
+     * @param corner 0, 1 or 2, in the order in which they were given
+     * @return the share of that corner
+     */
+    public double weight(int corner) {
+        return corner == 1 ? weight1 : corner == 2 ? weight2 : 1 - weight1 - weight2;
     }
 
     /**

@@ -3,6 +3,9 @@ package dev.cairn.physics.query;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.mesh.TriangleSet;
+
+import org.jspecify.annotations.Nullable;
 
 /**
  * Rays, moving shapes, distances and overlaps of single shapes. Owns scratch memory: one per
@@ -18,6 +21,9 @@ public final class ShapeQueries {
     private final Manifold manifold = new Manifold();
     private final Placement moving = new Placement();
 
+    /** Made when it is needed first. */
+    private @Nullable MeshQueries meshQueries;
+
     /** Creates the scratch of one thread. */
     public ShapeQueries() {}
 
@@ -26,9 +32,29 @@ public final class ShapeQueries {
      *
      * @param a first shape
      * @param b second shape
-     * @return m; negative when they overlap, see {@link Closest#distance}
+     * @return m; negative when they overlap, see {@link Closest#distance}; of a surface of
+     *     triangles that of the triangle with the least one, and infinite for two surfaces
      */
     public double distance(Placement a, Placement b) {
+        TriangleSet surface = MeshQueries.triangles(a.shape);
+        if (surface != null) {
+            return meshes().distance(a, surface, b);
+        }
+        surface = MeshQueries.triangles(b.shape);
+        if (surface != null) {
+            return meshes().distance(b, surface, a);
+        }
+        return convexDistance(a, b);
+    }
+
+    private MeshQueries meshes() {
+        if (meshQueries == null) {
+            meshQueries = new MeshQueries(narrowPhase);
+        }
+        return meshQueries;
+    }
+
+    private double convexDistance(Placement a, Placement b) {
         return narrowPhase.distance(
                 a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, b.x - a.x,
                 b.y - a.y, b.z - a.z);
@@ -54,6 +80,17 @@ public final class ShapeQueries {
      * @return the signed distance, m
      */
     public double closest(Placement a, Placement b, Closest out) {
+        out.triangle = -1;
+        TriangleSet surface = MeshQueries.triangles(a.shape);
+        if (surface != null) {
+            return meshes().closest(a, surface, b, manifold, out);
+        }
+        surface = MeshQueries.triangles(b.shape);
+        if (surface != null) {
+            double d = meshes().closest(b, surface, a, manifold, out);
+            out.swap();
+            return d;
+        }
         double d =
                 narrowPhase.closest(
                         a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, b.x - a.x,
@@ -164,12 +201,54 @@ public final class ShapeQueries {
         dx /= length;
         dy /= length;
         dz /= length;
+        out.triangle = -1;
+        TriangleSet surface = MeshQueries.triangles(target.shape);
+        if (surface != null) {
+            return mover.shape == POINT
+                    ? meshes().rayCast(target, surface, mover, dx, dy, dz, maxDistance, out)
+                    : meshes().shapeCast(
+                                    this, mover, dx, dy, dz, maxDistance, target, surface, out);
+        }
+        surface = MeshQueries.triangles(mover.shape);
+        if (surface != null) {
+            // seen from the surface, the other shape comes towards it
+            Placement from = mover;
+            boolean meets =
+                    meshes().shapeCast(
+                                    this, target, -dx, -dy, -dz, maxDistance, from, surface, out);
+            if (meets) {
+                out.back(dx, dy, dz);
+            }
+            return meets;
+        }
+        return castOne(mover, dx, dy, dz, maxDistance, target, out);
+    }
+
+    /**
+     * Two convex shapes.
+     *
+     * @param start where the mover starts; stays
+     * @param dx unit direction
+     */
+    boolean castOne(
+            Placement start,
+            double dx,
+            double dy,
+            double dz,
+            double maxDistance,
+            Placement target,
+            Hit out) {
+        Placement mover = moving;
+        if (start != moving) {
+            moving.setCentre(
+                    start.shape, start.x, start.y, start.z, start.qx, start.qy, start.qz, start.qw);
+        }
         double startX = mover.x;
         double startY = mover.y;
         double startZ = mover.z;
         double t = 0;
         for (int step = 0; ; step++) {
-            double s = distance(mover, target);
+            double s = convexDistance(mover, target);
             double nx = narrowPhase.axisX();
             double ny = narrowPhase.axisY();
             double nz = narrowPhase.axisZ();

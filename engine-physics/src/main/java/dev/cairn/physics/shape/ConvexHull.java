@@ -28,6 +28,17 @@ public final class ConvexHull extends Polyhedral implements Shape {
     }
 
     /**
+     * A triangle without thickness, for the engine, which collides surfaces with it: it moves its
+     * corners from one collision to the next. Of no use to others, for a body needs a volume.
+     *
+     * @return a new shape; of two that meet, the other one is the smaller
+     */
+    public static ConvexHull triangle() {
+        MassProperties nothing = new MassProperties(0, 0, 0, 0, 0, 0, 0, 0, 0, 0);
+        return new ConvexHull(Polyhedron.triangle(), nothing, new double[9]);
+    }
+
+    /**
      * The hull of points given as x, y, z, x, y, z, ...
      *
      * @param xyz three numbers per point, m; at least 4 points; duplicates are fine; not kept
@@ -57,17 +68,25 @@ public final class ConvexHull extends Polyhedral implements Shape {
         }
         MassProperties unit = Solids.integrate(points, loops);
         double[] corners = new double[3 * kept.length];
-        double[][] relative = new double[3][kept.length];
         for (int v = 0; v < kept.length; v++) {
             System.arraycopy(points, 3 * kept[v], corners, 3 * v, 3);
-            relative[0][v] = corners[3 * v] - unit.comX();
-            relative[1][v] = corners[3 * v + 1] - unit.comY();
-            relative[2][v] = corners[3 * v + 2] - unit.comZ();
         }
         for (int[] loop : loops) {
             for (int i = 0; i < loop.length; i++) {
                 loop[i] = Arrays.binarySearch(kept, loop[i]);
             }
+        }
+        return restored(corners, unit, loops);
+    }
+
+    /** Of corners, mass properties at density 1 and faces that a hull has told. */
+    static ConvexHull restored(double[] corners, MassProperties unit, int[][] loops) {
+        int count = corners.length / 3;
+        double[][] relative = new double[3][count];
+        for (int v = 0; v < count; v++) {
+            relative[0][v] = corners[3 * v] - unit.comX();
+            relative[1][v] = corners[3 * v + 1] - unit.comY();
+            relative[2][v] = corners[3 * v + 2] - unit.comZ();
         }
         Polyhedron polyhedron = new Polyhedron(relative[0], relative[1], relative[2], loops);
         return new ConvexHull(polyhedron, unit, corners);
@@ -140,7 +159,8 @@ public final class ConvexHull extends Polyhedral implements Shape {
 
     @Override
     public double innerRadius() {
-        return Polyhedron.of(this).innerRadius();
+        // a triangle is a part of something larger
+        return unit.mass() > 0 ? Polyhedron.of(this).innerRadius() : Double.POSITIVE_INFINITY;
     }
 
     @Override

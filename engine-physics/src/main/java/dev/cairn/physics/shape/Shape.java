@@ -4,16 +4,16 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 /**
- * A convex solid. Immutable; share one instance between bodies and threads freely. Lengths are
- * metres in the shape frame; what the engine collides is relative to the centre of mass ({@link
- * #centreOfMass}).
+ * A convex solid, or a surface of triangles that does not move by itself. Immutable; share one
+ * instance between bodies and threads freely. Lengths are metres in the shape frame; what the
+ * engine collides is relative to the centre of mass ({@link #centreOfMass}).
  */
 public sealed interface Shape
-        permits Sphere, Box, Capsule, Cylinder, Cone, ConvexHull, HalfSpace, Moved {
+        permits Sphere, Box, Capsule, Cylinder, Cone, ConvexHull, HalfSpace, TriangleMesh, Moved {
     /**
      * The volume.
      *
-     * @return m³, positive
+     * @return m³, positive; infinite for what only fixed and kinematic bodies have
      */
     double volume();
 
@@ -50,8 +50,8 @@ public sealed interface Shape
     Vector3d centreOfMass(Vector3d dest);
 
     /**
-     * The tight axis-aligned box of the rotated shape, relative to its centre of mass, in world
-     * axes. Allocates nothing; any thread.
+     * The axis-aligned box of the rotated shape, tight for convex ones, relative to its centre of
+     * mass, in world axes. Allocates nothing; any thread.
      *
      * @param qx orientation, world from body, unit quaternion
      * @param qy orientation

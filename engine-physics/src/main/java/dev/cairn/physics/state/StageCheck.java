@@ -62,8 +62,12 @@ public final class StageCheck {
             ColliderStore colliders,
             BodyStore bodies,
             BroadPhase broadPhase) {
-        if (c.count + sensorRows != broadPhase.pairCount()) {
-            throw new AssertionError(c.count + " rows of " + broadPhase.pairCount() + " pairs");
+        int pairs = sensorRows;
+        for (int row = 0; row < c.count; row++) {
+            pairs += c.isFurther(row) ? 0 : 1;
+        }
+        if (pairs != broadPhase.pairCount()) {
+            throw new AssertionError(pairs + " rows of " + broadPhase.pairCount() + " pairs");
         }
         for (int row = 0; row < c.count; row++) {
             int a = c.bodyA[row];

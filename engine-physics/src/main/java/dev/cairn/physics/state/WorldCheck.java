@@ -79,7 +79,8 @@ public final class WorldCheck {
             row(row);
             int a = contacts.colliderA[row];
             int b = contacts.colliderB[row];
-            if (!broadPhase.isPair(a, b) || !pairs.add(PairSet.key(a, b))) {
+            boolean isNew = contacts.isFurther(row) || pairs.add(PairSet.key(a, b));
+            if (!broadPhase.isPair(a, b) || !isNew) {
                 String what = "row of colliders " + a + " and " + b;
                 throw fault("contact row " + row, what, row, "the only one of a pair", REPORT);
             }

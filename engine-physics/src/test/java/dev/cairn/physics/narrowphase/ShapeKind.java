@@ -9,6 +9,7 @@ import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -115,6 +116,7 @@ enum ShapeKind {
                 yield hull(xyz);
             }
             case HalfSpace h -> h;
+            case TriangleMesh mesh -> throw new IllegalArgumentException("no solid: " + mesh);
             case Moved m -> {
                 Vector3d at = m.position(new Vector3d()).mul(f);
                 yield scaled(m.inner(), f).moved(at.x, at.y, at.z, m.rotation(new Quaterniond()));

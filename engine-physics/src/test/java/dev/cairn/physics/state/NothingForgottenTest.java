@@ -10,6 +10,7 @@ import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Collider;
 import dev.cairn.physics.Material;
+import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.component.Force;
 import dev.cairn.physics.joint.Joint;
@@ -17,6 +18,7 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 
 import org.junit.jupiter.api.Test;
 
@@ -120,12 +122,20 @@ class NothingForgottenTest {
 
     /** A world in which as much as possible has happened: all columns are in use. */
     private static PhysicsWorld world(Jobs jobs) {
-        PhysicsWorld world = PhysicsWorld.builder().jobs(jobs).build();
+        PhysicsWorld world =
+                PhysicsWorld.builder()
+                        .jobs(jobs)
+                        .settings(PhysicsSettings.DEFAULT.withSleepSeconds(0.1))
+                        .build();
         world.contacts().setHitSpeed(0.5);
         world.collisions().setHook(contact -> {});
         Material rough = new Material(0.6, 0.2, 1000, 0.001);
         Collider belt = Collider.of(Box.of(20, 1, 20)).surfaceVelocity(0.1, 0, 0);
         world.add(Body.fixed().collider(belt).at(0, -1, 0));
+        double[] corners = {30, 0, -9, 30, 0, 9, 50, 1, 9, 50, 0, -9};
+        TriangleMesh ground = TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3});
+        world.add(Body.fixed().shape(ground));
+        world.add(Body.dynamic().shape(Box.cube(0.5)).at(40, 2, 0));
         BodyRef lift = world.add(Body.kinematic().shape(Box.cube(1)).at(-4, 2, 0));
         BodyRef last = null;
         for (int i = 0; i < 12; i++) {
@@ -149,6 +159,10 @@ class NothingForgottenTest {
             }
             last = ball;
         }
+        // It falls asleep under a ball that spins on.
+        world.add(Body.fixed().shape(Box.cube(1)).at(0, -1, 40));
+        world.add(Body.dynamic().shape(Box.cube(0.4)).at(0, 0.4, 40));
+        world.add(Body.dynamic().shape(Sphere.of(0.4)).at(0, 1.2, 40).angularVelocity(0, 5, 0));
         for (int tick = 0; tick < 60; tick++) {
             lift.moveTo(-4, 2 + 0.01 * tick, 0);
             world.step(tick < 30 ? 1.0 / 60 : 1.0 / 90);

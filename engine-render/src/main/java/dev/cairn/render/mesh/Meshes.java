@@ -9,6 +9,7 @@ import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -43,6 +44,9 @@ public final class Meshes {
     private static final Map<ConvexHull, Mesh> HULLS =
             Collections.synchronizedMap(new WeakHashMap<>());
 
+    private static final Map<TriangleMesh, Mesh> SURFACES =
+            Collections.synchronizedMap(new WeakHashMap<>());
+
     private Meshes() {}
 
     /**
@@ -60,6 +64,7 @@ public final class Meshes {
             case Cylinder c -> RoundMeshes.scaled(CYLINDER, c.radius(), c.halfHeight());
             case Cone c -> RoundMeshes.scaled(CONE, c.radius(), c.halfHeight());
             case HalfSpace ground -> GROUND;
+            case TriangleMesh mesh -> triangles(mesh);
             case Moved moved ->
                     RoundMeshes.placed(
                             of(moved.inner()),
@@ -133,6 +138,32 @@ public final class Meshes {
      */
     public static Mesh hull(ConvexHull hull) {
         return HULLS.computeIfAbsent(hull, key -> faces("hull", key.vertices(), key.faceLoops()));
+    }
+
+    /**
+     * The surface of a mesh of the physics, flat faces, as it was given.
+     *
+     * @param surface which one
+     * @return the mesh; the same object each time
+     */
+    public static Mesh triangles(TriangleMesh surface) {
+        return SURFACES.computeIfAbsent(surface, Meshes::flat);
+    }
+
+    private static Mesh flat(TriangleMesh surface) {
+        int[] corners = surface.indices();
+        int[] left = surface.report().degenerate().stream().mapToInt(Integer::intValue).toArray();
+        int[][] loops = new int[corners.length / 3 - left.length][];
+        int at = 0;
+        int skipped = 0;
+        for (int t = 0; t < corners.length / 3; t++) {
+            if (skipped < left.length && left[skipped] == t) {
+                skipped++;
+            } else {
+                loops[at++] = new int[] {corners[3 * t], corners[3 * t + 1], corners[3 * t + 2]};
+            }
+        }
+        return faces("triangles", surface.vertices(), loops);
     }
 
     /** Flat faces over shared points; texture coordinates are metres in the face's plane. */

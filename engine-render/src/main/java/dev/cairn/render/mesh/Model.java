@@ -9,6 +9,7 @@ import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 
 import java.util.Objects;
 
@@ -90,6 +91,8 @@ public record Model(
                             .scale(cone.radius(), cone.halfHeight(), cone.radius());
             case Capsule capsule -> of(Meshes.of(capsule)).texture(Texture.beachBall());
             case HalfSpace ground -> of(Meshes.GROUND).texture(Texture.grid().tiledEvery(2));
+            case TriangleMesh mesh ->
+                    of(Meshes.triangles(mesh)).texture(Texture.grid().tiledEvery(2));
             case Moved moved -> of(Meshes.of(moved));
         };
     }

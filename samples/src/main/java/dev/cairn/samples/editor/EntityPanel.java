@@ -7,6 +7,7 @@ import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.LookSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
+import dev.cairn.samples.scenefile.ShapeSpec.SurfaceShape;
 import dev.cairn.samples.scenefile.Turn;
 import dev.cairn.samples.scenefile.Xyz;
 
@@ -237,7 +238,7 @@ final class EntityPanel {
     }
 
     private static double massOf(EntitySpec entity) {
-        if (entity.shape() instanceof MeshShape) {
+        if (entity.shape() instanceof MeshShape || entity.shape() instanceof SurfaceShape) {
             return entity.material().density();
         }
         return entity.shape()

@@ -10,6 +10,7 @@ import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MovedShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+import dev.cairn.samples.scenefile.ShapeSpec.SurfaceShape;
 import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 import dev.cairn.samples.scenefile.Xyz;
 
@@ -48,6 +49,7 @@ final class ShapeFields {
                     case HullShape hull -> hull(ui, hull);
                     case MeshShape mesh -> mesh(ui, mesh);
                     case GroundShape ground -> ground;
+                    case SurfaceShape surface -> surface;
                     case MovedShape moved -> moved;
                 };
         if (wanted != entity.shape()) {
@@ -78,7 +80,7 @@ final class ShapeFields {
 
     private static MeshShape mesh(Ui ui, MeshShape mesh) {
         String file = ui.textField("file", mesh.file());
-        return file.equals(mesh.file()) ? mesh : new MeshShape(file);
+        return file.equals(mesh.file()) ? mesh : new MeshShape(file, mesh.isLevel());
     }
 
     private HullShape hull(Ui ui, HullShape hull) {

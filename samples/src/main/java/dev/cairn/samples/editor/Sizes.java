@@ -8,6 +8,7 @@ import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MovedShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+import dev.cairn.samples.scenefile.ShapeSpec.SurfaceShape;
 import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 import dev.cairn.samples.scenefile.Turn;
 import dev.cairn.samples.scenefile.Xyz;
@@ -48,13 +49,15 @@ record Sizes(Xyz low, Xyz high) {
                 yield around(List.of(of(inner, s).corners(place, turn)));
             }
             case MeshShape mesh -> around(0.5 * s.x(), 0.5 * s.y(), 0.5 * s.z());
-            case HullShape(List<Xyz> points) -> {
-                yield around(
-                        points.stream()
-                                .map(p -> new Vector3d(p.x() * s.x(), p.y() * s.y(), p.z() * s.z()))
-                                .toList());
-            }
+            case HullShape(List<Xyz> points) -> around(scaled(points, s));
+            case SurfaceShape surface -> around(scaled(surface.points(), s));
         };
+    }
+
+    private static List<Vector3d> scaled(List<Xyz> points, Xyz s) {
+        return points.stream()
+                .map(p -> new Vector3d(p.x() * s.x(), p.y() * s.y(), p.z() * s.z()))
+                .toList();
     }
 
     private static Sizes around(double x, double y, double z) {

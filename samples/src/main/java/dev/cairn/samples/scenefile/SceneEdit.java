@@ -134,9 +134,9 @@ public final class SceneEdit {
                                     look.tileMetres(),
                                     rebase(look.mesh(), source, target),
                                     look.meshScale()));
-            if (entity.shape() instanceof MeshShape(String file)) {
+            if (entity.shape() instanceof MeshShape(String file, boolean isLevel)) {
                 String there = rebase(file, source, target);
-                moved = moved.withShape(new MeshShape(there == null ? file : there));
+                moved = moved.withShape(new MeshShape(there == null ? file : there, isLevel));
             }
             entities.add(moved);
         }

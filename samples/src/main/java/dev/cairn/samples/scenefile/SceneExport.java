@@ -16,6 +16,7 @@ import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.render.camera.CameraMount;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.samples.SampleScene;
@@ -29,12 +30,14 @@ import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MovedShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+import dev.cairn.samples.scenefile.ShapeSpec.SurfaceShape;
 import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 
 import org.joml.Vector3d;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 
@@ -165,18 +168,16 @@ public final class SceneExport {
         return switch (shape) {
             case Box box -> new BoxShape(new Xyz(box.halfX(), box.halfY(), box.halfZ()));
             case Sphere sphere -> new SphereShape(sphere.radius());
-            case ConvexHull hull -> {
-                double[] xyz = hull.vertices();
-                List<Xyz> points = new ArrayList<>();
-                for (int i = 0; i < xyz.length; i += 3) {
-                    points.add(new Xyz(xyz[i], xyz[i + 1], xyz[i + 2]));
-                }
-                yield new HullShape(points);
-            }
+            case ConvexHull hull -> new HullShape(points(hull.vertices()));
             case Capsule c -> new TurnedShape("capsule", c.radius(), c.halfLength());
             case Cylinder c -> new TurnedShape("cylinder", c.radius(), c.halfHeight());
             case Cone c -> new TurnedShape("cone", c.radius(), c.halfHeight());
             case HalfSpace _ -> new GroundShape();
+            case TriangleMesh mesh ->
+                    new SurfaceShape(
+                            points(mesh.vertices()),
+                            Arrays.stream(mesh.indices()).boxed().toList(),
+                            mesh.isTwoSided());
             case Moved moved -> {
                 Vector3d at = moved.position(new Vector3d());
                 yield new MovedShape(
@@ -189,6 +190,14 @@ public final class SceneExport {
                                 moved.rotationW()));
             }
         };
+    }
+
+    private static List<Xyz> points(double[] xyz) {
+        List<Xyz> points = new ArrayList<>();
+        for (int i = 0; i < xyz.length; i += 3) {
+            points.add(new Xyz(xyz[i], xyz[i + 1], xyz[i + 2]));
+        }
+        return points;
     }
 
     private LookSpec look(PhysicsWorld world, BodyRef body) {

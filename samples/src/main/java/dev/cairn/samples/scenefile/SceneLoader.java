@@ -10,12 +10,13 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.DegenerateShapeException;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.render.camera.CameraMount;
 import dev.cairn.render.input.Control;
 import dev.cairn.render.input.Controllable;
+import dev.cairn.render.mesh.Mesh;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.mesh.ModelGroup;
-import dev.cairn.render.mesh.ObjFormatException;
 import dev.cairn.render.mesh.ObjModel;
 import dev.cairn.render.mesh.ObjReader;
 import dev.cairn.render.mesh.Texture;
@@ -29,7 +30,6 @@ import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 import org.joml.Quaterniond;
 import org.jspecify.annotations.Nullable;
 
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -271,10 +271,10 @@ public final class SceneLoader {
         Shared key = new Shared(entity.shape(), entity.scale());
         Shape known = shapes.get(key);
         if (known == null) {
-            if (!(entity.shape() instanceof MeshShape(String file))) {
+            if (!(entity.shape() instanceof MeshShape(String file, boolean isLevel))) {
                 known = entity.shape().collider(entity.scale());
             } else if (entity.body() != BodyKind.NONE) {
-                known = hull(file, entity, index);
+                known = fileShape(file, isLevel, entity, index);
             }
             if (known != null) {
                 shapes.put(key, known);
@@ -283,7 +283,7 @@ public final class SceneLoader {
         return known;
     }
 
-    private @Nullable Shape hull(String file, EntitySpec entity, int index) {
+    private @Nullable Shape fileShape(String file, boolean isLevel, EntitySpec entity, int index) {
         ObjModel mesh = mesh(file, index);
         if (mesh == null) {
             return null;
@@ -294,12 +294,23 @@ public final class SceneLoader {
             points[i] *= scale[i % 3];
         }
         try {
-            return ConvexHull.of(points);
+            return isLevel ? level(mesh.mesh(), scale) : ConvexHull.of(points);
         } catch (DegenerateShapeException flat) {
             meshes.put(file, null);
-            complain(index, file + ": no convex hull of its points: " + flat.getMessage());
+            String what = isLevel ? ": no surface: " : ": no convex hull of its points: ";
+            complain(index, file + what + flat.getMessage());
             return null;
         }
+    }
+
+    /** The triangles as they are drawn; corners at one place become one. */
+    private static TriangleMesh level(Mesh mesh, double[] scale) {
+        float[] drawn = mesh.vertices();
+        double[] xyz = new double[3 * mesh.vertexCount()];
+        for (int i = 0; i < xyz.length; i++) {
+            xyz[i] = scale[i % 3] * drawn[i / 3 * Mesh.FLOATS_PER_VERTEX + i % 3];
+        }
+        return TriangleMesh.of(xyz, mesh.indices());
     }
 
     private Visual look(EntitySpec entity, @Nullable Shape shape, int index) {
@@ -309,7 +320,9 @@ public final class SceneLoader {
         String file =
                 look.mesh() != null
                         ? look.mesh()
-                        : entity.shape() instanceof MeshShape(String own) ? own : null;
+                        : entity.shape() instanceof MeshShape(String own, boolean isLevel)
+                                ? own
+                                : null;
         if (file == null) {
             if (shape == null) {
                 throw new IllegalStateException("entity " + index + " has no shape");
@@ -361,8 +374,11 @@ public final class SceneLoader {
         if (!meshes.containsKey(file)) {
             ObjModel mesh = null;
             try {
-                mesh = ObjReader.readModel(folder.resolve(file), told -> complain(index, told));
-            } catch (ObjFormatException | InvalidPathException broken) {
+                mesh =
+                        ObjReader.readModel(
+                                AssetPath.of(folder, file, AssetPath.MESHES),
+                                told -> complain(index, told));
+            } catch (IllegalArgumentException broken) {
                 complain(index, String.valueOf(broken.getMessage()));
             }
             meshes.put(file, mesh);
@@ -378,7 +394,7 @@ public final class SceneLoader {
         Texture known = textures.get(name);
         if (known == null) {
             try {
-                known = Texture.read(folder.resolve(name));
+                known = Texture.read(AssetPath.of(folder, name, AssetPath.PICTURES));
             } catch (IllegalArgumentException broken) {
                 complain(index, String.valueOf(broken.getMessage()));
                 known = Texture.missing();
@@ -389,6 +405,8 @@ public final class SceneLoader {
     }
 
     private void complain(int index, String message) {
-        into.remark("entity %d shows a placeholder: %s".formatted(index, message));
+        into.remark(
+                "entity %d shows a placeholder: %s"
+                        .formatted(index, SceneFileException.shown(message)));
     }
 }

@@ -10,6 +10,7 @@ import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MovedShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+import dev.cairn.samples.scenefile.ShapeSpec.SurfaceShape;
 import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 
 import java.io.IOException;
@@ -81,6 +82,7 @@ public final class SceneReader {
                     "half-space",
                     "hull",
                     "mesh",
+                    "triangles",
                     "moved");
 
     private SceneReader() {}
@@ -279,6 +281,16 @@ public final class SceneReader {
                                         : Xyz.ZERO)
                         .withLook(in.containsKey("look") ? look(in.get("look")) : base.look())
                         .withDriven(DrivenJson.read(in));
+        boolean isSurface =
+                made.shape() instanceof SurfaceShape
+                        || (made.shape() instanceof MeshShape mesh && mesh.isLevel());
+        if (isSurface && made.body() == BodyKind.DYNAMIC) {
+            throw node.required(in, "shape")
+                    .wrong(
+                            "a solid shape for a dynamic body (a surface of triangles has no"
+                                    + " inside: \"body\": \"fixed\" or \"kinematic\")",
+                            made.shape().type());
+        }
         if (!(made.shape() instanceof MeshShape)) {
             try {
                 // Made once more by the loader; here only so that a refusal can name the line.
@@ -311,6 +323,9 @@ public final class SceneReader {
                                 "halfHeight",
                                 "points",
                                 "file",
+                                "as",
+                                "triangles",
+                                "twoSided",
                                 "shape",
                                 "position",
                                 "rotation"));
@@ -360,8 +375,26 @@ public final class SceneReader {
                         rotation(node.required(in, "rotation")));
             }
             case "mesh" -> {
-                Map<String, JsonNode> in = node.fields("a mesh", List.of("type", "file"));
-                yield new MeshShape(node.required(in, "file").text("the path of an .obj file"));
+                Map<String, JsonNode> in = node.fields("a mesh", List.of("type", "file", "as"));
+                yield new MeshShape(
+                        node.required(in, "file").text("the path of an .obj file"),
+                        in.containsKey("as") && isLevel(in.get("as")));
+            }
+            case "triangles" -> {
+                Map<String, JsonNode> in =
+                        node.fields(
+                                "a surface", List.of("type", "points", "triangles", "twoSided"));
+                List<Xyz> points = new ArrayList<>();
+                for (JsonNode point : node.required(in, "points").items("a list of points")) {
+                    points.add(point.xyz("a point"));
+                }
+                List<Integer> corners = new ArrayList<>();
+                String what = "a list of vertex numbers, three for each triangle";
+                for (JsonNode corner : node.required(in, "triangles").items(what)) {
+                    corners.add(corner.whole(0, points.size() - 1));
+                }
+                yield new SurfaceShape(
+                        points, corners, in.containsKey("twoSided") && in.get("twoSided").truth());
             }
             default -> {
                 String near = type.nearestOf(SHAPES);
@@ -371,6 +404,15 @@ public final class SceneReader {
                                 + (near == null ? "" : " (did you mean " + near + "?)"),
                         type.shown());
             }
+        };
+    }
+
+    private static boolean isLevel(JsonNode node) {
+        String what = "\"hull\" or \"level\"";
+        return switch (node.text(what)) {
+            case "hull" -> false;
+            case "level" -> true;
+            default -> throw node.wrong(what, node.shown());
         };
     }
 

@@ -13,6 +13,7 @@ import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MovedShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
+import dev.cairn.samples.scenefile.ShapeSpec.SurfaceShape;
 import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 
 import java.io.IOException;
@@ -179,7 +180,23 @@ public final class SceneWriter {
                 q.add(number(turn.w()));
                 out.add("rotation", q);
             }
-            case MeshShape(String file) -> out.addProperty("file", file);
+            case MeshShape(String file, boolean isLevel) -> {
+                out.addProperty("file", file);
+                if (isLevel) {
+                    out.addProperty("as", "level");
+                }
+            }
+            case SurfaceShape surface -> {
+                JsonArray points = new JsonArray();
+                surface.points().forEach(point -> points.add(xyz(point)));
+                out.add("points", points);
+                JsonArray triangles = new JsonArray();
+                surface.triangles().forEach(corner -> triangles.add(corner));
+                out.add("triangles", triangles);
+                if (surface.twoSided()) {
+                    out.addProperty("twoSided", true);
+                }
+            }
         }
         return out;
     }

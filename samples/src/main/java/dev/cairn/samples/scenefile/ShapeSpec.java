@@ -8,6 +8,7 @@ import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 
 import org.joml.Quaterniond;
 
@@ -95,14 +96,47 @@ public sealed interface ShapeSpec {
     }
 
     /**
-     * A file of triangles: drawn as it is, collides as the convex hull of its points.
+     * A file of triangles: drawn as it is, collides as the convex hull of its points, or as its
+     * triangles.
      *
      * @param file path of an {@code .obj} file
+     * @param isLevel whether it collides as its triangles; such a body is not dynamic
      */
-    record MeshShape(String file) implements ShapeSpec {
+    record MeshShape(String file, boolean isLevel) implements ShapeSpec {
+        /**
+         * Collides as the convex hull.
+         *
+         * @param file path of an {@code .obj} file
+         */
+        public MeshShape(String file) {
+            this(file, false);
+        }
+
         @Override
         public String type() {
             return "mesh";
+        }
+    }
+
+    /**
+     * A surface of triangles, for bodies that are not dynamic.
+     *
+     * @param points the vertices, m
+     * @param triangles three vertices for each triangle, counted from 0, counter-clockwise seen
+     *     from the front
+     * @param twoSided whether bodies meet the backs too
+     */
+    record SurfaceShape(List<Xyz> points, List<Integer> triangles, boolean twoSided)
+            implements ShapeSpec {
+        /** Copies the lists. */
+        public SurfaceShape {
+            points = List.copyOf(points);
+            triangles = List.copyOf(triangles);
+        }
+
+        @Override
+        public String type() {
+            return "triangles";
         }
     }
 
@@ -120,14 +154,13 @@ public sealed interface ShapeSpec {
             case BoxShape(Xyz half) ->
                     Box.of(half.x() * scale.x(), half.y() * scale.y(), half.z() * scale.z());
             case SphereShape(double radius) -> Sphere.of(radius * uniform(scale));
-            case HullShape(List<Xyz> points) -> {
-                double[] xyz = new double[3 * points.size()];
-                for (int i = 0; i < points.size(); i++) {
-                    xyz[3 * i] = points.get(i).x() * scale.x();
-                    xyz[3 * i + 1] = points.get(i).y() * scale.y();
-                    xyz[3 * i + 2] = points.get(i).z() * scale.z();
-                }
-                yield ConvexHull.of(xyz);
+            case HullShape(List<Xyz> points) -> ConvexHull.of(flat(points, scale));
+            case SurfaceShape(List<Xyz> points, List<Integer> triangles, boolean twoSided) -> {
+                TriangleMesh mesh =
+                        TriangleMesh.of(
+                                flat(points, scale),
+                                triangles.stream().mapToInt(Integer::intValue).toArray());
+                yield twoSided ? mesh.twoSided() : mesh;
             }
             case TurnedShape(String type, double radius, double half) -> {
                 double r = radius * scale.x();
@@ -149,10 +182,20 @@ public sealed interface ShapeSpec {
                                     at.y() * scale.x(),
                                     at.z() * scale.x(),
                                     new Quaterniond(turn.x(), turn.y(), turn.z(), turn.w()));
-            case MeshShape(String file) ->
+            case MeshShape(String file, boolean isLevel) ->
                     throw new IllegalStateException(
                             "mesh " + file + " has no collision shape before it is read");
         };
+    }
+
+    private static double[] flat(List<Xyz> points, Xyz scale) {
+        double[] xyz = new double[3 * points.size()];
+        for (int i = 0; i < points.size(); i++) {
+            xyz[3 * i] = points.get(i).x() * scale.x();
+            xyz[3 * i + 1] = points.get(i).y() * scale.y();
+            xyz[3 * i + 2] = points.get(i).z() * scale.z();
+        }
+        return xyz;
     }
 
     private static Xyz allEqual(Xyz scale) {

@@ -374,7 +374,7 @@ public final class Clipper {
     }
 
     /** Makes room for a number of corners that are put here from elsewhere. */
-    void ensure(int need) {
+    public void ensure(int need) {
         if (need > x.length) {
             grow(need + need / 2);
         }

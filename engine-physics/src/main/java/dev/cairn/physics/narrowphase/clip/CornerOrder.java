@@ -6,16 +6,19 @@ package dev.cairn.physics.narrowphase.clip;
  *
  * <p>One instance per worker; allocates only when there are more corners than ever before.
  */
-final class CornerOrder {
+public final class CornerOrder {
     /** Of the corners sorted so far, ascending: 0 to 4, growing with the angle. */
     private double[] key = new double[32];
+
+    /** Before any corners. */
+    public CornerOrder() {}
 
     /**
      * Drops what is farther apart than the margin and sorts the rest.
      *
      * @param nx a normal of their plane
      */
-    void sort(Clipper c, double nx, double ny, double nz, double margin) {
+    public void sort(Clipper c, double nx, double ny, double nz, double margin) {
         double mx = 0;
         double my = 0;
         double mz = 0;

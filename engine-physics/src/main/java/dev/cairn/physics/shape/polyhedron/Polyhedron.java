@@ -5,7 +5,8 @@ import java.util.Arrays;
 /**
  * The features of a convex polyhedron, relative to its centre of mass, in shape axes: vertices,
  * faces as counter-clockwise loops with their outward planes, edges with their two faces.
- * Immutable; all arrays are private, every accessor is a plain read without allocation.
+ * Immutable, but for {@link #setTriangle}; all arrays are private, every accessor is a plain read
+ * without allocation.
  *
  * <p>A <em>slot</em> is a position in the concatenation of all face loops: slot {@code faceBegin(f)
  * + k} is the {@code k}-th corner of face {@code f} and at the same time the side that leaves that
@@ -28,7 +29,7 @@ public final class Polyhedron {
     private final int[] slotVertex, slotEdge;
     private final int[] edgeFrom, edgeTo, edgeLeft, edgeRight;
     private final int[] spokeBegin, spokeVertex, spokeEdge, spokeFace;
-    private final double innerRadius, outerRadius;
+    private double innerRadius, outerRadius;
     private final int largestFace;
     private final int[] extremes;
 
@@ -119,12 +120,97 @@ public final class Polyhedron {
         return new Polyhedron(x, y, z, loops, true);
     }
 
+    /**
+     * A triangle without thickness: three vertices, three edges and two faces, the first of which
+     * sees its corners counter-clockwise. To be placed by {@link #setTriangle}.
+     */
+    public static Polyhedron triangle() {
+        double[] x = {0, 1, -1};
+        double[] y = {1, -1, 0};
+        Polyhedron flat = new Polyhedron(x, y, new double[3], new int[][] {{0, 1, 2}, {0, 2, 1}});
+        flat.innerRadius = 0;
+        return flat;
+    }
+
+    /**
+     * Places the corners of a {@link #triangle}. Whoever made it does this between collisions; no
+     * other thread may know it.
+     *
+     * @param corners three times x, y, z, m; not on one line
+     * @param ox the point that the vertices are relative to, m
+     */
+    public void setTriangle(double[] corners, double ox, double oy, double oz) {
+        double outer = 0;
+        for (int v = 0; v < 3; v++) {
+            double x = corners[3 * v] - ox;
+            double y = corners[3 * v + 1] - oy;
+            double z = corners[3 * v + 2] - oz;
+            vertex[4 * v] = x;
+            vertex[4 * v + 1] = y;
+            vertex[4 * v + 2] = z;
+            outer = Math.max(outer, x * x + y * y + z * z);
+        }
+        outerRadius = Math.sqrt(outer);
+        double nx = crossX(1, 2);
+        double ny = crossX(2, 0);
+        double nz = crossX(0, 1);
+        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        nx /= length;
+        ny /= length;
+        nz /= length;
+        double high = -Double.MAX_VALUE;
+        double low = Double.MAX_VALUE;
+        for (int v = 0; v < 3; v++) {
+            double along = along(v, nx, ny, nz);
+            high = Math.max(high, along);
+            low = Math.min(low, along);
+        }
+        setPlane(0, nx, ny, nz, high);
+        setPlane(1, -nx, -ny, -nz, -low);
+        for (int slot = 0; slot < 6; slot++) {
+            int face = slot < 3 ? 0 : 1;
+            int next = slot + 1 == faceBegin[face + 1] ? faceBegin[face] : slot + 1;
+            setSide(slot, slotVertex[slot], slotVertex[next], face == 0 ? 1 : -1, nx, ny, nz);
+        }
+    }
+
+    /** A component of (v1 - v0) x (v2 - v0), from two coordinates. */
+    private double crossX(int y, int z) {
+        return (vertex[4 + y] - vertex[y]) * (vertex[8 + z] - vertex[z])
+                - (vertex[4 + z] - vertex[z]) * (vertex[8 + y] - vertex[y]);
+    }
+
+    private void setPlane(int face, double nx, double ny, double nz, double offset) {
+        plane[4 * face] = nx;
+        plane[4 * face + 1] = ny;
+        plane[4 * face + 2] = nz;
+        plane[4 * face + 3] = offset;
+    }
+
+    /** The plane through a side, at right angles to the triangle. */
+    private void setSide(int slot, int a, int b, double sign, double nx, double ny, double nz) {
+        double ex = sign * (vertexX(b) - vertexX(a));
+        double ey = sign * (vertexY(b) - vertexY(a));
+        double ez = sign * (vertexZ(b) - vertexZ(a));
+        double sx = ey * nz - ez * ny;
+        double sy = ez * nx - ex * nz;
+        double sz = ex * ny - ey * nx;
+        double length = Math.sqrt(sx * sx + sy * sy + sz * sz);
+        sidePlane[4 * slot] = sx / length;
+        sidePlane[4 * slot + 1] = sy / length;
+        sidePlane[4 * slot + 2] = sz / length;
+        sidePlane[4 * slot + 3] =
+                Math.max(
+                        along(a, sx / length, sy / length, sz / length),
+                        along(b, sx / length, sy / length, sz / length));
+    }
+
     /** The faces, edges and vertices of a shape that has such. */
     public static Polyhedron of(Polyhedral shape) {
         return shape.polyhedron;
     }
 
-    /** How many vertices: at least 4, at most {@link #MAX_VERTICES}. */
+    /** How many vertices: at least 4, of a triangle 3, at most {@link #MAX_VERTICES}. */
     public int vertexCount() {
         return vertex.length >> 2;
     }

@@ -1,0 +1,154 @@
+package dev.cairn.physics.narrowphase.mesh;
+
+import java.util.Arrays;
+
+/**
+ * The triangles whose faces look at a convex shape, in groups that lie in one plane, and which
+ * places are over them. Axes of the mesh, from the shape's centre, m.
+ */
+final class FaceRegions {
+    /** Cosine of the angle between normals of one plane, 1e-6 rad. */
+    static final double ONE_PLANE = 1 - 5e-13;
+
+    /** Groups that a triangle is compared with, the latest ones: neighbours come close together. */
+    private static final int COMPARED = 32;
+
+    /** Numbers of a triangle: normal, then corners. */
+    private static final int NUMBERS = 12;
+
+    /** Triangles. */
+    int count;
+
+    /** Groups. */
+    int groups;
+
+    private int[] triangle = new int[64];
+    private int[] hollow = new int[64];
+    private int[] group = new int[64];
+    private double[] number = new double[64 * NUMBERS];
+    private double[] area = new double[64];
+
+    /** Of each group: the triangle with the largest area, whose plane it has. */
+    private int[] leader = new int[64];
+
+    void clear() {
+        count = 0;
+        groups = 0;
+    }
+
+    /**
+     * Adds a triangle to the group of its plane.
+     *
+     * @param corner three times x, y, z
+     * @param nx unit normal towards the shape
+     * @param hollowEdges bit e for an edge beyond which the surface rises
+     * @param twiceArea m²
+     * @param tolerance of the distance from a plane, m
+     * @return the group
+     */
+    int add(
+            int number,
+            double[] corner,
+            double nx,
+            double ny,
+            double nz,
+            int hollowEdges,
+            double twiceArea,
+            double tolerance) {
+        if (count == triangle.length) {
+            grow();
+        }
+        int at = count++;
+        triangle[at] = number;
+        hollow[at] = hollowEdges;
+        area[at] = twiceArea;
+        double[] n = this.number;
+        n[NUMBERS * at] = nx;
+        n[NUMBERS * at + 1] = ny;
+        n[NUMBERS * at + 2] = nz;
+        System.arraycopy(corner, 0, n, NUMBERS * at + 3, 9);
+        for (int g = groups - 1; g >= 0 && g >= groups - COMPARED; g--) {
+            int l = NUMBERS * leader[g];
+            if (nx * n[l] + ny * n[l + 1] + nz * n[l + 2] >= ONE_PLANE
+                    && Math.abs(above(leader[g], corner[0], corner[1], corner[2])) <= tolerance) {
+                group[at] = g;
+                if (twiceArea > area[leader[g]]) {
+                    leader[g] = at;
+                }
+                return g;
+            }
+        }
+        leader[groups] = at;
+        group[at] = groups;
+        return groups++;
+    }
+
+    private void grow() {
+        int n = 2 * count;
+        triangle = Arrays.copyOf(triangle, n);
+        hollow = Arrays.copyOf(hollow, n);
+        group = Arrays.copyOf(group, n);
+        number = Arrays.copyOf(number, NUMBERS * n);
+        area = Arrays.copyOf(area, n);
+        leader = Arrays.copyOf(leader, n);
+    }
+
+    /** A component of a group's normal, towards the shape. */
+    double normal(int g, int axis) {
+        return number[NUMBERS * leader[g] + axis];
+    }
+
+    /** How far a place is above a group's plane, m. */
+    double height(int g, double x, double y, double z) {
+        return above(leader[g], x, y, z);
+    }
+
+    private double above(int t, double x, double y, double z) {
+        int n = NUMBERS * t;
+        return number[n] * (x - number[n + 3])
+                + number[n + 1] * (y - number[n + 4])
+                + number[n + 2] * (z - number[n + 5]);
+    }
+
+    /**
+     * Whether a place is over a triangle of a group, seen along its normal.
+     *
+     * @param slack how far beyond a side it may be, m
+     * @param slackHollow the same where the surface rises beyond: what is there, is in it
+     */
+    boolean isOver(int g, double x, double y, double z, double slack, double slackHollow) {
+        for (int t = 0; t < count; t++) {
+            if (group[t] == g && isOverOne(t, x, y, z, slack, slackHollow)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isOverOne(
+            int t, double x, double y, double z, double slack, double slackHollow) {
+        int n = NUMBERS * t;
+        double nx = number[n];
+        double ny = number[n + 1];
+        double nz = number[n + 2];
+        // seen from a shape in front the corners go round counter-clockwise, from the back not
+        double sign = TriangleSides.orientation(number, n);
+        for (int e = 0; e < 3; e++) {
+            int a = n + 3 + 3 * e;
+            int b = n + 3 + (e == 2 ? 0 : 3 * e + 3);
+            double ex = sign * (number[b] - number[a]);
+            double ey = sign * (number[b + 1] - number[a + 1]);
+            double ez = sign * (number[b + 2] - number[a + 2]);
+            double sx = ey * nz - ez * ny;
+            double sy = ez * nx - ex * nz;
+            double sz = ex * ny - ey * nx;
+            double over =
+                    sx * (x - number[a]) + sy * (y - number[a + 1]) + sz * (z - number[a + 2]);
+            double room = (hollow[t] >> e & 1) != 0 ? slackHollow : slack;
+            if (over > room * Math.sqrt(sx * sx + sy * sy + sz * sz)) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

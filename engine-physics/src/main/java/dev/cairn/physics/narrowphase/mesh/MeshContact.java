@@ -1,0 +1,547 @@
+package dev.cairn.physics.narrowphase.mesh;
+
+import dev.cairn.physics.narrowphase.NarrowPhase;
+import dev.cairn.physics.narrowphase.clip.Clipper;
+import dev.cairn.physics.narrowphase.clip.CornerOrder;
+import dev.cairn.physics.narrowphase.clip.Overlay;
+import dev.cairn.physics.narrowphase.clip.Patch;
+import dev.cairn.physics.narrowphase.clip.Reduction;
+import dev.cairn.physics.narrowphase.pair.ContactTolerances;
+import dev.cairn.physics.narrowphase.pair.FeatureIds;
+import dev.cairn.physics.narrowphase.pair.Manifold;
+import dev.cairn.physics.narrowphase.pair.Pair;
+import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Moved;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.mesh.MeshBuilder;
+import dev.cairn.physics.shape.mesh.TriangleSet;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
+
+/**
+ * All contacts of a convex shape with a surface of triangles, see the package's essay. One instance
+ * per worker: it owns all scratch memory. Allocates only when there are more triangles than ever.
+ */
+public final class MeshContact {
+    /** Of the smaller inner radius: how far a face goes on under what rises beside it. */
+    private static final double UNDER = 0.02;
+
+    private final NarrowPhase narrowPhase;
+    private final ConvexHull view = ConvexHull.triangle();
+    private final Polyhedron flat = Polyhedron.of(view);
+    private final Pair pair = new Pair();
+    private final Patch patch = new Patch(), plane = new Patch();
+    private final Overlay overlay = new Overlay();
+    private final CornerOrder cornerOrder = new CornerOrder();
+    private final Reduction reduction = new Reduction();
+    private final NormalCone cone = new NormalCone();
+    private final Manifold manifold = new Manifold(), result = new Manifold();
+    private final TriangleSet.Found found = new TriangleSet.Found();
+    private final FaceRegions faces = new FaceRegions();
+    private final LoosePoints loose = new LoosePoints();
+    private final double[] box = new double[6], corner = new double[9];
+
+    /** The shape: its orientation and centre in the mesh's frame, and how it goes in the reach. */
+    private double qx, qy, qz, qw, cx, cy, cz, driftX, driftY, driftZ;
+
+    private Shape shape = view;
+    private double margin, tolerance;
+
+    /** Orientation of the mesh. */
+    private double mx, my, mz, mw;
+
+    /** The triangle at hand: its unit normal towards the shape, and 1, or -1 from the back. */
+    private double nx, ny, nz, front;
+
+    private int flags;
+    private TriangleSet set = MeshBuilder.nothing();
+
+    /** Contacts of the last tick: normals in world axes, and hashed names. */
+    private double[] lastNormal = {};
+
+    private int[] lastNames = {};
+    private int lastCount;
+
+    /**
+     * Creates the scratch of one worker.
+     *
+     * @param narrowPhase collides single triangles
+     */
+    public MeshContact(NarrowPhase narrowPhase) {
+        this.narrowPhase = narrowPhase;
+    }
+
+    /**
+     * What the next pair's contacts were in the last tick; until the next {@link #collide}.
+     *
+     * @param normals from surface to shape, three numbers each, world axes
+     * @param names as in {@link FeatureIds}, the surface's features as those of A
+     */
+    public void remember(double[] normals, int[] names, int count) {
+        lastNormal = normals;
+        lastNames = names;
+        lastCount = count;
+    }
+
+    /**
+     * Finds all contacts.
+     *
+     * @param triangles the surface
+     * @param ax orientation of the surface, world from shape, unit quaternion
+     * @param convex the other shape
+     * @param bx its orientation
+     * @param dx its centre minus the origin of the surface, world axes, m
+     * @param vx how far it goes, seen from the surface, while points are looked for, world axes, m
+     * @param within points up to this far apart are reported, m
+     * @param out receives the contacts, after what it holds
+     */
+    public void collide(
+            TriangleSet triangles,
+            double ax,
+            double ay,
+            double az,
+            double aw,
+            Shape convex,
+            double bx,
+            double by,
+            double bz,
+            double bw,
+            double dx,
+            double dy,
+            double dz,
+            double vx,
+            double vy,
+            double vz,
+            double within,
+            ContactList out) {
+        set = triangles;
+        mx = ax;
+        my = ay;
+        mz = az;
+        mw = aw;
+        margin = within;
+        qx = aw * bx - ax * bw - ay * bz + az * by;
+        qy = aw * by + ax * bz - ay * bw - az * bx;
+        qz = aw * bz - ax * by + ay * bx - az * bw;
+        qw = aw * bw + ax * bx + ay * by + az * bz;
+        shape = convex;
+        if (convex instanceof Moved m) {
+            turn(m);
+        }
+        toMesh(vx, vy, vz);
+        driftX = tx;
+        driftY = ty;
+        driftZ = tz;
+        toMesh(dx, dy, dz);
+        cx = tx;
+        cy = ty;
+        cz = tz;
+        shape.bounds(qx, qy, qz, qw, box, 0);
+        for (int axis = 0; axis < 3; axis++) {
+            double c = axis == 0 ? cx : axis == 1 ? cy : cz;
+            box[axis] += c - margin;
+            box[axis + 3] += c + margin;
+        }
+        set.find(box, found);
+        if (found.count > 0) {
+            pair.set(shape, shape, qx, qy, qz, qw, qx, qy, qz, qw, 0, 0, 0);
+            tolerance = ContactTolerances.ON_PLANE * pair.inner;
+            faces.clear();
+            loose.clear();
+            for (int i = 0; i < found.count; i++) {
+                look(found.triangle[i]);
+            }
+            for (int g = 0; g < faces.groups; g++) {
+                face(g, out);
+            }
+            for (int g = 0; g < loose.groups; g++) {
+                edge(g, out);
+            }
+        }
+        lastCount = 0;
+    }
+
+    private void turn(Moved m) {
+        double x = m.rotationX();
+        double y = m.rotationY();
+        double z = m.rotationZ();
+        double w = m.rotationW();
+        double rx = qw * x + qx * w + qy * z - qz * y;
+        double ry = qw * y - qx * z + qy * w + qz * x;
+        double rz = qw * z + qx * y - qy * x + qz * w;
+        qw = qw * w - qx * x - qy * y - qz * z;
+        qx = rx;
+        qy = ry;
+        qz = rz;
+        shape = m.inner();
+    }
+
+    private double tx, ty, tz;
+
+    /** Into t, from world axes; by v + 2 u x (u x v + w v) with u = -q. */
+    private void toMesh(double x, double y, double z) {
+        rotate(-mx, -my, -mz, mw, x, y, z);
+    }
+
+    private void rotate(double x, double y, double z, double w, double vx, double vy, double vz) {
+        double ux = 2 * (y * vz - z * vy);
+        double uy = 2 * (z * vx - x * vz);
+        double uz = 2 * (x * vy - y * vx);
+        tx = vx + w * ux + (y * uz - z * uy);
+        ty = vy + w * uy + (z * ux - x * uz);
+        tz = vz + w * uz + (x * uy - y * ux);
+    }
+
+    // One triangle -------------------------------------------------------------------------------
+
+    /** Its face, if the shape is in front and not too far above; then what stands out of it. */
+    private void look(int t) {
+        set.corners(t, corner);
+        for (int c = 0; c < 9; c += 3) {
+            corner[c] -= cx;
+            corner[c + 1] -= cy;
+            corner[c + 2] -= cz;
+        }
+        double twiceArea = normal();
+        // above the plane is the centre
+        double height = -(nx * corner[0] + ny * corner[1] + nz * corner[2]);
+        front = 1;
+        if (height < 0) {
+            if (!set.isTwoSided) {
+                return;
+            }
+            front = -1;
+            nx = -nx;
+            ny = -ny;
+            nz = -nz;
+            height = -height;
+        }
+        toShape(nx, ny, nz);
+        if (height - pair.reachA(-tx, -ty, -tz) - pair.radiusA > margin) {
+            return;
+        }
+        flags = set.flags(t);
+        boolean isFront = front > 0;
+        int hollow = flags / (isFront ? TriangleSet.HOLLOW : TriangleSet.CONVEX) & TriangleSet.ALL;
+        int group = faces.add(t, corner, nx, ny, nz, hollow, twiceArea, tolerance);
+        int corners = isFront ? TriangleSet.CORNER : TriangleSet.CORNER_BACK;
+        if ((flags / corners & TriangleSet.ALL) != 0) {
+            standsOut(t, group);
+        }
+    }
+
+    /** Writes the unit normal; returns twice the area. */
+    private double normal() {
+        double ux = corner[3] - corner[0];
+        double uy = corner[4] - corner[1];
+        double uz = corner[5] - corner[2];
+        double vx = corner[6] - corner[0];
+        double vy = corner[7] - corner[1];
+        double vz = corner[8] - corner[2];
+        nx = uy * vz - uz * vy;
+        ny = uz * vx - ux * vz;
+        nz = ux * vy - uy * vx;
+        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        nx /= length;
+        ny /= length;
+        nz /= length;
+        return length;
+    }
+
+    /** Into t, from the mesh's axes to the shape's. */
+    private void toShape(double x, double y, double z) {
+        tx = pair.w00 * x + pair.w10 * y + pair.w20 * z;
+        ty = pair.w01 * x + pair.w11 * y + pair.w21 * z;
+        tz = pair.w02 * x + pair.w12 * y + pair.w22 * z;
+    }
+
+    /** Into t, from the shape's axes to the mesh's. */
+    private void fromShape(double x, double y, double z) {
+        tx = pair.w00 * x + pair.w01 * y + pair.w02 * z;
+        ty = pair.w10 * x + pair.w11 * y + pair.w12 * z;
+        tz = pair.w20 * x + pair.w21 * y + pair.w22 * z;
+    }
+
+    /** Points of the triangle's edges and corners where the surface lets their normal be. */
+    private void standsOut(int t, int group) {
+        double gx = (corner[0] + corner[3] + corner[6]) / 3;
+        double gy = (corner[1] + corner[4] + corner[7]) / 3;
+        double gz = (corner[2] + corner[5] + corner[8]) / 3;
+        flat.setTriangle(corner, gx, gy, gz);
+        narrowPhase.collide(
+                view, shape, 0, 0, 0, 1, qx, qy, qz, qw, -gx, -gy, -gz, margin, 0, manifold);
+        Manifold m = manifold;
+        double along = m.normalX * nx + m.normalY * ny + m.normalZ * nz;
+        for (int i = 0; i < m.pointCount && along > 0; i++) {
+            double half = m.separation[i] / 2;
+            double x = m.pointX[i] + gx;
+            double y = m.pointY[i] + gy;
+            double z = m.pointZ[i] + gz;
+            double px = x - half * m.normalX;
+            double py = y - half * m.normalY;
+            double pz = z - half * m.normalZ;
+            if (!isOut(px, py, pz)) {
+                continue;
+            }
+            x += half * m.normalX;
+            y += half * m.normalY;
+            z += half * m.normalZ;
+            int name = name(t, m.feature[i]);
+            if (along < FaceRegions.ONE_PLANE
+                    && allows(px, py, pz, m.normalX, m.normalY, m.normalZ)) {
+                int own = loose.group(m.normalX, m.normalY, m.normalZ);
+                loose.add(own, name, x, y, z, m.separation[i]);
+            } else if (along > ContactTolerances.NEARLY_PARALLEL
+                    && name >>> 30 != FeatureIds.VERTEX_B >>> 30
+                    && allows(px, py, pz, nx, ny, nz)) {
+                loose.add(group, name, x, y, z, m.separation[i] * along);
+            }
+        }
+    }
+
+    private boolean allows(double px, double py, double pz, double x, double y, double z) {
+        return cone.allows(set, found, px, py, pz, x, y, z, cx, cy, cz, tolerance);
+    }
+
+    /** Whether a place of the triangle is on an edge or at a corner that stands out. */
+    private boolean isOut(double px, double py, double pz) {
+        int edges =
+                (flags / (front > 0 ? TriangleSet.CONVEX : TriangleSet.HOLLOW)
+                                | flags / TriangleSet.OPEN)
+                        & TriangleSet.ALL;
+        int corners =
+                flags / (front > 0 ? TriangleSet.CORNER : TriangleSet.CORNER_BACK)
+                        & TriangleSet.ALL;
+        int on = 0;
+        for (int e = 0; e < 3; e++) {
+            double inside =
+                    TriangleSides.inside(corner, e, front * nx, front * ny, front * nz, px, py, pz);
+            on |= inside <= tolerance ? 1 << e : 0;
+        }
+        // corner c is between edge c and the one before
+        int at = on & (on << 1 | on >> 2);
+        return (on & edges) != 0 || (at & corners) != 0;
+    }
+
+    /** The name that a feature has in all triangles that share it. */
+    private int name(int t, int feature) {
+        int kind = feature & FeatureIds.CLOSEST;
+        if (kind == FeatureIds.VERTEX_A && (feature & 0x3FFFFFFF) < 3) {
+            return set.vertex(t, feature & 0x3FFFFFFF);
+        }
+        int edge = feature >> 15 & 0x7FFF;
+        if (kind != FeatureIds.CROSSING || edge > 2) {
+            return feature;
+        }
+        int a = set.vertex(t, edge == 2 ? 1 : 0);
+        int b = set.vertex(t, edge == 0 ? 1 : 2);
+        long key = (long) Math.min(a, b) << 32 | Math.max(a, b);
+        key = (key * 0x9E3779B97F4A7C15L ^ (feature & 0x7FFF)) * 0x9E3779B97F4A7C15L;
+        return FeatureIds.CROSSING | (int) (key >>> 34);
+    }
+
+    // One contact --------------------------------------------------------------------------------
+
+    /** The points of the shape over a plane's triangles, and of what stands out of these. */
+    private void face(int g, ContactList out) {
+        nx = faces.normal(g, 0);
+        ny = faces.normal(g, 1);
+        nz = faces.normal(g, 2);
+        double height = faces.height(g, 0, 0, 0);
+        toShape(nx, ny, nz);
+        double ux = tx;
+        double uy = ty;
+        double uz = tz;
+        int last = lastNames();
+        patch.fill(pair, false, -ux, -uy, -uz);
+        Clipper c = overlay.out;
+        plane.ox = -height * ux;
+        plane.oy = -height * uy;
+        plane.oz = -height * uz;
+        overlay.begin(pair, plane, patch, ux, uy, uz, last);
+        boolean disc = patch.flat == Patch.DISC && patch.flatter;
+        if (!patch.line && patch.flat == Patch.NONE) {
+            double reach = pair.radiusA;
+            put(c, -reach * ux, -reach * uy, -reach * uz, height - reach, FeatureIds.CLOSEST);
+        } else {
+            patch.kind = FeatureIds.VERTEX_B;
+            patch.nameP |= FeatureIds.VERTEX_B;
+            patch.nameQ |= FeatureIds.VERTEX_B;
+            if (disc) {
+                overlay.discOnPlane();
+            } else {
+                overlay.restOnPlane();
+            }
+        }
+        keepOver(g, c);
+        if (c.count == 0 && !pair.roundA) {
+            corners(height, ux, uy, uz, c);
+            keepOver(g, c);
+        }
+        boolean whole = disc && c.count >= Manifold.POINTS;
+        addLoose(g, c);
+        finish(c, last, whole ? Patch.DISC_SHARE : 0, out);
+    }
+
+    /** All corners of a polyhedron. */
+    private void corners(double height, double ux, double uy, double uz, Clipper c) {
+        for (int v = 0; v < pair.a.vertexCount(); v++) {
+            double x = pair.a.vertexX(v);
+            double y = pair.a.vertexY(v);
+            double z = pair.a.vertexZ(v);
+            double separation = height + ux * x + uy * y + uz * z;
+            if (separation <= margin) {
+                put(c, x, y, z, separation, FeatureIds.VERTEX_B | v);
+            }
+        }
+    }
+
+    private static void put(Clipper c, double x, double y, double z, double separation, int name) {
+        c.ensure(c.count + 1);
+        int at = c.count++;
+        c.x[at] = x;
+        c.y[at] = y;
+        c.z[at] = z;
+        c.separation[at] = separation;
+        c.feature[at] = name;
+    }
+
+    /**
+     * Turns points into the mesh's axes, and keeps those that are over the triangles of a plane, or
+     * will be when they meet it.
+     */
+    private void keepOver(int g, Clipper c) {
+        double under = UNDER * pair.inner;
+        double fall = -(driftX * nx + driftY * ny + driftZ * nz);
+        int kept = 0;
+        for (int i = 0; i < c.count; i++) {
+            double separation = c.separation[i];
+            if (separation > margin) {
+                continue;
+            }
+            fromShape(c.x[i], c.y[i], c.z[i]);
+            double x = tx;
+            double y = ty;
+            double z = tz;
+            boolean over = faces.isOver(g, x, y, z, tolerance, under);
+            if (!over && separation > 0 && fall > 0) {
+                double time = Math.min(1, separation / fall);
+                over =
+                        faces.isOver(
+                                g,
+                                x + time * driftX,
+                                y + time * driftY,
+                                z + time * driftZ,
+                                tolerance,
+                                under);
+            }
+            if (over) {
+                c.x[kept] = x;
+                c.y[kept] = y;
+                c.z[kept] = z;
+                c.separation[kept] = separation;
+                c.feature[kept++] = c.feature[i];
+            }
+        }
+        c.count = kept;
+    }
+
+    /** The points of a group; of a plane's those at the rim of its triangles. */
+    private void addLoose(int group, Clipper c) {
+        for (int i = 0; i < loose.count; i++) {
+            if (loose.group[i] == group && (group < 0 || !isWithin(group, i))) {
+                put(
+                        c,
+                        loose.number[4 * i],
+                        loose.number[4 * i + 1],
+                        loose.number[4 * i + 2],
+                        loose.number[4 * i + 3],
+                        loose.name[i]);
+            }
+        }
+    }
+
+    /**
+     * Whether the triangles of a plane go on in all directions from a point: where a corner is on
+     * the side of another triangle, no edge is shared, and still none can be felt.
+     */
+    private boolean isWithin(int group, int point) {
+        double step = 8 * tolerance;
+        double x = loose.number[4 * point];
+        double y = loose.number[4 * point + 1];
+        double z = loose.number[4 * point + 2];
+        boolean small = Math.abs(nx) < 0.6;
+        double ax = small ? 0 : -nz;
+        double ay = small ? nz : 0;
+        double az = small ? -ny : nx;
+        double f = step / Math.sqrt(ax * ax + ay * ay + az * az);
+        ax *= f;
+        ay *= f;
+        az *= f;
+        double bx = ny * az - nz * ay;
+        double by = nz * ax - nx * az;
+        double bz = nx * ay - ny * ax;
+        return faces.isOver(group, x + ax, y + ay, z + az, tolerance, tolerance)
+                && faces.isOver(group, x - ax, y - ay, z - az, tolerance, tolerance)
+                && faces.isOver(group, x + bx, y + by, z + bz, tolerance, tolerance)
+                && faces.isOver(group, x - bx, y - by, z - bz, tolerance, tolerance);
+    }
+
+    /** The points along a normal that is no face's. */
+    private void edge(int g, ContactList out) {
+        nx = loose.normal[3 * g];
+        ny = loose.normal[3 * g + 1];
+        nz = loose.normal[3 * g + 2];
+        Clipper c = overlay.out;
+        c.count = 0;
+        addLoose(-1 - g, c);
+        finish(c, lastNames(), 0, out);
+    }
+
+    /** At most four points, in world axes, midway between the surfaces. */
+    private void finish(Clipper c, int last, double share, ContactList out) {
+        cornerOrder.sort(c, nx, ny, nz, margin);
+        if (c.count == 0) {
+            return;
+        }
+        double hysteresis = ContactTolerances.HYSTERESIS * pair.inner;
+        reduction.reduce(c, nx, ny, nz, 0.01 * hysteresis, hysteresis, last);
+        Manifold m = result;
+        m.pointCount = 0;
+        m.patch = c.count == Manifold.POINTS ? share : 0;
+        for (int i = 0; i < c.count; i++) {
+            double half = c.separation[i] / 2;
+            toWorld(c.x[i] - half * nx, c.y[i] - half * ny, c.z[i] - half * nz);
+            m.insert(c.feature[i], c.separation[i], tx, ty, tz);
+        }
+        toWorld(nx, ny, nz);
+        m.normalX = tx;
+        m.normalY = ty;
+        m.normalZ = tz;
+        out.add(m);
+    }
+
+    private void toWorld(double x, double y, double z) {
+        rotate(mx, my, mz, mw, x, y, z);
+    }
+
+    /** The names of the contact of the last tick whose normal was nearest to this one. */
+    private int lastNames() {
+        if (lastCount == 0) {
+            return 0;
+        }
+        toWorld(nx, ny, nz);
+        double most = ContactTolerances.NEARLY_PARALLEL;
+        int names = 0;
+        for (int i = 0; i < lastCount; i++) {
+            double dot =
+                    tx * lastNormal[3 * i]
+                            + ty * lastNormal[3 * i + 1]
+                            + tz * lastNormal[3 * i + 2];
+            if (dot > most) {
+                most = dot;
+                names = lastNames[i];
+            }
+        }
+        return names;
+    }
+}

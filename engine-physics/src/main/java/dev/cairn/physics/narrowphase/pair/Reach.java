@@ -1,0 +1,184 @@
+package dev.cairn.physics.narrowphase.pair;
+
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Cone;
+import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.Moved;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.polyhedron.Polyhedral;
+import dev.cairn.physics.shape.polyhedron.Polyhedron;
+
+/**
+ * How far one shape reaches along directions of the world, its support function, and whether it
+ * holds a point; both from its centre of mass. One instance per worker; allocates nothing.
+ */
+public final class Reach {
+    /** Cosine of an angle that is 0 up to rounding, less 1. */
+    private static final double PARALLEL = 1 - 0x1p-48;
+
+    private final SolidOfRevolution solid = new SolidOfRevolution();
+    private Shape shape = HalfSpace.of();
+    private double qx, qy, qz, qw;
+    private double x, y, z;
+
+    /** The outward normal that the last {@link #findFace} found, unit, world. */
+    public double faceX, faceY, faceZ;
+
+    /** Of no shape yet. */
+    public Reach() {}
+
+    /**
+     * Whether a shape is one of those that this can tell of: convex, with a surface of its own.
+     *
+     * @param shape any
+     * @return whether {@link #set} takes it
+     */
+    public static boolean fits(Shape shape) {
+        return switch (shape) {
+            case Moved moved -> fits(moved.inner());
+            case Box box -> true;
+            case ConvexHull hull -> true;
+            case Sphere ball -> true;
+            case Capsule capsule -> true;
+            case Cylinder cylinder -> true;
+            case Cone cone -> true;
+            case HalfSpace plane -> true;
+            default -> false;
+        };
+    }
+
+    /**
+     * Chooses a shape and how it is turned.
+     *
+     * @param value one that {@link #fits}
+     * @param ox world from body, unit quaternion
+     * @param oy see {@code ox}
+     * @param oz see {@code ox}
+     * @param ow see {@code ox}
+     */
+    public void set(Shape value, double ox, double oy, double oz, double ow) {
+        shape = value;
+        qx = ox;
+        qy = oy;
+        qz = oz;
+        qw = ow;
+        if (value instanceof Moved m) {
+            double mx = m.rotationX();
+            double my = m.rotationY();
+            double mz = m.rotationZ();
+            double mw = m.rotationW();
+            shape = m.inner();
+            qx = ow * mx + ox * mw + oy * mz - oz * my;
+            qy = ow * my - ox * mz + oy * mw + oz * mx;
+            qz = ow * mz + ox * my - oy * mx + oz * mw;
+            qw = ow * mw - ox * mx - oy * my - oz * mz;
+        }
+        if (!(shape instanceof Polyhedral) && !(shape instanceof HalfSpace)) {
+            solid.set(shape);
+        }
+    }
+
+    /**
+     * How far the shape reaches from its centre along a direction.
+     *
+     * @param ux unit vector, world
+     * @param uy unit vector, world
+     * @param uz unit vector, world
+     * @return m; infinite for a half-space, but along its normal
+     */
+    public double along(double ux, double uy, double uz) {
+        turn(ux, uy, uz);
+        if (shape instanceof Polyhedral polyhedral) {
+            Polyhedron p = Polyhedron.of(polyhedral);
+            int v = p.support(x, y, z);
+            return p.vertexX(v) * x + p.vertexY(v) * y + p.vertexZ(v) * z;
+        }
+        if (shape instanceof HalfSpace) {
+            return y >= PARALLEL ? 0 : Double.POSITIVE_INFINITY;
+        }
+        return solid.reach(x, y, z) + solid.round;
+    }
+
+    /**
+     * Whether a point is in the shape.
+     *
+     * @param px from the shape's centre, world, m
+     * @param py from the shape's centre, world, m
+     * @param pz from the shape's centre, world, m
+     * @param slack how far outside of the planes of its faces counts as in it, m
+     * @return whether it is; false for shapes with a round side
+     */
+    public boolean holds(double px, double py, double pz, double slack) {
+        turn(px, py, pz);
+        if (shape instanceof HalfSpace) {
+            return y <= slack;
+        }
+        if (!(shape instanceof Polyhedral polyhedral)) {
+            return false;
+        }
+        Polyhedron p = Polyhedron.of(polyhedral);
+        for (int f = 0; f < p.faceCount(); f++) {
+            double out = p.normalX(f) * x + p.normalY(f) * y + p.normalZ(f) * z - p.offset(f);
+            if (!(out <= slack)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /**
+     * Finds the face that looks most along a direction.
+     *
+     * @param ux unit vector, world
+     * @param uy unit vector, world
+     * @param uz unit vector, world
+     * @return cosine of the angle between them; -1 for shapes with a round side
+     */
+    public double findFace(double ux, double uy, double uz) {
+        turn(ux, uy, uz);
+        if (shape instanceof HalfSpace) {
+            turnBack(0, 1, 0);
+            return y;
+        }
+        if (!(shape instanceof Polyhedral polyhedral)) {
+            return -1;
+        }
+        Polyhedron p = Polyhedron.of(polyhedral);
+        int best = 0;
+        double most = -1;
+        for (int f = 0; f < p.faceCount(); f++) {
+            double cosine = p.normalX(f) * x + p.normalY(f) * y + p.normalZ(f) * z;
+            if (cosine > most) {
+                most = cosine;
+                best = f;
+            }
+        }
+        turnBack(p.normalX(best), p.normalY(best), p.normalZ(best));
+        return most;
+    }
+
+    private void turnBack(double vx, double vy, double vz) {
+        double s = 2 / (qx * qx + qy * qy + qz * qz + qw * qw);
+        double tx = s * (qy * vz - qz * vy);
+        double ty = s * (qz * vx - qx * vz);
+        double tz = s * (qx * vy - qy * vx);
+        faceX = vx + qw * tx + (qy * tz - qz * ty);
+        faceY = vy + qw * ty + (qz * tx - qx * tz);
+        faceZ = vz + qw * tz + (qx * ty - qy * tx);
+    }
+
+    /** Into the axes of the shape: v - 2 w (q x v) + 2 q x (q x v), over the square of q. */
+    private void turn(double vx, double vy, double vz) {
+        double s = 2 / (qx * qx + qy * qy + qz * qz + qw * qw);
+        double tx = s * (qy * vz - qz * vy);
+        double ty = s * (qz * vx - qx * vz);
+        double tz = s * (qx * vy - qy * vx);
+        x = vx - qw * tx + (qy * tz - qz * ty);
+        y = vy - qw * ty + (qz * tx - qx * tz);
+        z = vz - qw * tz + (qx * ty - qy * tx);
+    }
+}

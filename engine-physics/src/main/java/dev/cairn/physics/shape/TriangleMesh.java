@@ -1,0 +1,305 @@
+package dev.cairn.physics.shape;
+
+import dev.cairn.core.state.StateInput;
+import dev.cairn.core.state.StateOutput;
+import dev.cairn.physics.shape.DegenerateShapeException.Reason;
+import dev.cairn.physics.shape.mesh.MeshBuilder;
+import dev.cairn.physics.shape.mesh.Meshed;
+import dev.cairn.physics.shape.mesh.TriangleSet;
+
+import org.joml.Vector3d;
+
+import java.util.Arrays;
+import java.util.stream.Collectors;
+
+/**
+ * A surface of triangles: the ground and the walls of a level. For fixed and kinematic bodies; any
+ * number of them may share one mesh. Bodies meet the front of a triangle, from which its corners
+ * are seen counter-clockwise, and pass through its back, unless the mesh is {@link #twoSided}.
+ *
+ * <p>It is a surface and not a solid: what is wholly inside is not pushed out. Inner edges are not
+ * felt: what slides or rolls over flat or hollow edges meets the faces alone, see {@code
+ * docs/levels.md}.
+ */
+public final class TriangleMesh extends Meshed implements Shape {
+    /** Coordinates may be so large, so that boxes of single precision hold them. */
+    private static final double MAX_COORDINATE = 1e30;
+
+    private final double[] vertices;
+    private final int[] indices;
+    private final MeshReport report;
+    private final double outerRadius;
+
+    private TriangleMesh(
+            TriangleSet triangles, double[] vertices, int[] indices, MeshReport report) {
+        super(triangles);
+        this.vertices = vertices;
+        this.indices = indices;
+        this.report = report;
+        double most = 0;
+        for (int corner : indices) {
+            double x = vertices[3 * corner];
+            double y = vertices[3 * corner + 1];
+            double z = vertices[3 * corner + 2];
+            most = Math.max(most, x * x + y * y + z * z);
+        }
+        outerRadius = Math.sqrt(most);
+    }
+
+    /**
+     * The surface of triangles, with their fronts only.
+     *
+     * @param vertices x, y, z of each vertex, shape frame, m; not kept
+     * @param indices three vertices for each triangle, counter-clockwise seen from the front; not
+     *     kept
+     * @return the shape; what was left out or looks wrong is told by {@link #report}
+     * @throws DegenerateShapeException if a coordinate is not finite or beyond 1e30, or no triangle
+     *     has an area
+     * @throws IllegalArgumentException if an array is null, or of a length that is no multiple of
+     *     three, or an index is out of range
+     */
+    public static TriangleMesh of(double[] vertices, int[] indices) {
+        check("vertices", vertices == null ? -1 : vertices.length, "numbers per vertex");
+        check("indices", indices == null ? -1 : indices.length, "vertices per triangle");
+        for (int i = 0; i < vertices.length; i++) {
+            if (!(Math.abs(vertices[i]) <= MAX_COORDINATE)) {
+                throw new DegenerateShapeException(
+                        Double.isFinite(vertices[i]) ? Reason.EXTENT : Reason.NOT_FINITE,
+                        "xyz".charAt(i % 3)
+                                + " of vertex "
+                                + i / 3
+                                + " is "
+                                + vertices[i]
+                                + " m; it must lie in [-1e30, 1e30]");
+            }
+        }
+        for (int i = 0; i < indices.length; i++) {
+            if (indices[i] < 0 || 3L * indices[i] >= vertices.length) {
+                throw new IllegalArgumentException(
+                        "corner "
+                                + i % 3
+                                + " of triangle "
+                                + i / 3
+                                + " is vertex "
+                                + indices[i]
+                                + "; there are "
+                                + vertices.length / 3
+                                + ", counted from 0");
+            }
+        }
+        return build(vertices.clone(), indices.clone(), false);
+    }
+
+    void write(StateOutput out) {
+        out.writeDoubles(vertices);
+        out.writeInts(indices);
+        out.writeBoolean(isTwoSided());
+    }
+
+    static TriangleMesh read(StateInput in) {
+        TriangleMesh mesh = of(in.readDoubles(), in.readInts());
+        return in.readBoolean() ? mesh.twoSided() : mesh;
+    }
+
+    private static void check(String name, int length, String what) {
+        if (length < 0) {
+            throw new IllegalArgumentException(name + " is null; give three " + what);
+        }
+        if (length % 3 != 0) {
+            throw new IllegalArgumentException(
+                    name + " has " + length + " entries; it must have three " + what);
+        }
+    }
+
+    private static TriangleMesh build(double[] vertices, int[] indices, boolean isTwoSided) {
+        MeshBuilder builder = new MeshBuilder(vertices, indices);
+        TriangleSet triangles = builder.build(isTwoSided);
+        if (triangles == null) {
+            throw new DegenerateShapeException(
+                    Reason.COLLINEAR,
+                    "none of the "
+                            + indices.length / 3
+                            + " triangles has an area; give one whose corners are not on a line");
+        }
+        MeshReport report =
+                new MeshReport(
+                        triangles.count(),
+                        Arrays.stream(builder.degenerate)
+                                .boxed()
+                                .collect(Collectors.toUnmodifiableList()),
+                        builder.welded,
+                        builder.openEdges,
+                        builder.crowdedEdges,
+                        builder.flippedEdges);
+        return new TriangleMesh(triangles, vertices, indices, report);
+    }
+
+    /**
+     * The same surface with both sides of each triangle.
+     *
+     * @return this mesh if it is so already, else a new one
+     */
+    public TriangleMesh twoSided() {
+        return isTwoSided() ? this : build(vertices, indices, true);
+    }
+
+    /**
+     * The same surface at another size, or mirrored: what was in front stays in front.
+     *
+     * @param x factor along x, finite and not 0; negative to mirror
+     * @param y see {@code x}
+     * @param z see {@code x}
+     * @return a new mesh
+     * @throws IllegalArgumentException if a factor is 0 or not finite, or makes a coordinate too
+     *     large
+     */
+    public TriangleMesh scaled(double x, double y, double z) {
+        double[] factor = {x, y, z};
+        for (double f : factor) {
+            if (!(Math.abs(f) > 0 && Math.abs(f) <= Double.MAX_VALUE)) {
+                throw new IllegalArgumentException(
+                        "scale is ("
+                                + x
+                                + ", "
+                                + y
+                                + ", "
+                                + z
+                                + "); no factor may be 0 or infinite");
+            }
+        }
+        double[] moved = vertices.clone();
+        for (int i = 0; i < moved.length; i++) {
+            moved[i] *= factor[i % 3];
+        }
+        int[] turned = indices.clone();
+        if (Math.signum(x) * Math.signum(y) * Math.signum(z) < 0) {
+            for (int t = 0; t < turned.length; t += 3) {
+                turned[t + 1] = indices[t + 2];
+                turned[t + 2] = indices[t + 1];
+            }
+        }
+        TriangleMesh mesh = of(moved, turned);
+        return isTwoSided() ? mesh.twoSided() : mesh;
+    }
+
+    /**
+     * Whether bodies meet both sides.
+     *
+     * @return false if they pass through the backs of triangles
+     */
+    public boolean isTwoSided() {
+        return TriangleSet.of(this).isTwoSided;
+    }
+
+    /**
+     * What was found when the mesh was made.
+     *
+     * @return the report
+     */
+    public MeshReport report() {
+        return report;
+    }
+
+    /**
+     * The vertices as they were given.
+     *
+     * @return a new array x, y, z, ..., shape frame, m
+     */
+    public double[] vertices() {
+        return vertices.clone();
+    }
+
+    /**
+     * The triangles as they were given, degenerate ones too.
+     *
+     * @return a new array of three vertices for each triangle
+     */
+    public int[] indices() {
+        return indices.clone();
+    }
+
+    /**
+     * The volume.
+     *
+     * @return infinite: only what does not move by itself is a mesh
+     */
+    @Override
+    public double volume() {
+        return Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * Infinite mass and inertia; bodies are placed by the origin of the mesh's frame.
+     *
+     * @param density kg/m³, positive and finite
+     */
+    @Override
+    public MassProperties massProperties(double density) {
+        return HalfSpace.of().massProperties(density);
+    }
+
+    /**
+     * Of the shapes that touch a mesh the other one is always the smaller.
+     *
+     * @return infinite
+     */
+    @Override
+    public double innerRadius() {
+        return Double.POSITIVE_INFINITY;
+    }
+
+    @Override
+    public double outerRadius() {
+        return outerRadius;
+    }
+
+    @Override
+    public Vector3d centreOfMass(Vector3d dest) {
+        return dest.zero();
+    }
+
+    /**
+     * The box around the turned box of the mesh: tight while the mesh is not turned.
+     *
+     * @param dest receives minX, minY, minZ, maxX, maxY, maxZ
+     */
+    @Override
+    public void bounds(double qx, double qy, double qz, double qw, double[] dest, int offset) {
+        row(
+                dest,
+                offset,
+                1 - 2 * (qy * qy + qz * qz),
+                2 * (qx * qy - qz * qw),
+                2 * (qx * qz + qy * qw));
+        row(
+                dest,
+                offset + 1,
+                2 * (qx * qy + qz * qw),
+                1 - 2 * (qx * qx + qz * qz),
+                2 * (qy * qz - qx * qw));
+        row(
+                dest,
+                offset + 2,
+                2 * (qx * qz - qy * qw),
+                2 * (qy * qz + qx * qw),
+                1 - 2 * (qx * qx + qy * qy));
+    }
+
+    private void row(double[] dest, int at, double dx, double dy, double dz) {
+        TriangleSet set = TriangleSet.of(this);
+        double low = 0;
+        double high = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double d = axis == 0 ? dx : axis == 1 ? dy : dz;
+            low += d * set.end(axis, d < 0);
+            high += d * set.end(axis, d >= 0);
+        }
+        dest[at] = low;
+        dest[at + 3] = high;
+    }
+
+    @Override
+    public String toString() {
+        return "TriangleMesh[triangles=" + report.triangles() + ", twoSided=" + isTwoSided() + "]";
+    }
+}

@@ -1,0 +1,407 @@
+package dev.cairn.physics.shape.mesh;
+
+import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
+
+/**
+ * Makes the tables of a mesh: vertices at one place become one, triangles without area are left
+ * out, the rest is sorted by halves into a tree, and each edge is looked at together with its
+ * neighbour. What it found is told by its counts. Set-up only; coordinates and indices are checked
+ * by the caller.
+ */
+public final class MeshBuilder {
+    /** Of the squared longest side: twice the area of a triangle that is none. */
+    private static final double NO_AREA = 1e-12;
+
+    /** Sine of the angle between faces that count as one plane. */
+    private static final double FLAT = 1e-6;
+
+    private double[] vertex;
+    private int[] index;
+    private int[] source;
+    private short[] flags = {};
+
+    /** Vertices that were at the place of another one. */
+    public int welded;
+
+    /** Triangles without area, by the number of the user; ascending. */
+    public int[] degenerate = {};
+
+    /** Edges of one triangle only; of more than two; of two that do not agree which side is out. */
+    public int openEdges, crowdedEdges, flippedEdges;
+
+    /** Half-edges by their lower vertex: where the list of each vertex begins. */
+    private int[] begin = {};
+
+    private int[] halfEdge = {};
+
+    /**
+     * Begins with copies.
+     *
+     * @param xyz three finite numbers for each vertex, m
+     * @param indices three vertices for each triangle
+     */
+    public MeshBuilder(double[] xyz, int[] indices) {
+        vertex = xyz.clone();
+        index = indices.clone();
+        source = new int[0];
+    }
+
+    /** A surface without triangles. */
+    public static TriangleSet nothing() {
+        float[] box = {1, 1, 1, 0, 0, 0};
+        return new MeshTables(
+                false,
+                new double[0],
+                new int[0],
+                new int[0],
+                new short[0],
+                box,
+                new int[1],
+                new double[6]);
+    }
+
+    /**
+     * Builds; once.
+     *
+     * @return {@code null} if no triangle has an area
+     */
+    public @Nullable TriangleSet build(boolean isTwoSided) {
+        weld();
+        leaveOut();
+        int count = source.length;
+        if (count == 0) {
+            return null;
+        }
+        double[] ends = ends();
+        Tree tree = new Tree(vertex, index, count);
+        arrange(tree.order);
+        flags = new short[count];
+        edges();
+        return new MeshTables(
+                isTwoSided, vertex, index, source, flags, tree.box, tree.second, ends);
+    }
+
+    /** Sorts the vertices by place; of equal ones the first stays. */
+    private void weld() {
+        int n = vertex.length / 3;
+        for (int i = 0; i < vertex.length; i++) {
+            vertex[i] += 0.0; // no minus zero, so equal places have equal bits
+        }
+        int[] table = new int[Integer.highestOneBit(Math.max(4, n)) << 2];
+        Arrays.fill(table, -1);
+        int[] to = new int[n];
+        int kept = 0;
+        for (int v = 0; v < n; v++) {
+            int at = hash(v) & table.length - 1;
+            while (table[at] >= 0 && !isSame(table[at], v)) {
+                at = at + 1 & table.length - 1;
+            }
+            if (table[at] < 0) {
+                System.arraycopy(vertex, 3 * v, vertex, 3 * kept, 3);
+                table[at] = kept;
+                to[v] = kept++;
+            } else {
+                to[v] = table[at];
+            }
+        }
+        welded = n - kept;
+        vertex = Arrays.copyOf(vertex, 3 * kept);
+        for (int i = 0; i < index.length; i++) {
+            index[i] = to[index[i]];
+        }
+    }
+
+    private int hash(int v) {
+        long h = Double.doubleToRawLongBits(vertex[3 * v]);
+        h = h * 0x9E3779B97F4A7C15L ^ Double.doubleToRawLongBits(vertex[3 * v + 1]);
+        h = h * 0x9E3779B97F4A7C15L ^ Double.doubleToRawLongBits(vertex[3 * v + 2]);
+        h *= 0x9E3779B97F4A7C15L;
+        return (int) (h >>> 32);
+    }
+
+    private boolean isSame(int a, int b) {
+        return vertex[3 * a] == vertex[3 * b]
+                && vertex[3 * a + 1] == vertex[3 * b + 1]
+                && vertex[3 * a + 2] == vertex[3 * b + 2];
+    }
+
+    private void leaveOut() {
+        int n = index.length / 3;
+        int[] bad = new int[n];
+        source = new int[n];
+        int kept = 0;
+        int left = 0;
+        for (int t = 0; t < n; t++) {
+            if (hasArea(t)) {
+                System.arraycopy(index, 3 * t, index, 3 * kept, 3);
+                source[kept++] = t;
+            } else {
+                bad[left++] = t;
+            }
+        }
+        degenerate = Arrays.copyOf(bad, left);
+        source = Arrays.copyOf(source, kept);
+        index = Arrays.copyOf(index, 3 * kept);
+    }
+
+    private boolean hasArea(int t) {
+        int a = 3 * index[3 * t];
+        int b = 3 * index[3 * t + 1];
+        int c = 3 * index[3 * t + 2];
+        double longest = Math.max(square(a, b), Math.max(square(b, c), square(c, a)));
+        double[] n = normal(a, b, c);
+        return Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) > NO_AREA * longest;
+    }
+
+    private double square(int a, int b) {
+        double x = vertex[b] - vertex[a];
+        double y = vertex[b + 1] - vertex[a + 1];
+        double z = vertex[b + 2] - vertex[a + 2];
+        return x * x + y * y + z * z;
+    }
+
+    /** Twice the area, along the normal. */
+    private double[] normal(int a, int b, int c) {
+        double ux = vertex[b] - vertex[a];
+        double uy = vertex[b + 1] - vertex[a + 1];
+        double uz = vertex[b + 2] - vertex[a + 2];
+        double vx = vertex[c] - vertex[a];
+        double vy = vertex[c + 1] - vertex[a + 1];
+        double vz = vertex[c + 2] - vertex[a + 2];
+        return new double[] {uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
+    }
+
+    private double[] ends() {
+        double[] ends = new double[6];
+        for (int axis = 0; axis < 3; axis++) {
+            ends[axis] = Double.POSITIVE_INFINITY;
+            ends[axis + 3] = Double.NEGATIVE_INFINITY;
+            for (int v : index) {
+                ends[axis] = Math.min(ends[axis], vertex[3 * v + axis]);
+                ends[axis + 3] = Math.max(ends[axis + 3], vertex[3 * v + axis]);
+            }
+        }
+        return ends;
+    }
+
+    private void arrange(int[] order) {
+        int[] corners = new int[index.length];
+        int[] numbers = new int[source.length];
+        for (int t = 0; t < order.length; t++) {
+            System.arraycopy(index, 3 * order[t], corners, 3 * t, 3);
+            numbers[t] = source[order[t]];
+        }
+        index = corners;
+        source = numbers;
+    }
+
+    /** Half-edges, by their lower vertex, meet their neighbours. */
+    private void edges() {
+        begin = new int[vertex.length / 3 + 1];
+        for (int h = 0; h < index.length; h++) {
+            begin[Math.min(index[h], index[next(h)]) + 1]++;
+        }
+        for (int v = 0; v + 1 < begin.length; v++) {
+            begin[v + 1] += begin[v];
+        }
+        int[] cursor = begin.clone();
+        halfEdge = new int[index.length];
+        for (int h = 0; h < index.length; h++) {
+            halfEdge[cursor[Math.min(index[h], index[next(h)])]++] = h;
+        }
+        byte[] ends = new byte[vertex.length / 3];
+        for (int h = 0; h < index.length; h++) {
+            int kind = kind(h);
+            flags[h / 3] |= (short) (kind << (h % 3));
+            int seen = (kind & (TriangleSet.CONVEX | TriangleSet.OPEN)) != 0 ? 1 : 0;
+            seen |= (kind & (TriangleSet.HOLLOW | TriangleSet.OPEN)) != 0 ? 2 : 0;
+            ends[index[h]] |= (byte) seen;
+            ends[index[next(h)]] |= (byte) seen;
+        }
+        for (int h = 0; h < index.length; h++) {
+            int seen = ends[index[h]];
+            flags[h / 3] |= (short) (((seen & 1) * TriangleSet.CORNER) << (h % 3));
+            flags[h / 3] |= (short) (((seen >> 1) * TriangleSet.CORNER_BACK) << (h % 3));
+        }
+    }
+
+    private static int next(int h) {
+        return h % 3 == 2 ? h - 2 : h + 1;
+    }
+
+    /** One of the bits of {@link TriangleSet} for edge 0, or 0 for a flat edge. */
+    private int kind(int h) {
+        int a = index[h];
+        int b = index[next(h)];
+        int low = Math.min(a, b);
+        int others = 0;
+        int twin = -1;
+        boolean isFirst = true;
+        for (int i = begin[low]; i < begin[low + 1]; i++) {
+            int g = halfEdge[i];
+            int c = index[g];
+            int d = index[next(g)];
+            if (g != h && Math.min(c, d) == low && Math.max(c, d) == Math.max(a, b)) {
+                others++;
+                twin = g;
+                isFirst &= h < g;
+            }
+        }
+        if (others != 1) {
+            openEdges += others == 0 ? 1 : 0;
+            crowdedEdges += others > 1 && isFirst ? 1 : 0;
+            return TriangleSet.OPEN;
+        }
+        if (index[twin] == a) {
+            flippedEdges += isFirst ? 1 : 0;
+            return TriangleSet.OPEN;
+        }
+        int apex = 3 * index[next(next(twin))];
+        double[] n = normal(3 * a, 3 * b, 3 * index[next(next(h))]);
+        double[] m = normal(3 * a, apex, 3 * b);
+        double height =
+                n[0] * (vertex[apex] - vertex[3 * a])
+                        + n[1] * (vertex[apex + 1] - vertex[3 * a + 1])
+                        + n[2] * (vertex[apex + 2] - vertex[3 * a + 2]);
+        double edge = Math.sqrt(square(3 * a, 3 * b));
+        // the neighbour's altitude over the edge is |m| / |edge|
+        double sine = height * edge / (length(n) * length(m));
+        boolean folded = n[0] * m[0] + n[1] * m[1] + n[2] * m[2] < 0;
+        if (!folded && Math.abs(sine) <= FLAT) {
+            return 0;
+        }
+        return sine < 0 ? TriangleSet.CONVEX : sine > 0 ? TriangleSet.HOLLOW : TriangleSet.OPEN;
+    }
+
+    private static double length(double[] n) {
+        return Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    }
+
+    /** Orders triangles by halves along the longest side of their middles, and boxes them. */
+    private static final class Tree {
+        final int[] order;
+        final float[] box;
+        final int[] second;
+        private final double[] vertex;
+        private final int[] index;
+        private int nodes;
+
+        Tree(double[] vertex, int[] index, int count) {
+            this.vertex = vertex;
+            this.index = index;
+            order = new int[count];
+            for (int t = 0; t < count; t++) {
+                order[t] = t;
+            }
+            int size = nodes(count);
+            box = new float[MeshTables.BOX * size];
+            second = new int[size];
+            build(0, count);
+        }
+
+        private static int nodes(int count) {
+            return count <= MeshTables.LEAF
+                    ? 1
+                    : 1 + nodes(MeshTables.half(count)) + nodes(count - MeshTables.half(count));
+        }
+
+        private int build(int from, int to) {
+            int node = nodes++;
+            measure(node, from, to);
+            if (to - from > MeshTables.LEAF) {
+                int middle = from + MeshTables.half(to - from);
+                select(from, to, middle, longest(from, to));
+                build(from, middle);
+                second[node] = build(middle, to);
+            }
+            return node;
+        }
+
+        private void measure(int node, int from, int to) {
+            for (int axis = 0; axis < 3; axis++) {
+                double low = Double.POSITIVE_INFINITY;
+                double high = Double.NEGATIVE_INFINITY;
+                for (int i = 3 * from; i < 3 * to; i++) {
+                    double x = vertex[3 * index[3 * order[i / 3] + i % 3] + axis];
+                    low = Math.min(low, x);
+                    high = Math.max(high, x);
+                }
+                box[MeshTables.BOX * node + axis] = Math.nextDown((float) low);
+                box[MeshTables.BOX * node + axis + 3] = Math.nextUp((float) high);
+            }
+        }
+
+        /** Three times the middle of a triangle. */
+        private double middle(int t, int axis) {
+            return vertex[3 * index[3 * t] + axis]
+                    + vertex[3 * index[3 * t + 1] + axis]
+                    + vertex[3 * index[3 * t + 2] + axis];
+        }
+
+        private int longest(int from, int to) {
+            int best = 0;
+            double most = -1;
+            for (int axis = 0; axis < 3; axis++) {
+                double low = Double.POSITIVE_INFINITY;
+                double high = Double.NEGATIVE_INFINITY;
+                for (int i = from; i < to; i++) {
+                    low = Math.min(low, middle(order[i], axis));
+                    high = Math.max(high, middle(order[i], axis));
+                }
+                if (high - low > most) {
+                    most = high - low;
+                    best = axis;
+                }
+            }
+            return best;
+        }
+
+        private boolean isBefore(int s, int t, int axis) {
+            double a = middle(s, axis);
+            double b = middle(t, axis);
+            return a < b || (a == b && s < t);
+        }
+
+        /** Hoare's selection: what is before the middle place belongs there; no two are equal. */
+        private void select(int from, int to, int place, int axis) {
+            int low = from;
+            int high = to - 1;
+            while (low < high) {
+                int pivot = median(order[low], order[(low + high) >>> 1], order[high], axis);
+                int i = low;
+                int j = high;
+                while (i <= j) {
+                    while (isBefore(order[i], pivot, axis)) {
+                        i++;
+                    }
+                    while (isBefore(pivot, order[j], axis)) {
+                        j--;
+                    }
+                    if (i <= j) {
+                        int swap = order[i];
+                        order[i++] = order[j];
+                        order[j--] = swap;
+                    }
+                }
+                if (place <= j) {
+                    high = j;
+                } else if (place >= i) {
+                    low = i;
+                } else {
+                    return;
+                }
+            }
+        }
+
+        private int median(int a, int b, int c, int axis) {
+            boolean ab = isBefore(a, b, axis);
+            boolean bc = isBefore(b, c, axis);
+            if (ab == bc) {
+                return b;
+            }
+            return ab == isBefore(a, c, axis) ? c : a;
+        }
+    }
+}

@@ -1,0 +1,136 @@
+package dev.cairn.samples.scenes.level;
+
+import dev.cairn.physics.Body;
+import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Cone;
+import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
+import dev.cairn.samples.Palette;
+import dev.cairn.samples.Parameter;
+import dev.cairn.samples.SampleScene;
+import dev.cairn.samples.SceneBuilder;
+
+import org.joml.Quaterniond;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.DoubleBinaryOperator;
+
+/**
+ * Bodies of all kinds poured over hills: a wide country, and a small one with waves.
+ *
+ * <p>Truth: nobody goes below the ground. Its height is known, so how far a body's centre is below
+ * it is, too.
+ */
+public final class Hills {
+    private static final Shape[] KINDS = {
+        Sphere.of(.25),
+        Box.of(.3, .2, .25),
+        Capsule.of(.18, .2),
+        Cylinder.of(.25, .2),
+        Cone.of(.3, .25),
+        Box.cube(.2)
+    };
+
+    private Hills() {}
+
+    /**
+     * A country of hills within a rim.
+     *
+     * @return its entry for the registry
+     */
+    public static SampleScene terrain() {
+        return new SampleScene(
+                "terrain",
+                "Hills",
+                "Bodies of all kinds rain on hills of triangles and roll into the valleys.",
+                "levels",
+                List.of(
+                        Parameter.count("bodies", 400, 1, 10_000, "number of bodies"),
+                        Parameter.count("squares", 128, 16, 512, "along a side of the country")),
+                300,
+                200,
+                scene -> build(scene, 24, Hills::country));
+    }
+
+    /**
+     * A tray with waves.
+     *
+     * @return its entry for the registry
+     */
+    public static SampleScene meshDrop() {
+        return new SampleScene(
+                "mesh-drop",
+                "Tray with waves",
+                "Bodies of all kinds fall into a tray whose ground is waves of triangles.",
+                "levels",
+                List.of(
+                        Parameter.count("bodies", 150, 1, 4000, "number of bodies"),
+                        Parameter.count("squares", 40, 16, 200, "along a side of the tray")),
+                300,
+                150,
+                scene -> build(scene, 6, Hills::waves));
+    }
+
+    private static double country(double x, double z) {
+        double r = Math.max(Math.abs(x), Math.abs(z)) - 20;
+        double hills = StrictMath.sin(.31 * x + .4) * StrictMath.cos(.27 * z);
+        double bumps = StrictMath.sin(1.3 * x) * StrictMath.sin(1.1 * z + .3);
+        return 1.6 * hills + .25 * bumps + (r > 0 ? r * r : 0);
+    }
+
+    private static double waves(double x, double z) {
+        double r = Math.max(Math.abs(x), Math.abs(z)) - 4.5;
+        return .3 * StrictMath.cos(1.7 * x) * StrictMath.cos(1.7 * z) + (r > 0 ? 2 * r * r : 0);
+    }
+
+    private static void build(SceneBuilder scene, double half, DoubleBinaryOperator height) {
+        int count = scene.count("bodies");
+        scene.add(
+                new Surfaces().grid(half, scene.count("squares"), height).mesh(),
+                Palette.STONE,
+                Body.fixed().material(Palette.material(0.6, 0)).name("ground"));
+        double wide = .7 * half;
+        int side = (int) Math.ceil(Math.sqrt(Math.min(count, 1000)));
+        List<BodyRef> bodies = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            double x = wide * (2 * (i % side + scene.random(.2, .8)) / side - 1);
+            double z = wide * (2 * (i / side % side + scene.random(.2, .8)) / side - 1);
+            int layer = i / (side * side);
+            Quaterniond turn =
+                    new Quaterniond()
+                            .rotateXYZ(
+                                    scene.random(-1, 1), scene.random(-3, 3), scene.random(-1, 1));
+            bodies.add(
+                    scene.add(
+                            KINDS[i % KINDS.length],
+                            Palette.body(i),
+                            Body.dynamic()
+                                    .at(
+                                            x,
+                                            height.applyAsDouble(x, z)
+                                                    + 1
+                                                    + scene.random(0, 1)
+                                                    + layer,
+                                            z)
+                                    .rotation(turn)
+                                    .material(Palette.material(0.6, 0))));
+        }
+        scene.view(new SceneBuilder.View(.75 * half, .7 * half, 1.05 * half, 0, 0, 0));
+        scene.error(
+                "belowGroundMetres",
+                () -> {
+                    double worst = 0;
+                    for (BodyRef body : bodies) {
+                        double x = body.position().x;
+                        double z = body.position().z;
+                        double below = height.applyAsDouble(x, z) - body.position().y;
+                        worst = Math.max(worst, below);
+                    }
+                    return worst;
+                });
+    }
+}
