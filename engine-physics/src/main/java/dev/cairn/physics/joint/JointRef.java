@@ -69,6 +69,7 @@ public final class JointRef {
                         write(ref.place.anchorB(), out);
                         write(ref.place.axis(), out);
                         write(ref.place.secondAxis(), out);
+                        out.writeDoubles(ref.parameters);
                     },
                     JointRef::new);
 
@@ -93,6 +94,7 @@ public final class JointRef {
         index = in.readInt();
         stamp = in.readInt();
         place = new JointPlace(vector(in), vector(in), vector(in), vector(in));
+        parameters = in.readDoubles();
         axes = new AxisSettings[Joint.AXES];
         Arrays.setAll(axes, k -> new AxisSettings());
     }
