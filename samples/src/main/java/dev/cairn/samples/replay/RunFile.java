@@ -15,6 +15,7 @@ import java.io.DataOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.UTFDataFormatException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -147,7 +148,7 @@ public record RunFile(
                         new BufferedInputStream(Files.newInputStream(file)), new CRC32C());
         try (DataInputStream in = new DataInputStream(sum)) {
             byte[] magic = in.readNBytes(MAGIC.length());
-            if (!MAGIC.equals(new String(magic, "US-ASCII"))) {
+            if (!MAGIC.equals(new String(magic, StandardCharsets.US_ASCII))) {
                 throw new StateException(
                         file + " is no recorded run: it does not begin with " + MAGIC);
             }
