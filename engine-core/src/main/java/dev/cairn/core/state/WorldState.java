@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Objects;
+import java.util.zip.CRC32C;
 
 /**
  * All that the next tick of a world depends on, as a value: save it, and restore it as often as you
@@ -216,6 +217,42 @@ public final class WorldState {
      */
     public boolean matches(WorldState other) {
         return difference(other) == null;
+    }
+
+    /**
+     * How many columns and single numbers it holds, for tools that compare runs.
+     *
+     * @return the number; columns of references are among them
+     */
+    public int columnCount() {
+        return entries;
+    }
+
+    /**
+     * What a column is called.
+     *
+     * @param index 0 to columnCount - 1
+     * @return such as {@code bodies.positionX}
+     */
+    public String columnName(int index) {
+        return path(Objects.checkIndex(index, entries));
+    }
+
+    /**
+     * A sum of a column's bits.
+     *
+     * @param index 0 to columnCount - 1
+     * @return CRC-32C of its bytes; of references only how many there are
+     */
+    public int columnSum(int index) {
+        int e = Objects.checkIndex(index, entries);
+        int width = WIDTH[kinds[e]];
+        if (width == 0) {
+            return counts[e];
+        }
+        CRC32C sum = new CRC32C();
+        sum.update(bytes, at[e], width * counts[e]);
+        return (int) sum.getValue();
     }
 
     /** Room for more bytes; the segment follows. */
