@@ -45,7 +45,7 @@ public final class ContactRows {
         this.sleepers = sleepers;
     }
 
-    /** Which pairs have several rows, and how many of these touch. */
+    /** What lasts of pairs beside their rows. */
     public void state(StateVisitor s) {
         groups.state(s);
     }

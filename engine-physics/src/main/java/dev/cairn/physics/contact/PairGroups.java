@@ -37,37 +37,37 @@ final class PairGroups {
     /** Without groups. */
     PairGroups() {}
 
-    /** The numbers in use, and how many rows of each group touch; between ticks. */
-    void state(StateVisitor s) {
-        s.section("groups", this);
-        used = s.value("used", used);
-        freeCount = s.value("freeCount", freeCount);
-        ensure(used);
-        free = s.array("free", free, 0, freeCount, touching.length, false);
-        touching = s.array("touching", touching, 0, used + 1, touching.length, false);
-        ensure(used);
-    }
-
     /** A new pair; returns its group's number. */
     int open() {
         int group = freeCount > 0 ? free[--freeCount] : ++used;
-        ensure(group);
+        if (group >= touching.length) {
+            grow(Math.max(16, 2 * group));
+        }
         touching[group] = 0;
         return group;
     }
 
-    /** All columns are of one length, but after a restored state two of them may be longer. */
-    private void ensure(int group) {
-        if (group >= Math.min(before.length, Math.min(free.length, touching.length))) {
-            int n = Math.max(16, Math.max(2 * group, Math.max(free.length, touching.length)));
-            free = Arrays.copyOf(free, n);
-            touching = Arrays.copyOf(touching, n);
-            before = Arrays.copyOf(before, n);
-            hasChanged = Arrays.copyOf(hasChanged, n);
-            changed = Arrays.copyOf(changed, n);
-            firstRow = Arrays.copyOf(firstRow, n);
-            lastRow = Arrays.copyOf(lastRow, n);
+    private void grow(int n) {
+        free = Arrays.copyOf(free, n);
+        touching = Arrays.copyOf(touching, n);
+        before = Arrays.copyOf(before, n);
+        hasChanged = Arrays.copyOf(hasChanged, n);
+        changed = Arrays.copyOf(changed, n);
+        firstRow = Arrays.copyOf(firstRow, n);
+        lastRow = Arrays.copyOf(lastRow, n);
+    }
+
+    /** Numbers in use, and how much of each group touches; between ticks nothing is changed. */
+    void state(StateVisitor s) {
+        s.section("groups", this);
+        used = s.value("used", used);
+        freeCount = s.value("freeCount", freeCount);
+        if (used >= touching.length && used > 0) {
+            grow(used + 1);
         }
+        free = s.array("free", free, freeCount);
+        touching = s.array("touching", touching, used == 0 ? 0 : used + 1); // from 1 on
+        changes = s.isRestoring() ? 0 : changes;
     }
 
     /** A pair is gone; returns whether it touched. */

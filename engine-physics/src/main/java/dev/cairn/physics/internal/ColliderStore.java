@@ -102,6 +102,8 @@ public final class ColliderStore implements Stateful {
     /** How many there are. */
     public int compoundCount;
 
+    private static final double[] NOTHING = {};
+
     private final double[] turned = new double[3];
     private final Columns.Kept kept = new Columns.Kept();
 
@@ -161,10 +163,14 @@ public final class ColliderStore implements Stateful {
         slotCount = s.value("slotCount", slotCount);
         belts = s.value("belts", belts);
         sensors = s.value("sensors", sensors);
-        surfaces = s.value("surfaces", surfaces);
         compounds = s.value("compounds", compounds);
+        surfaces = s.value("surfaces", surfaces);
         compoundCount = s.value("compoundCount", compoundCount);
         compound = s.array("compound", compound, compoundCount);
+        if (s.isRestoring()) {
+            belt = belts ? belt : NOTHING;
+            local = compounds ? local : NOTHING;
+        }
         ensureCapacity(slotCount);
         columns(kept.of(s, slotCount, body.length, false));
     }

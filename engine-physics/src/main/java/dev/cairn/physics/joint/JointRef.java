@@ -1,9 +1,15 @@
 package dev.cairn.physics.joint;
 
+import dev.cairn.core.state.StateCodec;
+import dev.cairn.core.state.StateInput;
+import dev.cairn.core.state.StateOutput;
 import dev.cairn.physics.internal.Checks;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
 
 /**
  * A joint in a world. Read-outs are those of the last step.
@@ -24,6 +30,10 @@ public final class JointRef {
     private double length;
     private final JointPlace place;
     final AxisSettings[] axes;
+
+    /** See {@code JointStore.parameter}; the world completes them. */
+    final double[] parameters;
+
     int index;
     int stamp;
     private final RowList rows = new RowList();
@@ -37,7 +47,56 @@ public final class JointRef {
         main = joint.main;
         length = joint.length;
         place = joint.place();
+        parameters = joint.parameters.clone();
         axes = joint.copyAxes();
+    }
+
+    /** What is not among the settings of the axes; a world makes a reference of its own of it. */
+    static final StateCodec<JointRef> CODEC =
+            StateCodec.of(
+                    JointRef.class,
+                    "joint",
+                    (ref, out) -> {
+                        out.writeString(ref.name);
+                        out.writeString(ref.kind);
+                        out.writeLong(ref.entityA);
+                        out.writeLong(ref.entityB);
+                        out.writeString(ref.main.name());
+                        out.writeDouble(ref.length);
+                        out.writeInt(ref.index);
+                        out.writeInt(ref.stamp);
+                        write(ref.place.anchorA(), out);
+                        write(ref.place.anchorB(), out);
+                        write(ref.place.axis(), out);
+                        write(ref.place.secondAxis(), out);
+                        out.writeDoubles(ref.parameters);
+                    },
+                    JointRef::new);
+
+    private static void write(@Nullable Vector3d v, StateOutput out) {
+        out.writeDoubles(v == null ? new double[0] : new double[] {v.x, v.y, v.z});
+    }
+
+    private static @Nullable Vector3d vector(StateInput in) {
+        double[] v = in.readDoubles();
+        return v.length == 0 ? null : new Vector3d(v[0], v[1], v[2]);
+    }
+
+    @SuppressWarnings("NullAway") // nobody sees it before a world has made its own of it
+    private JointRef(StateInput in) {
+        joints = null;
+        name = in.readString();
+        kind = in.readString();
+        entityA = in.readLong();
+        entityB = in.readLong();
+        main = JointAxis.valueOf(in.readString());
+        length = in.readDouble();
+        index = in.readInt();
+        stamp = in.readInt();
+        place = new JointPlace(vector(in), vector(in), vector(in), vector(in));
+        parameters = in.readDoubles();
+        axes = new AxisSettings[Joint.AXES];
+        Arrays.setAll(axes, k -> new AxisSettings());
     }
 
     /** The same joint in another world. */
@@ -50,6 +109,7 @@ public final class JointRef {
         main = twin.main;
         length = twin.length;
         place = twin.place;
+        parameters = twin.parameters.clone();
         axes = new AxisSettings[twin.axes.length];
         for (int k = 0; k < axes.length; k++) {
             axes[k] = twin.axes[k].copy();
@@ -79,6 +139,11 @@ public final class JointRef {
         }
         double wanted = length > 0 ? length : distance;
         length = wanted;
+        if (kind.equals("pulley")) {
+            axes[Joint.PULLEY].lower = Double.NEGATIVE_INFINITY;
+            axes[Joint.PULLEY].upper = wanted;
+            return;
+        }
         AxisSettings s = axes[main.index];
         if (s.isLocked && !(wanted > 0)) {
             throw new IllegalArgumentException(
@@ -245,7 +310,17 @@ public final class JointRef {
     }
 
     /**
-     * The length of a rod, rope or spring.
+     * What gears, racks and pulleys are made with.
+     *
+     * @return a copy: of a gear the teeth of A and of B; of a rack the pinion's radius, with a sign
+     *     that tells its side; of a pulley the two points and the ratio; else zeros
+     */
+    public double[] parameters() {
+        return parameters.clone();
+    }
+
+    /**
+     * The length of a rod, rope, spring, or of a pulley's rope.
      *
      * @return m; below 0 for joints of other kinds
      */
