@@ -233,8 +233,8 @@ public final class SweepStage {
                 && Reach.fits(colliders.shape[c.colliderB[row]]))) {
             return TOUCHING;
         }
+        double most = step * Math.max(closing(row, false), closing(row, true));
         for (int p = first; p < end; p++) {
-            double most = step * Math.max(closing(row, p, 0), closing(row, p, 1));
             if (most >= c.separation[p]) {
                 return isFast(row) ? CLOSING : TOUCHING;
             }
@@ -259,8 +259,11 @@ public final class SweepStage {
         return way > FAST * Math.min(colliders.innerRadius[a], colliders.innerRadius[b]);
     }
 
-    /** Speed at which a point closes: with the velocities now, or with those of the tick's end. */
-    private double closing(int row, int p, int atEnd) {
+    /**
+     * Speed at which surfaces close at most: with the velocities now, or with those of the tick's
+     * end.
+     */
+    private double closing(int row, boolean atEnd) {
         ContactStore c = contacts;
         BodyStore s = colliders.bodies;
         int i = c.bodyA[row];
@@ -268,9 +271,9 @@ public final class SweepStage {
         double[] ahead = bounds.ahead;
         int a = BoundsStage.AHEAD * c.colliderA[row];
         int b = BoundsStage.AHEAD * c.colliderB[row];
-        double vx = atEnd == 0 ? s.velocityX[i] - s.velocityX[j] : ahead[a] - ahead[b];
-        double vy = atEnd == 0 ? s.velocityY[i] - s.velocityY[j] : ahead[a + 1] - ahead[b + 1];
-        double vz = atEnd == 0 ? s.velocityZ[i] - s.velocityZ[j] : ahead[a + 2] - ahead[b + 2];
+        double vx = atEnd ? ahead[a] - ahead[b] : s.velocityX[i] - s.velocityX[j];
+        double vy = atEnd ? ahead[a + 1] - ahead[b + 1] : s.velocityY[i] - s.velocityY[j];
+        double vz = atEnd ? ahead[a + 2] - ahead[b + 2] : s.velocityZ[i] - s.velocityZ[j];
         double turn = ahead[a + 3] + ahead[b + 3];
         return vx * c.normalX(row) + vy * c.normalY(row) + vz * c.normalZ(row) + turn / step;
     }
