@@ -17,5 +17,6 @@ module dev.cairn.physics {
     exports dev.cairn.physics.profile;
     exports dev.cairn.physics.query;
     exports dev.cairn.physics.shape;
+    exports dev.cairn.physics.time;
     exports dev.cairn.physics.tuning;
 }

@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.core.state.StateCodec;
 import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.body.Lock;
@@ -26,8 +27,25 @@ import java.util.List;
  * forces and impulses have no effect.
  */
 public final class BodyRef extends BodyState {
+    /** In bytes a reference is a name and a place; a world makes its own of it. */
+    static final StateCodec<BodyRef> CODEC =
+            StateCodec.of(
+                    BodyRef.class,
+                    "body",
+                    (ref, out) -> {
+                        out.writeInt(ref.slot());
+                        out.writeLong(ref.entity());
+                        out.writeString(ref.name());
+                    },
+                    in -> ofNoWorld(in.readInt(), in.readLong(), in.readString()));
+
     BodyRef(BodyTable table, int slot, long entity, String name) {
         super(table, slot, entity, name);
+    }
+
+    @SuppressWarnings("NullAway") // nobody sees it before a world has made its own of it
+    private static BodyRef ofNoWorld(int slot, long entity, String name) {
+        return new BodyRef(null, slot, entity, name);
     }
 
     /**

@@ -1,6 +1,10 @@
 package dev.cairn.physics;
 
+import dev.cairn.core.state.StateCodec;
+import dev.cairn.core.state.StateInput;
+import dev.cairn.core.state.StateOutput;
 import dev.cairn.physics.collider.Filter;
+import dev.cairn.physics.collider.Mix;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.HalfSpace;
@@ -28,6 +32,46 @@ public final class Collider {
 
     /** The shape in the body's frame. */
     final Shape placed;
+
+    /** How a collider becomes bytes. */
+    static final StateCodec<Collider> CODEC =
+            StateCodec.of(Collider.class, "collider", Collider::write, Collider::read);
+
+    private void write(StateOutput out) {
+        out.writeObject(shape);
+        out.writeDoubles(pose());
+        out.writeBoolean(material != null);
+        if (material != null) {
+            out.writeDouble(material.friction());
+            out.writeDouble(material.restitution());
+            out.writeDouble(material.density());
+            out.writeDouble(material.rollingArm());
+            out.writeString(material.frictionMix().name());
+            out.writeString(material.restitutionMix().name());
+        }
+        out.writeObject(filter);
+        out.writeObject(userData);
+        out.writeBoolean(sensor);
+    }
+
+    private static Collider read(StateInput in) {
+        Shape shape = in.readObject(Shape.class);
+        double[] pose = in.readDoubles();
+        Material material = null;
+        if (in.readBoolean()) {
+            material =
+                    new Material(
+                            in.readDouble(),
+                            in.readDouble(),
+                            in.readDouble(),
+                            in.readDouble(),
+                            Mix.valueOf(in.readString()),
+                            Mix.valueOf(in.readString()));
+        }
+        Filter filter = in.readNullable(Filter.class);
+        Object userData = in.readNullable(Object.class);
+        return new Collider(shape, pose, material, filter, userData, in.readBoolean());
+    }
 
     private Collider(
             Shape shape,

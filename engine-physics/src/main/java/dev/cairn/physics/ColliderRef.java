@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.core.state.StateCodec;
 import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.Checks;
@@ -19,6 +20,22 @@ public final class ColliderRef {
 
     /** Its slot now; -1 when it is gone. */
     private int collider;
+
+    /** In bytes a reference is a body and a place; a world makes its own of it. */
+    static final StateCodec<ColliderRef> CODEC =
+            StateCodec.of(
+                    ColliderRef.class,
+                    "collider.reference",
+                    (ref, out) -> {
+                        out.writeObject(ref.body);
+                        out.writeInt(ref.collider);
+                    },
+                    in -> ofNoWorld(in.readObject(BodyRef.class), in.readInt()));
+
+    @SuppressWarnings("NullAway") // nobody sees it before a world has made its own of it
+    private static ColliderRef ofNoWorld(BodyRef body, int collider) {
+        return new ColliderRef(null, body, collider);
+    }
 
     ColliderRef(ColliderTable table, BodyRef body, int collider) {
         this.table = table;

@@ -1,5 +1,8 @@
 package dev.cairn.physics;
 
+import dev.cairn.core.state.StateCodec;
+import dev.cairn.core.state.StateInput;
+import dev.cairn.core.state.StateOutput;
 import dev.cairn.physics.tuning.Precision;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.physics.tuning.Tuning;
@@ -161,6 +164,32 @@ public final class PhysicsSettings {
      */
     public PhysicsSettings with(Tunable tunable, double value) {
         return new PhysicsSettings(tuning.with(tunable, value), sleeping);
+    }
+
+    /** In bytes: all values by name, since defaults may change. */
+    static final StateCodec<PhysicsSettings> CODEC =
+            StateCodec.of(
+                    PhysicsSettings.class,
+                    "settings",
+                    PhysicsSettings::write,
+                    PhysicsSettings::read);
+
+    private void write(StateOutput out) {
+        out.writeBoolean(sleeping);
+        Tunable[] all = Tunable.values();
+        out.writeInt(all.length);
+        for (Tunable tunable : all) {
+            out.writeString(tunable.name());
+            out.writeDouble(tuning.get(tunable));
+        }
+    }
+
+    private static PhysicsSettings read(StateInput in) {
+        PhysicsSettings settings = DEFAULT.withSleeping(in.readBoolean());
+        for (int left = in.readInt(); left > 0; left--) {
+            settings = settings.with(Tunable.valueOf(in.readString()), in.readDouble());
+        }
+        return settings;
     }
 
     /** Whether they lead to the same bits: lanes do not count, nor sub-steps, which may change. */

@@ -226,6 +226,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         }
         table.state(s);
         contacts.state(s);
+        rows.state(s);
         joints.state(s);
         if (jointList != null) {
             jointList.state(s);

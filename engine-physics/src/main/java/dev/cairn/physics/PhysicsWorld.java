@@ -1,15 +1,24 @@
 package dev.cairn.physics;
 
+import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.ComponentCodec;
 import dev.cairn.core.ecs.EcsSystem;
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.core.snapshot.Visual;
+import dev.cairn.core.state.StateCodec;
+import dev.cairn.core.state.StateCodecs;
 import dev.cairn.core.state.StateException;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
 import dev.cairn.core.state.WorldState;
 import dev.cairn.physics.body.BodyRemovedException;
+import dev.cairn.physics.collider.Filter;
+import dev.cairn.physics.component.Force;
+import dev.cairn.physics.component.Torque;
+import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.joint.Joint;
@@ -17,6 +26,7 @@ import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.joint.Jointed;
 import dev.cairn.physics.joint.Joints;
 import dev.cairn.physics.profile.StepProfile;
+import dev.cairn.physics.shape.ShapeCodecs;
 import dev.cairn.physics.state.Crush;
 import dev.cairn.physics.state.Digest;
 import dev.cairn.physics.state.RigidBody;
@@ -365,12 +375,42 @@ public final class PhysicsWorld implements AutoCloseable {
      *
      * @param state what to restore
      * @throws StateException if it is the state of something else; the world is as before if that
-     *     is told by its settings, and needs another state otherwise
+     *     is told by its settings, or the state came from bytes, and else needs another state
      * @throws IllegalStateException during a step, or if the world is closed
      */
     public void restore(WorldState state) {
         requireBetweenSteps("restore");
-        Checks.notNull("state", state).restore(whole);
+        WorldState back = Checks.notNull("state", state).isRead() && !hasFailed() ? save() : null;
+        try {
+            state.restore(whole);
+        } catch (RuntimeException refusal) {
+            if (back != null) {
+                back.restore(whole);
+            }
+            throw refusal instanceof StateException told
+                    ? told
+                    : new StateException(
+                            "the state is not one of such a world: " + refusal, refusal);
+        }
+    }
+
+    /**
+     * How a state of such a world becomes bytes: {@code state.writeTo(file,
+     * PhysicsWorld.codecs())}. Objects of the user need codecs of their own, by {@code with(..)}.
+     *
+     * @param components those that entities may have beside the ones of this module
+     * @return codecs of shapes, filters, components and references
+     */
+    public static StateCodecs codecs(Component<?>... components) {
+        List<Component<?>> all = new ArrayList<>(List.of(components));
+        all.addAll(List.of(Pose.COMPONENT, Visual.COMPONENT, Velocity.COMPONENT));
+        all.addAll(List.of(Force.COMPONENT, Torque.COMPONENT));
+        all.addAll(List.of(RigidBody.COMPONENT, NewBody.COMPONENT));
+        return StateCodecs.STANDARD
+                .with(ShapeCodecs.all().toArray(new StateCodec<?>[0]))
+                .with(Collider.CODEC, BodyRef.CODEC, ColliderRef.CODEC, PhysicsSettings.CODEC)
+                .with(Filter.CODEC, Joints.codec())
+                .with(new ComponentCodec(all.toArray(new Component<?>[0])));
     }
 
     /**

@@ -4,14 +4,26 @@ import dev.cairn.core.ecs.EcsSystem;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
+import dev.cairn.physics.narrowphase.wide.RoundWarmUp;
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.solver.wide.Lanes;
 
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.DoubleConsumer;
 
 /** Describes a world. One thread at a time. */
 public final class PhysicsWorldBuilder {
+    private static final int WARM_UP_BODIES = 768;
+    private static final int WARM_UP_TICKS = 180;
+    private static final double WORLD_SHARE = 0.1;
+
     private double gravityX;
     private double gravityY = -9.81;
     private double gravityZ;
@@ -141,5 +153,45 @@ public final class PhysicsWorldBuilder {
             builder.workers(workers == 0 ? Jobs.defaultWorkers() : workers);
         }
         return new PhysicsWorld(physics, builder.build(), systems.toArray(new EcsSystem[0]));
+    }
+
+    /**
+     * Brings the engine's code to speed for worlds like this, for those who would rather wait at a
+     * loading screen than have slower first seconds: steps a small world of its own, and then has
+     * the vector kernels compiled. Takes some ten seconds of one core, once in a process; later
+     * calls take a tenth of that. What worlds compute does not depend on it. Any thread; allocates.
+     *
+     * @param progress told the share that is done, ascending from 0 to 1, in the caller's thread
+     */
+    public void warmUp(DoubleConsumer progress) {
+        Checks.notNull("progress", progress);
+        progress.accept(0);
+        try (PhysicsWorld world = new PhysicsWorldBuilder().settings(settings).workers(1).build()) {
+            world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0));
+            for (int i = 0; i < WARM_UP_BODIES; i++) {
+                double x = 1.1 * (i % 8);
+                double y = 0.6 + 1.1 * (i / 64);
+                double z = 1.1 * (i / 8 % 8);
+                Shape shape =
+                        switch (i % 4) {
+                            case 0 -> Sphere.of(0.5);
+                            case 1 -> Capsule.of(0.3, 0.2);
+                            default -> Box.cube(0.5);
+                        };
+                world.add(Body.dynamic().shape(shape).at(x, y, z));
+            }
+            for (int tick = 1; tick <= WARM_UP_TICKS; tick++) {
+                world.step(1.0 / 60.0);
+                progress.accept(WORLD_SHARE * tick / WARM_UP_TICKS);
+            }
+        }
+        BoxWarmUp.await();
+        progress.accept(0.3);
+        RoundWarmUp.await();
+        progress.accept(0.4);
+        Lanes.await(settings.lanes(), true);
+        progress.accept(0.7);
+        Lanes.await(settings.lanes(), false);
+        progress.accept(1);
     }
 }

@@ -45,6 +45,8 @@ import java.util.Map;
             "  samples --headless --scene pile --ticks 300 --animation pile.png",
             "  samples --scene pyramid --set base=5 --export-scene five.json",
             "  samples --headless --scene-file five.json --picture five.png",
+            "  samples --scene pyramid --record run.cairn",
+            "  samples --replay run.cairn --workers 1 --lanes 4",
             "  samples --scene room,pyramid,obj-drop --contact-sheet scenes.png",
             "  samples accuracy --quick      (compares with closed forms; accuracy --help)",
             "  samples fuzz --worlds 1000    (random worlds against laws; fuzz --help)",
@@ -178,12 +180,31 @@ public final class Main {
     @Nullable String animation;
 
     @Option(
+            names = "--record",
+            paramLabel = "FILE.cairn",
+            description = "Write down the only scene of the run, tick by tick.")
+    @Nullable String record;
+
+    @Option(
+            names = "--replay",
+            paramLabel = "FILE.cairn",
+            description =
+                    "Run again what was written down, and tell the first tick that differs; goes"
+                            + " with --workers and --lanes.")
+    @Nullable String replay;
+
+    @Option(
             names = "--contact-sheet",
             paramLabel = "FILE.png",
             description = "Draw all scenes of the run side by side into one file.")
     @Nullable String contactSheet;
 
     private Main() {}
+
+    /** The options of a run that was recorded. */
+    Main(List<String> recorded) {
+        RunCommand.parse(recorded, this);
+    }
 
     /**
      * Runs the samples and ends the process.
@@ -228,6 +249,12 @@ public final class Main {
             if (parsed.isVersionHelpRequested()) {
                 line.printVersionHelp(out);
                 return DONE;
+            }
+            if (typed.replay != null) {
+                return new RunCommand(out, err).replay(typed);
+            }
+            if (typed.record != null) {
+                return new RunCommand(out, err).record(typed);
             }
             return new Runner(Request.of(typed), out, err, display).run();
         } catch (CommandLine.UnmatchedArgumentException unknown) {

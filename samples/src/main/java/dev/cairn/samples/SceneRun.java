@@ -46,6 +46,19 @@ public final class SceneRun {
     private @Nullable Path picture;
     private int pictureTick;
     private @Nullable Path animation;
+    private Observer observer = (world, tick) -> {};
+
+    /** Sees the world after each tick. */
+    @FunctionalInterface
+    public interface Observer {
+        /**
+         * Looks, and changes nothing.
+         *
+         * @param world after the step
+         * @param tick its number; 0 before the first step
+         */
+        void stepped(PhysicsWorld world, int tick);
+    }
 
     /** Hears of each tick. */
     @FunctionalInterface
@@ -140,6 +153,17 @@ public final class SceneRun {
     }
 
     /**
+     * Asks for somebody to look at the world after each tick, outside of the clock.
+     *
+     * @param value who looks
+     * @return this
+     */
+    public SceneRun observer(Observer value) {
+        this.observer = value;
+        return this;
+    }
+
+    /**
      * Asks for an animation: a frame for every third tick, so that it plays in real time at 20
      * frames a second; needs GL.
      *
@@ -193,6 +217,7 @@ public final class SceneRun {
         SnapshotExchange exchange = picture == null ? null : new SnapshotExchange();
         measures.depth(built);
         world.profile().enable();
+        observer.stepped(world, 0);
         if (exchange != null && pictureTick == 0) {
             exchange.publish(world.ecs());
             draw(exchange, built);
@@ -200,6 +225,7 @@ public final class SceneRun {
         for (int tick = 1; tick <= ticks; tick++) {
             built.beforeTick();
             measures.step(world, meter, tick, built.stepSeconds());
+            observer.stepped(world, tick);
             built.afterTick();
             if (tick == 1) {
                 // the first tick loads classes and grows every store

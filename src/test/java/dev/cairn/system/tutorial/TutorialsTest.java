@@ -10,6 +10,7 @@ import dev.cairn.core.ecs.ChunkSystem;
 import dev.cairn.core.ecs.Component;
 import dev.cairn.core.ecs.FloatField;
 import dev.cairn.core.ecs.Tick;
+import dev.cairn.core.state.WorldState;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Collider;
@@ -211,6 +212,28 @@ class TutorialsTest {
                 world.step(STEP);
             }
             return world.digest();
+        }
+    }
+
+    @Test
+    void takeItBack() {
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+            world.add(Body.fixed().shape(Box.of(20, 1, 20)).at(0, -1, 0));
+            BodyRef crate = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 0));
+            world.step(STEP);
+            long digest = world.digest();
+            // chapter: take it back
+            WorldState before = world.save();
+            crate.applyImpulse(3000, 0, 0);
+            for (int tick = 0; tick < 60; tick++) {
+                world.step(1.0 / 60);
+            }
+            double thrown = crate.position().x;
+            world.restore(before);
+            // chapter: end
+            assertTrue(thrown > 0.5, "thrown " + thrown + " m");
+            assertEquals(0, crate.position().x, 1e-9);
+            assertEquals(digest, world.digest());
         }
     }
 }

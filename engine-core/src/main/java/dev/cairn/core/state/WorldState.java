@@ -2,9 +2,17 @@ package dev.cairn.core.state;
 
 import org.jspecify.annotations.Nullable;
 
+import java.io.BufferedInputStream;
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
 import java.lang.foreign.MemorySegment;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Objects;
+import java.util.zip.CRC32C;
 
 /**
  * All that the next tick of a world depends on, as a value: save it, and restore it as often as you
@@ -68,6 +76,8 @@ public final class WorldState {
     int[] counts = new int[FIRST_ENTRIES];
     int entries;
 
+    boolean isRead;
+
     private final StateWriter writer = new StateWriter(this);
 
     /** Nothing yet. */
@@ -82,6 +92,7 @@ public final class WorldState {
     public void save(Stateful root) {
         Objects.requireNonNull(root, "root must not be null");
         int before = objectCount;
+        isRead = false;
         size = 0;
         objectCount = 0;
         entries = 0;
@@ -105,6 +116,68 @@ public final class WorldState {
         StateReader reader = new StateReader(this);
         root.state(reader);
         reader.end();
+    }
+
+    /**
+     * Writes the state as bytes that are the same on every machine, with a sum that tells damage.
+     *
+     * @param out where to; stays open
+     * @param codecs write the objects, for example {@code PhysicsWorld.codecs()}
+     * @throws IOException if writing fails
+     * @throws StateException naming the field that holds an object without a codec
+     */
+    public void writeTo(OutputStream out, StateCodecs codecs) throws IOException {
+        StateBytes.write(this, out, codecs);
+    }
+
+    /**
+     * The same to a file, in place of what it held.
+     *
+     * @param file the file
+     * @param codecs write the objects
+     * @throws IOException if writing fails
+     */
+    public void writeTo(Path file, StateCodecs codecs) throws IOException {
+        try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
+            writeTo(out, codecs);
+        }
+    }
+
+    /**
+     * Reads what {@link #writeTo} wrote, and no more. Takes as much memory as there are bytes, and
+     * a small multiple of it, whatever they say.
+     *
+     * @param in where from; stays open
+     * @param codecs read the objects
+     * @return the state
+     * @throws IOException if reading fails
+     * @throws StateException if the bytes are damaged, incomplete, or of another version
+     */
+    public static WorldState read(InputStream in, StateCodecs codecs) throws IOException {
+        return StateBytes.read(in, codecs);
+    }
+
+    /**
+     * The same from a file.
+     *
+     * @param file the file
+     * @param codecs read the objects
+     * @return the state
+     * @throws IOException if reading fails
+     */
+    public static WorldState read(Path file, StateCodecs codecs) throws IOException {
+        try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
+            return read(in, codecs);
+        }
+    }
+
+    /**
+     * Whether it came from bytes, so that who restores it may want a way back.
+     *
+     * @return false for what was saved in this process
+     */
+    public boolean isRead() {
+        return isRead;
     }
 
     /**
@@ -144,6 +217,42 @@ public final class WorldState {
      */
     public boolean matches(WorldState other) {
         return difference(other) == null;
+    }
+
+    /**
+     * How many columns and single numbers it holds, for tools that compare runs.
+     *
+     * @return the number; columns of references are among them
+     */
+    public int columnCount() {
+        return entries;
+    }
+
+    /**
+     * What a column is called.
+     *
+     * @param index 0 to columnCount - 1
+     * @return such as {@code bodies.positionX}
+     */
+    public String columnName(int index) {
+        return path(Objects.checkIndex(index, entries));
+    }
+
+    /**
+     * A sum of a column's bits.
+     *
+     * @param index 0 to columnCount - 1
+     * @return CRC-32C of its bytes; of references only how many there are
+     */
+    public int columnSum(int index) {
+        int e = Objects.checkIndex(index, entries);
+        int width = WIDTH[kinds[e]];
+        if (width == 0) {
+            return counts[e];
+        }
+        CRC32C sum = new CRC32C();
+        sum.update(bytes, at[e], width * counts[e]);
+        return (int) sum.getValue();
     }
 
     /** Room for more bytes; the segment follows. */

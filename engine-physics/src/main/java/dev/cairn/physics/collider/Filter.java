@@ -1,5 +1,7 @@
 package dev.cairn.physics.collider;
 
+import dev.cairn.core.state.StateCodec;
+
 /**
  * Who a collider meets. Two of them collide if each one's mask has a bit of the other's category,
  * unless both are of one group. Immutable; any thread.
@@ -15,6 +17,18 @@ public record Filter(long category, long mask, int group) {
 
     /** Collides with nothing, and no query with a filter finds it. */
     public static final Filter NOTHING = new Filter(0, 0, 0);
+
+    /** How a filter becomes bytes. */
+    public static final StateCodec<Filter> CODEC =
+            StateCodec.of(
+                    Filter.class,
+                    "filter",
+                    (f, out) -> {
+                        out.writeLong(f.category);
+                        out.writeLong(f.mask);
+                        out.writeInt(f.group);
+                    },
+                    in -> new Filter(in.readLong(), in.readLong(), in.readInt()));
 
     /**
      * A filter of no group.

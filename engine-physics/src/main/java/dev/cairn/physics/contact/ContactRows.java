@@ -3,6 +3,7 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
@@ -42,6 +43,11 @@ public final class ContactRows {
         this.colliders = colliders;
         bodies = colliders.bodies;
         this.sleepers = sleepers;
+    }
+
+    /** What lasts of pairs beside their rows. */
+    public void state(StateVisitor s) {
+        groups.state(s);
     }
 
     /**

@@ -1,5 +1,6 @@
 package dev.cairn.physics.contact;
 
+import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.internal.ContactStore;
 
 import java.util.Arrays;
@@ -40,17 +41,33 @@ final class PairGroups {
     int open() {
         int group = freeCount > 0 ? free[--freeCount] : ++used;
         if (group >= touching.length) {
-            int n = Math.max(16, 2 * group);
-            free = Arrays.copyOf(free, n);
-            touching = Arrays.copyOf(touching, n);
-            before = Arrays.copyOf(before, n);
-            hasChanged = Arrays.copyOf(hasChanged, n);
-            changed = Arrays.copyOf(changed, n);
-            firstRow = Arrays.copyOf(firstRow, n);
-            lastRow = Arrays.copyOf(lastRow, n);
+            grow(Math.max(16, 2 * group));
         }
         touching[group] = 0;
         return group;
+    }
+
+    private void grow(int n) {
+        free = Arrays.copyOf(free, n);
+        touching = Arrays.copyOf(touching, n);
+        before = Arrays.copyOf(before, n);
+        hasChanged = Arrays.copyOf(hasChanged, n);
+        changed = Arrays.copyOf(changed, n);
+        firstRow = Arrays.copyOf(firstRow, n);
+        lastRow = Arrays.copyOf(lastRow, n);
+    }
+
+    /** Numbers in use, and how much of each group touches; between ticks nothing is changed. */
+    void state(StateVisitor s) {
+        s.section("groups", this);
+        used = s.value("used", used);
+        freeCount = s.value("freeCount", freeCount);
+        if (used >= touching.length && used > 0) {
+            grow(used + 1);
+        }
+        free = s.array("free", free, freeCount);
+        touching = s.array("touching", touching, used == 0 ? 0 : used + 1); // from 1 on
+        changes = s.isRestoring() ? 0 : changes;
     }
 
     /** A pair is gone; returns whether it touched. */

@@ -102,6 +102,8 @@ public final class ColliderStore implements Stateful {
     /** How many there are. */
     public int compoundCount;
 
+    private static final double[] NOTHING = {};
+
     private final double[] turned = new double[3];
     private final Columns.Kept kept = new Columns.Kept();
 
@@ -162,8 +164,13 @@ public final class ColliderStore implements Stateful {
         belts = s.value("belts", belts);
         sensors = s.value("sensors", sensors);
         compounds = s.value("compounds", compounds);
+        surfaces = s.value("surfaces", surfaces);
         compoundCount = s.value("compoundCount", compoundCount);
         compound = s.array("compound", compound, compoundCount);
+        if (s.isRestoring()) {
+            belt = belts ? belt : NOTHING;
+            local = compounds ? local : NOTHING;
+        }
         ensureCapacity(slotCount);
         columns(kept.of(s, slotCount, body.length, false));
     }

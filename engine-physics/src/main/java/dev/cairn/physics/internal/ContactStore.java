@@ -27,6 +27,10 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
      */
     public int[] active = {};
 
+    private static final double[] NO_DOUBLES = {};
+    private static final long[] NO_LONGS = {};
+    private static final int[] NO_INTS = {};
+
     private int remembered;
     private final Columns.Move move = new Columns.Move();
     private final Columns.Clear clear = new Columns.Clear();
@@ -254,6 +258,22 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         totalNormalImpulse = c.column("totalNormalImpulse", totalNormalImpulse, POINTS);
     }
 
+    /**
+     * Columns that the state does not have are as if they had never been: begun anew they are 0.
+     */
+    private void dropUnused() {
+        group = grouped ? group : NO_INTS;
+        rollingArm = rolls ? rollingArm : NO_DOUBLES;
+        rollingImpulse = rolls ? rollingImpulse : NO_DOUBLES;
+        belt = belts ? belt : NO_DOUBLES;
+        approach = hits ? approach : NO_DOUBLES;
+        lean = leans ? lean : NO_DOUBLES;
+        hookMemory = hooked ? hookMemory : NO_INTS;
+        lever = compounds ? lever : NO_DOUBLES;
+        frictionLoad = uneven ? frictionLoad : NO_DOUBLES;
+        memory = remembered > 0 ? memory : NO_LONGS;
+    }
+
     @Override
     public void state(StateVisitor s) {
         s.section("contacts", this);
@@ -265,7 +285,11 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         hits = s.value("hits", hits);
         hooked = s.value("hooked", hooked);
         compounds = s.value("compounds", compounds);
+        grouped = s.value("grouped", grouped);
         leans = s.value("leans", leans);
+        if (s.isRestoring()) {
+            dropUnused();
+        }
         ensureCapacity(count);
         columns(rows.of(s, count, bodyA.length, false));
         activeCount = s.value("activeCount", activeCount);

@@ -1,9 +1,15 @@
 package dev.cairn.physics.joint;
 
+import dev.cairn.core.state.StateCodec;
+import dev.cairn.core.state.StateInput;
+import dev.cairn.core.state.StateOutput;
 import dev.cairn.physics.internal.Checks;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+
+import java.util.Arrays;
 
 /**
  * A joint in a world. Read-outs are those of the last step.
@@ -38,6 +44,52 @@ public final class JointRef {
         length = joint.length;
         place = joint.place();
         axes = joint.copyAxes();
+    }
+
+    /** What is not among the settings of the axes; a world makes a reference of its own of it. */
+    static final StateCodec<JointRef> CODEC =
+            StateCodec.of(
+                    JointRef.class,
+                    "joint",
+                    (ref, out) -> {
+                        out.writeString(ref.name);
+                        out.writeString(ref.kind);
+                        out.writeLong(ref.entityA);
+                        out.writeLong(ref.entityB);
+                        out.writeString(ref.main.name());
+                        out.writeDouble(ref.length);
+                        out.writeInt(ref.index);
+                        out.writeInt(ref.stamp);
+                        write(ref.place.anchorA(), out);
+                        write(ref.place.anchorB(), out);
+                        write(ref.place.axis(), out);
+                        write(ref.place.secondAxis(), out);
+                    },
+                    JointRef::new);
+
+    private static void write(@Nullable Vector3d v, StateOutput out) {
+        out.writeDoubles(v == null ? new double[0] : new double[] {v.x, v.y, v.z});
+    }
+
+    private static @Nullable Vector3d vector(StateInput in) {
+        double[] v = in.readDoubles();
+        return v.length == 0 ? null : new Vector3d(v[0], v[1], v[2]);
+    }
+
+    @SuppressWarnings("NullAway") // nobody sees it before a world has made its own of it
+    private JointRef(StateInput in) {
+        joints = null;
+        name = in.readString();
+        kind = in.readString();
+        entityA = in.readLong();
+        entityB = in.readLong();
+        main = JointAxis.valueOf(in.readString());
+        length = in.readDouble();
+        index = in.readInt();
+        stamp = in.readInt();
+        place = new JointPlace(vector(in), vector(in), vector(in), vector(in));
+        axes = new AxisSettings[Joint.AXES];
+        Arrays.setAll(axes, k -> new AxisSettings());
     }
 
     /** The same joint in another world. */

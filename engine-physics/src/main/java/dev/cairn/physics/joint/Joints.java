@@ -1,5 +1,6 @@
 package dev.cairn.physics.joint;
 
+import dev.cairn.core.state.StateCodec;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.internal.BodyStore;
@@ -142,6 +143,15 @@ public final class Joints implements Stateful {
         separate(j);
         wake(j);
         return ref;
+    }
+
+    /**
+     * How a reference to a joint becomes bytes; for {@code PhysicsWorld.codecs}.
+     *
+     * @return a codec
+     */
+    public static StateCodec<JointRef> codec() {
+        return JointRef.CODEC;
     }
 
     /**

@@ -68,17 +68,25 @@ public final class ConvexHull extends Polyhedral implements Shape {
         }
         MassProperties unit = Solids.integrate(points, loops);
         double[] corners = new double[3 * kept.length];
-        double[][] relative = new double[3][kept.length];
         for (int v = 0; v < kept.length; v++) {
             System.arraycopy(points, 3 * kept[v], corners, 3 * v, 3);
-            relative[0][v] = corners[3 * v] - unit.comX();
-            relative[1][v] = corners[3 * v + 1] - unit.comY();
-            relative[2][v] = corners[3 * v + 2] - unit.comZ();
         }
         for (int[] loop : loops) {
             for (int i = 0; i < loop.length; i++) {
                 loop[i] = Arrays.binarySearch(kept, loop[i]);
             }
+        }
+        return restored(corners, unit, loops);
+    }
+
+    /** Of corners, mass properties at density 1 and faces that a hull has told. */
+    static ConvexHull restored(double[] corners, MassProperties unit, int[][] loops) {
+        int count = corners.length / 3;
+        double[][] relative = new double[3][count];
+        for (int v = 0; v < count; v++) {
+            relative[0][v] = corners[3 * v] - unit.comX();
+            relative[1][v] = corners[3 * v + 1] - unit.comY();
+            relative[2][v] = corners[3 * v + 2] - unit.comZ();
         }
         Polyhedron polyhedron = new Polyhedron(relative[0], relative[1], relative[2], loops);
         return new ConvexHull(polyhedron, unit, corners);

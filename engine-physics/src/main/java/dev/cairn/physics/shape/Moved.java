@@ -35,6 +35,11 @@ public final class Moved implements Shape {
         comZ = com.z;
     }
 
+    /** Place and turn, as the constructor takes them. */
+    double[] numbers() {
+        return new double[] {x, y, z, qx, qy, qz, qw};
+    }
+
     static Shape of(Shape shape, double x, double y, double z, Quaterniond turn) {
         Checks.coordinate("x", x);
         Checks.coordinate("y", y);

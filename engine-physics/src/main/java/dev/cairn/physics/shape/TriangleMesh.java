@@ -1,5 +1,7 @@
 package dev.cairn.physics.shape;
 
+import dev.cairn.core.state.StateInput;
+import dev.cairn.core.state.StateOutput;
 import dev.cairn.physics.shape.DegenerateShapeException.Reason;
 import dev.cairn.physics.shape.mesh.MeshBuilder;
 import dev.cairn.physics.shape.mesh.Meshed;
@@ -86,6 +88,17 @@ public final class TriangleMesh extends Meshed implements Shape {
             }
         }
         return build(vertices.clone(), indices.clone(), false);
+    }
+
+    void write(StateOutput out) {
+        out.writeDoubles(vertices);
+        out.writeInts(indices);
+        out.writeBoolean(isTwoSided());
+    }
+
+    static TriangleMesh read(StateInput in) {
+        TriangleMesh mesh = of(in.readDoubles(), in.readInts());
+        return in.readBoolean() ? mesh.twoSided() : mesh;
     }
 
     private static void check(String name, int length, String what) {

@@ -18,6 +18,7 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 
 import org.junit.jupiter.api.Test;
 
@@ -131,6 +132,10 @@ class NothingForgottenTest {
         Material rough = new Material(0.6, 0.2, 1000, 0.001);
         Collider belt = Collider.of(Box.of(20, 1, 20)).surfaceVelocity(0.1, 0, 0);
         world.add(Body.fixed().collider(belt).at(0, -1, 0));
+        double[] corners = {30, 0, -9, 30, 0, 9, 50, 1, 9, 50, 0, -9};
+        TriangleMesh ground = TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3});
+        world.add(Body.fixed().shape(ground));
+        world.add(Body.dynamic().shape(Box.cube(0.5)).at(40, 2, 0));
         BodyRef lift = world.add(Body.kinematic().shape(Box.cube(1)).at(-4, 2, 0));
         BodyRef last = null;
         for (int i = 0; i < 12; i++) {

@@ -17,7 +17,6 @@ import dev.cairn.render.input.Controllable;
 import dev.cairn.render.mesh.Mesh;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.mesh.ModelGroup;
-import dev.cairn.render.mesh.ObjFormatException;
 import dev.cairn.render.mesh.ObjModel;
 import dev.cairn.render.mesh.ObjReader;
 import dev.cairn.render.mesh.Texture;
@@ -31,7 +30,6 @@ import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 import org.joml.Quaterniond;
 import org.jspecify.annotations.Nullable;
 
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -376,8 +374,11 @@ public final class SceneLoader {
         if (!meshes.containsKey(file)) {
             ObjModel mesh = null;
             try {
-                mesh = ObjReader.readModel(folder.resolve(file), told -> complain(index, told));
-            } catch (ObjFormatException | InvalidPathException broken) {
+                mesh =
+                        ObjReader.readModel(
+                                AssetPath.of(folder, file, AssetPath.MESHES),
+                                told -> complain(index, told));
+            } catch (IllegalArgumentException broken) {
                 complain(index, String.valueOf(broken.getMessage()));
             }
             meshes.put(file, mesh);
@@ -393,7 +394,7 @@ public final class SceneLoader {
         Texture known = textures.get(name);
         if (known == null) {
             try {
-                known = Texture.read(folder.resolve(name));
+                known = Texture.read(AssetPath.of(folder, name, AssetPath.PICTURES));
             } catch (IllegalArgumentException broken) {
                 complain(index, String.valueOf(broken.getMessage()));
                 known = Texture.missing();
@@ -404,6 +405,8 @@ public final class SceneLoader {
     }
 
     private void complain(int index, String message) {
-        into.remark("entity %d shows a placeholder: %s".formatted(index, message));
+        into.remark(
+                "entity %d shows a placeholder: %s"
+                        .formatted(index, SceneFileException.shown(message)));
     }
 }

@@ -70,6 +70,19 @@ public final class Lanes {
         return sweeps;
     }
 
+    /**
+     * Waits until the sweeps of {@code lanes} rows are compiled, or known not to pay off; some five
+     * seconds. Any thread.
+     *
+     * @param lanes as for {@link #sweeps}
+     * @param isSingle whether the numbers are floats
+     */
+    public static void await(int lanes, boolean isSingle) {
+        if (sweeps(lanes, isSingle, false) instanceof WideSweeps wide) {
+            wide.await();
+        }
+    }
+
     /** A class of its own for each number, so that its species is a constant to the compiler. */
     private static synchronized WideSweeps wide(int lanes, boolean isSingle) {
         int known = isSingle ? LARGEST + 1 + lanes : lanes;

@@ -100,6 +100,11 @@ public final class WideSweeps implements Sweeps {
         warmUp.begin();
     }
 
+    /** Warms up now, unless that has been done; uses them if they pay off. */
+    void await() {
+        warmUp.finish();
+    }
+
     /** Warms up now, unless that has been done, and uses them even if they do not pay off. */
     public void finish() {
         warmUp.finish();

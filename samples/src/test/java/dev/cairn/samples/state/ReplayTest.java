@@ -1,0 +1,116 @@
+package dev.cairn.samples.state;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.core.state.StateException;
+import dev.cairn.samples.Main;
+import dev.cairn.samples.replay.RunFile;
+import dev.cairn.samples.time.AimedShot;
+import dev.cairn.samples.time.TwoPeers;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Runs that are written down come again; games over a network and aimed shots are the truth. */
+class ReplayTest {
+    private final ByteArrayOutputStream out = new ByteArrayOutputStream();
+    private final ByteArrayOutputStream err = new ByteArrayOutputStream();
+
+    private int run(String... arguments) {
+        out.reset();
+        err.reset();
+        return Main.run(
+                arguments,
+                new PrintStream(out, true, StandardCharsets.UTF_8),
+                new PrintStream(err, true, StandardCharsets.UTF_8),
+                false);
+    }
+
+    @Test
+    void aRunComesAgainWithOtherWorkersAndLanes(@TempDir Path folder) {
+        String file = folder.resolve("run.cairn").toString();
+        assertEquals(
+                0,
+                run(
+                        "--scene",
+                        "pyramid",
+                        "--set",
+                        "base=4",
+                        "--ticks",
+                        "40",
+                        "--record",
+                        file,
+                        "--workers",
+                        "2"),
+                err::toString);
+        assertEquals(0, run("--replay", file, "--workers", "1", "--lanes", "1"), err::toString);
+        assertTrue(out.toString().contains("41 ticks, all with the same digests"), out.toString());
+    }
+
+    @Test
+    void theFirstTickThatDiffersIsToldAndInWhat(@TempDir Path folder) throws IOException {
+        Path file = folder.resolve("run.cairn");
+        run("--scene", "stack-4", "--ticks", "20", "--record", file.toString());
+        RunFile run = RunFile.read(file);
+        List<String> other = new ArrayList<>(run.arguments());
+        other.addAll(List.of("--substeps", "5"));
+        new RunFile(other, run.digests(), run.keyframes()).write(file);
+        assertEquals(1, run("--replay", file.toString()));
+        String told = err.toString();
+        assertTrue(told.contains(" is the first that differs; at tick "), told);
+        assertTrue(told.contains("is the first column that differs"), told);
+    }
+
+    @Test
+    void whatIsNoRecordingIsRefused(@TempDir Path folder) throws IOException {
+        Path file = folder.resolve("run.cairn");
+        assertEquals(2, run("--replay", file.toString()));
+        Files.writeString(file, "text");
+        assertEquals(2, run("--replay", file.toString()));
+        assertTrue(err.toString().contains("no recorded run"), err.toString());
+        run("--scene", "stack-4", "--ticks", "5", "--record", file.toString());
+        byte[] whole = Files.readAllBytes(file);
+        for (int at = 12; at < whole.length; at += 97) {
+            byte[] bad = whole.clone();
+            bad[at] ^= 4;
+            Files.write(file, bad);
+            assertThrows(StateException.class, () -> RunFile.read(file), "byte " + at);
+        }
+        new RunFile(List.of("--picture", "x.png"), List.of(), java.util.Map.of()).write(file);
+        assertEquals(2, run("--replay", file.toString()));
+        assertTrue(err.toString().contains("--picture"), err.toString());
+        assertEquals(2, run("--replay", file.toString(), "--scene", "pyramid"));
+        assertEquals(2, run("--record", file.toString()), "all scenes are not one");
+    }
+
+    @Test
+    void twoPeersEndInTheWorldOfARunWithoutANetwork() {
+        TwoPeers.Result result = TwoPeers.play(200, 4);
+        assertEquals(List.of(result.truth(), result.truth()), result.digests());
+        assertTrue(result.lost() > 10 && result.ticksAgain().get(0) > 50, result.toString());
+    }
+
+    @Test
+    void anAimedShotComesOutAsInItsFork() {
+        AimedShot.Shot[] best = new AimedShot.Shot[2];
+        for (int workers = 1; workers <= 2; workers++) {
+            try (var table = AimedShot.table(workers)) {
+                best[workers - 1] = AimedShot.aim(table, 24);
+                assertEquals(
+                        best[workers - 1], AimedShot.play(table, best[workers - 1].number(), 24));
+            }
+        }
+        assertEquals(best[0], best[1]);
+    }
+}
