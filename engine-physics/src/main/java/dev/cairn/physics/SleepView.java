@@ -1,6 +1,6 @@
 package dev.cairn.physics;
 
-import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.island.SleepChanges;
 
 import java.util.Arrays;
 import java.util.Objects;
@@ -19,13 +19,13 @@ final class SleepView implements SleepEvents {
 
     /** At the end of a step. */
     void update() {
-        table.sleepers.tell();
+        table.sleepers.told().tell();
         show();
     }
 
     /** The events of the last tick. */
     void show() {
-        Sleepers s = table.sleepers;
+        SleepChanges s = table.sleepers.told();
         fellCount = s.fellCount();
         wokeCount = s.wokeCount();
         if (fell.length < fellCount) {

@@ -36,8 +36,11 @@ import dev.cairn.samples.scenes.Tumble;
 import dev.cairn.samples.scenes.Washer;
 import dev.cairn.samples.scenes.joint.Car;
 import dev.cairn.samples.scenes.joint.Chains;
+import dev.cairn.samples.scenes.joint.Machines;
 import dev.cairn.samples.scenes.joint.Mechanisms;
+import dev.cairn.samples.scenes.joint.Nets;
 import dev.cairn.samples.scenes.joint.Pendulums;
+import dev.cairn.samples.scenes.joint.Ragdolls;
 import dev.cairn.samples.scenes.level.Bowl;
 import dev.cairn.samples.scenes.level.Hills;
 import dev.cairn.samples.scenes.level.House;
@@ -96,6 +99,13 @@ public final class SceneRegistry {
                     Pendulums.single(),
                     Pendulums.twofold(),
                     Chains.heavy(),
+                    Chains.plain(),
+                    Nets.bridge(),
+                    Nets.grid(),
+                    Ragdolls.scene(),
+                    Machines.gears(),
+                    Machines.cradle(),
+                    Machines.fallingRod(),
                     Mechanisms.door(),
                     Mechanisms.sliderCrank(),
                     Mechanisms.fourBar(),

@@ -41,6 +41,15 @@ public final class JointStore implements EdgeSource, Stateful {
     /** Distance of the origins, m. */
     public static final byte DISTANCE = 13;
 
+    /** How far the teeth of two gears are out of mesh along the pitch circle, m. */
+    public static final byte GEAR = 14;
+
+    /** The same of a pinion, A, and a rack, B. */
+    public static final byte RACK = 15;
+
+    /** Length of a rope over two points of the world, m. */
+    public static final byte PULLEY = 16;
+
     // What a row wants ----------------------------------------------------------------------------
 
     /** It is 0. */
@@ -87,6 +96,15 @@ public final class JointStore implements EdgeSource, Stateful {
 
     /** Origin and quaternion in A, then in B. */
     public double[] frame = {};
+
+    /** Numbers to a joint in {@link #parameter}. */
+    public static final int PARAMETERS = 7;
+
+    /**
+     * Of gears: teeth of A and of B; of a rack: the pinion's radius with sign; of a pulley: the
+     * point above A, that above B, and how much more the part at B counts.
+     */
+    public double[] parameter = {};
 
     /** First row of the joint and how many it has. */
     public int[] firstRow = {};
@@ -220,6 +238,7 @@ public final class JointStore implements EdgeSource, Stateful {
         bodyA = c.column("bodyA", bodyA);
         bodyB = c.column("bodyB", bodyB);
         frame = c.column("frame", frame, FRAME);
+        parameter = c.column("parameter", parameter, PARAMETERS);
         firstRow = c.column("firstRow", firstRow);
         rows = c.column("rows", rows);
         room = c.column("room", room);

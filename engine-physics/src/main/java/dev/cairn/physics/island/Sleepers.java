@@ -29,6 +29,7 @@ public final class Sleepers {
     private final RestDetector quiet;
     private final RestingIslands resting;
     private final Movers movers;
+    private final SleepChanges told;
 
     /** Name of the island that a body sleeps in, and the next body of it in a ring. */
     private int[] island = {};
@@ -44,14 +45,6 @@ public final class Sleepers {
     private boolean[] settled = {};
 
     private int[] tail = {};
-
-    private boolean[] toldAsleep = {};
-    private int[] changed = new int[64];
-    private int changedCount;
-    private int[] fell = new int[64];
-    private int fellCount;
-    private int[] woke = new int[64];
-    private int wokeCount;
 
     private int[] fresh = new int[64];
     private int freshCount;
@@ -76,6 +69,7 @@ public final class Sleepers {
         quiet = new RestDetector(sleepSeconds);
         resting = new RestingIslands(quiet, bodies, edges);
         movers = new Movers(bodies);
+        told = new SleepChanges(bodies);
     }
 
     /**
@@ -98,7 +92,7 @@ public final class Sleepers {
         pressed = Arrays.copyOf(pressed, n);
         pressing = Arrays.copyOf(pressing, n);
         settled = Arrays.copyOf(settled, n);
-        toldAsleep = Arrays.copyOf(toldAsleep, n);
+        told.ensureSlots(n);
         tail = new int[n];
     }
 
@@ -115,12 +109,6 @@ public final class Sleepers {
         rowsStale = s.value("rowsStale", rowsStale);
         rostersStale = s.value("rostersStale", rostersStale);
         ticksToLook = s.value("ticksToLook", ticksToLook);
-        changedCount = s.value("changedCount", changedCount);
-        changed = s.array("changed", changed, changedCount);
-        fellCount = s.value("fellCount", fellCount);
-        fell = s.array("fell", fell, fellCount);
-        wokeCount = s.value("wokeCount", wokeCount);
-        woke = s.array("woke", woke, wokeCount);
         freshCount = s.value("freshCount", freshCount);
         fresh = s.array("fresh", fresh, freshCount);
         if (enabled) {
@@ -135,7 +123,7 @@ public final class Sleepers {
             pressed = s.array("pressed", pressed, slots);
             pressing = s.array("pressing", pressing, slots);
             settled = s.array("settled", settled, slots);
-            toldAsleep = s.array("toldAsleep", toldAsleep, slots);
+            told.state(s, slots);
         }
     }
 
@@ -176,6 +164,15 @@ public final class Sleepers {
      */
     public int asleepCount() {
         return asleepCount;
+    }
+
+    /**
+     * Who fell asleep or woke, for events.
+     *
+     * @return the changes since they were told
+     */
+    public SleepChanges told() {
+        return told;
     }
 
     /**
@@ -357,10 +354,7 @@ public final class Sleepers {
         changes++;
         rowsStale = true;
         rostersStale = true;
-        if (changedCount == changed.length) {
-            changed = Arrays.copyOf(changed, 2 * changedCount);
-        }
-        changed[changedCount++] = s;
+        told.note(s);
     }
 
     // What others ask --------------------------------------------------------------------------
@@ -445,72 +439,6 @@ public final class Sleepers {
         boolean now = bodies.kind[slot] == BodyStore.ASLEEP && !settled[slot];
         settled[slot] |= now;
         return now;
-    }
-
-    // Events -----------------------------------------------------------------------------------
-
-    /** Sums up the changes since the last call: who sleeps and did not, who does not and did. */
-    public void tell() {
-        fellCount = 0;
-        wokeCount = 0;
-        for (int i = 0; i < changedCount; i++) {
-            int s = changed[i];
-            boolean now = bodies.kind[s] == BodyStore.ASLEEP;
-            if (now == toldAsleep[s]) {
-                continue;
-            }
-            toldAsleep[s] = now;
-            if (now) {
-                if (fellCount == fell.length) {
-                    fell = Arrays.copyOf(fell, 2 * fellCount);
-                }
-                fell[fellCount++] = s;
-            } else {
-                if (wokeCount == woke.length) {
-                    woke = Arrays.copyOf(woke, 2 * wokeCount);
-                }
-                woke[wokeCount++] = s;
-            }
-        }
-        changedCount = 0;
-    }
-
-    /**
-     * How many bodies fell asleep in the last tick.
-     *
-     * @return at least 0
-     */
-    public int fellCount() {
-        return fellCount;
-    }
-
-    /**
-     * One of them.
-     *
-     * @param event 0 to fellCount - 1
-     * @return its slot
-     */
-    public int fell(int event) {
-        return fell[event];
-    }
-
-    /**
-     * How many bodies woke in the last tick, or before it by a call.
-     *
-     * @return at least 0
-     */
-    public int wokeCount() {
-        return wokeCount;
-    }
-
-    /**
-     * One of them.
-     *
-     * @param event 0 to wokeCount - 1
-     * @return its slot
-     */
-    public int woke(int event) {
-        return woke[event];
     }
 
     /**

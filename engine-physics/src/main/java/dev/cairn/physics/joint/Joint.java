@@ -1,8 +1,10 @@
 package dev.cairn.physics.joint;
 
 import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.internal.JointStore;
 
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 
 import java.util.Arrays;
 
@@ -26,8 +28,14 @@ public final class Joint {
     final Jointed a;
     final Jointed b;
 
-    /** How many settings a joint has: one to an axis, and one more. */
-    static final int AXES = CROSS + 1;
+    /** What gears, racks and pulleys tie. */
+    static final int GEAR = CROSS + 1;
+
+    static final int RACK = CROSS + 2;
+    static final int PULLEY = CROSS + 3;
+
+    /** How many settings a joint has: one to an axis, and these. */
+    static final int AXES = CROSS + 4;
 
     final AxisSettings[] axes = new AxisSettings[AXES];
 
@@ -49,6 +57,9 @@ public final class Joint {
 
     double breakForce = Double.POSITIVE_INFINITY;
     double breakTorque = Double.POSITIVE_INFINITY;
+
+    /** See {@code JointStore.parameter}. */
+    final double[] parameters = new double[JointStore.PARAMETERS];
 
     /** Length of a rod, rope or spring; below 0 for that of the moment when it is added. */
     double length = -1;
@@ -248,8 +259,7 @@ public final class Joint {
      * @return a description
      */
     public static Joint parallel(Jointed a, Jointed b) {
-        return new Joint("parallel", a, b, JointAxis.TWIST, JointAxis.SWING_Y, JointAxis.SWING_Z)
-                .anchored();
+        return new Joint("parallel", a, b, JointAxis.TWIST, JointAxis.SWING_Y, JointAxis.SWING_Z);
     }
 
     /**
@@ -286,8 +296,69 @@ public final class Joint {
         return new Joint("generic", a, b, JointAxis.X);
     }
 
-    private Joint anchored() {
-        isPlaced = false;
+    /**
+     * Two gears in mesh, whose axes are parallel to {@link #axis}. They are carried by joints of
+     * their own, mostly hinges, at the two {@link #anchors}; these may move, as in a planetary
+     * gear. Teeth pass a force along the pitch circles.
+     *
+     * @param a the first gear
+     * @param b the second one
+     * @param teethA number of A's teeth; negative if they are inside of a ring
+     * @param teethB number of B's teeth; not {@code -teethA}
+     * @return a description; give it the two centres by {@link #anchors}
+     */
+    public static Joint gear(Jointed a, Jointed b, int teethA, int teethB) {
+        if (teethA == 0 || teethB == 0 || teethA + teethB == 0) {
+            throw new IllegalArgumentException(
+                    "gears have "
+                            + teethA
+                            + " and "
+                            + teethB
+                            + " teeth; neither may be 0, nor one the negative of the other");
+        }
+        return new Joint("gear", a, b, JointAxis.TWIST).tied(GEAR, teethA, teethB);
+    }
+
+    /**
+     * A pinion that drives a rack, or the other way round. Each is carried by a joint of its own,
+     * mostly a hinge with {@link #axis} and a slider along {@link #secondAxis}. The pinion's radius
+     * is the distance of the two {@link #anchors} at a right angle to both.
+     *
+     * @param pinion the gear, A
+     * @param rack the rack, B
+     * @return a description; give it the pinion's centre and a point of the rack by {@link
+     *     #anchors}
+     */
+    public static Joint rack(Jointed pinion, Jointed rack) {
+        return new Joint("rack", pinion, rack, JointAxis.TWIST).tied(RACK);
+    }
+
+    /**
+     * A rope that runs from A over two points of the world to B: {@code |A - over A| + ratio |B -
+     * over B|} grows no further than it is when the joint is added.
+     *
+     * @param a hangs at one end
+     * @param b hangs at the other end
+     * @param overA where the rope leaves towards A, world, m, finite
+     * @param overB where it leaves towards B, world, m, finite
+     * @param ratio how much more the part at B counts, as in a tackle; above 0
+     * @return a description; the points are the centres of mass if none are given
+     */
+    public static Joint pulley(
+            Jointed a, Jointed b, Vector3dc overA, Vector3dc overB, double ratio) {
+        Joint j = new Joint("pulley", a, b, JointAxis.DISTANCE);
+        set(j.parameters, "overA", overA.x(), overA.y(), overA.z());
+        double[] second = new double[3];
+        set(second, "overB", overB.x(), overB.y(), overB.z());
+        System.arraycopy(second, 0, j.parameters, 3, 3);
+        j.parameters[6] = Checks.positive("ratio", ratio);
+        j.axes[PULLEY].isLimited = true;
+        return j;
+    }
+
+    private Joint tied(int to, double... values) {
+        axes[to].isLocked = true;
+        System.arraycopy(values, 0, parameters, 0, values.length);
         return this;
     }
 
@@ -574,7 +645,7 @@ public final class Joint {
         return this;
     }
 
-    /** Whether it is a rod, rope or spring, which may be without a place. */
+    /** Whether it is a rod, rope, spring or pulley, which may be without a place. */
     boolean isDistance() {
         return main == JointAxis.DISTANCE;
     }

@@ -9,6 +9,9 @@ import org.joml.Vector3d;
 
 /** From places and axes in the world to frames in the bodies. */
 final class JointFrames {
+    /** Lengths below this are none, m. */
+    private static final double SMALL = 1e-9;
+
     private final Vector3d x = new Vector3d();
     private final Vector3d y = new Vector3d();
     private final Vector3d z = new Vector3d();
@@ -32,10 +35,44 @@ final class JointFrames {
         return k == 0 ? b.positionX[slot] : k == 1 ? b.positionY[slot] : b.positionZ[slot];
     }
 
-    /** Writes the frames in A and in B. */
-    void write(Joint joint, BodyStore b, int slotA, int slotB, double[] into, int o) {
+    /** Length of a pulley's rope, m. */
+    double rope(Joint joint, BodyStore b, int slotA, int slotB) {
+        double[] over = joint.parameters;
+        double sum = 0;
+        for (int side = 0; side < 2; side++) {
+            boolean isA = side == 0;
+            for (int k = 0; k < 3; k++) {
+                double at = at(joint, b, isA ? slotA : slotB, isA, k);
+                point.setComponent(k, at - over[3 * side + k]);
+            }
+            sum += (isA ? 1 : over[6]) * point.length();
+        }
+        return sum;
+    }
+
+    /**
+     * Writes the frames in A and in B.
+     *
+     * @param parameters those of a rack are completed
+     */
+    void write(
+            Joint joint,
+            BodyStore b,
+            int slotA,
+            int slotB,
+            double[] into,
+            int o,
+            double[] parameters) {
         x.set(joint.x);
-        if (joint.hasSecond) {
+        if (joint.kind.equals("gear")) {
+            // marks of both gears are on the line of their centres
+            y.set(joint.anchorB).sub(point.set(joint.anchorA));
+            if (!(point.set(x).cross(y).length() > SMALL)) {
+                throw new IllegalArgumentException(
+                        "the centres of two gears lie on one axis; give two anchors beside each"
+                                + " other, at a right angle to the axis");
+            }
+        } else if (joint.hasSecond) {
             y.set(joint.y);
         } else {
             // the world axis that is furthest from x
@@ -62,6 +99,27 @@ final class JointFrames {
         frame.normalize();
         write(joint, b, slotA, true, into, o);
         write(joint, b, slotB, false, into, o + 7);
+        if (joint.kind.equals("rack")) {
+            rack(joint, b, slotB, into, o + 7, parameters);
+        }
+    }
+
+    /** Radius of the pinion; the rack's point is where the two touch. */
+    private void rack(
+            Joint joint, BodyStore b, int slotB, double[] into, int o, double[] parameters) {
+        point.set(joint.anchorB).sub(joint.anchorA[0], joint.anchorA[1], joint.anchorA[2]);
+        parameters[0] = point.dot(z);
+        if (!(Math.abs(parameters[0]) > SMALL)) {
+            throw new IllegalArgumentException(
+                    "the rack's point is beside the pinion's centre along the rack or the axis;"
+                            + " give a point that is a radius away from it");
+        }
+        double along = point.dot(y);
+        point.set(
+                joint.anchorB[0] - along * y.x - b.positionX[slotB],
+                joint.anchorB[1] - along * y.y - b.positionY[slotB],
+                joint.anchorB[2] - along * y.z - b.positionZ[slotB]);
+        write(b, slotB, point, into, o);
     }
 
     private void write(Joint joint, BodyStore b, int slot, boolean isA, double[] into, int o) {

@@ -30,6 +30,10 @@ public final class JointRef {
     private double length;
     private final JointPlace place;
     final AxisSettings[] axes;
+
+    /** See {@code JointStore.parameter}; the world completes them. */
+    final double[] parameters;
+
     int index;
     int stamp;
     private final RowList rows = new RowList();
@@ -43,6 +47,7 @@ public final class JointRef {
         main = joint.main;
         length = joint.length;
         place = joint.place();
+        parameters = joint.parameters.clone();
         axes = joint.copyAxes();
     }
 
@@ -64,6 +69,7 @@ public final class JointRef {
                         write(ref.place.anchorB(), out);
                         write(ref.place.axis(), out);
                         write(ref.place.secondAxis(), out);
+                        out.writeDoubles(ref.parameters);
                     },
                     JointRef::new);
 
@@ -88,6 +94,7 @@ public final class JointRef {
         index = in.readInt();
         stamp = in.readInt();
         place = new JointPlace(vector(in), vector(in), vector(in), vector(in));
+        parameters = in.readDoubles();
         axes = new AxisSettings[Joint.AXES];
         Arrays.setAll(axes, k -> new AxisSettings());
     }
@@ -102,6 +109,7 @@ public final class JointRef {
         main = twin.main;
         length = twin.length;
         place = twin.place;
+        parameters = twin.parameters.clone();
         axes = new AxisSettings[twin.axes.length];
         for (int k = 0; k < axes.length; k++) {
             axes[k] = twin.axes[k].copy();
@@ -131,6 +139,11 @@ public final class JointRef {
         }
         double wanted = length > 0 ? length : distance;
         length = wanted;
+        if (kind.equals("pulley")) {
+            axes[Joint.PULLEY].lower = Double.NEGATIVE_INFINITY;
+            axes[Joint.PULLEY].upper = wanted;
+            return;
+        }
         AxisSettings s = axes[main.index];
         if (s.isLocked && !(wanted > 0)) {
             throw new IllegalArgumentException(
@@ -297,7 +310,17 @@ public final class JointRef {
     }
 
     /**
-     * The length of a rod, rope or spring.
+     * What gears, racks and pulleys are made with.
+     *
+     * @return a copy: of a gear the teeth of A and of B; of a rack the pinion's radius, with a sign
+     *     that tells its side; of a pulley the two points and the ratio; else zeros
+     */
+    public double[] parameters() {
+        return parameters.clone();
+    }
+
+    /**
+     * The length of a rod, rope, spring, or of a pulley's rope.
      *
      * @return m; below 0 for joints of other kinds
      */

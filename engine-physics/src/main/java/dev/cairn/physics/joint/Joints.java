@@ -120,9 +120,10 @@ public final class Joints implements Stateful {
         JointRef ref = new JointRef(this, joint);
         RowList rows = new RowList();
         double distance = frames.distance(joint, bodies, a, b);
-        ref.resolveLength(distance);
+        ref.resolveLength(
+                joint.kind.equals("pulley") ? frames.rope(joint, bodies, a, b) : distance);
         rows.compile(ref.axes);
-        frames.write(joint, bodies, a, b, frame, 0);
+        frames.write(joint, bodies, a, b, frame, 0, ref.parameters);
         int j = store.add(rows.count);
         store.bodyA[j] = a;
         store.bodyB[j] = b;
@@ -130,6 +131,12 @@ public final class Joints implements Stateful {
         store.isRound[j] = joint.isRound;
         store.breakForce[j] = joint.breakForce;
         store.breakTorque[j] = joint.breakTorque;
+        System.arraycopy(
+                ref.parameters,
+                0,
+                store.parameter,
+                JointStore.PARAMETERS * j,
+                JointStore.PARAMETERS);
         System.arraycopy(frame, 0, store.frame, JointStore.FRAME * j, JointStore.FRAME);
         rows.write(store, j);
         if (refs.length <= j) {
@@ -230,7 +237,10 @@ public final class Joints implements Stateful {
         }
         if (!joint.isPlaced && !joint.isDistance()) {
             throw new IllegalArgumentException(
-                    joint.kind + " joint" + named(joint) + " has no place; call .at(x, y, z)");
+                    joint.kind
+                            + " joint"
+                            + named(joint)
+                            + " has no place; call .at(x, y, z) or .anchors(..)");
         }
     }
 

@@ -43,6 +43,9 @@ final class RowList {
         axis(axes[JointAxis.CONE.index], JointStore.CONE);
         axis(axes[JointAxis.DISTANCE.index], JointStore.DISTANCE);
         axis(axes[Joint.CROSS], JointStore.CROSS);
+        axis(axes[Joint.GEAR], JointStore.GEAR);
+        axis(axes[Joint.RACK], JointStore.RACK);
+        axis(axes[Joint.PULLEY], JointStore.PULLEY);
     }
 
     private int add(int lawWanted, byte roleWanted) {

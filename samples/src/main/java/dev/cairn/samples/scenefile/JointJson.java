@@ -20,6 +20,7 @@ final class JointJson {
                     "name",
                     "a",
                     "b",
+                    "parameters",
                     "at",
                     "anchors",
                     "axis",
@@ -70,6 +71,7 @@ final class JointJson {
                 in.containsKey("name") ? in.get("name").text("a name") : "",
                 node.required(in, "a").whole(0, entities - 1),
                 node.required(in, "b").whole(0, entities - 1),
+                parameters(node, in, type.text(kinds)),
                 new JointSpec.Place(
                         a,
                         b,
@@ -81,6 +83,23 @@ final class JointJson {
                 most(in.get("breakForce")),
                 most(in.get("breakTorque")),
                 !in.containsKey("on") || in.get("on").truth());
+    }
+
+    private static List<Double> parameters(JsonNode node, Map<String, JsonNode> in, String kind) {
+        int wanted = JointSpec.parameters(kind);
+        if (wanted == 0 && !in.containsKey("parameters")) {
+            return List.of();
+        }
+        JsonNode list = node.required(in, "parameters");
+        String what = wanted + " numbers for a " + kind;
+        List<Double> numbers = new ArrayList<>();
+        for (JsonNode number : list.items(what)) {
+            numbers.add(number.number(what));
+        }
+        if (numbers.size() != wanted) {
+            throw list.wrong(what, list.shown());
+        }
+        return numbers;
     }
 
     private static double most(@Nullable JsonNode node) {
@@ -155,6 +174,11 @@ final class JointJson {
         }
         out.add("a", SceneWriter.number(joint.a()));
         out.add("b", SceneWriter.number(joint.b()));
+        if (!joint.parameters().isEmpty()) {
+            JsonArray numbers = new JsonArray();
+            joint.parameters().forEach(number -> numbers.add(SceneWriter.number(number)));
+            out.add("parameters", numbers);
+        }
         Xyz pa = joint.place().anchorA();
         Xyz pb = joint.place().anchorB();
         if (pa != null && pb != null) {

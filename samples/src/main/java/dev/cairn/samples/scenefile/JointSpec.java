@@ -10,6 +10,7 @@ import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -19,6 +20,8 @@ import java.util.List;
  * @param name for people; may be empty
  * @param a index of the first entity
  * @param b index of the second one
+ * @param parameters of a gear the teeth of both; of a pulley its two points and its ratio; else
+ *     empty
  * @param place where it is
  * @param axes what it does about axes, where that is not what the kind does
  * @param length of a rod, rope or spring, m; 0 for that of the poses
@@ -32,6 +35,7 @@ public record JointSpec(
         String name,
         int a,
         int b,
+        List<Double> parameters,
         Place place,
         List<Axis> axes,
         double length,
@@ -54,10 +58,14 @@ public record JointSpec(
                     "wheel",
                     "parallel",
                     "pull",
+                    "gear",
+                    "rack",
+                    "pulley",
                     "generic");
 
-    /** Copies the list. */
+    /** Copies the lists. */
     public JointSpec {
+        parameters = List.copyOf(parameters);
         axes = List.copyOf(axes);
     }
 
@@ -96,6 +104,7 @@ public record JointSpec(
                 name,
                 newA,
                 newB,
+                parameters,
                 place,
                 axes,
                 length,
@@ -116,7 +125,9 @@ public record JointSpec(
      * @return the description
      */
     static JointSpec of(JointRef joint, int a, int b, Jointed bodyA, Jointed bodyB) {
-        Joint plain = start(joint.kind(), bodyA, bodyB);
+        List<Double> parameters =
+                Arrays.stream(joint.parameters()).limit(parameters(joint.kind())).boxed().toList();
+        Joint plain = start(joint.kind(), bodyA, bodyB, parameters);
         List<Axis> axes = new ArrayList<>();
         for (JointAxis axis : JointAxis.values()) {
             AxisState state = joint.settings(axis);
@@ -135,6 +146,7 @@ public record JointSpec(
                 joint.name(),
                 a,
                 b,
+                parameters,
                 new Place(
                         xyz(joint.madeAt().anchorA()),
                         xyz(joint.madeAt().anchorB()),
@@ -172,8 +184,13 @@ public record JointSpec(
         return v == null ? null : new Xyz(v.x, v.y, v.z);
     }
 
+    /** How many parameters a kind has. */
+    static int parameters(String kind) {
+        return kind.equals("gear") ? 2 : kind.equals("pulley") ? 7 : 0;
+    }
+
     /** A joint of a kind, with nothing said about it. */
-    private static Joint start(String kind, Jointed a, Jointed b) {
+    private static Joint start(String kind, Jointed a, Jointed b, List<Double> p) {
         return switch (kind) {
             case "ball" -> Joint.ball(a, b);
             case "hinge" -> Joint.hinge(a, b);
@@ -187,6 +204,15 @@ public record JointSpec(
             case "wheel" -> Joint.wheel(a, b, 1, 1);
             case "parallel" -> Joint.parallel(a, b);
             case "pull" -> Joint.pull(a, b, 1, 1, Double.POSITIVE_INFINITY);
+            case "gear" -> Joint.gear(a, b, p.get(0).intValue(), p.get(1).intValue());
+            case "rack" -> Joint.rack(a, b);
+            case "pulley" ->
+                    Joint.pulley(
+                            a,
+                            b,
+                            new Vector3d(p.get(0), p.get(1), p.get(2)),
+                            new Vector3d(p.get(3), p.get(4), p.get(5)),
+                            p.get(6));
             default -> Joint.generic(a, b);
         };
     }
@@ -200,7 +226,7 @@ public record JointSpec(
      * @throws IllegalArgumentException if a number is out of range
      */
     Joint joint(Jointed bodyA, Jointed bodyB) {
-        Joint joint = start(kind, bodyA, bodyB).name(name).collide(collides);
+        Joint joint = start(kind, bodyA, bodyB, parameters).name(name).collide(collides);
         Xyz pa = place.anchorA();
         Xyz pb = place.anchorB();
         if (pa != null && pb != null) {

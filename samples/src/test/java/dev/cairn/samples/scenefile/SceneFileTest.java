@@ -172,12 +172,18 @@ class SceneFileTest {
                 }
             }
             Xyz at = random.nextBoolean() ? xyz(random) : null;
+            String kind = JointSpec.KINDS.get(random.nextInt(JointSpec.KINDS.size()));
+            List<Double> parameters = new ArrayList<>();
+            while (parameters.size() < JointSpec.parameters(kind)) {
+                parameters.add(any(random));
+            }
             joints.add(
                     new JointSpec(
-                            JointSpec.KINDS.get(random.nextInt(JointSpec.KINDS.size())),
+                            kind,
                             random.nextBoolean() ? "" : "joint " + i,
                             random.nextInt(entities),
                             random.nextInt(entities),
+                            parameters,
                             new JointSpec.Place(
                                     at,
                                     at == null || random.nextBoolean() ? at : xyz(random),

@@ -36,6 +36,11 @@ public final class Assemblies implements Stateful {
     private int[] seen = {};
 
     private int seenCount;
+
+    /** Frequencies of all bodies of all assemblies in a state, rad/s. */
+    private double[] quick = {};
+
+    private int quickCount;
     private long revision = -1;
 
     /** Whether another state was restored since they were found. */
@@ -96,6 +101,9 @@ public final class Assemblies implements Stateful {
         seenCount = to - from;
         revision = store.revision;
         find(list, from, to, slots);
+        if (same) {
+            spread(); // they are those of a state that was restored
+        }
         return !same;
     }
 
@@ -106,7 +114,34 @@ public final class Assemblies implements Stateful {
         seenCount = s.value("seenCount", seenCount);
         revision = s.value("revision", revision);
         seen = s.array("seen", seen, 3 * seenCount);
+        if (!s.isRestoring() && !renewed) {
+            gather();
+        }
+        quickCount = s.value("quickCount", quickCount);
+        quick = s.array("quick", quick, quickCount);
         renewed |= s.isRestoring();
+    }
+
+    /** What is known of the bodies' frequencies under tension fades over ticks, see Tension. */
+    private void gather() {
+        quickCount = 0;
+        for (Assembly assembly : all) {
+            int n = assembly.quick.length;
+            if (quickCount + n > quick.length) {
+                quick = Arrays.copyOf(quick, 2 * (quickCount + n));
+            }
+            System.arraycopy(assembly.quick, 0, quick, quickCount, n);
+            quickCount += n;
+        }
+    }
+
+    private void spread() {
+        int from = 0;
+        for (Assembly assembly : all) {
+            int n = Math.min(assembly.quick.length, quickCount - from);
+            System.arraycopy(quick, from, assembly.quick, 0, n);
+            from += n;
+        }
     }
 
     private boolean isSame(EdgeList list, int from, int to) {

@@ -69,6 +69,9 @@ public final class Assembly {
     /** Whether all rows are locks: who holds never changes. */
     boolean isRigid = true;
 
+    /** Whether joints close loops, by what does not move too: rows may depend on each other. */
+    final boolean isLooped;
+
     /** By row: impulse in work. */
     final double[] impulse;
 
@@ -91,6 +94,12 @@ public final class Assembly {
             firstRow[k + 1] = firstRow[k] + rows[k];
         }
         int n = firstRow[joint.length];
+        boolean isGrounded = false;
+        for (int i : end) {
+            isGrounded |= i < 0;
+        }
+        // a tree has as many edges as nodes less one; what does not move is one node
+        isLooped = joint.length > body.length - (isGrounded ? 0 : 1);
         Elimination order = new Elimination(body.length, rows, end);
         isDirect = order.isSparse;
         factors = new BlockFactors(isDirect ? order : new Elimination(0, new int[0], new int[0]));

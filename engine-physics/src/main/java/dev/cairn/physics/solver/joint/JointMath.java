@@ -4,8 +4,6 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.solver.body.SolverBodies;
 
-import java.util.Arrays;
-
 /**
  * What the rows of a joint measure in the bodies' present poses, and the derivatives of it by the
  * velocities.
@@ -30,17 +28,26 @@ public final class JointMath {
     /** Below this squared length a direction is not one. */
     private static final double NOWHERE = 1e-24;
 
-    /** World axes of the frame in A, row by row, then those in B. */
-    private final double[] axesA = new double[9];
+    /** A length below which a direction is not one. */
+    static final double SMALL = 1e-12;
 
-    private final double[] axesB = new double[9];
+    /** World axes of the frame in A, row by row, then those in B. */
+    final double[] axesA = new double[9];
+
+    final double[] axesB = new double[9];
 
     /** Origins relative to the bodies' centres; that of B relative to A's; the gap between them. */
     final double[] armA = new double[3];
 
     final double[] armB = new double[3];
     final double[] reach = new double[3];
-    private final double[] gap = new double[3];
+    final double[] gap = new double[3];
+
+    /** Origins in the world. */
+    final double[] placeA = new double[3];
+
+    final double[] placeB = new double[3];
+    private final Gearing gearing = new Gearing();
 
     /** Frame of B in that of A. */
     private final double[] q = new double[4];
@@ -68,7 +75,15 @@ public final class JointMath {
         reach[2] = b.apartZ(a, c) + (state[ob + p + 2] - state[oa + p + 2]) + armB[2];
         for (int k = 0; k < 3; k++) {
             gap[k] = reach[k] - armA[k];
+            placeA[k] = state[oa + p + k] + armA[k];
+            placeB[k] = state[ob + p + k] + armB[k];
         }
+        placeA[0] += b.positionX[a];
+        placeA[1] += b.positionY[a];
+        placeA[2] += b.positionZ[a];
+        placeB[0] += b.positionX[c];
+        placeB[1] += b.positionY[c];
+        placeB[2] += b.positionZ[c];
         // q = qa^-1 qb
         q[0] = qa[3] * qb[0] - qa[0] * qb[3] - (qa[1] * qb[2] - qa[2] * qb[1]);
         q[1] = qa[3] * qb[1] - qa[1] * qb[3] - (qa[2] * qb[0] - qa[0] * qb[2]);
@@ -128,7 +143,7 @@ public final class JointMath {
                     (q[3] < 0 ? -2 : 2) * q[law - JointStore.TURN];
             case JointStore.ALIGN, JointStore.ALIGN + 1 ->
                     dot(axesB, 0, axesA, 3 * (law - JointStore.ALIGN + 1));
-            case JointStore.TWIST -> twist(q[0], q[3]);
+            case JointStore.TWIST -> twist();
             case JointStore.SWING -> Angles.of(-dot(axesB, 0, axesA, 6), dot(axesB, 0, axesA, 0));
             case JointStore.SWING + 1 ->
                     Angles.of(dot(axesB, 0, axesA, 3), dot(axesB, 0, axesA, 0));
@@ -139,8 +154,12 @@ public final class JointMath {
             }
             case JointStore.CROSS -> dot(axesB, 3, axesA, 0);
             case JointStore.DISTANCE -> SolverBodies.norm(gap[0], gap[1], gap[2]);
-            default -> 0;
+            default -> Gearing.measure(this, s, j, law);
         };
+    }
+
+    double twist() {
+        return twist(q[0], q[3]);
     }
 
     private static double twist(double sin, double cos) {
@@ -183,7 +202,7 @@ public final class JointMath {
                 }
                 force(g, 0, d, o);
             }
-            default -> Arrays.fill(d, o, o + JACOBIAN, 0.0);
+            default -> gearing.derive(this, s, j, law, d, o);
         }
     }
 

@@ -261,8 +261,8 @@ public final class JointSolve {
         return store.isAbsolute[row] ? store.damping[row] : 2 * store.damping[row] * f / compliance;
     }
 
-    /** Solves for right-hand sides that are in {@link Assembly#now}, and adds the impulses. */
-    private void correct() {
+    /** Solves for right-hand sides that are in {@link Assembly#now}. */
+    private void solve() {
         BlockFactors f = s.factors;
         for (int i = 0; i < s.body.length; i++) {
             int u = f.unknown(i);
@@ -275,6 +275,12 @@ public final class JointSolve {
             }
         }
         f.solve();
+    }
+
+    /** The same, and adds the impulses. */
+    private void correct() {
+        solve();
+        BlockFactors f = s.factors;
         for (int k = 0; k < s.joint.length; k++) {
             int u = f.unknown(s.body.length + k);
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
@@ -282,6 +288,34 @@ public final class JointSolve {
                     double l = f.x[u + r - s.firstRow[k]];
                     s.impulse[r] += l;
                     push(k, r, l);
+                }
+            }
+        }
+    }
+
+    /**
+     * Takes from the impulses of loops what cancels out. Where rows depend on each other Newton's
+     * rounds leave impulses {@code n} with {@code J^T n = 0}, of any size: what the trial movement
+     * missed in such a direction, over the slack. They do nothing, but tell of a tension that is
+     * not there. With {@code A = J M^-1 J^T}
+     *
+     * <pre>
+     * l' = (A + E)^-1 A l = l - (A + E)^-1 E l
+     * </pre>
+     *
+     * <p>is the smallest impulse that does the same; twice, as the system is solved to 1e-6 only.
+     */
+    private void relieve(boolean moves) {
+        for (int round = 0; round < 2 && s.isLooped; round++) {
+            factor(moves);
+            for (int r = 0; r < s.impulse.length; r++) {
+                s.now[r] = SLACK * s.compliance[r] * s.impulse[r];
+            }
+            solve();
+            for (int k = 0; k < s.joint.length; k++) {
+                int u = s.factors.unknown(s.body.length + k);
+                for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                    s.impulse[r] += s.isActive[r] ? s.factors.x[u + r - s.firstRow[k]] : 0;
                 }
             }
         }
@@ -451,6 +485,7 @@ public final class JointSolve {
         if (moves) {
             move();
         }
+        relieve(true);
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 int row = row(k, r);
@@ -851,6 +886,7 @@ public final class JointSolve {
             correct();
         }
         if (counts) {
+            relieve(false);
             end();
         }
     }

@@ -13,7 +13,7 @@ import dev.cairn.samples.SceneBuilder;
 import java.util.List;
 
 /**
- * A chain with a heavy end.
+ * Chains, one of them with a heavy end.
  *
  * <p>Truth: no joint is ever open, whatever hangs on it.
  */
@@ -35,6 +35,16 @@ public final class Chains {
                 10,
                 100,
                 80);
+    }
+
+    /**
+     * A long chain.
+     *
+     * @return its entry for the registry
+     */
+    public static SampleScene plain() {
+        return entry(
+                "chain", "Chain", "Forty links swing by one end and do not stretch.", 40, 1, 80);
     }
 
     private static SampleScene entry(
