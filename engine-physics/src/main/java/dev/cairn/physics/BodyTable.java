@@ -53,6 +53,10 @@ final class BodyTable implements Stateful {
     final ColliderTable collision;
 
     BodyRef[] refs = new BodyRef[0];
+
+    /** Room to restore the references. */
+    private BodyRef[] savedRefs = {};
+
     @Nullable Object[] userData = {};
     private final List<BodyRef> quarantined = new ArrayList<>();
     private boolean closed;
@@ -330,7 +334,8 @@ final class BodyTable implements Stateful {
         if (s.isRestoring()) {
             ensureSlots();
         }
-        BodyRef[] saved = s.array("refs", s.isRestoring() ? new BodyRef[slots] : refs, slots);
+        BodyRef[] saved = s.array("refs", s.isRestoring() ? savedRefs : refs, slots);
+        savedRefs = s.isRestoring() ? saved : savedRefs;
         userData = s.array("userData", userData, slots);
         int count = s.value("quarantined", quarantined.size());
         BodyRef[] stopped = s.array("stopped", quarantined.toArray(NO_BODIES), count);

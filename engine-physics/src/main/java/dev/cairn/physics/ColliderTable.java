@@ -38,6 +38,9 @@ final class ColliderTable implements Stateful {
     /** By slot; that of a collider that is gone stays until the slot is used again. */
     private ColliderRef[] refs = {};
 
+    /** Room to restore the references: those of the state, and those that there were. */
+    private ColliderRef[] savedRefs = {}, before = {};
+
     /** What each collider was made of, with material and filter. */
     private Collider[] specs = {};
 
@@ -87,8 +90,8 @@ final class ColliderTable implements Stateful {
         for (int c = 0; c < slots && !s.isRestoring(); c++) {
             places[c] = refs[c] == null ? -1 : refs[c].slot();
         }
-        ColliderRef[] saved =
-                s.array("refs", s.isRestoring() ? new ColliderRef[slots] : refs, slots);
+        ColliderRef[] saved = s.array("refs", s.isRestoring() ? savedRefs : refs, slots);
+        savedRefs = s.isRestoring() ? saved : savedRefs;
         places = s.array("places", places, slots);
         specs = s.array("specs", specs, slots);
         kilograms = s.array("kilograms", kilograms, slots);
@@ -101,14 +104,18 @@ final class ColliderTable implements Stateful {
     }
 
     private void own(ColliderRef[] saved) {
-        ColliderRef[] now = refs.clone();
-        for (ColliderRef ref : now) {
+        if (before.length < refs.length) {
+            before = new ColliderRef[refs.length];
+        }
+        System.arraycopy(refs, 0, before, 0, refs.length);
+        ColliderRef[] now = before;
+        for (ColliderRef ref : refs) {
             if (ref != null) {
                 ref.move(-1);
             }
         }
         Arrays.fill(refs, null);
-        for (int c = 0; c < saved.length; c++) {
+        for (int c = 0; c < colliders.slotCount; c++) {
             ColliderRef ref = saved[c];
             if (ref == null) {
                 continue;
@@ -120,7 +127,7 @@ final class ColliderTable implements Stateful {
             }
             refs[c] = ref;
         }
-        for (int c = 0; c < saved.length; c++) {
+        for (int c = 0; c < colliders.slotCount; c++) {
             if (refs[c] != null) {
                 refs[c].move(places[c]);
             }

@@ -18,6 +18,7 @@ import dev.cairn.physics.contact.HookStage;
 import dev.cairn.physics.contact.ManifoldStage;
 import dev.cairn.physics.contact.SeamStage;
 import dev.cairn.physics.contact.SensorStage;
+import dev.cairn.physics.contact.SweepStage;
 import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.contact.WakeStage;
 import dev.cairn.physics.internal.ContactStore;
@@ -80,6 +81,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
     final HookStage hooks;
     private final BeltStage belts;
     private final ManifoldStage manifolds;
+    private final SweepStage sweeps;
     private final SeamStage seams;
     final ContactSolver solver;
     private final ForceReader forces;
@@ -103,6 +105,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         hooks = new HookStage(table.colliders, contacts);
         compose = new ComposeStage(table.colliders);
         manifolds = new ManifoldStage(table.colliders, table.bounds, rows);
+        sweeps = new SweepStage(table.colliders, contacts, table.bounds, edges);
         seams = new SeamStage(table.colliders, contacts, table.bounds);
         solver = new ContactSolver(settings.tuning(), kinds);
         forces = new ForceReader(table.roster);
@@ -173,6 +176,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
                 gravity(),
                 tick.stepSeconds(),
                 tick.jobs());
+        sweeps.run(tick.stepSeconds(), tick.jobs());
         hooks.run(tick.jobs());
         belts.run(tick.jobs());
         events.approach(contacts, table.bodies, tick.jobs());
@@ -188,6 +192,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
                     tick.stepSeconds(),
                     tick.jobs());
             seams.part(tick.jobs());
+            sweeps.finish();
         }
         table.roster.motion.end(
                 table.roster.kinematic, table.roster.kinematicCount, tick.stepSeconds());

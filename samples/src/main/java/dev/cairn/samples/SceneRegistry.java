@@ -44,6 +44,9 @@ import dev.cairn.samples.scenes.joint.Ragdolls;
 import dev.cairn.samples.scenes.level.Bowl;
 import dev.cairn.samples.scenes.level.Hills;
 import dev.cairn.samples.scenes.level.House;
+import dev.cairn.samples.scenes.seam.Bullets;
+import dev.cairn.samples.scenes.seam.NearMiss;
+import dev.cairn.samples.scenes.seam.Tiles;
 
 import java.util.List;
 
@@ -114,7 +117,10 @@ public final class SceneRegistry {
                     Bowl.scene(),
                     House.scene(),
                     Hills.terrain(),
-                    Hills.meshDrop());
+                    Hills.meshDrop(),
+                    Tiles.scene(),
+                    Bullets.scene(),
+                    NearMiss.scene());
 
     private SceneRegistry() {}
 

@@ -27,18 +27,18 @@ final class StateReader implements StateVisitor {
 
     @Override
     public int value(String name, int now) {
-        return state.memory.get(StateWriter.INTS, next(name, WorldState.INT));
+        return (int) StateWriter.INT.get(state.bytes, next(name, WorldState.INT));
     }
 
     @Override
     public long value(String name, long now) {
-        return state.memory.get(StateWriter.LONGS, next(name, WorldState.LONG));
+        return (long) StateWriter.LONG.get(state.bytes, next(name, WorldState.LONG));
     }
 
     @Override
     public double value(String name, double now) {
         return Double.longBitsToDouble(
-                state.memory.get(StateWriter.LONGS, next(name, WorldState.DOUBLE)));
+                (long) StateWriter.LONG.get(state.bytes, next(name, WorldState.DOUBLE)));
     }
 
     @Override

@@ -4,6 +4,8 @@ import org.jspecify.annotations.Nullable;
 
 import java.lang.foreign.MemorySegment;
 import java.lang.foreign.ValueLayout;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
 
 /** Saves. */
@@ -16,6 +18,11 @@ final class StateWriter implements StateVisitor {
             ValueLayout.JAVA_INT_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
     static final ValueLayout.OfFloat FLOATS =
             ValueLayout.JAVA_FLOAT_UNALIGNED.withOrder(ByteOrder.LITTLE_ENDIAN);
+
+    static final VarHandle INT =
+            MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.LITTLE_ENDIAN);
+    static final VarHandle LONG =
+            MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.LITTLE_ENDIAN);
 
     private final WorldState state;
 
@@ -36,21 +43,21 @@ final class StateWriter implements StateVisitor {
     @Override
     public int value(String name, int now) {
         int at = room(name, WorldState.INT, 1);
-        state.memory.set(INTS, at, now);
+        INT.set(state.bytes, at, now);
         return now;
     }
 
     @Override
     public long value(String name, long now) {
         int at = room(name, WorldState.LONG, 1);
-        state.memory.set(LONGS, at, now);
+        LONG.set(state.bytes, at, now);
         return now;
     }
 
     @Override
     public double value(String name, double now) {
         int at = room(name, WorldState.DOUBLE, 1);
-        state.memory.set(LONGS, at, Double.doubleToRawLongBits(now));
+        LONG.set(state.bytes, at, Double.doubleToRawLongBits(now));
         return now;
     }
 

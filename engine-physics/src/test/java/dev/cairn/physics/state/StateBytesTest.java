@@ -34,6 +34,7 @@ import org.junit.jupiter.api.Test;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 
@@ -201,6 +202,7 @@ class StateBytesTest {
             world.step(1.0 / 60);
         }
         assertThrows(
-                StateException.class, () -> read("no state at all, but text".getBytes("UTF-8")));
+                StateException.class,
+                () -> read("no state at all, but text".getBytes(StandardCharsets.UTF_8)));
     }
 }

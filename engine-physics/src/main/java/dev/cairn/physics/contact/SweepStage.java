@@ -1,0 +1,327 @@
+package dev.cairn.physics.contact;
+
+import dev.cairn.core.job.BlockJob;
+import dev.cairn.core.job.Blocks;
+import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.EdgeSource;
+import dev.cairn.physics.narrowphase.pair.Reach;
+
+import java.util.Arrays;
+
+/**
+ * Looks at contacts whose bodies are apart at the start of a tick and touch nothing else: along the
+ * free motion of both, do they meet within the tick, and how?
+ *
+ * <p>A contact at a distance holds its bodies apart at the plane that separates them now. If one
+ * passes the other, that plane is in its way though the other is not: those contacts are left out.
+ * If they meet after a way longer than they are thick, the plane of that moment is what holds them
+ * apart, and not that of the start, see {@link SweptPair}.
+ *
+ * <pre>
+ *   sort  ─▶ rows: touching or slow; not closing within the tick; closing; in blocks of rows
+ *   sweep ─▶ closing rows of bodies that touch nothing: first meeting, or none
+ *   drop  ─▶ those that do not meet, of bodies that meet nobody: their motion is free
+ * </pre>
+ *
+ * <p>Between points and solve. Several workers may mark one body, all with the same mark.
+ * Simulation thread; allocates only when something grows.
+ */
+public final class SweepStage {
+    private static final int ROWS_PER_BLOCK = 256;
+
+    /** Of the smaller inner radius: bodies that pass by less in a tick are not looked at. */
+    private static final double FAST = 0.25;
+
+    private static final byte TOUCHING = 0;
+    private static final byte HARMLESS = 1;
+    private static final byte CLOSING = 2;
+    private static final byte MISSING = 3;
+
+    private final BlockJob sortJob = this::sortBlock;
+    private final BlockJob sweepJob = this::sweepBlock;
+    private final BlockJob dropJob = this::dropBlock;
+
+    private final ColliderStore colliders;
+    private final ContactStore contacts;
+    private final BoundsStage bounds;
+    private final EdgeSource[] edges;
+    private final PointStore points;
+    private final CentreGuard guard;
+
+    /** By active row. */
+    private byte[] state = {};
+
+    /** By active row: see {@link CentreGuard#watches}; and where the other one was then. */
+    private byte[] watched = {};
+
+    private double[] from = {};
+    private int rows;
+
+    /** How many rows of a block are watched. */
+    private int[] watching = {};
+
+    /** How many rows of a block are closing. */
+    private int[] closing = {};
+
+    /** By body: it touches somebody or is bound to somebody, so its motion is not free. */
+    private boolean[] bound = {};
+
+    /** By body: it meets somebody within the tick. */
+    private boolean[] meets = {};
+
+    private SweptPair[] pairs = {};
+    private double step;
+    private double reach;
+
+    /**
+     * A stage.
+     *
+     * @param colliders whose contacts these are
+     * @param contacts the rows
+     * @param bounds velocities at the end of the tick, and the margin
+     * @param edges all that binds bodies, contacts first
+     */
+    public SweepStage(
+            ColliderStore colliders,
+            ContactStore contacts,
+            BoundsStage bounds,
+            EdgeSource[] edges) {
+        this.colliders = colliders;
+        this.contacts = contacts;
+        this.bounds = bounds;
+        this.edges = edges;
+        points = new PointStore(colliders);
+        guard = new CentreGuard(colliders);
+    }
+
+    /**
+     * Looks at all active rows.
+     *
+     * @param stepSeconds length of the tick, s
+     */
+    public void run(double stepSeconds, Jobs jobs) {
+        step = stepSeconds;
+        reach = stepSeconds * bounds.speculativeTime;
+        int slots = colliders.bodies.slotCount;
+        int count = contacts.activeCount;
+        int blocks = Blocks.count(count, ROWS_PER_BLOCK);
+        if (state.length < count) {
+            state = new byte[contacts.bodyA.length];
+            closing = new int[Blocks.count(state.length, ROWS_PER_BLOCK)];
+            watching = new int[closing.length];
+            watched = new byte[state.length];
+            from = new double[3 * state.length];
+        }
+        if (bound.length < slots) {
+            bound = new boolean[slots + (slots >> 1)];
+            meets = new boolean[bound.length];
+        }
+        rows = count;
+        Arrays.fill(bound, 0, slots, false);
+        jobs.run(sortJob, blocks);
+        boolean any = false;
+        for (int b = 0; b < blocks; b++) {
+            any |= closing[b] > 0;
+        }
+        if (!any) {
+            return;
+        }
+        Arrays.fill(meets, 0, slots, false);
+        bindOthers(slots);
+        points.use(contacts);
+        if (pairs.length < jobs.workers()) {
+            int old = pairs.length;
+            pairs = Arrays.copyOf(pairs, jobs.workers());
+            for (int w = old; w < pairs.length; w++) {
+                pairs[w] = new SweptPair(colliders, contacts, bounds, points);
+            }
+        }
+        jobs.run(sweepJob, blocks);
+        jobs.run(dropJob, blocks);
+    }
+
+    /** Who is bound by more than contacts does not move freely. */
+    private void bindOthers(int slots) {
+        BodyStore s = colliders.bodies;
+        for (int i = 0; i < slots; i++) {
+            bound[i] |= s.restraint[i] != 0 || s.gravityScale[i] != 1;
+        }
+        for (int k = 1; k < edges.length; k++) {
+            EdgeSource source = edges[k];
+            for (int i = 0; i < source.edges(); i++) {
+                int a = source.edgeA(i);
+                if (a >= 0) {
+                    bound[a] = true;
+                    bound[source.edgeB(i)] = true;
+                }
+            }
+        }
+    }
+
+    private void sortBlock(int block, int worker) {
+        ContactStore c = contacts;
+        int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
+        int count = 0;
+        int watches = 0;
+        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
+            int row = c.active[i];
+            state[i] = HARMLESS;
+            watched[i] = 0;
+            if (!c.isSolved(row)) {
+                continue;
+            }
+            state[i] = look(row);
+            watched[i] = state[i] == HARMLESS ? 0 : guard.watches(c, row, step);
+            if (watched[i] != 0) {
+                watch(i, row);
+                watches++;
+            }
+            if (state[i] == TOUCHING) {
+                bound[c.bodyA[row]] = true;
+                bound[c.bodyB[row]] = true;
+            } else {
+                count += state[i] == CLOSING ? 1 : 0;
+            }
+        }
+        closing[block] = count;
+        watching[block] = watches;
+    }
+
+    private void watch(int i, int row) {
+        int body = watched[i] == 1 ? contacts.bodyA[row] : contacts.bodyB[row];
+        int other = watched[i] == 1 ? contacts.colliderB[row] : contacts.colliderA[row];
+        from[3 * i] = colliders.poses.apartX(body, other);
+        from[3 * i + 1] = colliders.poses.apartY(body, other);
+        from[3 * i + 2] = colliders.poses.apartZ(body, other);
+    }
+
+    /** Looks at where fast bodies have gone; after the solve, in row order. */
+    public void finish() {
+        int blocks = Blocks.count(rows, ROWS_PER_BLOCK);
+        for (int b = 0; b < blocks; b++) {
+            if (watching[b] == 0) {
+                continue;
+            }
+            int end = Blocks.end(b, ROWS_PER_BLOCK, rows);
+            for (int i = Blocks.begin(b, ROWS_PER_BLOCK); i < end; i++) {
+                int row = contacts.active[i];
+                if (!contacts.isSolved(row)) {
+                    continue; // a hook lets it through
+                }
+                if (watched[i] == 1) {
+                    guard.keepOut(contacts.bodyA[row], contacts.colliderB[row], from, 3 * i);
+                } else if (watched[i] == 2) {
+                    guard.keepOut(contacts.bodyB[row], contacts.colliderA[row], from, 3 * i);
+                }
+            }
+        }
+    }
+
+    private byte look(int row) {
+        ContactStore c = contacts;
+        int first = ContactStore.POINTS * row;
+        int end = first + c.pointCount[row];
+        for (int p = first; p < end; p++) {
+            if (c.separation[p] <= 0 || c.normalImpulse[p] > 0) {
+                return TOUCHING;
+            }
+        }
+        if (!(Reach.fits(colliders.shape[c.colliderA[row]])
+                && Reach.fits(colliders.shape[c.colliderB[row]]))) {
+            return TOUCHING;
+        }
+        double most = step * Math.max(closing(row, false), closing(row, true));
+        for (int p = first; p < end; p++) {
+            if (most >= c.separation[p]) {
+                return isFast(row) ? CLOSING : TOUCHING;
+            }
+        }
+        return HARMLESS;
+    }
+
+    /** Whether two bodies pass each other by a good part of the thinner one in a tick. */
+    private boolean isFast(int row) {
+        ContactStore c = contacts;
+        BodyStore s = colliders.bodies;
+        int i = c.bodyA[row];
+        int j = c.bodyB[row];
+        int a = c.colliderA[row];
+        int b = c.colliderB[row];
+        double x = s.velocityX[i] - s.velocityX[j];
+        double y = s.velocityY[i] - s.velocityY[j];
+        double z = s.velocityZ[i] - s.velocityZ[j];
+        double turn =
+                bounds.ahead[BoundsStage.AHEAD * a + 3] + bounds.ahead[BoundsStage.AHEAD * b + 3];
+        double way = step * Math.sqrt(x * x + y * y + z * z) + turn;
+        return way > FAST * Math.min(colliders.innerRadius[a], colliders.innerRadius[b]);
+    }
+
+    /**
+     * Speed at which surfaces close at most: with the velocities now, or with those of the tick's
+     * end.
+     */
+    private double closing(int row, boolean atEnd) {
+        ContactStore c = contacts;
+        BodyStore s = colliders.bodies;
+        int i = c.bodyA[row];
+        int j = c.bodyB[row];
+        double[] ahead = bounds.ahead;
+        int a = BoundsStage.AHEAD * c.colliderA[row];
+        int b = BoundsStage.AHEAD * c.colliderB[row];
+        double vx = atEnd ? ahead[a] - ahead[b] : s.velocityX[i] - s.velocityX[j];
+        double vy = atEnd ? ahead[a + 1] - ahead[b + 1] : s.velocityY[i] - s.velocityY[j];
+        double vz = atEnd ? ahead[a + 2] - ahead[b + 2] : s.velocityZ[i] - s.velocityZ[j];
+        double turn = ahead[a + 3] + ahead[b + 3];
+        return vx * c.normalX(row) + vy * c.normalY(row) + vz * c.normalZ(row) + turn / step;
+    }
+
+    private void sweepBlock(int block, int worker) {
+        if (closing[block] == 0) {
+            return;
+        }
+        ContactStore c = contacts;
+        SweptPair pair = pairs[worker];
+        int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
+        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
+            int row = c.active[i];
+            if (state[i] != CLOSING) {
+                continue;
+            }
+            if (!isFree(c.bodyA[row], bound) || !isFree(c.bodyB[row], bound)) {
+                state[i] = TOUCHING;
+                meets[c.bodyA[row]] = true;
+                meets[c.bodyB[row]] = true;
+                continue;
+            }
+            if (pair.meet(row, step)) {
+                meets[c.bodyA[row]] = true;
+                meets[c.bodyB[row]] = true;
+                pair.collideThere(row, reach);
+            } else {
+                state[i] = MISSING;
+            }
+        }
+    }
+
+    private void dropBlock(int block, int worker) {
+        if (closing[block] == 0) {
+            return;
+        }
+        ContactStore c = contacts;
+        int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
+        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
+            int row = c.active[i];
+            if (state[i] == MISSING && isFree(c.bodyA[row], meets) && isFree(c.bodyB[row], meets)) {
+                c.disable(row);
+            }
+        }
+    }
+
+    /** A body that does not answer to contacts goes its way in any case. */
+    private boolean isFree(int body, boolean[] marks) {
+        return colliders.bodies.kind[body] != BodyStore.DYNAMIC || !marks[body];
+    }
+}

@@ -1,0 +1,143 @@
+package dev.cairn.physics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.Sphere;
+
+import org.joml.Vector3d;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+import java.util.Random;
+
+/** Contacts act when bodies meet, and whoever meets is seen. */
+class SweepTest {
+    /** F7: a ball at 1 to 1000 m/s past the edge of a box, at a clearance. */
+    @Test
+    void whatPassesAtAClearanceIsNotDeflected() {
+        double r = .1;
+        for (double clearance : new double[] {1e-8, 1e-6, 1e-4, 1e-2}) {
+            for (double speed : new double[] {2, 20, 100, 1000}) {
+                for (int kind = 0; kind < 2; kind++) {
+                    try (PhysicsWorld world = Scenes.awake().workers(1).gravity(0, 0, 0).build()) {
+                        world.add(Body.fixed().shape(Box.of(.5, .5, .5)).at(0, -.5, 0));
+                        Shape shape = kind == 0 ? Sphere.of(r) : Box.cube(r);
+                        BodyRef body =
+                                world.add(
+                                        Body.dynamic()
+                                                .shape(shape)
+                                                .at(-.5 - .31 * speed / 60, r + clearance, .1)
+                                                .velocity(speed, 0, .1 * speed));
+                        for (int tick = 0; tick < 60; tick++) {
+                            world.step(Scenes.STEP);
+                        }
+                        Vector3d v = body.velocity();
+                        String what = "kind " + kind + ", " + clearance + " m, " + speed + " m/s";
+                        assertEquals(0, v.y, 0, what);
+                        assertEquals(speed, v.x, 0, what);
+                    }
+                }
+            }
+        }
+    }
+
+    /** How many of some pass a fixed wall. */
+    static int through(Shape shape, double speed, double thick, double spin, int runs, long seed) {
+        int passed = 0;
+        for (int i = 0; i < runs; i++) {
+            Random random = SeamTest.random(seed + i);
+            try (PhysicsWorld world = Scenes.awake().workers(1).gravity(0, 0, 0).build()) {
+                world.add(Body.fixed().shape(Box.of(thick / 2, 50, 50)));
+                BodyRef body =
+                        world.add(
+                                Body.dynamic()
+                                        .shape(shape)
+                                        .at(-2 - random.nextDouble() * speed / 60, .3, .2)
+                                        .rotationAbout(
+                                                random.nextDouble() - .5,
+                                                random.nextDouble() - .5,
+                                                random.nextDouble() - .5,
+                                                6 * random.nextDouble())
+                                        .angularVelocity(
+                                                spin * (random.nextDouble() - .5),
+                                                spin * (random.nextDouble() - .5),
+                                                spin * (random.nextDouble() - .5))
+                                        .velocity(speed, 0, 0));
+                for (int tick = 0; tick < 4 + 120 / speed + 1; tick++) {
+                    world.step(Scenes.STEP);
+                    if (body.position().x > thick / 2) {
+                        passed++;
+                        break;
+                    }
+                }
+            }
+        }
+        return passed;
+    }
+
+    /**
+     * Rods, plates, bricks and capsules, turned and spinning anyhow, against thick and thin walls.
+     */
+    @Test
+    void nothingPassesAWall() {
+        search(1, 12);
+    }
+
+    @Test
+    @Tag("soak")
+    void nothingPassesAWallForLong() {
+        search(100_000, 1000);
+    }
+
+    private static void search(long seed, int runs) {
+        Shape[] shapes = {
+            Box.of(.5, .02, .02), Box.of(.5, .5, .005), Box.of(.1, .05, .03), Capsule.of(.02, .4)
+        };
+        for (Shape shape : shapes) {
+            for (double speed : new double[] {20, 100, 1000, 10_000}) {
+                for (double spin : new double[] {0, 20, 200}) {
+                    for (double thick : new double[] {.1, .001}) {
+                        assertEquals(
+                                0,
+                                through(shape, speed, thick, spin, runs, seed),
+                                shape + " at " + speed + " m/s, " + spin + " rad/s, " + thick);
+                    }
+                }
+            }
+        }
+    }
+
+    /** Fast bodies in a box: the same bits for any number of workers. */
+    @Test
+    void theSameBitsForWorkers() {
+        assertEquals(box(1, 1), box(2, 8));
+    }
+
+    private static long box(int workers, int lanes) {
+        PhysicsSettings settings = PhysicsSettings.DEFAULT.withLanes(lanes);
+        try (PhysicsWorld world = Scenes.awake().workers(workers).settings(settings).build()) {
+            for (int side = -1; side <= 1; side += 2) {
+                world.add(Body.fixed().shape(Box.of(.005, 3, 3)).at(3 * side, 0, 0));
+                world.add(Body.fixed().shape(Box.of(3, .005, 3)).at(0, 3 * side, 0));
+                world.add(Body.fixed().shape(Box.of(3, 3, .005)).at(0, 0, 3 * side));
+            }
+            Random random = new Random(3);
+            for (int i = 0; i < 30; i++) {
+                world.add(
+                        Scenes.any(random, i)
+                                .at(
+                                        4 * random.nextDouble() - 2,
+                                        4 * random.nextDouble() - 2,
+                                        4 * random.nextDouble() - 2)
+                                .velocity(300 * random.nextGaussian(), 100, 50));
+            }
+            for (int tick = 0; tick < 60; tick++) {
+                world.step(Scenes.STEP);
+            }
+            return world.digest();
+        }
+    }
+}
