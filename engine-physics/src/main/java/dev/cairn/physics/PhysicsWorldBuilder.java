@@ -170,7 +170,8 @@ public final class PhysicsWorldBuilder {
             world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0));
             for (int i = 0; i < WARM_UP_BODIES; i++) {
                 double x = 1.1 * (i % 8);
-                double y = 0.6 + 1.1 * (i / 64);
+                int layer = i / 64;
+                double y = 0.6 + 1.1 * layer;
                 double z = 1.1 * (i / 8 % 8);
                 Shape shape =
                         switch (i % 4) {
