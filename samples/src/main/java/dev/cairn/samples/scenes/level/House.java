@@ -86,6 +86,8 @@ public final class House {
         List<BodyRef> bodies = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             int column = i % 12;
+            int rank = column / 4;
+            int layer = i / 12;
             bodies.add(
                     scene.add(
                             KINDS[i % KINDS.length],
@@ -93,8 +95,8 @@ public final class House {
                             Body.dynamic()
                                     .at(
                                             -3.6 - .9 * (column % 4) + scene.random(-.05, .05),
-                                            UPPER + 1 + 1.7 * (i / 12),
-                                            -2.5 + (column / 4) + scene.random(-.05, .05))
+                                            UPPER + 1 + 1.7 * layer,
+                                            -2.5 + rank + scene.random(-.05, .05))
                                     .velocity(3 + scene.random(0, 1), 0, 0)
                                     .material(Palette.material(0.3, 0))));
         }
