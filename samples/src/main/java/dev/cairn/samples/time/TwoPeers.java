@@ -153,7 +153,7 @@ public final class TwoPeers {
 
     /** A player changes its mind every few ticks. */
     private static Push wish(int player, long tick, long seed) {
-        SplittableRandom mind = new SplittableRandom(seed * 31 + player * 1009 + tick / 9);
+        SplittableRandom mind = new SplittableRandom(seed * 31 + player * 1009L + tick / 9);
         return new Push(mind.nextInt(-1, 2) * 6000, mind.nextInt(-1, 2) * 6000);
     }
 
@@ -170,10 +170,11 @@ public final class TwoPeers {
         world.add(Body.dynamic().shape(Sphere.of(0.5)).at(-3, 0.5, 0));
         world.add(Body.dynamic().shape(Sphere.of(0.5)).at(3, 0.5, 0));
         for (int i = 0; i < 24; i++) {
+            int layer = i / 8;
             world.add(
                     Body.dynamic()
                             .shape(Box.cube(0.3))
-                            .at(0, 0.3 + 0.6 * (i / 8), 0.62 * (i % 8 - 3.5)));
+                            .at(0, 0.3 + 0.6 * layer, 0.62 * (i % 8 - 3.5)));
         }
         world.add(Body.fixed().shape(Box.of(30, 1, 30)).at(0, -1, 0));
         return world;

@@ -276,7 +276,7 @@ public final class MeshContact {
             any |= stands(t, group, i, along, gx, gy, gz);
         }
         if (m.pointCount > 0 && along < FaceRegions.ONE_PLANE && !any) {
-            nearest(t, gx, gy, gz);
+            nearest(gx, gy, gz);
         }
     }
 
@@ -317,7 +317,7 @@ public final class MeshContact {
      * The points of a face are preferred to a slightly better pair of edges, to keep contacts calm.
      * Where the surface does not let that face's normal be, it is the nearest points after all.
      */
-    private void nearest(int t, double gx, double gy, double gz) {
+    private void nearest(double gx, double gy, double gz) {
         Manifold m = manifold;
         double d = narrowPhase.closest(view, shape, 0, 0, 0, 1, qx, qy, qz, qw, -gx, -gy, -gz, m);
         double half = d / 2;

@@ -66,6 +66,7 @@ public final class Bullets {
                         case 3 -> Capsule.of(0.02, 0.3);
                         default -> Sphere.of(0.05);
                     };
+            int row = i / perRow;
             bodies.add(
                     scene.add(
                             shape,
@@ -73,7 +74,7 @@ public final class Bullets {
                             Body.dynamic()
                                     .at(
                                             -2 - scene.random(0, 1) * speed / 60,
-                                            2 + pitch * (i / perRow),
+                                            2 + pitch * row,
                                             pitch * (i % perRow + 0.5) - wide / 2)
                                     .rotationAbout(
                                             scene.random(-0.5, 0.5),
