@@ -136,6 +136,7 @@ final class ColumnsTest {
         contacts.beginBelts();
         contacts.beginHits();
         contacts.beginHooks();
+        contacts.beginLeaning();
         contacts.beginMemory(5);
         contacts.columns(new Filler());
         return contacts;
