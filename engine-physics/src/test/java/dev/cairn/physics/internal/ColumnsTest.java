@@ -135,6 +135,7 @@ final class ColumnsTest {
         contacts.beginCompounds();
         contacts.beginBelts();
         contacts.beginHits();
+        contacts.beginGroups();
         contacts.beginHooks();
         contacts.beginLeaning();
         contacts.beginMemory(5);
