@@ -51,8 +51,8 @@ class SmokeTest {
         }
         assertEquals(
                 "[BroadPhasePairs, EcsCreateDelete, EcsIterate, JobsDispatch, JobsWake,"
-                        + " NarrowPhasePairs, SnapshotHandOver, SolverStages, WorldStep]",
+                        + " NarrowPhasePairs, SaveRestore, SnapshotHandOver, SolverStages, WorldStep]",
                 suites.toString());
-        assertEquals(3 + 7 + 3 + 2 + 2 + 2 + 2 + 2 + 36, results.size());
+        assertEquals(3 + 7 + 3 + 2 + 2 + 2 + 2 + 2 + 2 + 36, results.size());
     }
 }
