@@ -51,7 +51,7 @@ class SmokeTest {
         }
         assertEquals(
                 "[BroadPhasePairs, EcsCreateDelete, EcsIterate, JobsDispatch, JobsWake,"
-                        + " NarrowPhasePairs, SaveRestore, SnapshotHandOver, SolverStages, WorldStep]",
+                    + " NarrowPhasePairs, SaveRestore, SnapshotHandOver, SolverStages, WorldStep]",
                 suites.toString());
         assertEquals(3 + 7 + 3 + 2 + 2 + 2 + 2 + 2 + 2 + 36, results.size());
     }

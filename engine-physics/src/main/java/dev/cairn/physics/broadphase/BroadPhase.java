@@ -22,6 +22,9 @@ import java.util.Arrays;
  * something grows.
  */
 public final class BroadPhase {
+    /** Room for new pairs from the first tick on. */
+    private static final int LEAST_PAIRS = 1024;
+
     /** Moved proxies of a block: small enough to balance, large enough to hide the dispatch. */
     private static final int PROXIES_PER_BLOCK = 32;
 
@@ -305,7 +308,12 @@ public final class BroadPhase {
                     total + " new pairs of shapes in one tick; at most 2147483639 are possible");
         }
         if (newPairs.length < total) {
-            newPairs = new long[(int) Math.min(Integer.MAX_VALUE - 8, total + (total >> 2))];
+            newPairs =
+                    new long
+                            [(int)
+                                    Math.min(
+                                            Integer.MAX_VALUE - 8,
+                                            Math.max(LEAST_PAIRS, total + (total >> 2)))];
         }
         for (int b = 0; b < blocks; b++) {
             for (int i = 0; i < foundCount[b]; i++) {

@@ -102,6 +102,9 @@ public final class SeamStage implements Stateful {
             foundInBlock = new int[Blocks.count(found.length, ROWS_PER_BLOCK)];
         }
         jobs.run(findJob, blocks);
+        if (blocks > 0) {
+            makeRoom(jobs.workers());
+        }
         list(blocks);
         if (groups == 0) {
             return;
@@ -115,6 +118,20 @@ public final class SeamStage implements Stateful {
                 contacts.active[contacts.activeCount++] = contacts.count + firstRow[g] + i;
             }
         }
+    }
+
+    /** Room for the first groups, from the first contact on: the first seam may come late. */
+    private void makeRoom(int workers) {
+        ensureWorkers(workers);
+        if (held.length < LEAST) {
+            held = new int[LEAST];
+            firstHeld = new int[LEAST];
+        }
+        if (member.length < LEAST) {
+            member = new int[LEAST];
+        }
+        next.ensure(colliders.slotCount, held.length);
+        last.ensure(colliders.slotCount, held.length);
     }
 
     /** Gives the rows back what was solved instead of them; after the solve. */
@@ -312,7 +329,7 @@ public final class SeamStage implements Stateful {
                 planes[w] = new SeamPlanes(colliders, contacts, bounds, points);
             }
         }
-        int most = 0;
+        int most = 1;
         for (int g = 0; g < groups; g++) {
             most = Math.max(most, size[g]);
         }

@@ -215,8 +215,8 @@ public final class ContactSolver {
         }
         collector.sides.load(bodies, tick.body, contacts, list.source, list.contacts);
         jobs.run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK));
+        ensureBenches(jobs.workers());
         if (list.count > 0) {
-            ensureBenches(jobs.workers());
             findTurning();
             for (kind = Batches.FLOATS; kind <= Batches.DOUBLES; kind++) {
                 choose();

@@ -38,17 +38,17 @@ public final class Reach {
      * @return whether {@link #set} takes it
      */
     public static boolean fits(Shape shape) {
-        return switch (shape) {
-            case Moved moved -> fits(moved.inner());
-            case Box box -> true;
-            case ConvexHull hull -> true;
-            case Sphere ball -> true;
-            case Capsule capsule -> true;
-            case Cylinder cylinder -> true;
-            case Cone cone -> true;
-            case HalfSpace plane -> true;
-            default -> false;
-        };
+        // No switch over types: that is linked at its first run, which would be within a tick.
+        if (shape instanceof Moved moved) {
+            return fits(moved.inner());
+        }
+        return shape instanceof Box
+                || shape instanceof ConvexHull
+                || shape instanceof Sphere
+                || shape instanceof Capsule
+                || shape instanceof Cylinder
+                || shape instanceof Cone
+                || shape instanceof HalfSpace;
     }
 
     /**

@@ -12,6 +12,9 @@ import java.util.Arrays;
  * <p>Simulation thread; allocates only when there were never so many.
  */
 public final class Bouncers {
+    /** Room from the first tick on, so that small scenes come to rest without growing. */
+    private static final int LEAST = 1024;
+
     /** Impacts of a contact in a sub-step, at most; of few contacts together so many as these. */
     private static final int FEWEST = 16;
 
@@ -48,7 +51,11 @@ public final class Bouncers {
             last = Arrays.copyOf(last, Math.max(slots, last.length + (last.length >> 1)));
         }
         if (bouncing.length < contacts) {
-            bouncing = new int[Math.max(contacts, bouncing.length + (bouncing.length >> 1))];
+            bouncing =
+                    new int
+                            [Math.max(
+                                    contacts,
+                                    Math.max(LEAST, bouncing.length + (bouncing.length >> 1)))];
             row = new int[bouncing.length];
             meetings = new int[bouncing.length];
         }

@@ -14,6 +14,9 @@ import java.util.Arrays;
  * grown.
  */
 final class PairOrder {
+    /** Room from the first tick on, so that small scenes come to rest without growing. */
+    private static final int LEAST = 1024;
+
     /** Numbers of the edges in their source, in order. */
     int[] index = {};
 
@@ -27,7 +30,7 @@ final class PairOrder {
         int n = edges.edges();
         int slots = bodies.slotCount;
         if (index.length < n) {
-            index = new int[Math.max(n, index.length + (index.length >> 1))];
+            index = new int[Math.max(n, Math.max(LEAST, index.length + (index.length >> 1)))];
             spare = new int[index.length];
         }
         if (begin.length <= slots) {
