@@ -3,6 +3,8 @@ package dev.cairn.samples;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.render.app.Offscreen;
+import dev.cairn.samples.film.ContactSheet;
+import dev.cairn.samples.sandbox.Sandbox;
 import dev.cairn.samples.scenefile.SceneExport;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneWriter;
