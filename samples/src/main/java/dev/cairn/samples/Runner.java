@@ -106,7 +106,7 @@ final class Runner {
 
     private int window() {
         Sandbox window =
-                new Sandbox(
+                Sandbox.of(
                         request.sceneFile() == null ? SceneRegistry.all() : request.scenes(),
                         request.options(),
                         request.workers(),

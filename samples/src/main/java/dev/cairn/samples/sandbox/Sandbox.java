@@ -118,8 +118,19 @@ public class Sandbox extends Application {
      * @param substeps sub-steps of the solver
      * @param sleeping whether bodies at rest fall asleep
      * @param out receives the scenes' remarks
+     * @return a sandbox
      */
-    public Sandbox(
+    public static Sandbox of(
+            List<SampleScene> scenes,
+            Map<String, SceneOptions> options,
+            int workers,
+            int substeps,
+            boolean sleeping,
+            PrintStream out) {
+        return new Sandbox(scenes, options, workers, substeps, sleeping, out);
+    }
+
+    Sandbox(
             List<SampleScene> scenes,
             Map<String, SceneOptions> options,
             int workers,
