@@ -296,7 +296,7 @@ public final class SceneBuilder {
      */
     public BodyRef floor(double halfX, double halfZ, double friction, double restitution) {
         double halfY = 0.5;
-        Box plate = Box.of(halfX, halfY, halfZ);
+        Box plate = Box.ofHalfExtents(halfX, halfY, halfZ);
         return add(
                 plate,
                 Model.ground(plate),

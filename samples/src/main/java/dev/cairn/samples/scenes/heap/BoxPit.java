@@ -51,8 +51,8 @@ public final class BoxPit {
         scene.floor(inside + 12, inside + 12, friction, 0);
         // half the height of the walls: the loose heap fills about 0.6 of its room
         double wall = 0.5 + 0.5 * count / (2.4 * inside * inside);
-        Box side = Box.of(inside + 2 * HALF, wall, HALF);
-        Box between = Box.of(inside, wall, HALF);
+        Box side = Box.ofHalfExtents(inside + 2 * HALF, wall, HALF);
+        Box between = Box.ofHalfExtents(inside, wall, HALF);
         for (int i = 0; i < 4; i++) {
             double x = (i % 2 == 0 ? 0 : i - 2) * (inside + HALF);
             double z = (i % 2 == 0 ? i - 1 : 0) * (inside + HALF);
@@ -65,7 +65,7 @@ public final class BoxPit {
                             .material(Palette.material(friction, 0))
                             .name("wall"));
         }
-        Box shape = Box.cube(HALF);
+        Box shape = Box.cubeOfHalfExtent(HALF);
         for (int k = 0; k < count; k++) {
             int layer = k / (width * width);
             double x = (k % width - 0.5 * (width - 1)) * PITCH;

@@ -96,21 +96,21 @@ public final class CompoundPile {
 
     private static List<Collider> table() {
         List<Collider> parts = new ArrayList<>();
-        parts.add(Collider.of(Box.of(0.6, 0.04, 0.4)).at(0, 0.3, 0));
+        parts.add(Collider.of(Box.ofHalfExtents(0.6, 0.04, 0.4)).at(0, 0.3, 0));
         legs(parts, 0.54, 0.34);
         return parts;
     }
 
     private static List<Collider> chair() {
         List<Collider> parts = new ArrayList<>();
-        parts.add(Collider.of(Box.of(0.3, 0.04, 0.3)).at(0, 0.3, 0));
-        parts.add(Collider.of(Box.of(0.3, 0.3, 0.04)).at(0, 0.64, -0.26));
+        parts.add(Collider.of(Box.ofHalfExtents(0.3, 0.04, 0.3)).at(0, 0.3, 0));
+        parts.add(Collider.of(Box.ofHalfExtents(0.3, 0.3, 0.04)).at(0, 0.64, -0.26));
         legs(parts, 0.24, 0.24);
         return parts;
     }
 
     private static void legs(List<Collider> parts, double x, double z) {
-        Box leg = Box.of(0.04, 0.26, 0.04);
+        Box leg = Box.ofHalfExtents(0.04, 0.26, 0.04);
         for (int i = 0; i < 4; i++) {
             parts.add(Collider.of(leg).at(i < 2 ? -x : x, 0, i % 2 == 0 ? -z : z));
         }

@@ -160,8 +160,8 @@ public final class Pile {
             boolean alongX = wall < 2;
             Box slab =
                     alongX
-                            ? Box.of(WALL, high / 2, half + 2 * WALL)
-                            : Box.of(half + 2 * WALL, high / 2, WALL);
+                            ? Box.ofHalfExtents(WALL, high / 2, half + 2 * WALL)
+                            : Box.ofHalfExtents(half + 2 * WALL, high / 2, WALL);
             scene.addUnseen(
                     slab,
                     Body.fixed()
@@ -176,7 +176,7 @@ public final class Pile {
             shapes.add(Sphere.of(radius));
         }
         if (kind == Kind.BOXES || kind == Kind.MIXED) {
-            shapes.add(Box.cube(0.8 * radius));
+            shapes.add(Box.cubeOfHalfExtent(0.8 * radius));
         }
         if (kind == Kind.MIXED || kind == Kind.ROUNDS) {
             shapes.add(Capsule.of(0.5 * radius, 0.5 * radius));

@@ -55,15 +55,15 @@ public final class Room {
         double height = scene.get("height");
         scene.floor(HALF + 2 * WALL, HALF + 2 * WALL, friction, restitution);
         Material material = Palette.material(friction, restitution);
-        Box side = Box.of(WALL, HEIGHT, HALF);
-        Box front = Box.of(HALF + 2 * WALL, HEIGHT, WALL);
+        Box side = Box.ofHalfExtents(WALL, HEIGHT, HALF);
+        Box front = Box.ofHalfExtents(HALF + 2 * WALL, HEIGHT, WALL);
         scene.add(side, Model.ground(side).color(Palette.STONE), wall(-HALF - WALL, 0, material));
         scene.add(side, Model.ground(side).color(Palette.STONE), wall(HALF + WALL, 0, material));
         scene.add(front, Model.ground(front).color(Palette.STONE), wall(0, -HALF - WALL, material));
         scene.addUnseen(front, wall(0, HALF + WALL, material));
 
         Shape ball = Sphere.of(0.35);
-        Shape box = Box.of(0.4, 0.3, 0.5);
+        Shape box = Box.ofHalfExtents(0.4, 0.3, 0.5);
         BodyRef[] thrown = {
             scene.add(
                     ball,

@@ -51,7 +51,7 @@ public final class Tumble {
         scene.floor(40, 40, 0.5, 0);
         BodyRef box =
                 scene.add(
-                        Box.of(0.05, 0.45, 0.2),
+                        Box.ofHalfExtents(0.05, 0.45, 0.2),
                         Palette.body(0),
                         Body.dynamic()
                                 .at(0, HEIGHT, 0)

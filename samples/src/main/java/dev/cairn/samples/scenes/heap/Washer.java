@@ -55,7 +55,7 @@ public final class Washer {
         double radius = 0.75 * side * pitch + 2 * HALF;
         double halfLength = side * pitch / 2 + HALF;
         double width = radius * StrictMath.tan(Math.PI / PANELS) + THICK * 0.1;
-        Box panel = Box.of(width, THICK, halfLength + THICK);
+        Box panel = Box.ofHalfExtents(width, THICK, halfLength + THICK);
         for (int p = 0; p < PANELS; p++) {
             double angle = 2 * Math.PI * p / PANELS;
             double out = radius + THICK;
@@ -67,7 +67,7 @@ public final class Washer {
                             .rotationAbout(0, 0, 1, angle)
                             .material(Palette.material(friction, 0)));
         }
-        Box lid = Box.of(radius + THICK, radius + THICK, THICK);
+        Box lid = Box.ofHalfExtents(radius + THICK, radius + THICK, THICK);
         for (int end = -1; end <= 1; end += 2) {
             scene.addUnseen(
                     lid,
@@ -75,7 +75,7 @@ public final class Washer {
                             .at(0, 0, end * (halfLength + THICK))
                             .material(Palette.material(friction, 0)));
         }
-        Box box = Box.cube(HALF);
+        Box box = Box.cubeOfHalfExtent(HALF);
         for (int i = 0; i < side * side * side; i++) {
             int layer = i / (side * side);
             scene.add(

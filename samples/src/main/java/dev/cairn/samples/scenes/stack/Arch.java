@@ -55,7 +55,7 @@ public final class Arch {
         double inner = RADIUS * (1 - 0.5 * scene.get("thickness"));
         double outer = RADIUS * (1 + 0.5 * scene.get("thickness"));
         scene.floor(12, 8, friction, 0);
-        Box foot = Box.of(1, 0.5 * FOOT, 1);
+        Box foot = Box.ofHalfExtents(1, 0.5 * FOOT, 1);
         for (int side = -1; side <= 1; side += 2) {
             scene.add(
                     foot,

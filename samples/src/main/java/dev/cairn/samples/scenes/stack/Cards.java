@@ -57,7 +57,7 @@ public final class Cards {
         int towers = (scene.count("cubes") + TOWER - 1) / TOWER;
         int deep = (towers + ABREAST - 1) / ABREAST;
         scene.floor(deep == 0 ? 6 : 2 * ABREAST, 4 + 4 * deep, friction, 0);
-        Box card = Box.of(HALF_THICKNESS, HALF_LENGTH, HALF_WIDTH);
+        Box card = Box.ofHalfExtents(HALF_THICKNESS, HALF_LENGTH, HALF_WIDTH);
         double sin = StrictMath.sin(LEAN);
         double cos = StrictMath.cos(LEAN);
         // half the box that a leaning card fills
@@ -65,7 +65,7 @@ public final class Cards {
         double high = HALF_LENGTH * cos + HALF_THICKNESS * sin;
         // feet of neighbours are 2 mm apart; level cards reach over the outer corners of the peaks
         double pitch = 4 * wide + 0.002;
-        Box level = Box.of(0.5 * pitch - 0.0005, HALF_THICKNESS, HALF_WIDTH);
+        Box level = Box.ofHalfExtents(0.5 * pitch - 0.0005, HALF_THICKNESS, HALF_WIDTH);
         List<BodyRef> all = new ArrayList<>();
         List<Vector3d> starts = new ArrayList<>();
         double y = 0;
@@ -119,7 +119,7 @@ public final class Cards {
 
     /** They need no more than the usual sub-steps: what they cost tells who pays for the cards. */
     private static void towers(SceneBuilder scene, double friction) {
-        Box cube = Box.cube(0.5);
+        Box cube = Box.cubeOfHalfExtent(0.5);
         for (int i = 0; i < scene.count("cubes"); i++) {
             int tower = i / TOWER;
             scene.add(

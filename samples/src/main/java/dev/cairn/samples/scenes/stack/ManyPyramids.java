@@ -56,7 +56,7 @@ public final class ManyPyramids {
         double pitchX = 2 * HALF * base + AISLE;
         double reach = side * Math.max(pitchX, AISLE);
         scene.floor(reach, reach, friction, 0);
-        Box box = Box.cube(HALF);
+        Box box = Box.cubeOfHalfExtent(HALF);
         List<BodyRef> boxes = new ArrayList<>();
         List<Vector3d> starts = new ArrayList<>();
         for (int p = 0; p < side * side; p++) {

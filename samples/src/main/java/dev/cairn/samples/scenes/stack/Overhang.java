@@ -52,10 +52,10 @@ public final class Overhang {
         double f = scene.get("f");
         scene.floor(10, 6, 0.6, 0);
         scene.add(
-                Box.of(2, 0.5 * TABLE, 1),
+                Box.ofHalfExtents(2, 0.5 * TABLE, 1),
                 Palette.STONE,
                 Body.fixed().at(-2, 0.5 * TABLE, 0).name("table"));
-        Box shape = Box.of(0.5 * LENGTH, HALF_HEIGHT, 0.4);
+        Box shape = Box.ofHalfExtents(0.5 * LENGTH, HALF_HEIGHT, 0.4);
         List<BodyRef> pile = new ArrayList<>();
         double[] places = new double[planks];
         double x = -0.5 * LENGTH;

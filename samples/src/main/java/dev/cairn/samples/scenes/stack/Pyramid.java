@@ -51,7 +51,7 @@ public final class Pyramid {
         double friction = scene.get("friction");
         Material material = new Material(friction, 0, scene.get("density"));
         scene.floor(200, 200, friction, 0);
-        Box box = Box.cube(HALF);
+        Box box = Box.cubeOfHalfExtent(HALF);
         List<BodyRef> boxes = new ArrayList<>();
         List<Vector3d> starts = new ArrayList<>();
         for (int row = 0; row < base; row++) {

@@ -135,7 +135,7 @@ public final class StackOfBoxes {
         double jitter = 1e-3 * scene.get("jitter");
         int pattern = scene.count("pattern");
         BodyRef floor = scene.floor(6, 6, friction, restitution);
-        Box shape = Box.cube(HALF);
+        Box shape = Box.cubeOfHalfExtent(HALF);
         List<BodyRef> stack = new ArrayList<>();
         double[] masses = new double[boxes + 1];
         stack.add(floor);
