@@ -36,6 +36,8 @@ final class SandboxProbe extends Sandbox {
     private long bytesBefore;
     private long tickBytes;
     private volatile int quietTicks;
+    private volatile long digest;
+    private volatile long digestTick;
 
     private SandboxProbe(List<SampleScene> scenes, PrintStream out) {
         super(scenes, Map.of(), 1, 4, false, System.err);
@@ -78,7 +80,9 @@ final class SandboxProbe extends Sandbox {
         super.updated(seconds);
         long now = threads.getCurrentThreadAllocatedBytes();
         quietTicks = now == tickBytes ? quietTicks + 1 : 0;
-        tickBytes = now;
+        digest = scene().physics().digest();
+        digestTick = builtTick();
+        tickBytes = threads.getCurrentThreadAllocatedBytes();
     }
 
     private String keysOf(String action) {
@@ -92,17 +96,22 @@ final class SandboxProbe extends Sandbox {
 
     @Override
     void shown(Ui ui, View view, SandboxState state) {
+        if (state.id.isEmpty()) {
+            return; // the simulation thread has not built the scene yet
+        }
         // What the frame allocated but for this method.
         long bytes = threads.getCurrentThreadAllocatedBytes() - bytesBefore;
         view.camera().position(eye);
         double[] slider = ui.boundsOf("gap");
+        double[] bar = ui.boundsOf(TimePanel.BAR);
         out.printf(
                 Locale.ROOT,
                 "frame=%d tick=%d worldTick=%d paused=%b eyeX=%.6f eyeY=%.6f eyeZ=%.6f pulling=%b"
                         + " held=%s heldX=%.6f gap=%.6f sliderX=%.1f sliderY=%.1f sliderWidth=%.1f"
                         + " sliderHeight=%.1f bodies=%d uiWidth=%.0f uiHeight=%.0f uiScale=%.2f"
                         + " full=%b substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d"
-                        + " shortened=%d sinkKeys=%s listKeys=%s%s%n",
+                        + " shortened=%d oldest=%d newest=%d kept=%d future=%b apart=%.9f"
+                        + " digestTick=%d digest=%x barX=%.1f barY=%.1f barWidth=%.1f sinkKeys=%s listKeys=%s%s%n",
                 view.frames(),
                 state.tick,
                 view.snapshot().tick(),
@@ -130,6 +139,16 @@ final class SandboxProbe extends Sandbox {
                 isHelpShown(),
                 quietTicks,
                 ui.shortened(),
+                state.oldestTick,
+                state.newestTick,
+                state.keptTick,
+                state.future != null,
+                state.apart,
+                digestTick,
+                digest,
+                bar == null ? -1 : bar[0],
+                bar == null ? -1 : bar[1] + bar[3] / 2,
+                bar == null ? -1 : bar[2],
                 keysOf("sink"),
                 keysOf("list keys"),
                 places(ui));
