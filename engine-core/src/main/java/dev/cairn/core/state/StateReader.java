@@ -15,6 +15,11 @@ final class StateReader implements StateVisitor {
         this.state = state;
     }
 
+    /** From the first entry on. */
+    void begin() {
+        entry = 0;
+    }
+
     @Override
     public boolean isRestoring() {
         return true;

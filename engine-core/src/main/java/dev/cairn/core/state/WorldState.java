@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Objects;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.zip.CRC32C;
 
 /**
@@ -80,6 +81,9 @@ public final class WorldState {
 
     private final StateWriter writer = new StateWriter(this);
 
+    /** One that no thread uses now: several may restore the same state. */
+    private final AtomicReference<@Nullable StateReader> spareReader = new AtomicReference<>();
+
     /** Nothing yet. */
     public WorldState() {}
 
@@ -103,7 +107,7 @@ public final class WorldState {
     }
 
     /**
-     * Gives back all that was saved.
+     * Gives back all that was saved. Allocates nothing where the same was restored before.
      *
      * @param root of the same kind as what was saved
      * @throws StateException if this is no state of such a thing
@@ -113,9 +117,12 @@ public final class WorldState {
         if (isEmpty()) {
             throw new StateException("the state is empty: save something into it first");
         }
-        StateReader reader = new StateReader(this);
+        StateReader spare = spareReader.getAndSet(null);
+        StateReader reader = spare != null ? spare : new StateReader(this);
+        reader.begin();
         root.state(reader);
         reader.end();
+        spareReader.set(reader);
     }
 
     /**
