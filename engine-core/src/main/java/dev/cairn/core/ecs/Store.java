@@ -37,7 +37,6 @@ final class Store {
     /** Room to restore the components of a table. */
     private Component<?>[] savedParts = {};
 
-
     private final Map<ComponentSet, Archetype> bySet = new HashMap<>();
     private final SpawnPlans plans = new SpawnPlans();
     private final Archetype empty;

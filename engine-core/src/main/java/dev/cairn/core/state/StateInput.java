@@ -177,8 +177,12 @@ public final class StateInput {
         return Arrays.copyOfRange(bytes, at - count, at);
     }
 
-    boolean isAtEnd() {
-        return at == end;
+    /** Refuses bytes that nobody has asked for. */
+    void requireEnd() {
+        if (at != end) {
+            throw new StateException(
+                    "there are " + (end - at) + " bytes behind the end; they are damaged");
+        }
     }
 
     /** Refuses a number of elements that there are no bytes for. */

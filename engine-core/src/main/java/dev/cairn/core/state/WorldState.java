@@ -79,6 +79,8 @@ public final class WorldState {
 
     boolean isRead;
 
+    private @Nullable WorldState spare;
+
     private final StateWriter writer = new StateWriter(this);
 
     /** One that no thread uses now: several may restore the same state. */
@@ -104,6 +106,69 @@ public final class WorldState {
         if (objectCount < before) {
             Arrays.fill(objects, objectCount, before, null);
         }
+    }
+
+    /**
+     * Takes over all that another state holds. Allocates only while buffers grow.
+     *
+     * @param other what this state shall be; stays as it is
+     */
+    public void set(WorldState other) {
+        Objects.requireNonNull(other, "other must not be null");
+        if (other == this) {
+            return;
+        }
+        clear();
+        isRead = other.isRead;
+        ensureBytes(other.size);
+        System.arraycopy(other.bytes, 0, bytes, 0, other.size);
+        size = other.size;
+        ensureObjects(other.objectCount);
+        System.arraycopy(other.objects, 0, objects, 0, other.objectCount);
+        objectCount = other.objectCount;
+        for (int e = 0; e < other.entries; e++) {
+            add(other.names[e], other.kinds[e], other.at[e], other.counts[e]);
+        }
+    }
+
+    /** Nothing yet; room stays. */
+    void clear() {
+        Arrays.fill(objects, 0, objectCount, null);
+        isRead = false;
+        size = 0;
+        objectCount = 0;
+        entries = 0;
+    }
+
+    /** An entry of another state, behind those that are here: longer by zeros, or cut. */
+    void append(WorldState from, int entry, int count) {
+        byte kind = from.kinds[entry];
+        int width = WIDTH[kind];
+        int least = Math.min(count, from.counts[entry]);
+        if (kind == SECTION) {
+            add(from.names[entry], kind, size, 0);
+        } else if (width == 0) {
+            ensureObjects(objectCount + count);
+            System.arraycopy(from.objects, from.at[entry], objects, objectCount, least);
+            Arrays.fill(objects, objectCount + least, objectCount + count, null);
+            add(from.names[entry], kind, objectCount, count);
+            objectCount += count;
+        } else {
+            long end = size + ((long) width * count + 7 & -8L);
+            ensureBytes(end);
+            System.arraycopy(from.bytes, from.at[entry], bytes, size, width * least);
+            Arrays.fill(bytes, size + width * least, (int) end, (byte) 0);
+            add(from.names[entry], kind, size, count);
+            size = (int) end;
+        }
+    }
+
+    /** Room to lay this state out anew; used by deltas. */
+    WorldState spare() {
+        if (spare == null) {
+            spare = new WorldState();
+        }
+        return spare;
     }
 
     /**

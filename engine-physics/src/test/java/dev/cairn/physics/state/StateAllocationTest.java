@@ -31,8 +31,7 @@ class StateAllocationTest {
             double x = i % 25 * 1.5 - 18;
             double z = i / 25 % 20 * 1.5 - 18;
             BodyRef box =
-                    world.add(
-                            Body.dynamic().shape(Box.cube(0.4)).at(x, 0.4 + i / 500 * 0.8, z));
+                    world.add(Body.dynamic().shape(Box.cube(0.4)).at(x, 0.4 + i / 500 * 0.8, z));
             if (last != null && i % 20 == 5) {
                 world.add(Joint.ball(last, box).breakAt(i == 105 ? 1e-9 : 1e9, 1e9).at(x, 1, z));
             }

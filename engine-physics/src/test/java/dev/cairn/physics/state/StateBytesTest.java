@@ -147,7 +147,7 @@ class StateBytesTest {
         }
     }
 
-    private static byte[] mutate(byte[] whole, SplittableRandom random) {
+    static byte[] mutate(byte[] whole, SplittableRandom random) {
         byte[] bad = whole.clone();
         int at = random.nextInt(random.nextBoolean() ? whole.length : 64);
         switch (random.nextInt(5)) {
