@@ -101,7 +101,7 @@ final class DeltaWords {
     }
 
     private static int words(WorldState s, int entry) {
-        return (int) ((long) WorldState.WIDTH[s.kinds[entry]] * s.counts[entry] + 7 >> 3);
+        return (int) (((long) WorldState.WIDTH[s.kinds[entry]] * s.counts[entry] + 7) >> 3);
     }
 
     private static long word(WorldState s, int begin, int words, int w) {
@@ -136,7 +136,7 @@ final class DeltaWords {
     }
 
     private static int slot(long word) {
-        return (int) (word * ODD >>> SEEN_SHIFT);
+        return (int) ((word * ODD) >>> SEEN_SHIFT);
     }
 
     private void varint(long value) {
@@ -210,12 +210,12 @@ final class DeltaWords {
     private long readWord() {
         int mask = readByte();
         if (mask == 0) {
-            return seen[readByte() & SEEN - 1];
+            return seen[readByte() & (SEEN - 1)];
         }
         long x = 0;
         for (int k = 0; k < 8; k++) {
             if ((mask >> k & 1) != 0) {
-                x |= (long) readByte() << 8 * k;
+                x |= (long) readByte() << (8 * k);
             }
         }
         seen[slot(x)] = x;

@@ -257,7 +257,7 @@ public final class History {
         int low = 0;
         int high = count;
         while (low < high) {
-            int middle = low + high >>> 1;
+            int middle = (low + high) >>> 1;
             if (ticks[place(middle)] <= tick) {
                 low = middle + 1;
             } else {
