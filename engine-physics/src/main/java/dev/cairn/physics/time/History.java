@@ -107,8 +107,9 @@ public final class History {
         bytesSinceKey += step;
         sinceKey++;
         if (delta == null || bytesSinceKey > next.byteCount() || sinceKey > MOST_DELTAS) {
-            keys[at] = spares.isEmpty() ? new WorldState() : spares.removeLast();
-            keys[at].set(next);
+            WorldState key = spares.isEmpty() ? new WorldState() : spares.removeLast();
+            key.set(next);
+            keys[at] = key;
             bytes += next.byteCount();
             sinceKey = 0;
             bytesSinceKey = 0;
@@ -334,8 +335,8 @@ public final class History {
         }
         int longer = 2 * length;
         ticks = turned(ticks, longer);
-        StateDelta[] newDeltas = new StateDelta[longer];
-        WorldState[] newKeys = new WorldState[longer];
+        @Nullable StateDelta[] newDeltas = new StateDelta[longer];
+        @Nullable WorldState[] newKeys = new WorldState[longer];
         for (int i = 0; i < count; i++) {
             newDeltas[i] = deltas[(first + i) % length];
             newKeys[i] = keys[(first + i) % length];
