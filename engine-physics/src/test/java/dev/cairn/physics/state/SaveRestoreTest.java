@@ -43,7 +43,7 @@ class SaveRestoreTest {
 
     private static PhysicsWorld world() {
         PhysicsWorld world = builder().build();
-        world.add(Body.fixed().shape(Box.of(20, 1, 20)).at(0, -1, 0));
+        world.add(Body.fixed().shape(Box.ofHalfExtents(20, 1, 20)).at(0, -1, 0));
         return world;
     }
 
@@ -78,7 +78,7 @@ class SaveRestoreTest {
     }
 
     private static BodyRef box(PhysicsWorld world, double x, double y) {
-        return world.add(Body.dynamic().shape(Box.cube(0.5)).at(x, y, 0));
+        return world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(x, y, 0));
     }
 
     @Test
@@ -127,8 +127,9 @@ class SaveRestoreTest {
     @Test
     void jointsWithMotorsThatBreak() {
         try (PhysicsWorld world = world()) {
-            BodyRef a = world.add(Body.fixed().shape(Box.cube(0.2)).at(0, 6, 0));
-            BodyRef b = world.add(Body.dynamic().shape(Box.of(0.6, 0.1, 0.1)).at(0.6, 6, 0));
+            BodyRef a = world.add(Body.fixed().shape(Box.cubeOfHalfExtent(0.2)).at(0, 6, 0));
+            BodyRef b =
+                    world.add(Body.dynamic().shape(Box.ofHalfExtents(0.6, 0.1, 0.1)).at(0.6, 6, 0));
             BodyRef c = world.add(Body.dynamic().shape(Sphere.of(0.3)).at(1.4, 6, 0));
             JointRef hinge = world.add(Joint.hinge(a, b).at(0, 6, 0).axis(0, 0, 1).motor(2, 500));
             JointRef rod = world.add(Joint.ball(b, c).at(1.2, 6, 0).breakAt(500, 1e9));
@@ -218,7 +219,8 @@ class SaveRestoreTest {
     @Test
     void aKinematicBodyOnItsWay() {
         try (PhysicsWorld world = world()) {
-            BodyRef lift = world.add(Body.kinematic().shape(Box.of(1, 0.1, 1)).at(0, 0.3, 0));
+            BodyRef lift =
+                    world.add(Body.kinematic().shape(Box.ofHalfExtents(1, 0.1, 1)).at(0, 0.3, 0));
             box(world, 0, 0.95);
             steps(world, 10);
             lift.moveTo(0, 0.35, 0);

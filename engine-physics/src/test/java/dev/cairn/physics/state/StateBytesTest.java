@@ -57,7 +57,7 @@ class StateBytesTest {
         Shape turned = Cone.of(0.4, 0.5).moved(0.1, 0, 0, new Quaterniond().rotateX(1));
         Shape[] shapes = {
             Sphere.of(0.5),
-            Box.of(0.5, 0.4, 0.3),
+            Box.ofHalfExtents(0.5, 0.4, 0.3),
             Capsule.of(0.3, 0.4),
             Cylinder.of(0.4, 0.3),
             Cone.of(0.5, 0.5),
@@ -82,7 +82,7 @@ class StateBytesTest {
         }
         world.add(
                 Body.dynamic()
-                        .collider(Collider.of(Box.cube(0.3)))
+                        .collider(Collider.of(Box.cubeOfHalfExtent(0.3)))
                         .collider(Collider.of(hull).at(0.5, 0, 0))
                         .at(-2, 1, 0));
         for (int tick = 0; tick < 40; tick++) {
