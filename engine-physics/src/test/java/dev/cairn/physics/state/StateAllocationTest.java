@@ -25,13 +25,16 @@ class StateAllocationTest {
     /** A thousand boxes, awake, in piles of two; some hang on joints, one of which has broken. */
     private static PhysicsWorld world(boolean sleeping) {
         PhysicsWorld world = PhysicsWorld.builder().workers(1).sleeping(sleeping).build();
-        world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0));
+        world.add(Body.fixed().shape(Box.ofHalfExtents(50, 1, 50)).at(0, -1, 0));
         BodyRef last = null;
         for (int i = 0; i < 1000; i++) {
             double x = i % 25 * 1.5 - 18;
             double z = i / 25 % 20 * 1.5 - 18;
             BodyRef box =
-                    world.add(Body.dynamic().shape(Box.cube(0.4)).at(x, 0.4 + i / 500 * 0.8, z));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(0.4))
+                                    .at(x, 0.4 + i / 500 * 0.8, z));
             if (last != null && i % 20 == 5) {
                 world.add(Joint.ball(last, box).breakAt(i == 105 ? 1e-9 : 1e9, 1e9).at(x, 1, z));
             }

@@ -33,7 +33,7 @@ class StateDeltaTest {
 
     private static PhysicsWorld ground() {
         PhysicsWorld world = PhysicsWorld.builder().workers(1).build();
-        world.add(Body.fixed().shape(Box.of(60, 1, 60)).at(0, -1, 0));
+        world.add(Body.fixed().shape(Box.ofHalfExtents(60, 1, 60)).at(0, -1, 0));
         return world;
     }
 
@@ -129,12 +129,15 @@ class StateDeltaTest {
             List<BodyRef> flying = new ArrayList<>();
             for (int i = 0; i < 990; i++) {
                 double x = i % 33 * 1.5 - 24;
-                world.add(Body.dynamic().shape(Box.cube(0.4)).at(x, 0.4, i / 33 * 1.5 - 24));
+                world.add(
+                        Body.dynamic()
+                                .shape(Box.cubeOfHalfExtent(0.4))
+                                .at(x, 0.4, i / 33 * 1.5 - 24));
                 if (i % 99 == 0) {
                     flying.add(
                             world.add(
                                     Body.dynamic()
-                                            .shape(Box.cube(0.4))
+                                            .shape(Box.cubeOfHalfExtent(0.4))
                                             .at(x, 30 + 2 * (i / 99), 0)
                                             .angularVelocity(1, 2, 3)
                                             .velocity(1, 9, 2)));
@@ -162,7 +165,10 @@ class StateDeltaTest {
         try (PhysicsWorld world = ground()) {
             for (int i = 0; i < 200; i++) {
                 double x = i % 20 * 1.5 - 15;
-                world.add(Body.dynamic().shape(Box.cube(0.4)).at(x, 0.4, i / 20 * 1.5 - 15));
+                world.add(
+                        Body.dynamic()
+                                .shape(Box.cubeOfHalfExtent(0.4))
+                                .at(x, 0.4, i / 20 * 1.5 - 15));
             }
             for (int t = 0; t < 120; t++) {
                 world.step(STEP);

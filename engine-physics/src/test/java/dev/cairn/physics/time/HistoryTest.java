@@ -34,7 +34,7 @@ class HistoryTest {
         for (long seed = 1; seed <= 4; seed++) {
             SplittableRandom random = new SplittableRandom(seed);
             try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
-                world.add(Body.fixed().shape(Box.of(20, 1, 20)).at(0, -1, 0));
+                world.add(Body.fixed().shape(Box.ofHalfExtents(20, 1, 20)).at(0, -1, 0));
                 History history = new History(world, 50, seed == 4 ? 1_500_000 : Long.MAX_VALUE);
                 TreeMap<Long, WorldState> whole = new TreeMap<>();
                 for (int round = 0; round < 300; round++) {
@@ -85,10 +85,13 @@ class HistoryTest {
     @Test
     void threeMinutesOfAWorldThatMostlySleeps() {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
-            world.add(Body.fixed().shape(Box.of(60, 1, 60)).at(0, -1, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(60, 1, 60)).at(0, -1, 0));
             for (int i = 0; i < 300; i++) {
                 double x = i % 20 * 1.5 - 15;
-                world.add(Body.dynamic().shape(Box.cube(0.4)).at(x, 0.4, i / 20 * 1.5 - 12));
+                world.add(
+                        Body.dynamic()
+                                .shape(Box.cubeOfHalfExtent(0.4))
+                                .at(x, 0.4, i / 20 * 1.5 - 12));
             }
             int ticks = 10_800;
             History history = new History(world, ticks, 256L << 20);
