@@ -28,7 +28,10 @@ final class DeltaBytes {
     private DeltaBytes() {}
 
     static void write(StateDelta d, OutputStream to, StateCodecs codecs) throws IOException {
-        StateOutput out = new StateOutput(codecs);
+        FRAME.write(to, codecs, out -> contents(d, out));
+    }
+
+    static void contents(StateDelta d, StateOutput out) {
         form(d.before, out);
         form(d.after, out);
         out.writeInt(d.alignment.head());
@@ -48,7 +51,6 @@ final class DeltaBytes {
         out.writeLong(d.words.sumAfter);
         out.writeInt(d.words.size);
         out.writeBytes(d.words.bytes, d.words.size);
-        FRAME.write(out, codecs, to);
     }
 
     private static void form(StateDelta.Form form, StateOutput out) {
@@ -65,7 +67,10 @@ final class DeltaBytes {
     }
 
     static StateDelta read(InputStream from, StateCodecs codecs) throws IOException {
-        StateInput in = FRAME.read(from, codecs);
+        return FRAME.read(from, codecs, DeltaBytes::parse);
+    }
+
+    static StateDelta parse(StateInput in) {
         StateDelta.Form before = form(in);
         StateDelta.Form after = form(in);
         Alignment alignment = alignment(in, before, after);
@@ -82,7 +87,6 @@ final class DeltaBytes {
         long sumBefore = in.readLong();
         long sumAfter = in.readLong();
         byte[] words = in.readBytes(in.readInt());
-        in.requireEnd();
         long growth =
                 Math.abs((long) after.size() - before.size())
                         + 8 * Math.abs((long) after.objects() - before.objects());

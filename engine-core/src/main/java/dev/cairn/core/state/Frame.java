@@ -6,6 +6,8 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.zip.CRC32;
 import java.util.zip.CRC32C;
 
@@ -21,15 +23,40 @@ import java.util.zip.CRC32C;
  *   8  CRC-32C and CRC-32 of these n bytes
  * </pre>
  *
- * @param magic eight letters; the last one is the version
+ * <p>Immutable; any thread.
+ *
+ * @param magic eight letters of ASCII; the last one is the version
  * @param what it is, for messages
  */
-record Frame(String magic, String what) {
+public record Frame(String magic, String what) {
     private static final int LETTERS = 8;
     private static final int HEAD = LETTERS + 8;
 
-    /** Wraps what was written into an output, and its objects. */
-    void write(StateOutput out, StateCodecs codecs, OutputStream to) throws IOException {
+    /**
+     * Of a kind of bytes.
+     *
+     * @throws IllegalArgumentException if there are not eight letters
+     */
+    public Frame {
+        if (magic.length() != LETTERS) {
+            throw new IllegalArgumentException(
+                    "magic is '" + magic + "'; it must be " + LETTERS + " letters of ASCII");
+        }
+    }
+
+    /**
+     * Wraps what is written.
+     *
+     * @param to where to; stays open
+     * @param codecs write the objects
+     * @param content writes
+     * @throws IOException if writing fails
+     * @throws StateException if there is an object without a codec
+     */
+    public void write(OutputStream to, StateCodecs codecs, Consumer<StateOutput> content)
+            throws IOException {
+        StateOutput out = new StateOutput(codecs);
+        content.accept(out);
         byte[] rest = out.toBytes();
         StateOutput whole = new StateOutput(codecs);
         List<byte[]> pool = out.pool();
@@ -51,8 +78,20 @@ record Frame(String magic, String what) {
         to.flush();
     }
 
-    /** What was wrapped, behind the objects. Takes memory as there are bytes, whatever they say. */
-    StateInput read(InputStream from, StateCodecs codecs) throws IOException {
+    /**
+     * Reads what was wrapped, and no more. Takes as much memory as there are bytes, and a small
+     * multiple of it, whatever they say.
+     *
+     * @param from where from; stays open
+     * @param codecs read the objects
+     * @param content reads all that was written, in the same order
+     * @param <T> what is read
+     * @return what {@code content} has made
+     * @throws IOException if reading fails
+     * @throws StateException if the bytes are damaged, incomplete, or of another version
+     */
+    public <T> T read(InputStream from, StateCodecs codecs, Function<StateInput, T> content)
+            throws IOException {
         byte[] head = from.readNBytes(HEAD);
         byte[] letters = letters();
         if (head.length < HEAD || !Arrays.equals(head, 0, LETTERS - 1, letters, 0, LETTERS - 1)) {
@@ -100,7 +139,9 @@ record Frame(String magic, String what) {
         }
         StateInput in = new StateInput(all, 0, all.length);
         in.readPool(codecs);
-        return in;
+        T result = content.apply(in);
+        in.requireEnd();
+        return result;
     }
 
     private byte[] letters() {

@@ -22,16 +22,11 @@ final class StateBytes {
     private StateBytes() {}
 
     static void write(WorldState s, OutputStream to, StateCodecs codecs) throws IOException {
-        StateOutput out = new StateOutput(codecs);
-        contents(s, out);
-        FRAME.write(out, codecs, to);
+        FRAME.write(to, codecs, out -> contents(s, out));
     }
 
     static WorldState read(InputStream from, StateCodecs codecs) throws IOException {
-        StateInput in = FRAME.read(from, codecs);
-        WorldState state = parse(in);
-        in.requireEnd();
-        return state;
+        return FRAME.read(from, codecs, StateBytes::parse);
     }
 
     static void contents(WorldState s, StateOutput out) {

@@ -282,6 +282,17 @@ public final class WorldState {
     }
 
     /**
+     * The first difference among the columns of one part of the world.
+     *
+     * @param other another one
+     * @param section name of the part, such as {@code bodies}
+     * @return as {@link #difference(WorldState)}
+     */
+    public @Nullable String difference(WorldState other, String section) {
+        return Differences.within(this, other, section + ".");
+    }
+
+    /**
      * Whether two states are equal in every bit.
      *
      * @param other another one

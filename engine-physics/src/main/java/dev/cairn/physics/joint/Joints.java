@@ -176,7 +176,7 @@ public final class Joints implements Stateful {
         int count = store.count;
         JointRef[] saved = s.array("refs", s.isRestoring() ? savedRefs : refs, count);
         savedRefs = s.isRestoring() ? saved : savedRefs;
-        isApart = s.array("isApart", isApart, count);
+        isApart = s.array("isApart", isApart, 0, count, store.isThere.length, true);
         int numbers = count * Joint.AXES * AxisSettings.NUMBERS;
         if (settings.length < numbers) {
             settings = new double[numbers + numbers / 2];
