@@ -30,9 +30,25 @@ public final class History {
     /** Ticks after which there is another keyframe, however little has changed. */
     private static final int MOST_DELTAS = 600;
 
+    /** Deltas between two keyframes take at most so many times the memory of a state. */
+    private static final int DELTAS_TO_KEY = 4;
+
+    /** A gap that thinning leaves is at most this part of how long ago it is. */
+    private static final int AGE_TO_GAP = 12;
+
+    /** Fewer ticks are not thinned. */
+    private static final int FEW = 16;
+
     private final PhysicsWorld world;
     private final long mostBytes;
     private final int mostTicks;
+    private final boolean thins;
+
+    /** Where thinning goes on, counted from the oldest. */
+    private int sweep = 1;
+
+    /** Room to join two deltas. */
+    private final WorldState joined = new WorldState();
 
     /** By place, see {@link #place}: tick, what leads there from the one before, whole state. */
     private long[] ticks = new long[16];
@@ -73,6 +89,27 @@ public final class History {
      *     kept even if it takes more alone. Beside it three states are held to work with
      */
     public History(PhysicsWorld world, int mostTicks, long mostBytes) {
+        this(world, mostTicks, mostBytes, false);
+    }
+
+    /**
+     * A history that reaches back as far as it is asked to: when memory is short it does not forget
+     * the oldest tick, but every second one of the older three quarters, again and again, so that
+     * the past is the coarser the longer ago it is. For a time bar over minutes; {@link #floorTick}
+     * tells where it can go.
+     *
+     * @param world whose past this is
+     * @param mostTicks how far back it reaches, in ticks, at least 1
+     * @param mostBytes as {@link #History}; if that is too little for gaps of a twelfth of how long
+     *     ago they are, the oldest are forgotten all the same
+     * @return without ticks
+     */
+    public static History thinning(PhysicsWorld world, int mostTicks, long mostBytes) {
+        return new History(world, mostTicks, mostBytes, true);
+    }
+
+    private History(PhysicsWorld world, int mostTicks, long mostBytes, boolean thins) {
+        this.thins = thins;
         if (world == null) {
             throw new IllegalArgumentException("world is null; pass the world to remember");
         }
@@ -97,8 +134,12 @@ public final class History {
         long tick = world.ecs().tickNumber();
         world.save(next); // refused during a step, and of a world that has failed
         forgetFrom(tick);
-        if (count == mostTicks) {
-            forgetOldest();
+        while (count > 0 && (count >= mostTicks || tick - oldestTick() >= mostTicks)) {
+            if (count == 1) {
+                forgetFrom(oldestTick());
+            } else {
+                forgetOldest();
+            }
         }
         ensureRoom();
         int at = place(count);
@@ -106,7 +147,9 @@ public final class History {
         long step = delta == null ? 0 : delta.byteCount();
         bytesSinceKey += step;
         sinceKey++;
-        if (delta == null || bytesSinceKey > next.byteCount() || sinceKey > MOST_DELTAS) {
+        if (delta == null
+                || bytesSinceKey > DELTAS_TO_KEY * next.byteCount()
+                || sinceKey > MOST_DELTAS) {
             WorldState key = spares.isEmpty() ? new WorldState() : spares.removeLast();
             key.set(next);
             keys[at] = key;
@@ -122,7 +165,9 @@ public final class History {
         latest = next;
         next = before;
         while (bytes > mostBytes && count > 1) {
-            forgetOldest();
+            if (!thins || !thin()) {
+                forgetOldest();
+            }
         }
     }
 
@@ -312,6 +357,60 @@ public final class History {
         first = second;
         count--;
         lookedAt = Math.max(-1, lookedAt - 1);
+    }
+
+    /** Forgets a tick among the older ones; false if there are too few. */
+    private boolean thin() {
+        int end = count - count / 4;
+        int i = sweep < end ? sweep : 1;
+        for (int tries = 0; count < FEW || !canGo(i); tries++) {
+            if (count < FEW || tries == end) {
+                return false;
+            }
+            i = i + 1 < end ? i + 1 : 1;
+        }
+        look(i - 1);
+        joined.set(looked);
+        look(i + 1);
+        StateDelta over = StateDelta.between(joined, looked);
+        bytes += over.byteCount() - delta(i + 1).byteCount();
+        deltas[place(i + 1)] = over;
+        forget(place(i));
+        for (int k = i; k > 0; k--) {
+            ticks[place(k)] = ticks[place(k - 1)];
+            deltas[place(k)] = deltas[place(k - 1)];
+            keys[place(k)] = keys[place(k - 1)];
+        }
+        deltas[first] = null;
+        keys[first] = null;
+        first = place(1);
+        count--;
+        lookedAt = i;
+        sweep = i + 1;
+        return true;
+    }
+
+    /**
+     * Whether a tick may be forgotten: the gap that it leaves is small beside its age, and the
+     * deltas from the key before to the key behind are few enough without its own.
+     */
+    private boolean canGo(int i) {
+        long gap = ticks[place(i + 1)] - ticks[place(i - 1)];
+        if (gap > 2 && gap > (latestTick() - ticks[place(i)]) / AGE_TO_GAP) {
+            return false;
+        }
+        if (keys[place(i)] == null) {
+            return true;
+        }
+        long sum = delta(i).byteCount();
+        for (int k = i - 1; keys[place(k)] == null; k--) {
+            sum += delta(k).byteCount();
+        }
+        for (int k = i + 1; k < count && keys[place(k)] == null; k++) {
+            sum += delta(k).byteCount();
+        }
+        WorldState key = keys[place(i)];
+        return key != null && sum <= DELTAS_TO_KEY * key.byteCount();
     }
 
     private void forget(int at) {

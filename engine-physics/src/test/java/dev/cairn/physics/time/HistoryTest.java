@@ -68,6 +68,57 @@ class HistoryTest {
         }
     }
 
+    /**
+     * A heap that is awake for longer than memory lasts: all of its past, the older the coarser.
+     */
+    @Test
+    void aThinningHistoryReachesBack() {
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).sleeping(false).build()) {
+            world.add(Body.fixed().shape(Box.ofHalfExtents(20, 1, 20)).at(0, -1, 0));
+            SplittableRandom random = new SplittableRandom(6);
+            for (int i = 0; i < 20; i++) {
+                double x = random.nextDouble(-1, 1);
+                world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.3)).at(x, 1 + i * 0.7, 0));
+            }
+            int span = 900;
+            long bound = 4_000_000;
+            History history = History.thinning(world, span, bound);
+            History plain = new History(world, span, bound);
+            List<Long> digests = new ArrayList<>();
+            TreeMap<Long, WorldState> whole = new TreeMap<>();
+            for (int t = 0; t < 1200; t++) {
+                history.remember();
+                plain.remember();
+                digests.add(world.digest());
+                whole.put((long) t, world.save());
+                assertTrue(history.byteCount() <= bound, history.byteCount() + " bytes");
+                if (t > 400 && random.nextInt(40) == 0) {
+                    history.state(history.floorTick(random.nextInt(t - 200, t)));
+                }
+                world.step(STEP);
+            }
+            assertTrue(plain.oldestTick() > 600, "memory is short: " + plain.oldestTick());
+            assertTrue(history.oldestTick() <= 310, "from " + history.oldestTick());
+            assertEquals(1199, history.latestTick());
+            long widest = 0;
+            long before = history.oldestTick();
+            for (long t = before; t < 1200; t++) {
+                if (history.has(t)) {
+                    assertNull(whole.get(t).difference(history.state(t)), "tick " + t);
+                    widest = Math.max(widest, t - before);
+                    before = t;
+                }
+            }
+            assertTrue(history.has(1198) && history.has(1195), "the last ticks are all there");
+            assertTrue(widest <= 75, widest + " ticks are the widest gap");
+            for (int i = 0; i < 30; i++) {
+                long tick = history.floorTick(random.nextInt(310, 1200));
+                history.rewind(tick);
+                assertEquals(digests.get((int) tick), world.digest());
+            }
+        }
+    }
+
     private static void happens(PhysicsWorld world, SplittableRandom random) {
         List<BodyRef> bodies = world.bodies();
         int what = random.nextInt(8);
