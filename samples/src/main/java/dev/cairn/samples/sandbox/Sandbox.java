@@ -491,6 +491,7 @@ public class Sandbox extends Application {
                                                 .withRestitution(0.5))
                                 .name("ball " + ++thrown),
                         Model.of(shape).color(Palette.BASKETBALL));
+        publishState(); // also in a pause
     }
 
     void grab(long entity, double distance, Vector3d localPoint) {

@@ -13,6 +13,7 @@ final class TimePanel {
     private static final double GAP = 10;
     private static final double SIDE = 310;
     private static final double HEIGHT = 108;
+    private static final double KEPT_HEIGHT = 172;
 
     private final Sandbox sandbox;
     private final TextBuffer text = new TextBuffer();
@@ -33,9 +34,10 @@ final class TimePanel {
     }
 
     void draw(Ui ui, SandboxState state) {
+        double height = state.keptTick < 0 ? HEIGHT : KEPT_HEIGHT;
         double width = Math.clamp(ui.width() - 2 * SIDE, 300, 720);
         double left = (ui.width() - width) / 2;
-        if (ui.panel("Time", left, ui.height() - HEIGHT - GAP, width, HEIGHT)) {
+        if (ui.panel("Time", left, ui.height() - height - GAP, width, height)) {
             bar(ui, state);
             buttons(ui, state);
         }
@@ -72,7 +74,7 @@ final class TimePanel {
     }
 
     private void buttons(Ui ui, SandboxState state) {
-        ui.columns(state.keptTick < 0 ? 3 : 5);
+        ui.columns(3);
         if (ui.button("Back (,)")) {
             sandbox.post(sandbox::back);
         }
@@ -93,7 +95,7 @@ final class TimePanel {
         }
         text.clear().put("tick ").put(state.keptTick);
         if (state.future != null && !Double.isNaN(state.apart)) {
-            text.put(", bodies up to ").put(state.apart, 3).put(" m apart");
+            text.put(", apart by ").put(state.apart, 3).put(" m");
         }
         ui.value("kept moment", text);
     }
