@@ -217,7 +217,9 @@ class BadInputTest {
                     }
 
                     @Override
-                    public void describe(Access access) {}
+                    public void describe(Access access) {
+                        access.before(PhysicsWorld.SYSTEM);
+                    }
 
                     @Override
                     public void run(Tick tick) {
