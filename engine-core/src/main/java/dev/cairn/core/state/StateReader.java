@@ -35,6 +35,28 @@ final class StateReader implements StateVisitor {
         return (int) StateWriter.INT.get(state.bytes, next(name, WorldState.INT));
     }
 
+    /** The arrays up to the next object; without any, each row has at least an id of its own. */
+    @Override
+    public int count(String name, int now) {
+        int value = value(name, now);
+        WorldState s = state;
+        int most = -1;
+        for (int e = entry; e < s.entries && s.kinds[e] != WorldState.SECTION; e++) {
+            if (s.kinds[e] >= WorldState.INTS) {
+                most = Math.max(most, s.counts[e]);
+            }
+        }
+        if (value < 0 || value > (most < 0 ? s.size / Long.BYTES : most)) {
+            throw new StateException(
+                    s.path(entry - 1)
+                            + " is "
+                            + value
+                            + ", and there are no arrays of so many elements; the state is damaged,"
+                            + " or of another version");
+        }
+        return value;
+    }
+
     @Override
     public long value(String name, long now) {
         return (long) StateWriter.LONG.get(state.bytes, next(name, WorldState.LONG));
@@ -60,6 +82,9 @@ final class StateReader implements StateVisitor {
     @Override
     @SuppressWarnings("unchecked") // an array of the same type
     public <A> A array(String name, A now, int from, int count, int room, boolean clears) {
+        if (entry < state.entries && state.counts[entry] != count) {
+            next(name, state.kinds[entry], count); // refused before room is made
+        }
         A to = now;
         int length = Math.max(room, from + count);
         if (Array.getLength(now) < length) {
