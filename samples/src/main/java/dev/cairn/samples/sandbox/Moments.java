@@ -109,7 +109,9 @@ final class Moments {
         }
     }
 
-    /** One moment has left the dense part; it stays only if it is far enough from the one before. */
+    /**
+     * One moment has left the dense part; it stays only if it is far enough from the one before.
+     */
     private void thin() {
         int leaving = count - dense;
         if (leaving >= 1 && ticks[leaving] - ticks[leaving - 1] < stride) {

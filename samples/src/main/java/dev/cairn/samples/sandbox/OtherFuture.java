@@ -100,7 +100,9 @@ final class OtherFuture {
         return tick >= firstTick && tick <= lastTick();
     }
 
-    /** How far the body is from where it was then that is farthest, m; NaN beyond the ticks known. */
+    /**
+     * How far the body is from where it was then that is farthest, m; NaN beyond the ticks known.
+     */
     double apart(long tick) {
         if (!has(tick)) {
             return Double.NaN;

@@ -334,10 +334,10 @@ public class Sandbox extends Application {
                                 now.view().place(scene().camera());
                             }
                         })
-                .onKey(Key.COMMA, "back by a moment", this::back)
-                .onKey(Key.PERIOD, "forth by a moment", this::forth)
-                .onKey(Key.K, "keep this moment", this::keepMoment)
-                .onKey(Key.L, "back to the kept moment", this::backToKept)
+                .onKey(Key.COMMA, "back in time", this::back)
+                .onKey(Key.PERIOD, "forth in time", this::forth)
+                .onKey(Key.K, "keep moment", this::keepMoment)
+                .onKey(Key.L, "to kept moment", this::backToKept)
                 .onKey(Key.H, "hide panels", panels::toggleHidden)
                 .onScroll("pull nearer, push away", hand::scroll)
                 .onScroll("raise, lower in the editor", editorPanels::raise);

@@ -62,7 +62,8 @@ final class SandboxProbe extends Sandbox {
         for (String widget : List.of("boxes", "sink", "Notice", "[1]", "1", "1.5", "2")) {
             line.append(WindowFixture.middle(ui, widget));
         }
-        for (String button : List.of(KeyRows.TAKE, KeyRows.LEAVE, KeyRows.RESET)) {
+        for (String button :
+                List.of(KeyRows.TAKE, KeyRows.LEAVE, KeyRows.RESET, TimePanel.FORGET)) {
             line.append(WindowFixture.middle(ui, button));
         }
         for (String section : SECTIONS) {
@@ -107,11 +108,11 @@ final class SandboxProbe extends Sandbox {
         out.printf(
                 Locale.ROOT,
                 "frame=%d tick=%d worldTick=%d paused=%b eyeX=%.6f eyeY=%.6f eyeZ=%.6f pulling=%b"
-                        + " held=%s heldX=%.6f gap=%.6f sliderX=%.1f sliderY=%.1f sliderWidth=%.1f"
-                        + " sliderHeight=%.1f bodies=%d uiWidth=%.0f uiHeight=%.0f uiScale=%.2f"
-                        + " full=%b substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d"
-                        + " shortened=%d oldest=%d newest=%d kept=%d future=%b apart=%.9f"
-                        + " digestTick=%d digest=%x barX=%.1f barY=%.1f barWidth=%.1f sinkKeys=%s listKeys=%s%s%n",
+                    + " held=%s heldX=%.6f gap=%.6f sliderX=%.1f sliderY=%.1f sliderWidth=%.1f"
+                    + " sliderHeight=%.1f bodies=%d uiWidth=%.0f uiHeight=%.0f uiScale=%.2f full=%b"
+                    + " substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d shortened=%d"
+                    + " oldest=%d newest=%d kept=%d future=%b apart=%.9f digestTick=%d digest=%x"
+                    + " barX=%.1f barY=%.1f barWidth=%.1f sinkKeys=%s listKeys=%s%s%n",
                 view.frames(),
                 state.tick,
                 view.snapshot().tick(),
