@@ -224,7 +224,9 @@ class BadInputTest {
                     }
 
                     @Override
-                    public void describe(Access access) {}
+                    public void describe(Access access) {
+                        access.before(PhysicsWorld.SYSTEM);
+                    }
 
                     @Override
                     public void run(Tick tick) {

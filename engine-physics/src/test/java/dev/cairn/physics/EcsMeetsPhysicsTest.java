@@ -175,7 +175,7 @@ class EcsMeetsPhysicsTest {
                             Body ball = Body.dynamic().shape(Sphere.of(0.5)).at(0, 10, 0);
                             handles.add(tick.commands().spawn(new NewBody(ball)));
                         },
-                        "");
+                        PhysicsWorld.SYSTEM);
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).systems(spawner).build()) {
             world.step(STEP);
             BodyRef ball = world.bodyOf(world.ecs().resolve(handles.get(0)));
@@ -204,7 +204,7 @@ class EcsMeetsPhysicsTest {
                             }
                             movers.clear();
                         },
-                        "");
+                        PhysicsWorld.SYSTEM);
         try (PhysicsWorld world =
                 PhysicsWorld.builder().gravity(0, 0, 0).workers(1).systems(door).build()) {
             BodyRef body =
