@@ -159,14 +159,14 @@ public final class BodyTouches implements Stateful {
     // The table ----------------------------------------------------------------------------------
 
     private int home(long key) {
-        return (int) (key * 0x9E3779B97F4A7C15L >>> 33) & keys.length - 1;
+        return (int) ((key * 0x9E3779B97F4A7C15L) >>> 33) & (keys.length - 1);
     }
 
     /** Where a pair is, or would be. */
     private int find(long key) {
         int at = home(key);
         while (keys[at] != 0 && keys[at] != key) {
-            at = at + 1 & keys.length - 1;
+            at = (at + 1) & (keys.length - 1);
         }
         return at;
     }
@@ -191,9 +191,9 @@ public final class BodyTouches implements Stateful {
     private void remove(int place) {
         int mask = keys.length - 1;
         int hole = place;
-        for (int next = hole + 1 & mask; keys[next] != 0; next = next + 1 & mask) {
+        for (int next = (hole + 1) & mask; keys[next] != 0; next = (next + 1) & mask) {
             // one may fill the hole if its home is not between the hole and its place
-            if ((next - home(keys[next]) & mask) >= (next - hole & mask)) {
+            if (((next - home(keys[next])) & mask) >= ((next - hole) & mask)) {
                 keys[hole] = keys[next];
                 counts[hole] = counts[next];
                 change[hole] = change[next];
