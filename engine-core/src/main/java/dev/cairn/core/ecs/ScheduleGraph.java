@@ -5,7 +5,6 @@ import java.util.BitSet;
 import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 
 /**
@@ -44,7 +43,7 @@ final class ScheduleGraph {
 
     /** For each entry, which run before it in every order that the edges allow. */
     private static BitSet[] earlier(List<Schedule.Entry> sorted) {
-        Map<Schedule.Entry, Integer> places = new IdentityHashMap<>();
+        IdentityHashMap<Schedule.Entry, Integer> places = new IdentityHashMap<>();
         BitSet[] earlier = new BitSet[sorted.size()];
         for (int i = 0; i < earlier.length; i++) {
             places.put(sorted.get(i), i);
