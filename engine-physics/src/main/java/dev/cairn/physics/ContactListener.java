@@ -2,9 +2,9 @@ package dev.cairn.physics;
 
 /**
  * Is told what happened to contacts and sensors in a step, after it, on the thread that called it:
- * so it may change the world. The order is part of the contract: ends, then begins, then hits, then
- * who left, then who entered; each list in the order of {@link Contacts}. See {@link
- * Contacts#listen}.
+ * so it may change the world. The order is part of the contract: ends of shapes, ends of bodies,
+ * begins of bodies, begins of shapes, then hits, then who left, then who entered; each list in the
+ * order of {@link Contacts}. See {@link Contacts#listen}.
  */
 public interface ContactListener {
     /**
@@ -22,6 +22,23 @@ public interface ContactListener {
      * @param b the other one
      */
     default void began(ColliderRef a, ColliderRef b) {}
+
+    /**
+     * Two bodies touch no more with any of their shapes, or one of them is gone. Each end had its
+     * begin.
+     *
+     * @param a the one of the lower slot, perhaps no longer alive
+     * @param b the other one
+     */
+    default void bodiesEnded(BodyRef a, BodyRef b) {}
+
+    /**
+     * Two bodies have begun to touch, with one or more of their shapes.
+     *
+     * @param a the one of the lower slot
+     * @param b the other one
+     */
+    default void bodiesBegan(BodyRef a, BodyRef b) {}
 
     /**
      * Two colliders have met at speed.

@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.physics.contact.BodyTouches;
 import dev.cairn.physics.contact.SensorStage;
 import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.internal.BodyStore;
@@ -18,9 +19,12 @@ final class ContactView implements Contacts {
     private final BodyTable table;
     private final ContactStore rows;
     private final TouchEvents events;
+    private final BodyTouches touches;
     private final SensorStage sensors;
     private final EventList began = new EventList();
     private final EventList ended = new EventList();
+    private final EventList bodiesBegan = new EventList();
+    private final EventList bodiesEnded = new EventList();
     private final EventList entered = new EventList();
     private final EventList left = new EventList();
     private final HitList hits = new HitList();
@@ -29,7 +33,13 @@ final class ContactView implements Contacts {
     private int count;
     private boolean stale;
 
-    ContactView(BodyTable table, ContactStore rows, TouchEvents events, SensorStage sensors) {
+    ContactView(
+            BodyTable table,
+            ContactStore rows,
+            TouchEvents events,
+            BodyTouches touches,
+            SensorStage sensors) {
+        this.touches = touches;
         this.table = table;
         this.rows = rows;
         this.events = events;
@@ -47,6 +57,14 @@ final class ContactView implements Contacts {
         ended.clear();
         for (int i = 0; i < events.endedCount(); i++) {
             ended.add(refs.ref(events.ended(i, 0)), refs.ref(events.ended(i, 1)));
+        }
+        bodiesBegan.clear();
+        for (int i = 0; i < touches.beganCount(); i++) {
+            bodiesBegan.add(refs.ref(touches.began(i, 0)), refs.ref(touches.began(i, 1)));
+        }
+        bodiesEnded.clear();
+        for (int i = 0; i < touches.endedCount(); i++) {
+            bodiesEnded.add(refs.ref(touches.ended(i, 0)), refs.ref(touches.ended(i, 1)));
         }
         entered.clear();
         for (int i = 0; i < sensors.enteredCount(); i++) {
@@ -69,6 +87,12 @@ final class ContactView implements Contacts {
             ContactListener listener = listeners.get(k);
             for (int i = 0; i < ended.count(); i++) {
                 listener.ended(ended.colliderA(i), ended.colliderB(i));
+            }
+            for (int i = 0; i < bodiesEnded.count(); i++) {
+                listener.bodiesEnded(bodiesEnded.bodyA(i), bodiesEnded.bodyB(i));
+            }
+            for (int i = 0; i < bodiesBegan.count(); i++) {
+                listener.bodiesBegan(bodiesBegan.bodyA(i), bodiesBegan.bodyB(i));
             }
             for (int i = 0; i < began.count(); i++) {
                 listener.began(began.colliderA(i), began.colliderB(i));
@@ -226,6 +250,16 @@ final class ContactView implements Contacts {
     @Override
     public Events ended() {
         return ended;
+    }
+
+    @Override
+    public Events bodiesBegan() {
+        return bodiesBegan;
+    }
+
+    @Override
+    public Events bodiesEnded() {
+        return bodiesEnded;
     }
 
     /** Pairs of references; they outlive the bodies. */

@@ -124,6 +124,25 @@ public interface Contacts {
     Events ended();
 
     /**
+     * The pairs of bodies that began to touch in the last step: with how many of their shapes does
+     * not matter, each pair is told once. The body of the lower slot is A; the colliders are those
+     * of the last pair of shapes that began to. In the order in which {@link #ended} and {@link
+     * #began} first name the two.
+     *
+     * @return the same view each time
+     */
+    Events bodiesBegan();
+
+    /**
+     * The pairs of bodies that ceased to touch in the last step: no pair of their shapes touches
+     * any more, or one of the two is gone. Each had begun before; what parts and meets again in one
+     * step is not told. Named and ordered as in {@link #bodiesBegan}.
+     *
+     * @return the same view each time
+     */
+    Events bodiesEnded();
+
+    /**
      * Who entered a sensor in the last step; also who flew through it within the step, and is among
      * {@link #left} too. {@code A} is the sensor, {@code B} who entered.
      *

@@ -12,6 +12,7 @@ import dev.cairn.physics.component.Force;
 import dev.cairn.physics.component.Torque;
 import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.contact.BeltStage;
+import dev.cairn.physics.contact.BodyTouches;
 import dev.cairn.physics.contact.ComposeStage;
 import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.contact.HookStage;
@@ -67,6 +68,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
     final EdgeSource[] edges = ConstraintKind.sources(contacts, kinds);
 
     final TouchEvents events = new TouchEvents();
+    private final BodyTouches bodyEvents;
     final ContactView view;
     PhysicsSettings settings;
     final StepClock profile = new StepClock();
@@ -98,6 +100,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         this.gravityY = gravityY;
         this.gravityZ = gravityZ;
         table = new BodyTable(settings, contacts, edges);
+        bodyEvents = new BodyTouches(table.colliders);
         rows = new ContactRows(table.colliders, table.sleepers);
         wakes = new WakeStage(table.sleepers, table.bodies, contacts);
         sensors = new SensorStage(table.colliders, table.broadPhase);
@@ -110,7 +113,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         solver = new ContactSolver(settings.tuning(), kinds);
         forces = new ForceReader(table.roster);
         publisher = new Publisher(table.roster);
-        view = new ContactView(table, contacts, events, sensors);
+        view = new ContactView(table, contacts, events, bodyEvents, sensors);
         table.show(view);
         sleepView = new SleepView(table);
     }
@@ -207,6 +210,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         assert StageCheck.poses(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
         profile.end(StepStage.PUBLISH);
         events.update(contacts, rows, tick.jobs());
+        bodyEvents.update(events);
         view.update();
         sleepView.update();
         profile.end(StepStage.TOUCH);
@@ -232,6 +236,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
             jointList.state(s);
         }
         events.state(s);
+        bodyEvents.state(s);
         sensors.state(s);
         seams.state(s);
         wakes.state(s);

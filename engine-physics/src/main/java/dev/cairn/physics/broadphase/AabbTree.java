@@ -13,6 +13,9 @@ import java.util.Arrays;
  * that shrinks an inner box is taken. Ties go to the lower subtree, so that many equal boxes make a
  * balanced tree.
  *
+ * <p>A part of the tree may be <em>closed</em>, see {@link ClosedTrees}: to insertions and
+ * rotations outside it is a leaf. Who looks for leaves walks through it as through any other part.
+ *
  * <p>One thread changes it; any number may read it between changes. Allocates only when it grows.
  */
 public final class AabbTree implements Stateful {
@@ -37,7 +40,7 @@ public final class AabbTree implements Stateful {
     /** 0 for a leaf, else one more than the higher child's. */
     int[] height = new int[16];
 
-    /** Item of a leaf. */
+    /** Item of a leaf; {@link #NONE} for an inner node, or for a closed one less than that. */
     int[] item = new int[16];
 
     int root = NONE;
@@ -45,6 +48,9 @@ public final class AabbTree implements Stateful {
     private int used;
     private int leaves;
     private long changes;
+
+    /** How often a box of an inner node was made anew; what a change costs, for tests. */
+    private long unions;
 
     /** An empty tree. */
     public AabbTree() {}
@@ -70,6 +76,25 @@ public final class AabbTree implements Stateful {
      */
     public long changes() {
         return changes;
+    }
+
+    /**
+     * How many boxes of inner nodes were made anew since the tree was made.
+     *
+     * @return what insertions, removals and moves cost, in nodes
+     */
+    public long unions() {
+        return unions;
+    }
+
+    /** Counts a change that was made from outside. */
+    void changed() {
+        changes++;
+    }
+
+    /** Whether insertions and rotations go no deeper: a leaf, or a closed part. */
+    boolean isEnd(int node) {
+        return left[node] == NONE || item[node] < NONE;
     }
 
     /**
@@ -147,7 +172,7 @@ public final class AabbTree implements Stateful {
                 && b[j + 2] <= a[i + 5];
     }
 
-    private void link(int leaf) {
+    void link(int leaf) {
         if (root == NONE) {
             root = leaf;
             parent[leaf] = NONE;
@@ -172,7 +197,7 @@ public final class AabbTree implements Stateful {
         refit(node);
     }
 
-    private void unlink(int leaf) {
+    void unlink(int leaf) {
         if (leaf == root) {
             root = NONE;
             return;
@@ -206,7 +231,7 @@ public final class AabbTree implements Stateful {
         double inherited = 0;
         int best = node;
         double bestCost = height[node] > MAX_LEAN ? Double.POSITIVE_INFINITY : direct;
-        while (left[node] != NONE) {
+        while (!isEnd(node)) {
             inherited += direct - area(node);
             int a = left[node];
             int b = right[node];
@@ -222,10 +247,10 @@ public final class AabbTree implements Stateful {
             }
             double lowA = inherited + directA + Math.min(own - area(a), 0);
             double lowB = inherited + directB + Math.min(own - area(b), 0);
-            if (left[a] == NONE) {
+            if (isEnd(a)) {
                 lowA = directA + inherited;
             }
-            if (left[b] == NONE) {
+            if (isEnd(b)) {
                 lowB = directB + inherited;
             }
             if (bestCost < lowA && bestCost < lowB) {
@@ -251,7 +276,8 @@ public final class AabbTree implements Stateful {
     }
 
     /** Box and height of an inner node from its children. */
-    private void pull(int node) {
+    void pull(int node) {
+        unions++;
         double[] box = bounds;
         int n = 6 * node;
         int a = 6 * left[node];
@@ -274,8 +300,8 @@ public final class AabbTree implements Stateful {
     private void rotate(int node) {
         int b = left[node];
         int c = right[node];
-        if (Math.abs(height[b] - height[c]) > MAX_LEAN) {
-            int tall = height[b] > height[c] ? b : c;
+        int tall = height[b] > height[c] ? b : c;
+        if (Math.abs(height[b] - height[c]) > MAX_LEAN && !isEnd(tall)) {
             boolean first = height[left[tall]] >= height[right[tall]];
             swap(node, tall == b ? c : b, first ? left[tall] : right[tall]);
             return;
@@ -283,7 +309,7 @@ public final class AabbTree implements Stateful {
         double bestGain = 0;
         int low = NONE;
         int high = NONE;
-        if (left[c] != NONE) {
+        if (!isEnd(c)) {
             double now = area(c);
             boolean even = height[c] > height[b] + 1;
             double gainLeft = now - unionArea(b, right[c]);
@@ -300,7 +326,7 @@ public final class AabbTree implements Stateful {
                 high = b;
             }
         }
-        if (left[b] != NONE) {
+        if (!isEnd(b)) {
             double now = area(b);
             boolean even = height[b] > height[c] + 1;
             double gainLeft = now - unionArea(c, right[b]);
@@ -344,7 +370,7 @@ public final class AabbTree implements Stateful {
         height[node] = 1 + Math.max(height[left[node]], height[right[node]]);
     }
 
-    private double area(int node) {
+    double area(int node) {
         double[] box = bounds;
         int n = 6 * node;
         double x = box[n + 3] - box[n];
@@ -391,7 +417,7 @@ public final class AabbTree implements Stateful {
         item = Arrays.copyOf(item, nodes);
     }
 
-    private int allocate() {
+    int allocate() {
         if (free != NONE) {
             int node = free;
             free = parent[node];
@@ -403,7 +429,7 @@ public final class AabbTree implements Stateful {
         return used++;
     }
 
-    private void release(int node) {
+    void release(int node) {
         parent[node] = free;
         height[node] = NONE;
         free = node;

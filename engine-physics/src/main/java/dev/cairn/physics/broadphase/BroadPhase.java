@@ -1,7 +1,5 @@
 package dev.cairn.physics.broadphase;
 
-import dev.cairn.core.job.BlockJob;
-import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.internal.BodyStore;
@@ -14,9 +12,9 @@ import java.util.Arrays;
  * pairs. Fixed colliders without end (half-spaces) are in a short list beside the trees. See the
  * package's essay.
  *
- * <p>A tick: {@link #place} for every collider that is new or left its box, {@link #findPairs}, the
- * owner reads {@link #newPairs}, drops the rows whose boxes no longer {@link #overlap} by {@link
- * #forget}, and calls {@link #endTick}.
+ * <p>A tick: {@link #place} for every collider that is new or left its box and {@link #settle} for
+ * its body, {@link #findPairs}, the owner reads {@link #newPairs}, drops the rows whose boxes no
+ * longer {@link #overlap} by {@link #forget}, and calls {@link #endTick}.
  *
  * <p>Simulation thread; {@link #overlap} and {@link #moved} also from blocks. Allocates only when
  * something grows.
@@ -25,37 +23,24 @@ public final class BroadPhase {
     /** Room for new pairs from the first tick on. */
     private static final int LEAST_PAIRS = 1024;
 
-    /** Moved proxies of a block: small enough to balance, large enough to hide the dispatch. */
-    private static final int PROXIES_PER_BLOCK = 32;
-
-    /** First capacity of a block's buffer; a pile's collider meets about ten others. */
-    private static final int FIRST_CAPACITY = 256;
-
-    private static final byte OUT = 0;
-    private static final byte STATIC = 1;
-    private static final byte DYNAMIC = 2;
+    static final byte OUT = 0;
+    static final byte STATIC = 1;
+    static final byte DYNAMIC = 2;
 
     /** Static, and of infinite extent: in no tree, for its area would be no number. */
-    private static final byte ENDLESS = 3;
+    static final byte ENDLESS = 3;
 
     private final AabbTree staticTree = new AabbTree();
     private final AabbTree dynamicTree = new AabbTree();
     private final PairSet pairs = new PairSet();
-    private final BlockJob queryJob = this::queryBlock;
 
     private double[] fat = {};
     private int[] leaf = {};
-    private byte[] where = {};
+    byte[] where = {};
     private boolean[] moved = {};
 
     private int[] movedSlots = new int[64];
     private int movedCount;
-
-    private long[][] found = {};
-    private int[] foundCount = {};
-    private boolean[] again = {};
-    private boolean secondPass;
-    private int[][] stacks = {};
 
     private int[] endless = new int[4];
     private int endlessCount;
@@ -64,6 +49,10 @@ public final class BroadPhase {
     private int newPairCount;
 
     private final PairFilter filter;
+    private final PairSearch search;
+
+    /** Bodies with trees of their own. */
+    final ManyShapes many;
 
     /** Slots whose filter changed since the last tick; so their pairs may end, or begin. */
     private boolean refiltered;
@@ -80,6 +69,8 @@ public final class BroadPhase {
      */
     public BroadPhase(PairFilter filter) {
         this.filter = filter;
+        search = new PairSearch(this, filter, pairs);
+        many = new ManyShapes(filter.colliders, staticTree, dynamicTree);
     }
 
     /** Grows the columns; between phases only. */
@@ -132,10 +123,23 @@ public final class BroadPhase {
         } else if (where[slot] == OUT) {
             leaf[slot] = tree.insert(box, offset, slot);
             where[slot] = target;
+        } else if (many.root(slot) >= 0) {
+            many.setBox(leaf[slot], target == DYNAMIC, box, offset);
         } else {
             tree.move(leaf[slot], box, offset);
         }
         mark(slot);
+    }
+
+    /**
+     * All shapes of a body have the boxes that they shall have; after {@link #place} of any of
+     * them, and before anybody looks.
+     */
+    public void settle(int body) {
+        int first = filter.colliders.bodies.collider[body];
+        if (first != body && first != ColliderStore.NONE) {
+            many.settle(body, where, leaf);
+        }
     }
 
     private void mark(int slot) {
@@ -218,6 +222,9 @@ public final class BroadPhase {
             where[slot] = OUT;
             return;
         }
+        if (many.root(slot) >= 0) {
+            many.open(slot, where[slot] == DYNAMIC);
+        }
         (where[slot] == STATIC ? staticTree : dynamicTree).remove(leaf[slot]);
         where[slot] = OUT;
     }
@@ -256,52 +263,14 @@ public final class BroadPhase {
     /** Finds all pairs that overlap now and were none before, and makes them pairs. */
     public void findPairs(Jobs jobs) {
         newPairCount = 0;
-        int blocks = Blocks.count(movedCount, PROXIES_PER_BLOCK);
-        if (blocks == 0) {
-            return;
-        }
-        prepare(blocks, jobs.workers());
-        secondPass = false;
-        jobs.run(queryJob, blocks);
-        if (growBuffers(blocks)) {
-            secondPass = true;
-            jobs.run(queryJob, blocks);
-        }
-        merge(blocks);
-    }
-
-    private void prepare(int blocks, int workers) {
-        if (found.length < blocks) {
-            int old = found.length;
-            found = Arrays.copyOf(found, Math.max(blocks, 2 * old));
-            for (int b = old; b < found.length; b++) {
-                found[b] = new long[FIRST_CAPACITY];
-            }
-            foundCount = new int[found.length];
-            again = new boolean[found.length];
-        }
-        int depth = Math.max(staticTree.height(), dynamicTree.height()) + 2;
-        if (stacks.length < workers || stacks[0].length < depth) {
-            stacks = new int[Math.max(workers, stacks.length)][2 * depth + 16];
-        }
-    }
-
-    private boolean growBuffers(int blocks) {
-        boolean any = false;
-        for (int b = 0; b < blocks; b++) {
-            again[b] = foundCount[b] > found[b].length;
-            if (again[b]) {
-                found[b] = new long[foundCount[b] + (foundCount[b] >> 2)];
-                any = true;
-            }
-        }
-        return any;
+        search.run(jobs);
+        merge(search.blocks());
     }
 
     private void merge(int blocks) {
         long total = 0;
         for (int b = 0; b < blocks; b++) {
-            total += foundCount[b];
+            total += search.count(b);
         }
         if (total > Integer.MAX_VALUE - 8) {
             throw new IllegalStateException(
@@ -316,8 +285,9 @@ public final class BroadPhase {
                                             Math.max(LEAST_PAIRS, total + (total >> 2)))];
         }
         for (int b = 0; b < blocks; b++) {
-            for (int i = 0; i < foundCount[b]; i++) {
-                long key = found[b][i];
+            long[] found = search.found(b);
+            for (int i = 0; i < search.count(b); i++) {
+                long key = found[i];
                 if (filter.active && !filter.passes((int) (key >>> 32), (int) key)) {
                     continue;
                 }
@@ -329,98 +299,6 @@ public final class BroadPhase {
     }
 
     /**
-     * A collider's pairs are told in the order of slots: the tree's shape follows from the rounding
-     * of boxes, and would make another order of the same scene elsewhere.
-     */
-    private void queryBlock(int block, int worker) {
-        if (secondPass && !again[block]) {
-            return;
-        }
-        int end = Blocks.end(block, PROXIES_PER_BLOCK, movedCount);
-        int count = 0;
-        for (int i = Blocks.begin(block, PROXIES_PER_BLOCK); i < end; i++) {
-            int slot = movedSlots[i];
-            int first = count;
-            if (where[slot] == DYNAMIC) {
-                count = query(dynamicTree, slot, found[block], count, stacks[worker]);
-                count = query(staticTree, slot, found[block], count, stacks[worker]);
-                count = queryEndless(slot, found[block], count);
-            } else if (where[slot] != OUT) {
-                count = query(dynamicTree, slot, found[block], count, stacks[worker]);
-            }
-            if (count - first > 1 && count <= found[block].length) {
-                Arrays.sort(found[block], first, count);
-            }
-        }
-        foundCount[block] = count;
-    }
-
-    /**
-     * Walks one tree; stores what fits and counts all. Of two moved slots of a tree the lower one
-     * reports.
-     */
-    private int query(AabbTree tree, int slot, long[] out, int count, int[] stack) {
-        if (tree.root == AabbTree.NONE) {
-            return count;
-        }
-        double[] bounds = tree.bounds;
-        int[] left = tree.left;
-        int box = 6 * slot;
-        int top = 0;
-        stack[top++] = tree.root;
-        while (top > 0) {
-            int node = stack[--top];
-            if (!AabbTree.overlap(bounds, 6 * node, fat, box)) {
-                continue;
-            }
-            if (left[node] != AabbTree.NONE) {
-                stack[top++] = tree.right[node];
-                stack[top++] = left[node];
-                continue;
-            }
-            int other = tree.item[node];
-            if (other == slot || (moved[other] && !reports(slot, other))) {
-                continue;
-            }
-            if (filter.active && !filter.admits(slot, other)) {
-                continue;
-            }
-            long key = PairSet.key(slot, other);
-            if (!pairs.contains(key)) {
-                if (count < out.length) {
-                    out[count] = key;
-                }
-                count++;
-            }
-        }
-        return count;
-    }
-
-    /** A moving collider reports its pairs with what is everywhere; no tree is needed for a few. */
-    private int queryEndless(int slot, long[] out, int count) {
-        int total = count;
-        for (int i = 0; i < endlessCount; i++) {
-            if (!AabbTree.overlap(fat, 6 * slot, fat, 6 * endless[i])
-                    || (filter.active && !filter.admits(slot, endless[i]))) {
-                continue;
-            }
-            long key = PairSet.key(slot, endless[i]);
-            if (!pairs.contains(key)) {
-                if (total < out.length) {
-                    out[total] = key;
-                }
-                total++;
-            }
-        }
-        return total;
-    }
-
-    /** Which of two moved slots reports the pair: the dynamic one, else the lower one. */
-    private boolean reports(int slot, int other) {
-        return where[slot] != where[other] ? where[slot] == DYNAMIC : slot < other;
-    }
-
-    /**
      * The keys of the pairs that {@link #findPairs} found, by {@link PairSet#key}. Valid until its
      * next call.
      *
@@ -428,6 +306,11 @@ public final class BroadPhase {
      */
     public long[] newPairs() {
         return newPairs;
+    }
+
+    /** How many nodes of the trees the last {@link #findPairs} looked at; what it cost. */
+    public long visits() {
+        return search.visits();
     }
 
     /** How many pairs {@link #findPairs} found. */
@@ -463,6 +346,7 @@ public final class BroadPhase {
         s.section("broadPhase", this);
         staticTree.state(s);
         dynamicTree.state(s);
+        many.state(s);
         pairs.state(s);
         s.section("boxes", this);
         fat = s.array("fat", fat, 0, 6 * slots, fat.length, false);

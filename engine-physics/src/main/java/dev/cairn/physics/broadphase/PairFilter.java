@@ -28,7 +28,7 @@ public final class PairFilter implements Stateful {
     /** Whether any pair may be refused. */
     boolean active;
 
-    private final ColliderStore colliders;
+    final ColliderStore colliders;
     private @Nullable Test test;
     private final PairSet excluded = new PairSet();
 
@@ -128,6 +128,11 @@ public final class PairFilter implements Stateful {
         reasonCount = s.value("reasonCount", reasonCount);
         reasons = s.array("reasons", reasons, reasonCount);
         excluded.state(s);
+    }
+
+    /** Slot of the body of a collider. */
+    int body(int collider) {
+        return colliders.body[collider];
     }
 
     /** What bodies and filters say of a pair; any worker, while nobody changes anything. */

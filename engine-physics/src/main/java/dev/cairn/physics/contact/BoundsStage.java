@@ -168,6 +168,7 @@ public final class BoundsStage {
             // a sensor of a fixed body also meets what is fixed
             target.place(c, !colliders.sensor[c], box, at);
         }
+        target.settle(slot);
     }
 
     /**
@@ -196,6 +197,7 @@ public final class BoundsStage {
             }
             target.place(c, true, box, 6 * c);
         }
+        target.settle(slot);
     }
 
     /** About the collider's centre. */
@@ -296,10 +298,15 @@ public final class BoundsStage {
     }
 
     private void place(int slot) {
+        boolean any = false;
         for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
             if (state[c] == LEFT) {
                 broadPhase.place(c, false, box, 6 * c);
+                any = true;
             }
+        }
+        if (any) {
+            broadPhase.settle(slot);
         }
     }
 

@@ -10,6 +10,7 @@ import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.SceneRegistry;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -37,12 +38,24 @@ class StateOfEverySceneTest {
     @ParameterizedTest
     @MethodSource("ids")
     void aRestoredWorldGoesOnWithTheSameBits(String id) {
+        goesOn(id, false);
+    }
+
+    /** As long as the promise is: a hundred ticks from ticks 0, 1, 50 and 200. */
+    @ParameterizedTest
+    @Tag("soak")
+    @MethodSource("ids")
+    void aRestoredWorldGoesOnForAHundredTicks(String id) {
+        goesOn(id, true);
+    }
+
+    private static void goesOn(String id, boolean whole) {
         SampleScene scene = SceneRegistry.get(id);
         try (PhysicsWorld world = world(1, 1)) {
             SceneBuilder built = scene.build(new SceneBuilder(world, SceneOptions.defaults(scene)));
-            boolean large = world.bodyCount() > 150;
+            boolean large = !whole && world.bodyCount() > 150;
             int[] marks = large ? new int[] {0, 1, 12} : new int[] {0, 1, 50, 200};
-            int ticks = large ? 4 : 40;
+            int ticks = whole ? 100 : large ? 4 : 40;
             WorldState state = new WorldState();
             for (int mark : marks) {
                 while (world.ecs().tickNumber() < mark) {

@@ -70,9 +70,12 @@ public final class Assemblies implements Stateful {
         return all.size();
     }
 
-    /** Whether a body is in one that is solved directly. */
+    /** Whether a body is in one that is solved directly; bodies that came later are in none. */
     public boolean binds(int slot) {
-        return !all.isEmpty() && ofBody[slot] >= 0 && all.get(ofBody[slot]).isDirect;
+        return !all.isEmpty()
+                && slot < ofBody.length
+                && ofBody[slot] >= 0
+                && all.get(ofBody[slot]).isDirect;
     }
 
     /**

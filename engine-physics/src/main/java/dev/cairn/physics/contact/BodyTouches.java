@@ -1,0 +1,225 @@
+package dev.cairn.physics.contact;
+
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.core.state.Stateful;
+import dev.cairn.physics.broadphase.PairSet;
+import dev.cairn.physics.internal.ColliderStore;
+
+import java.util.Arrays;
+
+/**
+ * Which pairs of bodies began and ceased to touch in a tick, whatever number of their shapes does:
+ * two bodies touch while at least one pair of their shapes touches. What changes within one tick
+ * and back is not told.
+ *
+ * <p>The number of touching pairs of shapes is counted for each pair of bodies, from the events of
+ * {@link TouchEvents} alone. So each end has its begin as theirs have. The order is that of the
+ * first event of the pair of bodies in the tick, ends of shapes before begins.
+ *
+ * <p>A table with open addressing, asked for one pair at a time and never iterated. Simulation
+ * thread; allocates only when something grows.
+ */
+public final class BodyTouches implements Stateful {
+    private final ColliderStore colliders;
+
+    /** By place: the pair of bodies, or 0; how many pairs of their shapes touch, plus 1. */
+    private long[] keys = new long[64];
+
+    private int[] counts = new int[64];
+
+    /** By place: one more than the pair's number in {@link #changed}; 0 between ticks. */
+    private int[] change = new int[64];
+
+    private int size;
+
+    /** Pairs of bodies with events in this tick: the last pair of shapes; touched before or not. */
+    private long[] changed = new long[16];
+
+    private int[] shapes = new int[32];
+    private boolean[] before = new boolean[16];
+    private int changes;
+
+    private int[] began = new int[32], ended = new int[32];
+    private int beganCount, endedCount;
+
+    /**
+     * Without touches.
+     *
+     * @param colliders whose bodies these are
+     */
+    public BodyTouches(ColliderStore colliders) {
+        this.colliders = colliders;
+    }
+
+    /**
+     * Takes the events of a tick.
+     *
+     * @param events after {@link TouchEvents#update}
+     */
+    public void update(TouchEvents events) {
+        changes = 0;
+        beganCount = 0;
+        endedCount = 0;
+        for (int i = 0; i < events.endedCount(); i++) {
+            count(events.ended(i, 0), events.ended(i, 1), -1);
+        }
+        for (int i = 0; i < events.beganCount(); i++) {
+            count(events.began(i, 0), events.began(i, 1), 1);
+        }
+        for (int i = 0; i < changes; i++) {
+            long key = changed[i];
+            int at = find(key);
+            boolean touches = counts[at] > 1;
+            if (touches && !before[i]) {
+                began = add(began, beganCount++, i);
+            } else if (!touches && before[i]) {
+                ended = add(ended, endedCount++, i);
+            }
+        }
+        for (int i = 0; i < changes; i++) {
+            int at = find(changed[i]);
+            change[at] = 0;
+            if (counts[at] == 1) {
+                remove(at);
+            }
+        }
+    }
+
+    /** Lower body first, so that an end names the two as their begin did. */
+    private void count(int a, int b, int step) {
+        boolean swap = colliders.body[a] > colliders.body[b];
+        long key = PairSet.key(colliders.body[a], colliders.body[b]);
+        int at = find(key);
+        if (keys[at] == 0) {
+            if (2 * (size + 1) > keys.length) {
+                grow();
+                at = find(key);
+            }
+            keys[at] = key;
+            counts[at] = 1;
+            size++;
+        }
+        if (change[at] == 0) {
+            note(key, counts[at] > 1);
+            change[at] = changes;
+        }
+        int i = change[at] - 1;
+        shapes[2 * i] = swap ? b : a;
+        shapes[2 * i + 1] = swap ? a : b;
+        counts[at] += step;
+    }
+
+    private void note(long key, boolean touched) {
+        if (changes == changed.length) {
+            changed = Arrays.copyOf(changed, 2 * changes);
+            before = Arrays.copyOf(before, 2 * changes);
+            shapes = Arrays.copyOf(shapes, 4 * changes);
+        }
+        changed[changes] = key;
+        before[changes++] = touched;
+    }
+
+    private int[] add(int[] list, int count, int change) {
+        int[] room = 2 * count == list.length ? Arrays.copyOf(list, 4 * count) : list;
+        room[2 * count] = shapes[2 * change];
+        room[2 * count + 1] = shapes[2 * change + 1];
+        return room;
+    }
+
+    /** How many pairs of bodies began to touch. */
+    public int beganCount() {
+        return beganCount;
+    }
+
+    /** How many pairs of bodies ceased to touch. */
+    public int endedCount() {
+        return endedCount;
+    }
+
+    /**
+     * A collider of a pair of bodies that began to touch: of its last pair of shapes that did.
+     *
+     * @param event 0 to beganCount - 1
+     * @param side 0 for the lower body
+     */
+    public int began(int event, int side) {
+        return began[2 * event + side];
+    }
+
+    /**
+     * A collider of a pair of bodies that ceased to touch: of its last pair of shapes that did.
+     *
+     * @param event 0 to endedCount - 1
+     * @param side 0 for the lower body
+     */
+    public int ended(int event, int side) {
+        return ended[2 * event + side];
+    }
+
+    // The table ----------------------------------------------------------------------------------
+
+    private int home(long key) {
+        return (int) ((key * 0x9E3779B97F4A7C15L) >>> 33) & (keys.length - 1);
+    }
+
+    /** Where a pair is, or would be. */
+    private int find(long key) {
+        int at = home(key);
+        while (keys[at] != 0 && keys[at] != key) {
+            at = (at + 1) & (keys.length - 1);
+        }
+        return at;
+    }
+
+    private void grow() {
+        long[] oldKeys = keys;
+        int[] oldCounts = counts;
+        int[] oldChange = change;
+        keys = new long[2 * oldKeys.length];
+        counts = new int[keys.length];
+        change = new int[keys.length];
+        for (int i = 0; i < oldKeys.length; i++) {
+            if (oldKeys[i] != 0) {
+                int at = find(oldKeys[i]);
+                keys[at] = oldKeys[i];
+                counts[at] = oldCounts[i];
+                change[at] = oldChange[i];
+            }
+        }
+    }
+
+    private void remove(int place) {
+        int mask = keys.length - 1;
+        int hole = place;
+        for (int next = (hole + 1) & mask; keys[next] != 0; next = (next + 1) & mask) {
+            // one may fill the hole if its home is not between the hole and its place
+            if (((next - home(keys[next])) & mask) >= ((next - hole) & mask)) {
+                keys[hole] = keys[next];
+                counts[hole] = counts[next];
+                change[hole] = change[next];
+                hole = next;
+            }
+        }
+        keys[hole] = 0;
+        change[hole] = 0;
+        size--;
+    }
+
+    @Override
+    public void state(StateVisitor s) {
+        s.section("bodyTouches", this);
+        size = s.value("size", size);
+        int length = s.value("length", keys.length);
+        if (length != keys.length) {
+            keys = new long[length];
+            counts = new int[length];
+            change = new int[length];
+        }
+        keys = s.array("keys", keys, length);
+        counts = s.array("counts", counts, length);
+        beganCount = s.value("beganCount", beganCount);
+        began = s.array("began", began, 2 * beganCount);
+        endedCount = s.value("endedCount", endedCount);
+        ended = s.array("ended", ended, 2 * endedCount);
+    }
+}
