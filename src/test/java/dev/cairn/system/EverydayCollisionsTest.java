@@ -32,7 +32,10 @@ final class EverydayCollisionsTest {
         try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).build()) {
             world.add(
                     Body.fixed()
-                            .collider(Collider.of(Box.of(.1, 1, 1)).sensor(true).userData("door")));
+                            .collider(
+                                    Collider.of(Box.ofHalfExtents(.1, 1, 1))
+                                            .sensor(true)
+                                            .userData("door")));
             world.add(Body.dynamic().shape(Sphere.of(.3)).at(-2, 0, 0).velocity(2, 0, 0));
             List<Object> seen = new ArrayList<>();
             world.contacts()
@@ -55,11 +58,14 @@ final class EverydayCollisionsTest {
         try (PhysicsWorld world = PhysicsWorld.builder().build()) {
             world.add(
                     Body.fixed()
-                            .shape(Box.of(9, 1, 9))
+                            .shape(Box.ofHalfExtents(9, 1, 9))
                             .at(0, -1, 0)
                             .filter(layers.filter("ground")));
             world.add(
-                    Body.dynamic().shape(Box.cube(.5)).at(0, .5, 0).filter(layers.filter("crate")));
+                    Body.dynamic()
+                            .shape(Box.cubeOfHalfExtent(.5))
+                            .at(0, .5, 0)
+                            .filter(layers.filter("crate")));
             BodyRef ghost =
                     world.add(
                             Body.dynamic()
@@ -75,15 +81,18 @@ final class EverydayCollisionsTest {
     @Test
     void compound() {
         try (PhysicsWorld world = PhysicsWorld.builder().build()) {
-            world.add(Body.fixed().shape(Box.of(9, 1, 9)).at(0, -1, 0));
-            Body table = Body.dynamic().collider(Collider.of(Box.of(.8, .05, .5)).at(0, .75, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(9, 1, 9)).at(0, -1, 0));
+            Body table =
+                    Body.dynamic()
+                            .collider(Collider.of(Box.ofHalfExtents(.8, .05, .5)).at(0, .75, 0));
             for (int leg = 0; leg < 4; leg++) {
                 double x = leg < 2 ? -.7 : .7;
                 double z = leg % 2 == 0 ? -.4 : .4;
-                table.collider(Collider.of(Box.of(.05, .35, .05)).at(x, .35, z));
+                table.collider(Collider.of(Box.ofHalfExtents(.05, .35, .05)).at(x, .35, z));
             }
             BodyRef standing = world.add(table.at(0, .2, 0));
-            BodyRef vase = world.add(Body.dynamic().shape(Box.of(.1, .2, .1)).at(0, 1.4, 0));
+            BodyRef vase =
+                    world.add(Body.dynamic().shape(Box.ofHalfExtents(.1, .2, .1)).at(0, 1.4, 0));
             seconds(world, 3);
             assertEquals(0, standing.position().y, .01);
             assertEquals(1, vase.position().y, .01);
@@ -97,10 +106,10 @@ final class EverydayCollisionsTest {
             world.add(
                     Body.fixed()
                             .collider(
-                                    Collider.of(Box.of(20, .5, 1))
+                                    Collider.of(Box.ofHalfExtents(20, .5, 1))
                                             .at(0, -.5, 0)
                                             .surfaceVelocity(1.5, 0, 0)));
-            BodyRef crate = world.add(Body.dynamic().shape(Box.cube(.3)).at(-9, .3, 0));
+            BodyRef crate = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(.3)).at(-9, .3, 0));
             seconds(world, 12);
             assertEquals(1.5, crate.velocity().x, 1e-9);
         }
@@ -125,9 +134,16 @@ final class EverydayCollisionsTest {
                             contact.disable();
                         }
                     });
-            world.add(Body.fixed().collider(Collider.of(Box.of(2, .1, 2)).userData("one-way")));
+            world.add(
+                    Body.fixed()
+                            .collider(
+                                    Collider.of(Box.ofHalfExtents(2, .1, 2)).userData("one-way")));
             BodyRef jumper =
-                    world.add(Body.dynamic().shape(Box.cube(.3)).at(0, -1, 0).velocity(0, 8, 0));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(.3))
+                                    .at(0, -1, 0)
+                                    .velocity(0, 8, 0));
             double highest = 0;
             for (int i = 0; i < 180; i++) {
                 world.step(1 / 60.0);

@@ -62,7 +62,7 @@ class TrimmedImageTest {
         public static void main(String[] args) {
             try (PhysicsWorld world = PhysicsWorld.builder().workers(2).build()) {
                 world.profile().enable();
-                BodyRef box = world.add(Body.dynamic().shape(Box.cube(0.5)));
+                BodyRef box = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)));
                 world.step(1);
                 System.out.println("fell " + box.position().y);
             }

@@ -41,9 +41,12 @@ public class SaveRestore {
     public void build() {
         world.close();
         world = PhysicsWorld.builder().workers(1).sleeping(false).build();
-        world.add(Body.fixed().shape(Box.of(100, 1, 100)).at(0, -1, 0));
+        world.add(Body.fixed().shape(Box.ofHalfExtents(100, 1, 100)).at(0, -1, 0));
         for (int i = 0; i < bodies; i++) {
-            world.add(Body.dynamic().shape(Box.cube(0.5)).at(i % 40 * 2 - 40, 0.5, i / 40 * 2));
+            world.add(
+                    Body.dynamic()
+                            .shape(Box.cubeOfHalfExtent(0.5))
+                            .at(i % 40 * 2 - 40, 0.5, i / 40 * 2));
         }
         for (int tick = 0; tick < 30; tick++) {
             world.step(1.0 / 60);

@@ -51,8 +51,9 @@ class SmokeTest {
         }
         assertEquals(
                 "[BroadPhasePairs, EcsCreateDelete, EcsIterate, JobsDispatch, JobsWake,"
-                    + " NarrowPhasePairs, SaveRestore, SnapshotHandOver, SolverStages, WorldStep]",
+                        + " NarrowPhasePairs, RollbackFrame, SaveRestore, SnapshotHandOver,"
+                        + " SolverStages, WorldStep]",
                 suites.toString());
-        assertEquals(3 + 7 + 3 + 2 + 2 + 2 + 2 + 2 + 2 + 36, results.size());
+        assertEquals(3 + 7 + 3 + 2 + 2 + 2 + 2 + 2 + 2 + 1 + 36, results.size());
     }
 }

@@ -167,7 +167,7 @@ public final class PhysicsWorldBuilder {
         Checks.notNull("progress", progress);
         progress.accept(0);
         try (PhysicsWorld world = new PhysicsWorldBuilder().settings(settings).workers(1).build()) {
-            world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(50, 1, 50)).at(0, -1, 0));
             for (int i = 0; i < WARM_UP_BODIES; i++) {
                 double x = 1.1 * (i % 8);
                 int layer = i / 64;
@@ -177,7 +177,7 @@ public final class PhysicsWorldBuilder {
                         switch (i % 4) {
                             case 0 -> Sphere.of(0.5);
                             case 1 -> Capsule.of(0.3, 0.2);
-                            default -> Box.cube(0.5);
+                            default -> Box.cubeOfHalfExtent(0.5);
                         };
                 world.add(Body.dynamic().shape(shape).at(x, y, z));
             }

@@ -174,14 +174,16 @@ class AllocationTest {
             for (int i = 0; i < 8; i++) {
                 world.add(
                         Body.dynamic()
-                                .collider(Collider.of(Box.cube(.3)).at(-.3, 0, 0))
-                                .collider(Collider.of(Box.cube(.3)).at(.3, 0, 0))
+                                .collider(Collider.of(Box.cubeOfHalfExtent(.3)).at(-.3, 0, 0))
+                                .collider(Collider.of(Box.cubeOfHalfExtent(.3)).at(.3, 0, 0))
                                 .at(2 * i, .4 + .7 * (i % 2), 5));
             }
             Material lively = new Material(0, 1, 1000);
-            world.add(Body.fixed().shape(Box.of(2, .1, 2)).at(0, 9, 0).material(lively));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(2, .1, 2)).at(0, 9, 0).material(lively));
             world.add(
-                    Body.fixed().collider(Collider.of(Box.of(2, .5, 2)).sensor(true)).at(0, 12, 0));
+                    Body.fixed()
+                            .collider(Collider.of(Box.ofHalfExtents(2, .5, 2)).sensor(true))
+                            .at(0, 12, 0));
             world.add(
                     Body.dynamic()
                             .shape(Sphere.of(.2))

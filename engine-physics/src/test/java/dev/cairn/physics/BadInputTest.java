@@ -36,7 +36,12 @@ class BadInputTest {
     @BeforeEach
     void makeWorld() {
         world = PhysicsWorld.builder().workers(1).build();
-        crate = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 9, 0).velocity(0, 0, 1));
+        crate =
+                world.add(
+                        Body.dynamic()
+                                .shape(Box.cubeOfHalfExtent(0.5))
+                                .at(0, 9, 0)
+                                .velocity(0, 0, 1));
         world.step(1.0 / 60);
     }
 
@@ -123,7 +128,7 @@ class BadInputTest {
         Class<IllegalArgumentException> type = IllegalArgumentException.class;
         refuses(type, () -> Body.dynamic().mass(0), "mass is 0.0", "fixed()");
         refuses(type, () -> Body.dynamic().mass(-1), "mass is -1.0");
-        refuses(type, () -> Box.of(0, 1, 1), "0.0");
+        refuses(type, () -> Box.ofHalfExtents(0, 1, 1), "0.0");
         refuses(type, () -> Sphere.of(-1), "-1.0");
         refuses(type, () -> new Material(-0.1, 0, 1), "-0.1");
         refuses(type, () -> new Material(0, 1.5, 1), "1.5", "1.0");
@@ -167,7 +172,9 @@ class BadInputTest {
 
     @Test
     void aFixedBodyHasNoVelocityToSetAndNoForceMovesIt() {
-        BodyRef wall = world.add(Body.fixed().shape(Box.cube(1)).at(50, 0, 0).velocity(1, 1, 1));
+        BodyRef wall =
+                world.add(
+                        Body.fixed().shape(Box.cubeOfHalfExtent(1)).at(50, 0, 0).velocity(1, 1, 1));
         refuses(IllegalStateException.class, () -> wall.setVelocity(1, 0, 0), "fixed");
         refuses(IllegalStateException.class, () -> wall.setAngularVelocity(1, 0, 0), "fixed");
         wall.applyForceAt(1, 2, 3, 4, 5, 6);
@@ -189,7 +196,7 @@ class BadInputTest {
         assertThrows(BodyRemovedException.class, () -> crate.applyForce(1, 0, 0));
         world.step(1.0 / 60);
         assertThrows(BodyRemovedException.class, () -> crate.setVelocity(1, 0, 0));
-        BodyRef next = world.add(Body.dynamic().shape(Box.cube(0.5)));
+        BodyRef next = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)));
         assertTrue(next.isAlive());
         assertFalse(crate.isAlive(), "a body that reuses the slot is another one");
     }
@@ -217,7 +224,9 @@ class BadInputTest {
                     }
 
                     @Override
-                    public void describe(Access access) {}
+                    public void describe(Access access) {
+                        access.before(PhysicsWorld.SYSTEM);
+                    }
 
                     @Override
                     public void run(Tick tick) {

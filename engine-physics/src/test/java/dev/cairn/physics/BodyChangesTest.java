@@ -36,7 +36,7 @@ class BodyChangesTest {
     @Test
     void aFixedBodyFallsOnceItIsDynamicAndStopsOnceItIsFixed() {
         try (PhysicsWorld world = awake().build()) {
-            BodyRef body = world.add(Body.fixed().shape(Box.cube(0.5)).at(0, 100, 0));
+            BodyRef body = world.add(Body.fixed().shape(Box.cubeOfHalfExtent(0.5)).at(0, 100, 0));
             run(world, 10);
             assertEquals(BodyType.FIXED, body.type());
             assertEquals(100, body.position().y, 0.0);
@@ -61,7 +61,7 @@ class BodyChangesTest {
     @Test
     void massAndInertiaAnswerToForceAndTorque() {
         try (PhysicsWorld world = awake().gravity(0, 0, 0).build()) {
-            BodyRef body = world.add(Body.dynamic().shape(Box.cube(0.5)));
+            BodyRef body = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)));
             body.setMass(2);
             assertEquals(2, body.mass(), 1e-15);
             assertEquals(2.0 / 6, body.inertia(new Matrix3d()).m00, 1e-15);
@@ -82,11 +82,11 @@ class BodyChangesTest {
     void aBoxThatShrinksFallsOntoItsNewFace() {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
             world.add(Body.fixed().shape(HalfSpace.of()));
-            BodyRef box = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 0));
-            BodyRef top = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 1.5, 0));
+            BodyRef box = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.5, 0));
+            BodyRef top = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 1.5, 0));
             run(world, 200);
             assertTrue(box.isAsleep() && top.isAsleep());
-            Box small = Box.cube(0.25);
+            Box small = Box.cubeOfHalfExtent(0.25);
             box.setShape(small);
             assertFalse(top.isAsleep(), "what stood on it notices");
             assertSame(small, box.shape());
@@ -105,14 +105,14 @@ class BodyChangesTest {
             BodyRef slope =
                     world.add(
                             Body.fixed()
-                                    .shape(Box.of(50, 1, 5))
+                                    .shape(Box.ofHalfExtents(50, 1, 5))
                                     .rotationAbout(0, 0, 1, angle)
                                     .at(0, 0, 0));
             double y = 1.5;
             BodyRef box =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.cube(0.5))
+                                    .shape(Box.cubeOfHalfExtent(0.5))
                                     .rotationAbout(0, 0, 1, angle)
                                     .at(-Math.sin(angle) * y, Math.cos(angle) * y, 0));
             run(world, 200);
@@ -166,13 +166,13 @@ class BodyChangesTest {
     private static long changes(int workers) {
         SplittableRandom random = new SplittableRandom(25);
         try (PhysicsWorld world = PhysicsWorld.builder().workers(workers).build()) {
-            world.add(Body.fixed().shape(Box.of(20, 1, 20)).at(0, -1, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(20, 1, 20)).at(0, -1, 0));
             BodyRef[] bodies = new BodyRef[25];
             for (int i = 0; i < bodies.length; i++) {
                 bodies[i] =
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.cube(0.4))
+                                        .shape(Box.cubeOfHalfExtent(0.4))
                                         .at(i % 5, 0.4 + i / 5, random.nextDouble(0.2)));
             }
             for (int tick = 0; tick < 240; tick++) {
@@ -183,7 +183,7 @@ class BodyChangesTest {
                             body.setShape(
                                     random.nextBoolean()
                                             ? Sphere.of(random.nextDouble(0.2, 0.5))
-                                            : Box.cube(random.nextDouble(0.2, 0.5)));
+                                            : Box.cubeOfHalfExtent(random.nextDouble(0.2, 0.5)));
                     case 2 -> body.setMass(random.nextDouble(1, 1000));
                     case 3 -> body.setMaterial(random.nextBoolean() ? Material.ICE : Material.WOOD);
                     default -> {}

@@ -74,7 +74,7 @@ class CallsTest {
                 bodies.add(
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.of(0.5, 0.5, 0.5))
+                                        .shape(Box.ofHalfExtents(0.5, 0.5, 0.5))
                                         .at(2.0 * (i % 20), 0.5, 2.0 * (i / 20))));
             }
             AtomicBoolean seen = new AtomicBoolean();

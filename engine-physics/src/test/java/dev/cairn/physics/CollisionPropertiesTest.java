@@ -51,7 +51,7 @@ class CollisionPropertiesTest {
             Random random = new Random(seed);
             Ledger ledger = new Ledger();
             world.contacts().listen(ledger);
-            world.add(Body.fixed().shape(Box.of(6, .5, 6)).at(0, -.5, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(6, .5, 6)).at(0, -.5, 0));
             for (int i = 0; i < 12; i++) {
                 world.add(body(random));
             }
@@ -114,7 +114,7 @@ class CollisionPropertiesTest {
         Shape shape =
                 switch (random.nextInt(3)) {
                     case 0 -> Sphere.of(.3);
-                    case 1 -> Box.of(.2, .3, .4);
+                    case 1 -> Box.ofHalfExtents(.2, .3, .4);
                     default -> Capsule.of(.2, .3);
                 };
         return Collider.of(shape)

@@ -31,11 +31,11 @@ class CompoundTest {
     private static Body brick(boolean cut) {
         Body body = Body.dynamic();
         if (!cut) {
-            return body.shape(Box.of(1, .3, .5));
+            return body.shape(Box.ofHalfExtents(1, .3, .5));
         }
         Quaterniond half = new Quaterniond().rotateY(Math.PI);
-        return body.collider(Collider.of(Box.of(.3, .3, .5)).at(-.7, 0, 0))
-                .collider(Collider.of(Box.of(.7, .3, .5)).at(.3, 0, 0).rotation(half));
+        return body.collider(Collider.of(Box.ofHalfExtents(.3, .3, .5)).at(-.7, 0, 0))
+                .collider(Collider.of(Box.ofHalfExtents(.7, .3, .5)).at(.3, 0, 0).rotation(half));
     }
 
     private static void near(Matrix3d a, Matrix3d b, double relative) {
@@ -77,7 +77,7 @@ class CompoundTest {
                                                     .at(0, .4, 0)
                                                     .material(Material.STEEL))
                                     .collider(
-                                            Collider.of(Box.of(.02, .4, .02))
+                                            Collider.of(Box.ofHalfExtents(.02, .4, .02))
                                                     .material(Material.WOOD)));
             double ball = 7850 * 4 / 3. * Math.PI * 1e-3;
             double rod = 600 * 8 * .02 * .4 * .02;
@@ -114,7 +114,7 @@ class CompoundTest {
     @ValueSource(booleans = {false, true})
     void aTowerOfThemStands(boolean cut) {
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
-            world.add(Body.fixed().shape(Box.of(20, .5, 20)).at(0, -.5, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(20, .5, 20)).at(0, -.5, 0));
             List<BodyRef> tower = new ArrayList<>();
             for (int i = 0; i < 8; i++) {
                 tower.add(world.add(brick(cut).at(0, .3 + .6 * i, 0)));
@@ -137,7 +137,7 @@ class CompoundTest {
     @ValueSource(booleans = {false, true})
     void aSlideStopsWhereCoulombSays(boolean cut) {
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
-            world.add(Body.fixed().shape(Box.of(50, .5, 50)).at(0, -.5, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(50, .5, 50)).at(0, -.5, 0));
             BodyRef block = world.add(brick(cut).at(0, .3, 0));
             for (int i = 0; i < 60; i++) {
                 world.step(Scenes.STEP);
@@ -178,7 +178,7 @@ class CompoundTest {
 
     /** Jacks, tables and dumb-bells on a floor. */
     private static void heap(PhysicsWorld world, Random random) {
-        world.add(Body.fixed().shape(Box.of(20, .5, 20)).at(0, -.5, 0));
+        world.add(Body.fixed().shape(Box.ofHalfExtents(20, .5, 20)).at(0, -.5, 0));
         for (int i = 0; i < 40; i++) {
             Body body = Body.dynamic();
             Capsule bar = Capsule.of(.1, .4);
@@ -192,17 +192,17 @@ class CompoundTest {
                                         Collider.of(bar)
                                                 .rotation(new Quaterniond().rotateZ(Math.PI / 2)));
                 case 1 -> {
-                    body.collider(Collider.of(Box.of(.5, .05, .4)).at(0, .5, 0));
+                    body.collider(Collider.of(Box.ofHalfExtents(.5, .05, .4)).at(0, .5, 0));
                     for (int leg = 0; leg < 4; leg++) {
                         body.collider(
-                                Collider.of(Box.of(.05, .25, .05))
+                                Collider.of(Box.ofHalfExtents(.05, .25, .05))
                                         .at(leg % 2 * .8 - .4, .2, leg / 2 * .6 - .3));
                     }
                 }
                 default ->
                         body.collider(Collider.of(Sphere.of(.25)).at(-.4, 0, 0))
                                 .collider(Collider.of(Sphere.of(.2)).at(.4, 0, 0))
-                                .collider(Collider.of(Box.of(.4, .05, .05)));
+                                .collider(Collider.of(Box.ofHalfExtents(.4, .05, .05)));
             }
             world.add(
                     body.at(2 * random.nextDouble() - 1, 1 + .6 * i, 2 * random.nextDouble() - 1)
@@ -246,7 +246,7 @@ class CompoundTest {
             BodyRef body =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.cube(.5))
+                                    .shape(Box.cubeOfHalfExtent(.5))
                                     .at(1, 2, 3)
                                     .rotation(turn)
                                     .angularVelocity(0, 0, 2)
@@ -264,7 +264,7 @@ class CompoundTest {
             assertEquals(0, body.velocity().sub(v).length(), 1e-14);
             world.step(Scenes.STEP);
             world.validate();
-            second.replace(Collider.of(Box.cube(.25)).at(-2, 0, 0));
+            second.replace(Collider.of(Box.cubeOfHalfExtent(.25)).at(-2, 0, 0));
             world.step(Scenes.STEP);
             world.validate();
             assertTrue(second.isAlive());
@@ -293,7 +293,7 @@ class CompoundTest {
                     world.add(
                             Body.fixed()
                                     .collider(Collider.of(Sphere.of(1)).at(0, 0, 5))
-                                    .collider(Collider.of(Box.cube(1)).at(0, 0, -5)));
+                                    .collider(Collider.of(Box.cubeOfHalfExtent(1)).at(0, 0, -5)));
             WorldQueries queries = world.queries();
             Hit hit = new Hit();
             for (int i = 0; i < 2; i++) {
@@ -318,7 +318,10 @@ class CompoundTest {
             assertSame(body, queries.rayCast(-9, 0, 5, 1, 0, 0, 99, hit));
             assertEquals(11, hit.distance(), 1e-12);
             List<BodyRef> all = new ArrayList<>();
-            assertEquals(1, queries.overlaps(new Placement().set(Box.of(9, 9, 9), 0, 0, 0), all));
+            assertEquals(
+                    1,
+                    queries.overlaps(
+                            new Placement().set(Box.ofHalfExtents(9, 9, 9), 0, 0, 0), all));
         }
     }
 

@@ -36,7 +36,10 @@ class ContactHookTest {
 
     private static Body platform() {
         return Body.fixed()
-                .collider(Collider.of(Box.of(5, .05, 5)).at(0, -.05, 0).userData("one-way"));
+                .collider(
+                        Collider.of(Box.ofHalfExtents(5, .05, 5))
+                                .at(0, -.05, 0)
+                                .userData("one-way"));
     }
 
     @ParameterizedTest
@@ -46,7 +49,7 @@ class ContactHookTest {
             try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
                 world.collisions().setHook(ONE_WAY);
                 world.add(platform());
-                Body body = Body.dynamic().shape(ball ? Sphere.of(.2) : Box.cube(.2));
+                Body body = Body.dynamic().shape(ball ? Sphere.of(.2) : Box.cubeOfHalfExtent(.2));
                 BodyRef up = world.add(body.at(0, -3, 0).velocity(0, speed, 0));
                 BodyRef down = world.add(body.at(2, 3, 0).velocity(0, -speed, 0));
                 for (int i = 0; i < 120; i++) {
@@ -67,7 +70,11 @@ class ContactHookTest {
             world.collisions().setHook(ONE_WAY);
             world.add(platform());
             BodyRef jumper =
-                    world.add(Body.dynamic().shape(Box.cube(.2)).at(0, -1, 0).velocity(0, 6, 0));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(.2))
+                                    .at(0, -1, 0)
+                                    .velocity(0, 6, 0));
             for (int i = 0; i < 240; i++) {
                 world.step(Scenes.STEP);
             }
@@ -83,8 +90,9 @@ class ContactHookTest {
     void frictionOfAContactIsWhatTheHookSays() {
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             world.collisions().setHook(contact -> contact.surface(.25, 0));
-            world.add(Body.fixed().shape(Box.of(50, .5, 50)).at(0, -.5, 0));
-            BodyRef block = world.add(Body.dynamic().shape(Box.of(.5, .1, .5)).at(0, .1, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(50, .5, 50)).at(0, -.5, 0));
+            BodyRef block =
+                    world.add(Body.dynamic().shape(Box.ofHalfExtents(.5, .1, .5)).at(0, .1, 0));
             for (int i = 0; i < 30; i++) {
                 world.step(Scenes.STEP);
             }
@@ -134,8 +142,8 @@ class ContactHookTest {
     void aHookThatSetsNonsenseIsTold() {
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             world.collisions().setHook(contact -> contact.surface(-1, 0));
-            world.add(Body.fixed().shape(Box.of(5, .5, 5)).at(0, -.5, 0));
-            world.add(Body.dynamic().shape(Box.cube(.5)).at(0, .5, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(5, .5, 5)).at(0, -.5, 0));
+            world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(.5)).at(0, .5, 0));
             RuntimeException told =
                     assertThrows(RuntimeException.class, () -> world.step(Scenes.STEP));
             String all = told + " " + told.getCause();
@@ -158,8 +166,10 @@ class ContactHookTest {
         Material most = average.withMix(Mix.MAXIMUM, Mix.DEFAULT);
         assertEquals(.8, Material.mixFriction(least, most), 0);
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
-            world.add(Body.fixed().shape(Box.of(5, .5, 5)).at(0, -.5, 0).material(least));
-            world.add(Body.dynamic().shape(Box.cube(.5)).at(0, .5, 0).material(average));
+            world.add(
+                    Body.fixed().shape(Box.ofHalfExtents(5, .5, 5)).at(0, -.5, 0).material(least));
+            world.add(
+                    Body.dynamic().shape(Box.cubeOfHalfExtent(.5)).at(0, .5, 0).material(average));
             world.step(Scenes.STEP);
             assertEquals(.2, world.physics.contacts.friction(0), 0);
             assertEquals(.05, world.physics.contacts.restitution[0], 1e-15);

@@ -32,11 +32,11 @@ class ContactsTest {
     @Test
     void aCrateFallsOnTheGroundAndRests() {
         try (PhysicsWorld world = Scenes.awake().gravity(0, -9.81, 0).workers(2).build()) {
-            world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(50, 1, 50)).at(0, -1, 0));
             BodyRef crate =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.cube(0.5))
+                                    .shape(Box.cubeOfHalfExtent(0.5))
                                     .at(0, 4, 0)
                                     .material(Material.WOOD));
             for (int tick = 0; tick < 240; tick++) {
@@ -60,13 +60,16 @@ class ContactsTest {
         Random random = new Random(91);
         try (PhysicsWorld world = PhysicsWorld.builder().workers(2).build()) {
             Scenes.everyKindOnEveryKind(world);
-            BodyRef table = world.add(Body.fixed().shape(Box.of(2, .5, 2)).at(-8, .5, 0));
+            BodyRef table =
+                    world.add(Body.fixed().shape(Box.ofHalfExtents(2, .5, 2)).at(-8, .5, 0));
             List<BodyRef> boxes = new ArrayList<>();
             for (int i = 0; i < 12; i++) {
                 double x = -8.6 + .6 * (i % 3);
                 boxes.add(
                         world.add(
-                                Body.dynamic().shape(Box.cube(.25)).at(x, 1.3 + .5 * (i / 3), 0)));
+                                Body.dynamic()
+                                        .shape(Box.cubeOfHalfExtent(.25))
+                                        .at(x, 1.3 + .5 * (i / 3), 0)));
             }
             ContactStore c = world.physics.contacts;
             int told = 0;
@@ -130,7 +133,11 @@ class ContactsTest {
     void beginsOnceAndEndsOnceWhenTheBodyIsThrownUp() {
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             BodyRef crate =
-                    world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 1, 0).name("crate"));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(0.5))
+                                    .at(0, 1, 0)
+                                    .name("crate"));
             BodyRef ground = Scenes.ground(world);
             int began = 0;
             int ended = 0;
@@ -177,7 +184,8 @@ class ContactsTest {
             BodyRef ground = Scenes.ground(world);
             int slots = 0;
             for (int round = 0; round < 50; round++) {
-                BodyRef crate = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 0));
+                BodyRef crate =
+                        world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.5, 0));
                 assertSame(crate, world.bodyOf(crate.entity()));
                 world.step(Scenes.STEP);
                 world.step(Scenes.STEP);
@@ -271,7 +279,7 @@ class ContactsTest {
     @Test
     void aFastBodyDoesNotPassThroughAWall() {
         try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
-            world.add(Body.fixed().shape(Box.of(0.05, 5, 5)));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(0.05, 5, 5)));
             BodyRef bullet =
                     world.add(
                             Body.dynamic()

@@ -19,7 +19,7 @@ import java.util.Set;
 
 class ConveyorTest {
     private static Collider belt(double speed) {
-        return Collider.of(Box.of(40, .5, 2)).at(0, -.5, 0).surfaceVelocity(speed, 0, 0);
+        return Collider.of(Box.ofHalfExtents(40, .5, 2)).at(0, -.5, 0).surfaceVelocity(speed, 0, 0);
     }
 
     private static void step(PhysicsWorld world, int ticks) {
@@ -36,9 +36,14 @@ class ConveyorTest {
         for (int boxes = 1; boxes <= 3; boxes++) {
             try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
                 world.add(Body.fixed().collider(belt(speed)));
-                BodyRef box = world.add(Body.dynamic().shape(Box.of(.4, .2, .4)).at(-9, .2, 0));
+                BodyRef box =
+                        world.add(
+                                Body.dynamic().shape(Box.ofHalfExtents(.4, .2, .4)).at(-9, .2, 0));
                 for (int i = 1; i < boxes; i++) {
-                    world.add(Body.dynamic().shape(Box.of(.3, .2, .3)).at(-9, .2 + .4 * i, 0));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.ofHalfExtents(.3, .2, .3))
+                                    .at(-9, .2 + .4 * i, 0));
                 }
                 step(world, 840);
                 assertEquals(speed, box.velocity().x, 1e-9, boxes + " boxes");
@@ -71,7 +76,8 @@ class ConveyorTest {
     void itsEndPushesNothing() {
         try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
             world.add(Body.fixed().collider(belt(5)));
-            BodyRef box = world.add(Body.dynamic().shape(Box.cube(.4)).at(40.4, -.5, 0));
+            BodyRef box =
+                    world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(.4)).at(40.4, -.5, 0));
             step(world, 120);
             assertEquals(0, box.velocity().length(), 1e-9);
         }
@@ -81,7 +87,8 @@ class ConveyorTest {
     void aTurnedBeltRunsAlongItself() {
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             world.add(Body.fixed().collider(belt(1)).rotation(new Quaterniond().rotateY(.5)));
-            BodyRef box = world.add(Body.dynamic().shape(Box.of(.4, .2, .4)).at(0, .2, 0));
+            BodyRef box =
+                    world.add(Body.dynamic().shape(Box.ofHalfExtents(.4, .2, .4)).at(0, .2, 0));
             step(world, 600);
             Vector3d along = new Vector3d(1, 0, 0).rotateY(.5);
             assertEquals(0, box.velocity().sub(along).length(), 1e-9);
@@ -92,7 +99,8 @@ class ConveyorTest {
     void aBeltThatStartsWakesWhoIsOnIt() {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
             BodyRef line = world.add(Body.fixed().collider(belt(0)));
-            BodyRef box = world.add(Body.dynamic().shape(Box.of(.4, .2, .4)).at(0, .2, 0));
+            BodyRef box =
+                    world.add(Body.dynamic().shape(Box.ofHalfExtents(.4, .2, .4)).at(0, .2, 0));
             step(world, 120);
             assertTrue(box.isAsleep());
             line.colliders().get(0).replace(belt(1));
@@ -120,7 +128,7 @@ class ConveyorTest {
                                 .build()) {
                     world.add(Body.fixed().collider(belt(2)));
                     for (int i = 0; i < 60; i++) {
-                        Shape shape = i % 3 == 0 ? Sphere.of(.3) : Box.of(.3, .2, .4);
+                        Shape shape = i % 3 == 0 ? Sphere.of(.3) : Box.ofHalfExtents(.3, .2, .4);
                         world.add(
                                 Body.dynamic()
                                         .shape(shape)

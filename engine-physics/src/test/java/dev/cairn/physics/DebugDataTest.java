@@ -23,13 +23,13 @@ class DebugDataTest {
     /** Stacks far from each other: each is an island. The name tells the stack. */
     private static PhysicsWorld stacks(boolean sleeping) {
         PhysicsWorld world = PhysicsWorld.builder().workers(1).sleeping(sleeping).build();
-        world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0));
+        world.add(Body.fixed().shape(Box.ofHalfExtents(50, 1, 50)).at(0, -1, 0));
         for (int i = 0; i < STACKS * HIGH; i++) {
             // Level by level, so that slots of a stack are no neighbours.
             int stack = i % STACKS;
             world.add(
                     Body.dynamic()
-                            .shape(Box.cube(0.5))
+                            .shape(Box.cubeOfHalfExtent(0.5))
                             .at(4 * stack, 0.5 + i / STACKS, 0)
                             .name("" + stack));
         }

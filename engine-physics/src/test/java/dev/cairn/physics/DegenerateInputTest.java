@@ -52,10 +52,10 @@ class DegenerateInputTest {
     private static Map<String, DoubleFunction<Shape>> lengths() {
         Map<String, DoubleFunction<Shape>> all = new LinkedHashMap<>();
         all.put("Sphere", Sphere::of);
-        all.put("Box x", v -> Box.of(v, 1, 1));
-        all.put("Box y", v -> Box.of(1, v, 1));
-        all.put("Box z", v -> Box.of(1, 1, v));
-        all.put("Box", Box::cube);
+        all.put("Box x", v -> Box.ofHalfExtents(v, 1, 1));
+        all.put("Box y", v -> Box.ofHalfExtents(1, v, 1));
+        all.put("Box z", v -> Box.ofHalfExtents(1, 1, v));
+        all.put("Box", Box::cubeOfHalfExtent);
         all.put("Capsule radius", v -> Capsule.of(v, 1));
         all.put("Capsule halfLength", v -> Capsule.of(1, v));
         all.put("Cylinder radius", v -> Cylinder.of(v, 1));
@@ -69,7 +69,8 @@ class DegenerateInputTest {
     private static void steps(String what, Shape... shapes) {
         try (PhysicsWorld world = PhysicsWorld.builder().build()) {
             world.add(Body.fixed().shape(HalfSpace.of()));
-            BodyRef witness = world.add(Body.dynamic().shape(Box.cube(.5)).at(100, .5, 0));
+            BodyRef witness =
+                    world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(.5)).at(100, .5, 0));
             List<BodyRef> bodies = new ArrayList<>();
             for (Shape shape : shapes) {
                 bodies.add(world.add(Body.dynamic().shape(shape).at(0, 1, 0)));
@@ -113,7 +114,8 @@ class DegenerateInputTest {
     private static void stepsOrTeaches(String what, Body body, double height) {
         try (PhysicsWorld world = PhysicsWorld.builder().build()) {
             world.add(Body.fixed().shape(HalfSpace.of()));
-            BodyRef witness = world.add(Body.dynamic().shape(Box.cube(.5)).at(100, .5, 0));
+            BodyRef witness =
+                    world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(.5)).at(100, .5, 0));
             BodyRef ref;
             try {
                 ref = world.add(body.at(0, height, 0));

@@ -110,7 +110,7 @@ class DeterminismTest {
                         bodies.add(
                                 world.add(
                                         Body.dynamic()
-                                                .shape(Box.cube(0.25))
+                                                .shape(Box.cubeOfHalfExtent(0.25))
                                                 .at(0.8 * (i % 10), 0.25 + 0.5 * (i / 10), 0)));
                     }
                     SleepLedger ledger = new SleepLedger();

@@ -45,7 +45,7 @@ class DirectTest {
             boxes.add(
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.cube(.5))
+                                    .shape(Box.cubeOfHalfExtent(.5))
                                     .at(
                                             x + .002 * random.nextDouble() - .001,
                                             .5 + i,
@@ -127,7 +127,7 @@ class DirectTest {
                 Scenes.drop(world, 60, 3);
                 for (int i = 0; i < 30; i++) {
                     // a column in flight
-                    world.add(Body.dynamic().shape(Box.cube(.5)).at(40, 20 + i, 0));
+                    world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(.5)).at(40, 20 + i, 0));
                 }
                 run(world, 60);
                 digests[k] = world.digest();
@@ -209,7 +209,7 @@ class DirectTest {
                 boxes.add(
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.cube(.5))
+                                        .shape(Box.cubeOfHalfExtent(.5))
                                         .at(.001 * (i % 3), .52 + 1.02 * i, -.001 * (i % 2))));
             }
             run(world, 3600);
@@ -230,7 +230,10 @@ class DirectTest {
                 List<BodyRef> boxes = new ArrayList<>();
                 for (int i = 0; i < 30; i++) {
                     double aside = .001 * (i % 3);
-                    Body box = Body.dynamic().shape(Box.cube(.5)).at(aside, .5 + i, -aside);
+                    Body box =
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(.5))
+                                    .at(aside, .5 + i, -aside);
                     boxes.add(world.add(box.material(material)));
                 }
                 run(world, 60);
@@ -247,7 +250,10 @@ class DirectTest {
             Scenes.ground(world);
             List<BodyRef> boxes = new ArrayList<>();
             for (int i = 0; i < 50; i++) {
-                Body box = Body.dynamic().shape(Box.cube(.5)).at(.001 * (i % 3), .5 + i, .25);
+                Body box =
+                        Body.dynamic()
+                                .shape(Box.cubeOfHalfExtent(.5))
+                                .at(.001 * (i % 3), .5 + i, .25);
                 boxes.add(world.add(box.lock(Lock.MOVE_Z, Lock.TURN_X, Lock.TURN_Y)));
             }
             double[] before = Scenes.places(boxes);

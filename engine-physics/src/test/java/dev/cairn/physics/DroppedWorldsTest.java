@@ -23,8 +23,8 @@ class DroppedWorldsTest {
 
     private static void dropOne() {
         PhysicsWorld world = PhysicsWorld.builder().workers(3).build();
-        world.add(Body.dynamic().shape(Box.cube(0.5)));
-        world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.9, 0));
+        world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)));
+        world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.9, 0));
         world.step(1.0 / 60);
     }
 
@@ -49,7 +49,7 @@ class DroppedWorldsTest {
     @Test
     void oneThatIsUsedKeepsThem() {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(2).build()) {
-            BodyRef box = world.add(Body.dynamic().shape(Box.cube(0.5)));
+            BodyRef box = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)));
             for (int tick = 0; tick < 20; tick++) {
                 world.step(1.0 / 60);
                 System.gc();

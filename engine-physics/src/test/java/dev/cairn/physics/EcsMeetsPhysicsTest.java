@@ -127,12 +127,16 @@ class EcsMeetsPhysicsTest {
             BodyRef floating =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.cube(0.5))
+                                    .shape(Box.cubeOfHalfExtent(0.5))
                                     .at(0, 5, 0)
                                     .with(new Force(0, 9.81 * 1000, 0)));
             world.add(Body.fixed().shape(HalfSpace.of()).at(0, -2, 0));
             BodyRef lying =
-                    world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, -1.5, 0).with(Force.ZERO));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(0.5))
+                                    .at(0, -1.5, 0)
+                                    .with(Force.ZERO));
             for (int tick = 0; tick < 300; tick++) {
                 world.step(STEP);
             }
@@ -171,7 +175,7 @@ class EcsMeetsPhysicsTest {
                             Body ball = Body.dynamic().shape(Sphere.of(0.5)).at(0, 10, 0);
                             handles.add(tick.commands().spawn(new NewBody(ball)));
                         },
-                        "");
+                        PhysicsWorld.SYSTEM);
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).systems(spawner).build()) {
             world.step(STEP);
             BodyRef ball = world.bodyOf(world.ecs().resolve(handles.get(0)));
@@ -200,11 +204,12 @@ class EcsMeetsPhysicsTest {
                             }
                             movers.clear();
                         },
-                        "");
+                        PhysicsWorld.SYSTEM);
         try (PhysicsWorld world =
                 PhysicsWorld.builder().gravity(0, 0, 0).workers(1).systems(door).build()) {
-            BodyRef body = world.add(Body.dynamic().shape(Box.cube(0.5)).velocity(1, 0, 0));
-            BodyRef wall = world.add(Body.fixed().shape(Box.cube(0.5)).at(9, 0, 0));
+            BodyRef body =
+                    world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).velocity(1, 0, 0));
+            BodyRef wall = world.add(Body.fixed().shape(Box.cubeOfHalfExtent(0.5)).at(9, 0, 0));
             world.step(STEP);
             movers.add(body.entity());
             world.step(STEP);
@@ -229,7 +234,7 @@ class EcsMeetsPhysicsTest {
             Script push =
                     new Script(name, tick -> body[0].applyForce(1000, 0, 0), PhysicsWorld.SYSTEM);
             try (PhysicsWorld world = PhysicsWorld.builder().workers(1).systems(push).build()) {
-                body[0] = world.add(Body.dynamic().shape(Box.cube(0.5)));
+                body[0] = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)));
                 world.step(STEP);
                 assertEquals(STEP, body[0].velocity().x, 1e-15);
             }
@@ -256,7 +261,7 @@ class EcsMeetsPhysicsTest {
                     }
                 });
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).systems(bad).build()) {
-            body[0] = world.add(Body.dynamic().shape(Box.cube(0.5)));
+            body[0] = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)));
             world.step(STEP);
             world.step(STEP);
             assertEquals(2, told.size());

@@ -38,13 +38,13 @@ class FarTest {
     /** Ten cubes and a ball that rolls past them; coordinates are multiples of 2^-10 m. */
     private static Run stack(Vector3d at, int workers, int lanes) {
         try (PhysicsWorld world = world(workers, lanes).build()) {
-            world.add(Body.fixed().shape(Box.of(64, 1, 64)).at(at.x, at.y - 1, at.z));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(64, 1, 64)).at(at.x, at.y - 1, at.z));
             List<BodyRef> bodies = new ArrayList<>();
             for (int i = 0; i < 10; i++) {
                 bodies.add(
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.cube(0.5))
+                                        .shape(Box.cubeOfHalfExtent(0.5))
                                         .at(
                                                 at.x + 0.0078125 * (i % 3),
                                                 at.y + 0.5 + i,
@@ -105,8 +105,8 @@ class FarTest {
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             List<BodyRef> stack = Scenes.stack(world, 5);
             if (withFar) {
-                world.add(Body.fixed().shape(Box.of(8, 1, 8)).at(1e7, -1, 0));
-                world.add(Body.dynamic().shape(Box.cube(0.5)).at(1e7 + 0.3, 0.5, 0.1));
+                world.add(Body.fixed().shape(Box.ofHalfExtents(8, 1, 8)).at(1e7, -1, 0));
+                world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(1e7 + 0.3, 0.5, 0.1));
             }
             for (int tick = 0; tick < 120; tick++) {
                 world.step(Scenes.STEP);

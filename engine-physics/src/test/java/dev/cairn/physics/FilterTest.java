@@ -27,7 +27,7 @@ class FilterTest {
             Layers.of("scenery", "crate", "ghost").apart("ghost", "crate").apart("ghost", "ghost");
 
     private static BodyRef box(PhysicsWorld world, double y, Filter filter) {
-        return world.add(Body.dynamic().shape(Box.cube(.5)).at(0, y, 0).filter(filter));
+        return world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(.5)).at(0, y, 0).filter(filter));
     }
 
     private static void step(PhysicsWorld world, int ticks) {
@@ -84,7 +84,8 @@ class FilterTest {
     @ValueSource(booleans = {false, true})
     void aLiveChangeEndsAContactAndBeginsOne(boolean sleeping) {
         try (PhysicsWorld world = PhysicsWorld.builder().sleeping(sleeping).workers(1).build()) {
-            BodyRef ground = world.add(Body.fixed().shape(Box.of(5, .5, 5)).at(0, -.5, 0));
+            BodyRef ground =
+                    world.add(Body.fixed().shape(Box.ofHalfExtents(5, .5, 5)).at(0, -.5, 0));
             BodyRef low = box(world, .5, Filter.ALL);
             BodyRef high = box(world, 1.5, Filter.ALL);
             step(world, 200);

@@ -41,7 +41,11 @@ class FreeMotionTest {
     void publishesPoseAndVelocityColumns() {
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             BodyRef box =
-                    world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 50, 0).velocity(1, 0, 0));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(0.5))
+                                    .at(0, 50, 0)
+                                    .velocity(1, 0, 0));
             assertEquals(50, world.ecs().get(box.entity(), Pose.COMPONENT).y());
             for (int tick = 0; tick < 30; tick++) {
                 world.step(STEP);
@@ -117,7 +121,7 @@ class FreeMotionTest {
                             .at(0, 10, 0)
                             .velocity(3, 0, 0)
                             .angularVelocity(0, 0, 2));
-            world.add(Body.fixed().shape(Box.cube(1)));
+            world.add(Body.fixed().shape(Box.cubeOfHalfExtent(1)));
             Kinetics k = world.kinetics();
             assertEquals(0.5 * 5 * 9 + 0.5 * 2 * 4, k.kineticEnergy(), 1e-12);
             assertEquals(15, k.momentumX(), 1e-12);
@@ -129,14 +133,15 @@ class FreeMotionTest {
     @Test
     void teleportCountsAsAJumpAtOnceAndKeepsTheVelocity() {
         try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
-            BodyRef body = world.add(Body.dynamic().shape(Box.cube(1)).velocity(6, 0, 0));
+            BodyRef body =
+                    world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(1)).velocity(6, 0, 0));
             body.teleport(100, 0, 0);
             assertEquals(1, world.ecs().get(body.entity(), Pose.COMPONENT).jumps());
             assertEquals(100, world.ecs().get(body.entity(), Pose.COMPONENT).x());
             world.step(0.5);
             assertEquals(103, body.position().x, 1e-12);
             assertEquals(1, world.ecs().get(body.entity(), Pose.COMPONENT).jumps());
-            BodyRef wall = world.add(Body.fixed().shape(Box.cube(1)).at(0, 50, 0));
+            BodyRef wall = world.add(Body.fixed().shape(Box.cubeOfHalfExtent(1)).at(0, 50, 0));
             wall.teleport(0, 60, 0, new Quaterniond().rotationY(1));
             assertEquals(60, wall.position().y, 1e-12);
             world.step(0.5);

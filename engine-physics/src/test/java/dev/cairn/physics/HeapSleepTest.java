@@ -52,10 +52,10 @@ class HeapSleepTest {
     private static long stones(int workers, int lanes) {
         Random random = new Random(SEED);
         try (PhysicsWorld world = world(workers, lanes)) {
-            world.add(Body.fixed().shape(Box.of(10, 1, 10)).at(0, -1, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(10, 1, 10)).at(0, -1, 0));
             for (int side = -1; side <= 1; side += 2) {
-                world.add(Body.fixed().shape(Box.of(0.5, 5, 3)).at(2.5 * side, 5, 0));
-                world.add(Body.fixed().shape(Box.of(3, 5, 0.5)).at(0, 5, 2.5 * side));
+                world.add(Body.fixed().shape(Box.ofHalfExtents(0.5, 5, 3)).at(2.5 * side, 5, 0));
+                world.add(Body.fixed().shape(Box.ofHalfExtents(3, 5, 0.5)).at(0, 5, 2.5 * side));
             }
             List<BodyRef> stones = new ArrayList<>();
             for (int i = 0; i < 100; i++) {
@@ -88,9 +88,18 @@ class HeapSleepTest {
         try (PhysicsWorld world = world(1, 1)) {
             Scenes.ground(world);
             List<BodyRef> still = new ArrayList<>();
-            still.add(world.add(Body.dynamic().shape(Box.of(2, 0.1, 0.5)).mass(100).at(0, 0.1, 0)));
+            still.add(
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.ofHalfExtents(2, 0.1, 0.5))
+                                    .mass(100)
+                                    .at(0, 0.1, 0)));
             for (int i = 0; i < 4; i++) {
-                still.add(world.add(Body.dynamic().shape(Box.cube(0.2)).at(1.5, 0.4 + 0.4 * i, 0)));
+                still.add(
+                        world.add(
+                                Body.dynamic()
+                                        .shape(Box.cubeOfHalfExtent(0.2))
+                                        .at(1.5, 0.4 + 0.4 * i, 0)));
             }
             double speed = 5e-3;
             BodyRef ball =
@@ -125,10 +134,14 @@ class HeapSleepTest {
     void aPlankTipsUnderABallThatRollsThoughItSleeps() {
         try (PhysicsWorld world = world(1, 1)) {
             Scenes.ground(world);
-            world.add(Body.fixed().shape(Box.of(0.3, 0.5, 0.5)).at(0, 0.5, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(0.3, 0.5, 0.5)).at(0, 0.5, 0));
             double half = 0.05;
             BodyRef plank =
-                    world.add(Body.dynamic().shape(Box.of(1.5, half, 0.3)).mass(10).at(0, 1.05, 0));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.ofHalfExtents(1.5, half, 0.3))
+                                    .mass(10)
+                                    .at(0, 1.05, 0));
             double speed = 0.02;
             BodyRef ball =
                     world.add(

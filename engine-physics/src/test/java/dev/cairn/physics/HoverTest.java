@@ -19,8 +19,10 @@ class HoverTest {
         try (PhysicsWorld world =
                 PhysicsWorld.builder().gravity(0, -9.81, 0).settings(settings).build()) {
             world.add(Body.fixed().shape(HalfSpace.of()));
-            BodyRef lower = world.add(Body.dynamic().shape(Box.cube(0.4)).at(0, 0.4, 0));
-            BodyRef upper = world.add(Body.dynamic().shape(Box.cube(0.1)).at(0, 0.9, 0));
+            BodyRef lower =
+                    world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.4)).at(0, 0.4, 0));
+            BodyRef upper =
+                    world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.1)).at(0, 0.9, 0));
             world.add(Body.dynamic().shape(Sphere.of(0.1)).at(0.02, 1.6, 0));
             for (int tick = 0; tick < 1800; tick++) {
                 world.step(1.0 / 60);

@@ -29,11 +29,15 @@ class KinematicTest {
     }
 
     private static BodyRef platform(PhysicsWorld world) {
-        return world.add(Body.kinematic().shape(Box.of(2, 0.1, 2)).name("platform"));
+        return world.add(Body.kinematic().shape(Box.ofHalfExtents(2, 0.1, 2)).name("platform"));
     }
 
     private static BodyRef rider(PhysicsWorld world) {
-        return world.add(Body.dynamic().shape(Box.cube(HALF)).at(0, 0.1 + HALF, 0).name("rider"));
+        return world.add(
+                Body.dynamic()
+                        .shape(Box.cubeOfHalfExtent(HALF))
+                        .at(0, 0.1 + HALF, 0)
+                        .name("rider"));
     }
 
     @ParameterizedTest
@@ -77,7 +81,7 @@ class KinematicTest {
     @Test
     void targetsAreReachedToTheBitAndHoldForOneTick() {
         try (PhysicsWorld world = awake(1, 1).build()) {
-            BodyRef hand = world.add(Body.kinematic().shape(Box.cube(1)).at(1, 2, 3));
+            BodyRef hand = world.add(Body.kinematic().shape(Box.cubeOfHalfExtent(1)).at(1, 2, 3));
             Quaterniond turned = new Quaterniond().rotationXYZ(0.3, -0.2, 0.1);
             hand.moveTo(1.1, 2.2, 3.3, turned);
             world.step(STEP);
@@ -110,7 +114,7 @@ class KinematicTest {
             Material rough = Material.DEFAULT.withFriction(1);
             world.add(
                     Body.kinematic()
-                            .shape(Box.of(4, 0.1, 4))
+                            .shape(Box.ofHalfExtents(4, 0.1, 4))
                             .at(0, -0.1, 0)
                             .angularVelocity(0, rate, 0)
                             .material(rough));
@@ -140,15 +144,15 @@ class KinematicTest {
     @Test
     void aWallDoesNotStopItAndWhatIsCrushedStaysFinite() {
         try (PhysicsWorld world = awake(1, 1).build()) {
-            world.add(Body.fixed().shape(Box.of(0.5, 2, 2)).at(2, 0, 0));
-            world.add(Body.fixed().shape(Box.of(9, 0.5, 9)).at(0, -0.5, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(0.5, 2, 2)).at(2, 0, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(9, 0.5, 9)).at(0, -0.5, 0));
             BodyRef press =
                     world.add(
                             Body.kinematic()
-                                    .shape(Box.of(1, 0.5, 1))
+                                    .shape(Box.ofHalfExtents(1, 0.5, 1))
                                     .at(-2, 0.5, 0)
                                     .velocity(1, 0, 0));
-            BodyRef box = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 0));
+            BodyRef box = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.5, 0));
             boolean told = false;
             double largest = 0;
             for (int tick = 1; tick <= 300; tick++) {
@@ -178,7 +182,10 @@ class KinematicTest {
         try (PhysicsWorld world = awake(1, 1).gravity(0, 0, 0).build()) {
             Material elastic = Material.DEFAULT.withRestitution(1).withFriction(0);
             world.add(
-                    Body.kinematic().shape(Box.of(0.1, 1, 1)).velocity(2, 0, 0).material(elastic));
+                    Body.kinematic()
+                            .shape(Box.ofHalfExtents(0.1, 1, 1))
+                            .velocity(2, 0, 0)
+                            .material(elastic));
             BodyRef ball =
                     world.add(
                             Body.dynamic()
@@ -223,18 +230,21 @@ class KinematicTest {
     /** A paddle in a heap on a turntable, a lift under another heap, small islands beside. */
     private static long crowd(int workers, int lanes) {
         try (PhysicsWorld world = awake(workers, lanes).build()) {
-            world.add(Body.fixed().shape(Box.of(40, 0.5, 40)).at(0, -3, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(40, 0.5, 40)).at(0, -3, 0));
             world.add(
                     Body.kinematic()
-                            .shape(Box.of(3, 0.1, 3))
+                            .shape(Box.ofHalfExtents(3, 0.1, 3))
                             .angularVelocity(0, 1, 0)
                             .at(0, -0.1, 0));
-            BodyRef lift = world.add(Body.kinematic().shape(Box.of(2, 0.1, 2)).at(8, 0, 0));
+            BodyRef lift =
+                    world.add(Body.kinematic().shape(Box.ofHalfExtents(2, 0.1, 2)).at(8, 0, 0));
             for (int i = 0; i < 90; i++) {
                 double x = 0.6 * (i % 5) - 1.2;
                 double z = 0.6 * (i / 5 % 5) - 1.2;
                 double y = 0.3 + 0.55 * (i / 25);
-                Body body = Body.dynamic().shape(i % 3 == 0 ? Sphere.of(0.25) : Box.cube(0.25));
+                Body body =
+                        Body.dynamic()
+                                .shape(i % 3 == 0 ? Sphere.of(0.25) : Box.cubeOfHalfExtent(0.25));
                 Material m = Material.DEFAULT.withRestitution(i % 4 == 0 ? 0.5 : 0);
                 world.add(body.material(m).at(x + (i % 2 == 0 ? 0 : 8), y, z));
             }
@@ -250,14 +260,18 @@ class KinematicTest {
     @Test
     void whatCannotBeIsRefused() {
         try (PhysicsWorld world = awake(1, 1).build()) {
-            BodyRef box = world.add(Body.dynamic().shape(Box.cube(1)));
-            BodyRef hand = world.add(Body.kinematic().shape(Box.cube(1)).at(5, 0, 0));
+            BodyRef box = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(1)));
+            BodyRef hand = world.add(Body.kinematic().shape(Box.cubeOfHalfExtent(1)).at(5, 0, 0));
             assertThrows(IllegalStateException.class, () -> box.moveTo(0, 0, 0));
             assertThrows(IllegalArgumentException.class, () -> hand.moveTo(Double.NaN, 0, 0));
             assertThrows(IllegalArgumentException.class, () -> hand.setVelocity(1e60, 0, 0));
             assertThrows(
                     IllegalArgumentException.class,
-                    () -> world.add(Body.kinematic().shape(Box.cube(1)).velocity(0, 1e300, 0)));
+                    () ->
+                            world.add(
+                                    Body.kinematic()
+                                            .shape(Box.cubeOfHalfExtent(1))
+                                            .velocity(0, 1e300, 0)));
             assertThrows(IllegalArgumentException.class, () -> hand.moveTo(null));
             hand.applyForce(1, 2, 3);
             hand.applyImpulse(1, 2, 3);

@@ -81,7 +81,7 @@ final class LandingEnergyTest {
                 }
                 return ConvexHull.of(corners);
             default:
-                return Box.of(thin, size, wide);
+                return Box.ofHalfExtents(thin, size, wide);
         }
     }
 

@@ -94,7 +94,10 @@ class LanesTest {
                     for (int row = 0; row < 10; row++) {
                         for (int i = 0; i < 10 - row; i++) {
                             double x = 0.5 * row - 5 + i;
-                            world.add(Body.dynamic().shape(Box.cube(0.5)).at(x, row + 0.5, 0));
+                            world.add(
+                                    Body.dynamic()
+                                            .shape(Box.cubeOfHalfExtent(0.5))
+                                            .at(x, row + 0.5, 0));
                         }
                     }
                 });
@@ -109,11 +112,11 @@ class LanesTest {
                 122,
                 world -> {
                     Scenes.ground(world);
-                    world.add(Body.dynamic().shape(Box.of(6, 0.25, 6)).at(0, 0.25, 0));
+                    world.add(Body.dynamic().shape(Box.ofHalfExtents(6, 0.25, 6)).at(0, 0.25, 0));
                     for (int i = 0; i < 121; i++) {
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.cube(0.3))
+                                        .shape(Box.cubeOfHalfExtent(0.3))
                                         .at(i % 11 - 5, 0.8, i / 11 - 5)
                                         .rotationAbout(0, 1, 0, yaw[i]));
                     }
@@ -129,7 +132,7 @@ class LanesTest {
                     Random random = new Random(3);
                     world.add(
                             Body.fixed()
-                                    .shape(Box.of(50, 1, 50))
+                                    .shape(Box.ofHalfExtents(50, 1, 50))
                                     .at(0, -1, 0)
                                     .material(new Material(0.4, 0.7, 1000)));
                     for (int i = 0; i < 80; i++) {

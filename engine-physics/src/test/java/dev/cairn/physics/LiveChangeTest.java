@@ -19,10 +19,10 @@ class LiveChangeTest {
     private static final double STEP = 1.0 / 60;
 
     private static List<BodyRef> stack(PhysicsWorld world) {
-        world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0));
+        world.add(Body.fixed().shape(Box.ofHalfExtents(50, 1, 50)).at(0, -1, 0));
         List<BodyRef> boxes = new ArrayList<>();
         for (int i = 0; i < 6; i++) {
-            boxes.add(world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5 + i, 0)));
+            boxes.add(world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.5 + i, 0)));
         }
         return boxes;
     }

@@ -57,7 +57,7 @@ class LoadSweepTest {
     private static double[] scales(boolean disturbed) {
         try (PhysicsWorld world = Scenes.awake().workers(2).build()) {
             Scenes.ground(world);
-            Body box = Body.dynamic().shape(Box.cube(0.5)).mass(1);
+            Body box = Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).mass(1);
             for (int i = 0; i < 5; i++) {
                 world.add(box.at(0, 0.5 + 1.004 * i, 0));
             }

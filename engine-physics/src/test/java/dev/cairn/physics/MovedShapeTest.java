@@ -86,7 +86,7 @@ class MovedShapeTest {
     }
 
     private static void floor(PhysicsWorld world, Material surface) {
-        world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0).material(surface));
+        world.add(Body.fixed().shape(Box.ofHalfExtents(50, 1, 50)).at(0, -1, 0).material(surface));
     }
 
     private static void run(PhysicsWorld world, int ticks) {

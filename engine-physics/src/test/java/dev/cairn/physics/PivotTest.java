@@ -147,7 +147,7 @@ class PivotTest {
             BodyRef cube =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.cube(half))
+                                    .shape(Box.cubeOfHalfExtent(half))
                                     .mass(1)
                                     .at(centre.x, centre.y, centre.z)
                                     .rotation(q)

@@ -78,7 +78,10 @@ class QuarantineTest {
         try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
             BodyRef far =
                     world.add(
-                            Body.dynamic().shape(Box.cube(1)).at(9e59, 0, 0).velocity(9e59, 0, 0));
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(1))
+                                    .at(9e59, 0, 0)
+                                    .velocity(9e59, 0, 0));
             world.step(1);
             world.step(1);
             allFinite(world);

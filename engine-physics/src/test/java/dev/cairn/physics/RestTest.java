@@ -50,7 +50,7 @@ class RestTest {
             for (int i = 0; i < 10; i++) {
                 world.add(
                         Body.dynamic()
-                                .shape(Box.cube(0.5))
+                                .shape(Box.cubeOfHalfExtent(0.5))
                                 .at(
                                         0.01 * random.nextGaussian(),
                                         0.5 + 1.001 * i,
@@ -91,8 +91,8 @@ class RestTest {
         try (PhysicsWorld world = Scenes.awake().workers(1).substeps(8).build()) {
             Scenes.ground(world);
             for (int side = -1; side <= 1; side += 2) {
-                world.add(Body.fixed().shape(Box.of(0.5, 5, 3)).at(3 * side, 5, 0));
-                world.add(Body.fixed().shape(Box.of(3, 5, 0.5)).at(0, 5, 3 * side));
+                world.add(Body.fixed().shape(Box.ofHalfExtents(0.5, 5, 3)).at(3 * side, 5, 0));
+                world.add(Body.fixed().shape(Box.ofHalfExtents(3, 5, 0.5)).at(0, 5, 3 * side));
             }
             Random random = new Random(seed);
             for (int i = 0; i < 200; i++) {
@@ -113,7 +113,7 @@ class RestTest {
     private static Body stone(Random random, int i) {
         return Body.dynamic()
                 .shape(
-                        Box.of(
+                        Box.ofHalfExtents(
                                 0.15 + 0.2 * random.nextDouble(),
                                 0.15 + 0.2 * random.nextDouble(),
                                 0.15 + 0.2 * random.nextDouble()))

@@ -47,11 +47,11 @@ class RestraintTest {
     @Test
     void aBodyWithHalfTheGravityPressesWithHalfItsWeight() {
         try (PhysicsWorld world = world(G)) {
-            world.add(Body.fixed().shape(Box.of(5, 1, 5)).at(0, -1, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(5, 1, 5)).at(0, -1, 0));
             BodyRef cube =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.cube(0.5))
+                                    .shape(Box.cubeOfHalfExtent(0.5))
                                     .mass(2)
                                     .gravityScale(0.5)
                                     .at(0, 0.5, 0));
@@ -104,7 +104,7 @@ class RestraintTest {
         double own = -StrictMath.expm1(-c * t) / c;
         Body body =
                 Body.dynamic()
-                        .shape(Box.of(0.05, 0.2, 0.45))
+                        .shape(Box.ofHalfExtents(0.05, 0.2, 0.45))
                         .inertia(1, 1.5, 2)
                         .angularVelocity(1, 2, 3);
         try (PhysicsWorld free = world(0);
@@ -154,13 +154,16 @@ class RestraintTest {
         System.out.println("seed " + SEED);
         Random random = new Random(SEED);
         try (PhysicsWorld world = world(G)) {
-            world.add(Body.fixed().shape(Box.of(100, 1, 20)).at(0, -1, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(100, 1, 20)).at(0, -1, 0));
             BodyRef[] all = new BodyRef[30];
             for (int n = 0; n < all.length; n++) {
                 all[n] =
                         world.add(
                                 Body.dynamic()
-                                        .shape(n % 3 == 0 ? Sphere.of(0.3) : Box.of(0.3, 0.2, 0.4))
+                                        .shape(
+                                                n % 3 == 0
+                                                        ? Sphere.of(0.3)
+                                                        : Box.ofHalfExtents(0.3, 0.2, 0.4))
                                         .lock(Lock.MOVE_Z, Lock.TURN_X, Lock.TURN_Y)
                                         .at(random.nextDouble(), 1 + 0.8 * n, 0.01 * (n % 5))
                                         .rotationAbout(0, 0, 1, random.nextDouble()));
@@ -185,7 +188,7 @@ class RestraintTest {
             BodyRef box =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.of(0.5, 0.2, 0.1))
+                                    .shape(Box.ofHalfExtents(0.5, 0.2, 0.1))
                                     .inertia(1, 2, 2.5)
                                     .rotationAbout(1, 0, 0, 0.4)
                                     .lock(Lock.TURN_X, Lock.TURN_Z));
@@ -216,9 +219,16 @@ class RestraintTest {
                             .sleeping(false)
                             .build()) {
                 Material rough = new Material(1, 0, 1000);
-                world.add(Body.fixed().shape(Box.of(20, 1, 20)).at(0, -1, 0).material(rough));
+                world.add(
+                        Body.fixed()
+                                .shape(Box.ofHalfExtents(20, 1, 20))
+                                .at(0, -1, 0)
+                                .material(rough));
                 Body block =
-                        Body.dynamic().shape(Box.of(0.1, 0.3, 0.1)).at(0, 0.3, 0).material(rough);
+                        Body.dynamic()
+                                .shape(Box.ofHalfExtents(0.1, 0.3, 0.1))
+                                .at(0, 0.3, 0)
+                                .material(rough);
                 if (locked) {
                     block.lock(Lock.TURN_X, Lock.TURN_Y, Lock.TURN_Z);
                 }
@@ -242,7 +252,7 @@ class RestraintTest {
             BodyRef lift =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.of(1, 0.1, 1))
+                                    .shape(Box.ofHalfExtents(1, 0.1, 1))
                                     .mass(100)
                                     .gravityScale(0)
                                     .lock(
@@ -283,9 +293,13 @@ class RestraintTest {
     @Test
     void aLimitHoldsForABodyOnTheGroundToo() {
         try (PhysicsWorld world = world(G)) {
-            world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(50, 1, 50)).at(0, -1, 0));
             BodyRef cube =
-                    world.add(Body.dynamic().shape(Box.cube(0.5)).speedLimit(2).at(0, 0.5, 0));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(0.5))
+                                    .speedLimit(2)
+                                    .at(0, 0.5, 0));
             for (int tick = 0; tick < 120; tick++) {
                 cube.applyForce(20 * cube.mass(), 0, 0);
                 world.step(TICK);
@@ -298,8 +312,8 @@ class RestraintTest {
     @Test
     void settersWakeAndTeach() {
         try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, -G, 0).sleeping(true).build()) {
-            world.add(Body.fixed().shape(Box.of(5, 1, 5)).at(0, -1, 0));
-            BodyRef cube = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(5, 1, 5)).at(0, -1, 0));
+            BodyRef cube = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.5, 0));
             run(world, 120);
             assertTrue(cube.isAsleep());
             cube.setGravityScale(-1);

@@ -201,7 +201,7 @@ class RollingTest {
                 BodyRef box =
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.of(hx, hy, hz))
+                                        .shape(Box.ofHalfExtents(hx, hy, hz))
                                         .mass(3)
                                         .at(0, 0.35, 0)
                                         .rotationAbout(1, 2, 3, run * random.nextDouble())
@@ -261,7 +261,7 @@ class RollingTest {
                 BodyRef box =
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.of(0.2, 0.05, 0.2))
+                                        .shape(Box.ofHalfExtents(0.2, 0.05, 0.2))
                                         .at(0, 0.05, 0)
                                         .velocity(3, 0, 0)
                                         .material(material(0.6, arms[n])));

@@ -77,7 +77,7 @@ class RoundBodiesTest {
             BodyRef plate =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.of(10, .5, 10))
+                                    .shape(Box.ofHalfExtents(10, .5, 10))
                                     .at(0, .5, 0)
                                     .mass(plateMass)
                                     .material(rubber));
@@ -199,12 +199,12 @@ class RoundBodiesTest {
                 if (k == 0) {
                     ground(world);
                 } else {
-                    world.add(Body.fixed().shape(Box.of(64, 64, 64)).at(0, -64, 0));
+                    world.add(Body.fixed().shape(Box.ofHalfExtents(64, 64, 64)).at(0, -64, 0));
                 }
                 BodyRef box =
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.of(.5, .25, .375))
+                                        .shape(Box.ofHalfExtents(.5, .25, .375))
                                         .at(0, .5, 0)
                                         .velocity(speed, 0, .25 * speed));
                 for (int i = 0; i < ticks; i++) {
@@ -236,7 +236,7 @@ class RoundBodiesTest {
     @Test
     void aMovedShapeTurnsAboutItsOwnCentreOfMass() {
         Quaterniond turn = new Quaterniond().rotationZ(.5 * StrictMath.PI);
-        Shape shape = Box.of(.5, .2, .3).moved(1, 2, 3, turn);
+        Shape shape = Box.ofHalfExtents(.5, .2, .3).moved(1, 2, 3, turn);
         try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
             BodyRef body =
                     world.add(Body.dynamic().shape(shape).at(10, 0, 0).angularVelocity(0, 0, 2));

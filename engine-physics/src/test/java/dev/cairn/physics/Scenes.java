@@ -31,14 +31,15 @@ final class Scenes {
     }
 
     static BodyRef ground(PhysicsWorld world) {
-        return world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0).name("ground"));
+        return world.add(
+                Body.fixed().shape(Box.ofHalfExtents(50, 1, 50)).at(0, -1, 0).name("ground"));
     }
 
     static List<BodyRef> stack(PhysicsWorld world, int height) {
         ground(world);
         List<BodyRef> boxes = new ArrayList<>();
         for (int i = 0; i < height; i++) {
-            boxes.add(world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5 + i, 0)));
+            boxes.add(world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.5 + i, 0)));
         }
         return boxes;
     }
@@ -50,7 +51,7 @@ final class Scenes {
             Capsule.of(.25, .3),
             Cylinder.of(.35, .3),
             Cone.of(.4, .35),
-            Box.of(.35, .25, .3),
+            Box.ofHalfExtents(.35, .25, .3),
             ConvexHull.of(
                     new double[] {
                         .4, 0, 0, -.4, 0, 0, 0, .4, 0, 0, -.4, 0, 0, 0, .4, 0, 0, -.4, .3, .3, .3
@@ -88,7 +89,7 @@ final class Scenes {
     static Body any(Random random, int i) {
         Shape shape =
                 switch (i % 3) {
-                    case 0 -> Box.of(0.2 + 0.3 * random.nextDouble(), 0.3, 0.25);
+                    case 0 -> Box.ofHalfExtents(0.2 + 0.3 * random.nextDouble(), 0.3, 0.25);
                     case 1 -> Sphere.of(0.2 + 0.2 * random.nextDouble());
                     default ->
                             ConvexHull.of(
@@ -118,7 +119,7 @@ final class Scenes {
             for (int side = -1; side <= 1; side += 2) {
                 world.add(
                         Body.dynamic()
-                                .shape(Box.of(thin, half, .1))
+                                .shape(Box.ofHalfExtents(thin, half, .1))
                                 .at(10 + pitch * i + side * wide, high, 0)
                                 .rotationAbout(0, 0, 1, side * LEAN)
                                 .material(rough));
@@ -126,7 +127,7 @@ final class Scenes {
             if (i > 0) {
                 world.add(
                         Body.dynamic()
-                                .shape(Box.of(.5 * pitch - .0005, thin, .1))
+                                .shape(Box.ofHalfExtents(.5 * pitch - .0005, thin, .1))
                                 .at(10 + pitch * (i - .5), 2 * high + thin, 0)
                                 .material(rough));
             }

@@ -142,12 +142,15 @@ class SeamTest {
                 for (int i = -2; i < 6; i++) {
                     double top = i >= 2 ? step : 0;
                     world.add(
-                            Body.fixed().shape(Box.of(.5, .5, 2)).material(ice).at(i, top - .5, 0));
+                            Body.fixed()
+                                    .shape(Box.ofHalfExtents(.5, .5, 2))
+                                    .material(ice)
+                                    .at(i, top - .5, 0));
                 }
                 BodyRef cube =
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.cube(.5))
+                                        .shape(Box.cubeOfHalfExtent(.5))
                                         .material(ice)
                                         .at(0, .5, 0)
                                         .velocity(3, 0, 0));
@@ -166,7 +169,7 @@ class SeamTest {
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             for (int i = -2; i < 8; i++) {
                 double top = i >= 2 ? -.2 : 0;
-                world.add(Body.fixed().shape(Box.of(.5, .5, 2)).at(i, top - .5, 0));
+                world.add(Body.fixed().shape(Box.ofHalfExtents(.5, .5, 2)).at(i, top - .5, 0));
             }
             BodyRef ball =
                     world.add(
@@ -222,7 +225,10 @@ class SeamTest {
         try (PhysicsWorld world = Scenes.awake().workers(workers).settings(settings).build()) {
             for (int i = -10; i < 10; i++) {
                 for (int j = -10; j < 10; j++) {
-                    world.add(Body.fixed().shape(Box.of(.3, .3, .3)).at(.6 * i, -.3, .6 * j));
+                    world.add(
+                            Body.fixed()
+                                    .shape(Box.ofHalfExtents(.3, .3, .3))
+                                    .at(.6 * i, -.3, .6 * j));
                 }
             }
             Random random = new Random(7);

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class SensorTest {
     private static Body gate(double halfX, double halfY) {
-        return Body.fixed().collider(Collider.of(Box.of(halfX, halfY, 2)).sensor(true));
+        return Body.fixed().collider(Collider.of(Box.ofHalfExtents(halfX, halfY, 2)).sensor(true));
     }
 
     /** Entered and left once each, in the tick in which the ball's surface crosses the gate's. */
@@ -80,9 +80,10 @@ class SensorTest {
     @Test
     void aSensorSeesAllKindsAndTellsAlsoOfRemoval() {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
-            world.add(Body.fixed().shape(Box.of(9, .5, 9)).at(0, -.5, 0));
-            BodyRef sleeper = world.add(Body.dynamic().shape(Box.cube(.5)).at(2, .5, 0));
-            BodyRef pole = world.add(Body.fixed().shape(Box.of(.1, 3, .1)).at(-2, 3, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(9, .5, 9)).at(0, -.5, 0));
+            BodyRef sleeper =
+                    world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(.5)).at(2, .5, 0));
+            BodyRef pole = world.add(Body.fixed().shape(Box.ofHalfExtents(.1, 3, .1)).at(-2, 3, 0));
             for (int i = 0; i < 120; i++) {
                 world.step(Scenes.STEP);
             }
@@ -90,7 +91,7 @@ class SensorTest {
             BodyRef zone =
                     world.add(
                             Body.fixed()
-                                    .collider(Collider.of(Box.of(4, 1, 4)).sensor(true))
+                                    .collider(Collider.of(Box.ofHalfExtents(4, 1, 4)).sensor(true))
                                     .at(0, 1.2, 0));
             world.step(Scenes.STEP);
             assertEquals(2, world.contacts().entered().count());
@@ -124,10 +125,10 @@ class SensorTest {
             BodyRef guard =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.cube(.5))
+                                    .shape(Box.cubeOfHalfExtent(.5))
                                     .collider(Collider.of(Sphere.of(4)).sensor(true)));
             assertEquals(1000, guard.mass(), 1e-9);
-            BodyRef thief = world.add(Body.dynamic().shape(Box.cube(.5)).at(6, 0, 0));
+            BodyRef thief = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(.5)).at(6, 0, 0));
             world.step(Scenes.STEP);
             assertEquals(0, world.contacts().entered().count());
             guard.setVelocity(6, 0, 0);
@@ -152,7 +153,7 @@ class SensorTest {
     void aHitTellsSpeedImpulsePointAndNormal() {
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             world.contacts().setHitSpeed(1);
-            world.add(Body.fixed().shape(Box.of(5, .5, 5)).at(0, -.5, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(5, .5, 5)).at(0, -.5, 0));
             BodyRef ball = world.add(Body.dynamic().shape(Sphere.of(.5)).at(1, 5.5, 2));
             int[] told = new int[2];
             world.contacts()

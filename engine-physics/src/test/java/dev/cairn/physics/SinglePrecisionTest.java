@@ -37,7 +37,7 @@ class SinglePrecisionTest {
     private static List<BodyRef> heap(PhysicsWorld world, int boxes, double density) {
         world.add(
                 Body.fixed()
-                        .shape(Box.of(20, 0.5, 20))
+                        .shape(Box.ofHalfExtents(20, 0.5, 20))
                         .at(0, -0.5, 0)
                         .material(new Material(0.5, 0, 1000)));
         Random random = new Random(SEED);
@@ -46,7 +46,7 @@ class SinglePrecisionTest {
             heap.add(
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.cube(0.25))
+                                    .shape(Box.cubeOfHalfExtent(0.25))
                                     .at(
                                             0.3 * random.nextGaussian(),
                                             0.3 + 0.6 * i,
@@ -68,7 +68,7 @@ class SinglePrecisionTest {
                 BodyRef body =
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.of(0.1, 0.2, 0.3))
+                                        .shape(Box.ofHalfExtents(0.1, 0.2, 0.3))
                                         .at(50, 500, 0)
                                         .velocity(1, 2, 3)
                                         .angularVelocity(7, 1, -3));
@@ -115,11 +115,15 @@ class SinglePrecisionTest {
     void whatSlidesWithoutFrictionKeepsItsSpeed() {
         try (PhysicsWorld world = world(Precision.SINGLE, 0)) {
             Material ice = new Material(0, 0, 1000);
-            world.add(Body.fixed().shape(Box.of(20, 0.5, 20)).at(0, -0.5, 0).material(ice));
+            world.add(
+                    Body.fixed()
+                            .shape(Box.ofHalfExtents(20, 0.5, 20))
+                            .at(0, -0.5, 0)
+                            .material(ice));
             BodyRef body =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.cube(0.25))
+                                    .shape(Box.cubeOfHalfExtent(0.25))
                                     .at(0, 0.25, 0)
                                     .material(ice)
                                     .velocity(1 / 3.0, 0, 0));

@@ -26,11 +26,11 @@ final class SleepCost {
     /** Stacks of ten, and balls that roll. */
     private static void measure(int asleep, int awake) {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
-            world.add(Body.fixed().shape(Box.of(4000, 1, 4000)).at(0, -1, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(4000, 1, 4000)).at(0, -1, 0));
             int side = (int) Math.ceil(Math.sqrt(0.1 * asleep)) + 1;
             for (int i = 0; i < asleep; i++) {
                 int stack = i / 10;
-                Body box = Body.dynamic().shape(Box.cube(0.5));
+                Body box = Body.dynamic().shape(Box.cubeOfHalfExtent(0.5));
                 world.add(box.at(2 * (stack % side), 0.5 + i % 10, 2 * (stack / side)));
             }
             for (int i = 0; i < awake; i++) {

@@ -77,7 +77,7 @@ class SleepTest {
     @Test
     void whoIsPutToSleepAtBirthIsMetAndWakes() {
         try (PhysicsWorld world = world()) {
-            BodyRef box = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 0));
+            BodyRef box = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.5, 0));
             box.sleep();
             world.validate();
             BodyRef ball = world.add(Body.dynamic().shape(Sphere.of(0.3)).at(0, 2, 0));
@@ -105,10 +105,16 @@ class SleepTest {
     void aBodyThatMayNotSleepKeepsItsIslandAwake() {
         try (PhysicsWorld world = world()) {
             Scenes.ground(world);
-            BodyRef lower = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 0));
+            BodyRef lower =
+                    world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.5, 0));
             BodyRef upper =
-                    world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 1.5, 0).canSleep(false));
-            BodyRef alone = world.add(Body.dynamic().shape(Box.cube(0.5)).at(5, 0.5, 0));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(0.5))
+                                    .at(0, 1.5, 0)
+                                    .canSleep(false));
+            BodyRef alone =
+                    world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(5, 0.5, 0));
             run(world, 300);
             assertFalse(lower.isAsleep());
             assertFalse(upper.isAsleep());
@@ -124,14 +130,22 @@ class SleepTest {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).gravity(gx, gy, 0).build()) {
             world.add(
                     Body.fixed()
-                            .shape(Box.of(9000, 1, 50))
+                            .shape(Box.ofHalfExtents(9000, 1, 50))
                             .at(0, -1, 0)
                             .material(new Material(0.6, 0, 1)));
             BodyRef held =
-                    world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 0).material(ROUGH));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(0.5))
+                                    .at(0, 0.5, 0)
+                                    .material(ROUGH));
             Material slick = new Material(0.15, 0, 1000);
             BodyRef slides =
-                    world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 5).material(slick));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(0.5))
+                                    .at(0, 0.5, 5)
+                                    .material(slick));
             double seconds = 10;
             for (int tick = 0; tick < 600; tick++) {
                 world.step(Scenes.STEP);
@@ -191,7 +205,9 @@ class SleepTest {
     void aBoxThatIsPushedInEachTickDoesNotSleepThoughItDoesNotMove() {
         try (PhysicsWorld world = world()) {
             Scenes.ground(world);
-            BodyRef box = world.add(Body.dynamic().shape(Box.cube(0.5)).mass(1).at(0, 0.5, 0));
+            BodyRef box =
+                    world.add(
+                            Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).mass(1).at(0, 0.5, 0));
             for (int tick = 0; tick < 300; tick++) {
                 box.applyForce(0.981, 0, 0);
                 world.step(Scenes.STEP);
@@ -206,7 +222,7 @@ class SleepTest {
     @Test
     void withoutGravityOnlyWhatDoesNotMoveAtAllSleeps() {
         try (PhysicsWorld world = weightless()) {
-            BodyRef still = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0, 0));
+            BodyRef still = world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0, 0));
             BodyRef drifts =
                     world.add(
                             Body.dynamic().shape(Sphere.of(0.5)).at(5, 0, 0).velocity(0, 1e-9, 0));
@@ -265,13 +281,13 @@ class SleepTest {
             Material plain = new Material(0.6, 0, 1000);
             world.add(
                     Body.fixed()
-                            .shape(Box.of(50 * size, size, 50 * size))
+                            .shape(Box.ofHalfExtents(50 * size, size, 50 * size))
                             .at(0, -size, 0)
                             .material(plain));
             BodyRef box =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.cube(0.5 * size))
+                                    .shape(Box.cubeOfHalfExtent(0.5 * size))
                                     .mass(1)
                                     .at(0, 0.5 * size, 0)
                                     .material(plain));
@@ -330,7 +346,7 @@ class SleepTest {
                 stack.add(
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.cube(0.5))
+                                        .shape(Box.cubeOfHalfExtent(0.5))
                                         .at(1e-3 * (i % 3), 0.5 + i, 0)
                                         .canSleep(false)));
             }

@@ -63,7 +63,7 @@ final class SlenderTest {
             BodyRef rod =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.of(half, halfLength, half))
+                                    .shape(Box.ofHalfExtents(half, halfLength, half))
                                     .at(0, height, 0)
                                     .rotation(pose));
             double first = energy(rod, half, halfLength);

@@ -51,7 +51,11 @@ class SlippingTopTest {
         try (PhysicsWorld world =
                 PhysicsWorld.builder().gravity(0, -G, 0).workers(1).settings(settings).build()) {
             Material surface = new Material(friction, 0, 1000);
-            world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0).material(surface));
+            world.add(
+                    Body.fixed()
+                            .shape(Box.ofHalfExtents(50, 1, 50))
+                            .at(0, -1, 0)
+                            .material(surface));
             double x = spin * StrictMath.sin(TILT);
             double y = spin * StrictMath.cos(TILT);
             BodyRef top =

@@ -32,7 +32,7 @@ final class SmallStackTest {
             world.add(Body.fixed().shape(HalfSpace.of()));
             BodyRef[] cube = new BodyRef[cubes];
             for (int i = 0; i < cubes; i++) {
-                Box shape = Box.cube(edge / 2);
+                Box shape = Box.cubeOfHalfExtent(edge / 2);
                 cube[i] = world.add(Body.dynamic().shape(shape).at(0, edge * (0.5 + i), 0));
             }
             for (int tick = 0; tick < 3600; tick++) {

@@ -56,7 +56,7 @@ final class StackStudy implements AutoCloseable {
         ground =
                 world.add(
                         Body.fixed()
-                                .shape(Box.of(400, 1, 400))
+                                .shape(Box.ofHalfExtents(400, 1, 400))
                                 .at(0, -1, 0)
                                 .material(rough(mu, 0)));
     }
@@ -69,7 +69,7 @@ final class StackStudy implements AutoCloseable {
         BodyRef b =
                 world.add(
                         Body.dynamic()
-                                .shape(Box.cube(h))
+                                .shape(Box.cubeOfHalfExtent(h))
                                 .mass(mass)
                                 .at(x, y, z)
                                 .material(rough(mu, 0)));
@@ -82,7 +82,7 @@ final class StackStudy implements AutoCloseable {
         BodyRef b =
                 world.add(
                         Body.dynamic()
-                                .shape(Box.cube(0.5))
+                                .shape(Box.cubeOfHalfExtent(0.5))
                                 .mass(mass)
                                 .at(x + jit(), y, z + jit())
                                 .rotationAbout(0, 1, 0, 10 * jit())
@@ -224,7 +224,7 @@ final class StackStudy implements AutoCloseable {
             BodyRef load =
                     s.world.add(
                             Body.dynamic()
-                                    .shape(Box.cube(0.5))
+                                    .shape(Box.cubeOfHalfExtent(0.5))
                                     .mass(ratio)
                                     .at(0, n + 0.5, 0)
                                     .material(rough(0.6, 0)));
@@ -254,7 +254,7 @@ final class StackStudy implements AutoCloseable {
             s.run(1);
             s.world.add(
                     Body.dynamic()
-                            .shape(Box.cube(0.5))
+                            .shape(Box.cubeOfHalfExtent(0.5))
                             .mass(mass)
                             .at(-1.2, 5.2, 0.1)
                             .velocity(8, 0, 0)
@@ -335,7 +335,7 @@ final class StackStudy implements AutoCloseable {
             s.run(1);
             s.world.add(
                     Body.dynamic()
-                            .shape(Box.cube(0.2))
+                            .shape(Box.cubeOfHalfExtent(0.2))
                             .mass(1)
                             .at(-0.75, 5.2, 0.1)
                             .velocity(3, 0, 0)
@@ -359,8 +359,9 @@ final class StackStudy implements AutoCloseable {
         try (StackStudy s = new StackStudy(settings, 1e-3, 0, -9.81)) {
             s.ground(0.6);
             for (int sign = -1; sign <= 1; sign += 2) {
-                s.world.add(Body.fixed().shape(Box.of(1, 20, 4)).at(sign * 3.5, 20, 0));
-                s.world.add(Body.fixed().shape(Box.of(2.5, 20, 1)).at(0, 20, sign * 3.5));
+                s.world.add(Body.fixed().shape(Box.ofHalfExtents(1, 20, 4)).at(sign * 3.5, 20, 0));
+                s.world.add(
+                        Body.fixed().shape(Box.ofHalfExtents(2.5, 20, 1)).at(0, 20, sign * 3.5));
             }
             Random r = new Random(99 + seed);
             for (int i = 0; i < 256; i++) {
@@ -370,7 +371,7 @@ final class StackStudy implements AutoCloseable {
                 s.bodies.add(
                         s.world.add(
                                 Body.dynamic()
-                                        .shape(Box.of(a, b, c))
+                                        .shape(Box.ofHalfExtents(a, b, c))
                                         .at(
                                                 (i % 4 - 1.5) * 1.2,
                                                 0.8 + i / 16 * 1.2,

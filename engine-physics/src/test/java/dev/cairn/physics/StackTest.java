@@ -53,10 +53,19 @@ class StackTest {
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             Scenes.ground(world);
             BodyRef[] bodies = {
-                world.add(Body.dynamic().shape(Box.cube(.5)).at(-1.5, .5, 0).mass(mass)),
-                world.add(Body.dynamic().shape(Box.cube(.5)).at(1.5, .5, 0).mass(mass)),
-                world.add(Body.dynamic().shape(Box.of(2, .1, .5)).at(0, 1.1, 0).mass(mass)),
-                world.add(Body.dynamic().shape(Box.cube(.5)).at(.7, 1.7, .1).mass(100 * mass))
+                world.add(
+                        Body.dynamic().shape(Box.cubeOfHalfExtent(.5)).at(-1.5, .5, 0).mass(mass)),
+                world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(.5)).at(1.5, .5, 0).mass(mass)),
+                world.add(
+                        Body.dynamic()
+                                .shape(Box.ofHalfExtents(2, .1, .5))
+                                .at(0, 1.1, 0)
+                                .mass(mass)),
+                world.add(
+                        Body.dynamic()
+                                .shape(Box.cubeOfHalfExtent(.5))
+                                .at(.7, 1.7, .1)
+                                .mass(100 * mass))
             };
             double[] places = new double[3 * bodies.length];
             for (int tick = 0; tick < 120; tick++) {
@@ -128,15 +137,21 @@ class StackTest {
         Material smooth = new Material(0, 0, 1000);
         try (PhysicsWorld world =
                 PhysicsWorld.builder().sleeping(false).gravity(0, -9.81, 0).workers(1).build()) {
-            world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0).material(smooth));
+            world.add(
+                    Body.fixed().shape(Box.ofHalfExtents(50, 1, 50)).at(0, -1, 0).material(smooth));
             BodyRef plate =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.of(2, 0.25, 2))
+                                    .shape(Box.ofHalfExtents(2, 0.25, 2))
                                     .at(0, 0.25, 0)
                                     .mass(1)
                                     .material(smooth));
-            world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 1, 0).mass(10).material(smooth));
+            world.add(
+                    Body.dynamic()
+                            .shape(Box.cubeOfHalfExtent(0.5))
+                            .at(0, 1, 0)
+                            .mass(10)
+                            .material(smooth));
             for (int tick = 0; tick < ticksOfRest; tick++) {
                 world.step(1.0 / 60);
             }

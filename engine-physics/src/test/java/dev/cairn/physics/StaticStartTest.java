@@ -60,7 +60,7 @@ class StaticStartTest {
             List<BodyRef> one = Scenes.stack(alone, 5);
             List<BodyRef> other = Scenes.stack(both, 5);
             Scenes.cards(both, 3);
-            both.add(Body.dynamic().shape(Box.cube(0.5)).at(-5, 0.5, 0));
+            both.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(-5, 0.5, 0));
             for (int tick = 0; tick < 30; tick++) {
                 alone.step(Scenes.STEP);
                 both.step(Scenes.STEP);
@@ -84,7 +84,7 @@ class StaticStartTest {
                     double aside = 0.001 * (i * 7 % 5);
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.cube(0.25))
+                                    .shape(Box.cubeOfHalfExtent(0.25))
                                     .at(-20 + i % 8, 0.25 + 0.5 * k, 5 + i / 8 + aside * k));
                 }
             }
@@ -100,8 +100,9 @@ class StaticStartTest {
     void whatIsOutOfBalanceFalls() {
         try (PhysicsWorld world = world(4, 1, 1)) {
             Scenes.ground(world);
-            world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 0));
-            BodyRef over = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0.6, 1.5, 0));
+            world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.5, 0));
+            BodyRef over =
+                    world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0.6, 1.5, 0));
             for (int tick = 0; tick < 6; tick++) {
                 world.step(Scenes.STEP);
             }

@@ -24,9 +24,9 @@ class StepProfileTest {
 
     private static PhysicsWorld stack() {
         PhysicsWorld world = Scenes.awake().gravity(0, -9.81, 0).build();
-        world.add(Body.fixed().shape(Box.of(5, 1, 5)).at(0, -1, 0));
-        world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 0));
-        world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 1.5, 0));
+        world.add(Body.fixed().shape(Box.ofHalfExtents(5, 1, 5)).at(0, -1, 0));
+        world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.5, 0));
+        world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 1.5, 0));
         return world;
     }
 

@@ -23,8 +23,8 @@ class SweepTest {
             for (double speed : new double[] {2, 20, 100, 1000}) {
                 for (int kind = 0; kind < 2; kind++) {
                     try (PhysicsWorld world = Scenes.awake().workers(1).gravity(0, 0, 0).build()) {
-                        world.add(Body.fixed().shape(Box.of(.5, .5, .5)).at(0, -.5, 0));
-                        Shape shape = kind == 0 ? Sphere.of(r) : Box.cube(r);
+                        world.add(Body.fixed().shape(Box.ofHalfExtents(.5, .5, .5)).at(0, -.5, 0));
+                        Shape shape = kind == 0 ? Sphere.of(r) : Box.cubeOfHalfExtent(r);
                         BodyRef body =
                                 world.add(
                                         Body.dynamic()
@@ -50,7 +50,7 @@ class SweepTest {
         for (int i = 0; i < runs; i++) {
             Random random = SeamTest.random(seed + i);
             try (PhysicsWorld world = Scenes.awake().workers(1).gravity(0, 0, 0).build()) {
-                world.add(Body.fixed().shape(Box.of(thick / 2, 50, 50)));
+                world.add(Body.fixed().shape(Box.ofHalfExtents(thick / 2, 50, 50)));
                 BodyRef body =
                         world.add(
                                 Body.dynamic()
@@ -94,7 +94,10 @@ class SweepTest {
 
     private static void search(long seed, int runs) {
         Shape[] shapes = {
-            Box.of(.5, .02, .02), Box.of(.5, .5, .005), Box.of(.1, .05, .03), Capsule.of(.02, .4)
+            Box.ofHalfExtents(.5, .02, .02),
+            Box.ofHalfExtents(.5, .5, .005),
+            Box.ofHalfExtents(.1, .05, .03),
+            Capsule.of(.02, .4)
         };
         for (Shape shape : shapes) {
             for (double speed : new double[] {20, 100, 1000, 10_000}) {
@@ -120,9 +123,9 @@ class SweepTest {
         PhysicsSettings settings = PhysicsSettings.DEFAULT.withLanes(lanes);
         try (PhysicsWorld world = Scenes.awake().workers(workers).settings(settings).build()) {
             for (int side = -1; side <= 1; side += 2) {
-                world.add(Body.fixed().shape(Box.of(.005, 3, 3)).at(3 * side, 0, 0));
-                world.add(Body.fixed().shape(Box.of(3, .005, 3)).at(0, 3 * side, 0));
-                world.add(Body.fixed().shape(Box.of(3, 3, .005)).at(0, 0, 3 * side));
+                world.add(Body.fixed().shape(Box.ofHalfExtents(.005, 3, 3)).at(3 * side, 0, 0));
+                world.add(Body.fixed().shape(Box.ofHalfExtents(3, .005, 3)).at(0, 3 * side, 0));
+                world.add(Body.fixed().shape(Box.ofHalfExtents(3, 3, .005)).at(0, 0, 3 * side));
             }
             Random random = new Random(3);
             for (int i = 0; i < 30; i++) {

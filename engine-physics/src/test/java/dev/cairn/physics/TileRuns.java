@@ -75,7 +75,7 @@ final class TileRuns {
         if (floor.tile == 0) {
             world.add(
                     Body.fixed()
-                            .shape(Box.of(64, THICK, 64))
+                            .shape(Box.ofHalfExtents(64, THICK, 64))
                             .material(surface)
                             .at(floor.x, floor.y - THICK, floor.z));
             return;
@@ -98,7 +98,7 @@ final class TileRuns {
                 if (ox * ox + oz * oz < reach * reach) {
                     world.add(
                             Body.fixed()
-                                    .shape(Box.of(l / 2, THICK, l / 2))
+                                    .shape(Box.ofHalfExtents(l / 2, THICK, l / 2))
                                     .material(surface)
                                     .at(floor.x + cx, floor.y - THICK, floor.z + cz));
                 }
@@ -117,9 +117,9 @@ final class TileRuns {
                 body.shape(Sphere.of(r));
                 rolls = true;
             }
-            case "cube" -> body.shape(Box.cube(r));
+            case "cube" -> body.shape(Box.cubeOfHalfExtent(r));
             case "brick" -> {
-                body.shape(Box.of(1.2 * r, .3 * r, .7 * r));
+                body.shape(Box.ofHalfExtents(1.2 * r, .3 * r, .7 * r));
                 height = .3 * r;
             }
             case "capsule" -> {
@@ -138,8 +138,8 @@ final class TileRuns {
                 height = 0;
             }
             default -> {
-                body.collider(Collider.of(Box.cube(.5 * r)).at(-.5 * r, 0, 0));
-                body.collider(Collider.of(Box.cube(.5 * r)).at(.5 * r, 0, .2 * r));
+                body.collider(Collider.of(Box.cubeOfHalfExtent(.5 * r)).at(-.5 * r, 0, 0));
+                body.collider(Collider.of(Box.cubeOfHalfExtent(.5 * r)).at(.5 * r, 0, .2 * r));
                 height = .5 * r;
             }
         }

@@ -47,7 +47,7 @@ final class UnevenTickTest {
                         .settings(PhysicsSettings.DEFAULT.withSleeping(false))
                         .build()) {
             world.add(Body.fixed().shape(HalfSpace.of()));
-            Box shape = Box.of(0.5, 0.25, 0.5);
+            Box shape = Box.ofHalfExtents(0.5, 0.25, 0.5);
             BodyRef lower = world.add(Body.dynamic().shape(shape).at(0, 0.25, 0));
             BodyRef upper = world.add(Body.dynamic().shape(shape).at(0, 0.75, 0));
             double time = 0;
@@ -82,7 +82,8 @@ final class UnevenTickTest {
             BodyRef[] box = new BodyRef[boxes];
             for (int i = 0; i < boxes; i++) {
                 double height = 0.5 + i + apart * (i + 1);
-                box[i] = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, height, 0));
+                box[i] =
+                        world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, height, 0));
             }
             double time = 0;
             for (int tick = 0; time < MINUTE; tick++) {

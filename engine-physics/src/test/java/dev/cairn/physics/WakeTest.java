@@ -26,10 +26,17 @@ class WakeTest {
         final PhysicsWorld world = world();
         final BodyRef ground = Scenes.ground(world);
         final BodyRef table =
-                world.add(Body.fixed().shape(Box.of(1, 0.5, 1)).at(0, 0.5, 0).name("table"));
-        final BodyRef lower = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 1.5, 0));
-        final BodyRef upper = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 2.5, 0));
-        final BodyRef far = world.add(Body.dynamic().shape(Box.cube(0.5)).at(20, 0.5, 0));
+                world.add(
+                        Body.fixed()
+                                .shape(Box.ofHalfExtents(1, 0.5, 1))
+                                .at(0, 0.5, 0)
+                                .name("table"));
+        final BodyRef lower =
+                world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 1.5, 0));
+        final BodyRef upper =
+                world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 2.5, 0));
+        final BodyRef far =
+                world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(20, 0.5, 0));
 
         Pair() {
             SleepTest.run(world, 300);
@@ -122,9 +129,18 @@ class WakeTest {
             List<BodyRef> column = new ArrayList<>();
             for (int i = 0; i < 5; i++) {
                 column.add(
-                        world.add(Body.dynamic().shape(Box.cube(0.5)).mass(1).at(0, 0.5 + i, 0)));
+                        world.add(
+                                Body.dynamic()
+                                        .shape(Box.cubeOfHalfExtent(0.5))
+                                        .mass(1)
+                                        .at(0, 0.5 + i, 0)));
             }
-            BodyRef load = world.add(Body.dynamic().shape(Box.cube(0.5)).mass(100).at(0, 5.5, 0));
+            BodyRef load =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(0.5))
+                                    .mass(100)
+                                    .at(0, 5.5, 0));
             SleepTest.run(world, 600);
             assertTrue(SleepTest.allAsleep(column) && load.isAsleep(), "all sleep");
             double[] before = new double[5];
@@ -146,9 +162,10 @@ class WakeTest {
 
     @Test
     void aFixedBodyThatComesWakesWhomItTouchesOnly() {
-        wakes(p -> p.world.add(Body.fixed().shape(Box.cube(0.5)).at(0.95, 2.5, 0)));
-        leavesAsleep(p -> p.world.add(Body.fixed().shape(Box.cube(0.5)).at(1.05, 2.5, 0)));
-        leavesAsleep(p -> p.world.add(Body.fixed().shape(Box.cube(0.5)).at(5, 0.5, 0)));
+        wakes(p -> p.world.add(Body.fixed().shape(Box.cubeOfHalfExtent(0.5)).at(0.95, 2.5, 0)));
+        leavesAsleep(
+                p -> p.world.add(Body.fixed().shape(Box.cubeOfHalfExtent(0.5)).at(1.05, 2.5, 0)));
+        leavesAsleep(p -> p.world.add(Body.fixed().shape(Box.cubeOfHalfExtent(0.5)).at(5, 0.5, 0)));
     }
 
     @Test
@@ -161,10 +178,10 @@ class WakeTest {
     @Test
     void aChainOfAHundredWakesInTheTickOfTheHit() {
         try (PhysicsWorld world = world()) {
-            world.add(Body.fixed().shape(Box.of(200, 1, 200)).at(0, -1, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(200, 1, 200)).at(0, -1, 0));
             List<BodyRef> chain = new ArrayList<>();
             for (int i = 0; i < 100; i++) {
-                chain.add(world.add(Body.dynamic().shape(Box.cube(0.5)).at(i, 0.5, 0)));
+                chain.add(world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(i, 0.5, 0)));
             }
             SleepTest.run(world, 240);
             assertTrue(SleepTest.allAsleep(chain));
@@ -227,7 +244,7 @@ class WakeTest {
                         boxes.add(
                                 world.add(
                                         Body.dynamic()
-                                                .shape(Box.cube(0.5))
+                                                .shape(Box.cubeOfHalfExtent(0.5))
                                                 .at(x, 0.5 + i, 0)
                                                 .canSleep(false)));
                     }

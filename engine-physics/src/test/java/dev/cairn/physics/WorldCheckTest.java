@@ -24,7 +24,12 @@ final class WorldCheckTest {
         world.add(Body.fixed().shape(HalfSpace.of()).name("ground"));
         BodyRef crate = null;
         for (int i = 0; i < 3; i++) {
-            crate = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5 + i, 0).name("crate"));
+            crate =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.cubeOfHalfExtent(0.5))
+                                    .at(0, 0.5 + i, 0)
+                                    .name("crate"));
         }
         run(steps);
         return crate;

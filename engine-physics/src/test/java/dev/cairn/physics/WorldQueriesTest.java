@@ -51,11 +51,12 @@ class WorldQueriesTest {
     private static Shape shape(int i) {
         return switch (i % 6) {
             case 0 -> Sphere.of(0.5);
-            case 1 -> Box.of(0.5, 0.3, 0.7);
+            case 1 -> Box.ofHalfExtents(0.5, 0.3, 0.7);
             case 2 -> Capsule.of(0.3, 0.5);
             case 3 -> Cylinder.of(0.4, 0.3);
             case 4 -> Cone.of(0.5, 0.5);
-            default -> Box.cube(0.4).moved(0.3, 0.2, 0.1, new Quaterniond().rotateX(0.5));
+            default ->
+                    Box.cubeOfHalfExtent(0.4).moved(0.3, 0.2, 0.1, new Quaterniond().rotateX(0.5));
         };
     }
 
@@ -102,7 +103,7 @@ class WorldQueriesTest {
                 }
                 bodies.removeIf(body -> !body.isAlive());
                 bodies.add(world.add(Body.dynamic().shape(Sphere.of(1)).at(0, 0, 0)));
-                bodies.add(world.add(Body.fixed().shape(Box.cube(1)).at(4, 0, 0)));
+                bodies.add(world.add(Body.fixed().shape(Box.cubeOfHalfExtent(1)).at(4, 0, 0)));
                 question.ask(queries, bodies);
             }
         }
@@ -229,7 +230,8 @@ class WorldQueriesTest {
                 BodyRef[] bodies = new BodyRef[2];
                 for (int i = 0; i < 2; i++) {
                     double x = (i == deep ? 0.6 : 0.9) * (i == 0 ? 1 : -1);
-                    bodies[i] = world.add(Body.fixed().shape(Box.cube(0.5)).at(x, 0, 0));
+                    bodies[i] =
+                            world.add(Body.fixed().shape(Box.cubeOfHalfExtent(0.5)).at(x, 0, 0));
                 }
                 world.step(1.0 / 60);
                 Placement place = new Placement().set(Sphere.of(0.5), 0, 0, 0);
@@ -244,7 +246,10 @@ class WorldQueriesTest {
     void aRayAsksFewAndAllocatesNothing() {
         try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
             for (int i = 0; i < 1000; i++) {
-                world.add(Body.dynamic().shape(Box.cube(0.5)).at(2 * (i % 40), 0, 2 * (i / 40)));
+                world.add(
+                        Body.dynamic()
+                                .shape(Box.cubeOfHalfExtent(0.5))
+                                .at(2 * (i % 40), 0, 2 * (i / 40)));
             }
             world.step(1.0 / 60);
             int[] asked = new int[1];
@@ -277,8 +282,8 @@ class WorldQueriesTest {
     @Test
     void whatIsFilteredOutIsLookedThrough() {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
-            BodyRef front = world.add(Body.fixed().shape(Box.cube(0.5)).at(2, 0, 0));
-            BodyRef back = world.add(Body.fixed().shape(Box.cube(0.5)).at(4, 0, 0));
+            BodyRef front = world.add(Body.fixed().shape(Box.cubeOfHalfExtent(0.5)).at(2, 0, 0));
+            BodyRef back = world.add(Body.fixed().shape(Box.cubeOfHalfExtent(0.5)).at(4, 0, 0));
             WorldQueries queries = world.queries();
             assertSame(front, queries.rayCast(0, 0, 0, 1, 0, 0, 10, hit));
             queries.filter(body -> body != front);

@@ -3,6 +3,8 @@ package dev.cairn.samples;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.render.app.Offscreen;
+import dev.cairn.samples.film.ContactSheet;
+import dev.cairn.samples.sandbox.Sandbox;
 import dev.cairn.samples.scenefile.SceneExport;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneWriter;
@@ -104,7 +106,7 @@ final class Runner {
 
     private int window() {
         Sandbox window =
-                new Sandbox(
+                Sandbox.of(
                         request.sceneFile() == null ? SceneRegistry.all() : request.scenes(),
                         request.options(),
                         request.workers(),

@@ -296,7 +296,7 @@ public final class SceneBuilder {
      */
     public BodyRef floor(double halfX, double halfZ, double friction, double restitution) {
         double halfY = 0.5;
-        Box plate = Box.of(halfX, halfY, halfZ);
+        Box plate = Box.ofHalfExtents(halfX, halfY, halfZ);
         return add(
                 plate,
                 Model.ground(plate),
@@ -482,9 +482,15 @@ public final class SceneBuilder {
         return errors.now();
     }
 
-    /** The same without garbage. */
-    ErrorMetrics errorMetrics() {
-        return errors;
+    /**
+     * The same without garbage.
+     *
+     * @param toNames gets the names
+     * @param toValues gets the values
+     * @return how many, at most the length of either
+     */
+    public int readErrors(String[] toNames, double[] toValues) {
+        return errors.read(toNames, toValues);
     }
 
     /** Runs the scene's hooks before a step of the world. */

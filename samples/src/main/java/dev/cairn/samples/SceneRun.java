@@ -11,6 +11,7 @@ import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.render.app.Offscreen;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.CameraMount;
+import dev.cairn.samples.film.Film;
 
 import org.jspecify.annotations.Nullable;
 

@@ -17,7 +17,7 @@ import java.util.SplittableRandom;
 class PenetrationTest {
     private static final double TINY = 1e-12;
     private static final Quaterniond UPRIGHT = new Quaterniond();
-    private static final Box CUBE = Box.cube(0.5);
+    private static final Box CUBE = Box.cubeOfHalfExtent(0.5);
 
     private static double depth(
             Shape a, Shape b, double x, double y, double z, Quaterniond turned) {
@@ -42,7 +42,7 @@ class PenetrationTest {
         // The shallowest way out counts.
         assertEquals(0.05, depth(CUBE, CUBE, 0.95, 0.9, 0, UPRIGHT), TINY);
         // One inside the other.
-        assertEquals(0.6, depth(CUBE, Box.cube(0.1), 0, 0, 0, UPRIGHT), TINY);
+        assertEquals(0.6, depth(CUBE, Box.cubeOfHalfExtent(0.1), 0, 0, 0, UPRIGHT), TINY);
     }
 
     @Test

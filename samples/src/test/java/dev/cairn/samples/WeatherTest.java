@@ -33,7 +33,7 @@ class WeatherTest {
     private static BodyRef crate(PhysicsWorld world, double density, double y, double drag) {
         return world.add(
                 Body.dynamic()
-                        .shape(Box.cube(0.5))
+                        .shape(Box.cubeOfHalfExtent(0.5))
                         .mass(density)
                         .at(0, y, 0)
                         .with(new Hull(1, 0.5, drag), Lift.NONE, Force.ZERO));

@@ -40,8 +40,8 @@ class TutorialsTest {
     void firstScene() {
         // chapter: first scene
         try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, -9.81, 0).workers(2).build()) {
-            world.add(Body.fixed().shape(Box.of(20, 1, 20)).at(0, -1, 0));
-            Box box = Box.cube(0.5);
+            world.add(Body.fixed().shape(Box.ofHalfExtents(20, 1, 20)).at(0, -1, 0));
+            Box box = Box.cubeOfHalfExtent(0.5);
             List<BodyRef> tower = new ArrayList<>();
             for (int i = 0; i < 5; i++) {
                 Body crate = Body.dynamic().shape(box).material(Material.WOOD);
@@ -100,8 +100,8 @@ class TutorialsTest {
         List<String> told = new ArrayList<>();
         // chapter: events
         try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, -9.81, 0).build()) {
-            world.add(Body.fixed().shape(Box.of(5, 1, 5)).at(0, -1, 0).name("floor"));
-            Collider gate = Collider.of(Box.of(1, 0.1, 1)).sensor(true);
+            world.add(Body.fixed().shape(Box.ofHalfExtents(5, 1, 5)).at(0, -1, 0).name("floor"));
+            Collider gate = Collider.of(Box.ofHalfExtents(1, 0.1, 1)).sensor(true);
             world.add(Body.fixed().collider(gate).at(0, 2, 0).name("gate"));
             world.add(Body.dynamic().shape(Sphere.of(0.5)).at(0, 4, 0).name("ball"));
             world.contacts()
@@ -164,7 +164,10 @@ class TutorialsTest {
                                             .workers(1)
                                             .build()) {
                                 Material rubber = Material.DEFAULT.withRestitution(0.05 * member);
-                                world.add(Body.fixed().shape(Box.of(5, 1, 5)).at(0, -1, 0));
+                                world.add(
+                                        Body.fixed()
+                                                .shape(Box.ofHalfExtents(5, 1, 5))
+                                                .at(0, -1, 0));
                                 BodyRef ball =
                                         world.add(
                                                 Body.dynamic()
@@ -204,9 +207,12 @@ class TutorialsTest {
     private static long run(int workers) {
         try (PhysicsWorld world =
                 PhysicsWorld.builder().gravity(0, -9.81, 0).workers(workers).build()) {
-            world.add(Body.fixed().shape(Box.of(9, 1, 9)).at(0, -1, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(9, 1, 9)).at(0, -1, 0));
             for (int i = 0; i < 20; i++) {
-                world.add(Body.dynamic().shape(Box.cube(0.5)).at(0.1 * i, 1 + 1.2 * i, 0));
+                world.add(
+                        Body.dynamic()
+                                .shape(Box.cubeOfHalfExtent(0.5))
+                                .at(0.1 * i, 1 + 1.2 * i, 0));
             }
             for (int tick = 0; tick < 100; tick++) {
                 world.step(STEP);
@@ -218,8 +224,9 @@ class TutorialsTest {
     @Test
     void takeItBack() {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
-            world.add(Body.fixed().shape(Box.of(20, 1, 20)).at(0, -1, 0));
-            BodyRef crate = world.add(Body.dynamic().shape(Box.cube(0.5)).at(0, 0.5, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(20, 1, 20)).at(0, -1, 0));
+            BodyRef crate =
+                    world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(0, 0.5, 0));
             world.step(STEP);
             long digest = world.digest();
             // chapter: take it back

@@ -179,9 +179,9 @@ record Mix(
         Material material = new Material(friction, restitution, 1000, rollingArm);
         Grid grid = new Grid(world, material);
         Sphere ball = Sphere.of(0.5);
-        Box cube = Box.cube(0.5);
-        Box brick = Box.of(0.5, 0.2, 0.3);
-        Box plate = Box.of(1.2, 0.5, 1.2);
+        Box cube = Box.cubeOfHalfExtent(0.5);
+        Box brick = Box.ofHalfExtents(0.5, 0.2, 0.3);
+        Box plate = Box.ofHalfExtents(1.2, 0.5, 1.2);
         for (int i = 0; i < flyingSpheres; i++) {
             grid.next().fly(ball, 0);
         }

@@ -141,7 +141,7 @@ public final class PairSet {
 
     private Shape shape(Kind kind, SplittableRandom r, boolean first) {
         return switch (kind) {
-            case STACKED_BOXES -> Box.cube(.5);
+            case STACKED_BOXES -> Box.cubeOfHalfExtent(.5);
             case TUMBLED_BOXES, BOXES_APART -> box(r);
             case HULLS_32, HULLS_32_SHALLOW -> hulls[r.nextInt(HULLS)];
             case BALL_ON_BOX -> first ? box(r) : Sphere.of(.2 + .5 * r.nextDouble());
@@ -153,7 +153,7 @@ public final class PairSet {
     }
 
     private static Box box(SplittableRandom r) {
-        return Box.of(
+        return Box.ofHalfExtents(
                 .25 + .5 * r.nextDouble(), .25 + .5 * r.nextDouble(), .25 + .5 * r.nextDouble());
     }
 

@@ -56,9 +56,11 @@ public final class Access {
     }
 
     /**
-     * The system writes these components, and is the only one that does in a tick. The columns that
-     * it asks for hold the published values at first; a chunk whose {@code out} it never asks for
-     * stays as it is, at no cost. Includes the right to read the published columns.
+     * The system writes these components. The columns that it asks for hold the published values at
+     * first; a chunk whose {@code out} it never asks for stays as it is, at no cost. Includes the
+     * right to read the published columns. Two systems may write one component where {@link
+     * #before} or {@link #after} says which comes first, or where no entity can match both; the
+     * later one then finds in its {@code out} what the earlier one wrote.
      *
      * @param components the components
      * @return this
@@ -96,8 +98,8 @@ public final class Access {
     }
 
     /**
-     * The system reads what was written earlier in this tick, so it runs after the writer. This is
-     * the only thing that orders two systems. Where nothing wrote, these are the published columns.
+     * The system reads what was written earlier in this tick, so it runs after all writers. Where
+     * nothing wrote, these are the published columns.
      *
      * @param components the components
      * @return this
@@ -118,7 +120,8 @@ public final class Access {
 
     /**
      * Asks that the system runs before others, where what they read and write leaves it open: both
-     * call the same object, say. Which systems run in a tick at all is not changed by it.
+     * write the same component, say, or are world systems. Which systems run in a tick at all is
+     * not changed by it.
      *
      * @param systems names of other systems of the schedule
      * @return this
@@ -287,6 +290,10 @@ public final class Access {
 
     List<Component<?>> writtenInPlace() {
         return inPlace;
+    }
+
+    boolean writesEveryRow(Component<?> component) {
+        return all.contains(component);
     }
 
     boolean readsPublished(Component<?> component) {

@@ -166,7 +166,7 @@ final class Archetype {
     /** All rows; slabs that are not in use are empty. */
     void state(StateVisitor s) {
         s.section("table", this);
-        rows = s.value("rows", rows);
+        rows = s.count("rows", rows);
         int chunks = chunkCount();
         if (s.isRestoring()) {
             prepare(chunks);

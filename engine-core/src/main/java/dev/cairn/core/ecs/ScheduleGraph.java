@@ -1,10 +1,17 @@
 package dev.cairn.core.ecs;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.Comparator;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 
-/** From declarations to levels: one writer per column, edges from next, depth by longest path. */
+/**
+ * From declarations to levels: edges from next and from what was asked for, depth by longest path.
+ * Two systems whose order is open although it matters are an error; their names never settle it.
+ */
 final class ScheduleGraph {
     private ScheduleGraph() {}
 
@@ -18,39 +25,120 @@ final class ScheduleGraph {
             throw new SchedulingException(
                     "a schedule of " + entries.size() + " systems is beyond " + Handle.MAX_SYSTEMS);
         }
-        for (int i = 0; i < entries.size(); i++) {
-            for (int j = i + 1; j < entries.size(); j++) {
-                checkWriters(entries.get(i), entries.get(j));
-            }
-        }
         for (Schedule.Entry entry : entries) {
             checkInPlace(entry, entries);
             connect(entry, entries);
             connectAsked(entry, entries);
         }
-        return layer(entries);
+        List<List<Schedule.Entry>> levels = layer(entries);
+        List<Schedule.Entry> sorted = levels.stream().flatMap(List::stream).toList();
+        BitSet[] earlier = earlier(sorted);
+        for (int second = 0; second < sorted.size(); second++) {
+            for (int first = 0; first < second; first++) {
+                boolean ordered = earlier[second].get(first);
+                checkOrder(sorted.get(first), sorted.get(second), ordered);
+            }
+        }
+        return levels;
     }
 
-    private static void checkWriters(Schedule.Entry a, Schedule.Entry b) {
+    /** For each entry, which run before it in every order that the edges allow. */
+    private static BitSet[] earlier(List<Schedule.Entry> sorted) {
+        Map<Schedule.Entry, Integer> places = new IdentityHashMap<>();
+        BitSet[] earlier = new BitSet[sorted.size()];
+        for (int i = 0; i < earlier.length; i++) {
+            places.put(sorted.get(i), i);
+            earlier[i] = new BitSet();
+            for (Schedule.Edge edge : sorted.get(i).after()) {
+                int before = Objects.requireNonNull(places.get(edge.writer()), "sorted");
+                earlier[i].set(before);
+                earlier[i].or(earlier[before]);
+            }
+        }
+        return earlier;
+    }
+
+    /** Two systems that write the same, or of which nobody knows what they share, need an order. */
+    private static void checkOrder(Schedule.Entry a, Schedule.Entry b, boolean ordered) {
+        if (!ordered && a.system() instanceof WorldSystem && b.system() instanceof WorldSystem) {
+            throw new SchedulingException(
+                    a
+                            + " and "
+                            + b
+                            + " are world systems, and nothing says which of them runs first, which"
+                            + " decides what they do to objects that both can reach. Ask for it in"
+                            + " the describe method of one of them: "
+                            + remedy(a, b));
+        }
         if (a.access().isDisjoint(b.access())) {
             return;
         }
         for (Component<?> component : a.access().written()) {
             if (b.access().written().contains(component)) {
-                throw new SchedulingException(
-                        "component "
-                                + component
-                                + " (columns "
-                                + columns(component)
-                                + ") is written by both "
-                                + a
-                                + " and "
-                                + b
-                                + "; a column has exactly one writer per tick. Let one of them"
-                                + " write a component of its own and the other read that with"
-                                + " next(..), or keep their entities apart: exclude in one a"
-                                + " component that the other requires");
+                if (!ordered) {
+                    throw unordered(component, a, b);
+                }
+                checkLater(component, a, b);
             }
+        }
+    }
+
+    private static SchedulingException unordered(
+            Component<?> component, Schedule.Entry a, Schedule.Entry b) {
+        return new SchedulingException(
+                "component "
+                        + component
+                        + " (columns "
+                        + columns(component)
+                        + ") is written by both "
+                        + a
+                        + " and "
+                        + b
+                        + ", and nothing says which of them comes first. Ask for it in the describe"
+                        + " method of one of them: "
+                        + remedy(a, b)
+                        + "; the later one finds in its out what the earlier one wrote. Or let one"
+                        + " write a component of its own and the other read that with next(..), or"
+                        + " keep their entities apart: exclude in one a component that the other"
+                        + " requires");
+    }
+
+    private static String remedy(Schedule.Entry a, Schedule.Entry b) {
+        return "access.before(\""
+                + b.name()
+                + "\") or access.after(\""
+                + b.name()
+                + "\") in '"
+                + a.name()
+                + "'";
+    }
+
+    /** The later of two writers goes on from what the earlier one wrote. */
+    private static void checkLater(
+            Component<?> component, Schedule.Entry first, Schedule.Entry second) {
+        if (first.access().writtenInPlace().contains(component)
+                || second.access().writtenInPlace().contains(component)) {
+            throw new SchedulingException(
+                    "component "
+                            + component
+                            + " is written by "
+                            + first
+                            + " and then by "
+                            + second
+                            + ", one of them inPlace, which is for the only writer of a component;"
+                            + " declare out in both");
+        }
+        if (second.access().writesEveryRow(component)) {
+            throw new SchedulingException(
+                    "component "
+                            + component
+                            + " is written by "
+                            + first
+                            + " and then by "
+                            + second
+                            + ", which declares writesAll, so that what the first one wrote would"
+                            + " be lost; declare out in the second and go on from what is there, or"
+                            + " take the component from the first");
         }
     }
 
@@ -180,7 +268,10 @@ final class ScheduleGraph {
                 text.append(" reads next(").append(component).append(") of ");
             }
         }
-        text.append(at).append("; read one of these with in, which is the state before the tick");
+        text.append(at)
+                .append(
+                        "; read one of these with in, which is the state before the tick,"
+                                + " or drop one of the orders that were asked for");
         return new SchedulingException(text.toString());
     }
 }

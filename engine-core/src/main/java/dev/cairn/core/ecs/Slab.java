@@ -59,7 +59,7 @@ final class Slab {
         entities = Arrays.copyOf(entities, capacity);
     }
 
-    /** Makes the column writable. By the column's only writer of this tick, once. */
+    /** Makes the column writable. By the column's first writer of this tick, once. */
     @SuppressWarnings("SuspiciousSystemArraycopy") // both are arrays of the column's kind
     void open(int slot, boolean prefill, boolean poison) {
         Object target = spare[slot];

@@ -34,7 +34,8 @@ final class Store {
     /** Goes up when tables go: then their numbers name others. */
     int dropped;
 
-    private static final Component<?>[] NO_PARTS = {};
+    /** Room to restore the components of a table. */
+    private Component<?>[] savedParts = {};
 
     private final Map<ComponentSet, Archetype> bySet = new HashMap<>();
     private final SpawnPlans plans = new SpawnPlans();
@@ -323,11 +324,12 @@ final class Store {
         entities.state(s);
         int tables = s.value("tables", archetypes.size());
         for (int i = 0; i < tables; i++) {
-            Component<?>[] now = s.isRestoring() ? NO_PARTS : archetypes.get(i).components;
+            Component<?>[] now = s.isRestoring() ? savedParts : archetypes.get(i).components;
             int parts = s.value("parts", now.length);
             Component<?>[] members = s.array("components", now, parts);
             if (s.isRestoring()) {
-                match(i, members);
+                savedParts = members;
+                match(i, members, parts);
             }
             archetypes.get(i).state(s);
             s.section("entities", this);
@@ -339,12 +341,15 @@ final class Store {
     }
 
     /** Makes the table of a number the one with these components. */
-    private void match(int index, Component<?>[] members) {
-        if (index < archetypes.size() && Arrays.equals(archetypes.get(index).components, members)) {
-            return;
+    private void match(int index, Component<?>[] members, int parts) {
+        if (index < archetypes.size()) {
+            Component<?>[] now = archetypes.get(index).components;
+            if (Arrays.equals(now, 0, now.length, members, 0, parts)) {
+                return;
+            }
         }
         dropFrom(index);
-        List<Component<?>> list = List.of(members);
+        List<Component<?>> list = List.of(Arrays.copyOf(members, parts));
         archetype(ComponentSet.of(list), list);
     }
 

@@ -26,11 +26,12 @@
  *
  * <ul>
  *   <li>{@code in} reads the published side: what the last tick left. It conflicts with nothing.
- *   <li>{@code out} writes the other side; each column has exactly one writer per tick, or two
- *       whose entities are kept apart by {@code exclude}. A schedule that breaks this does not
- *       build.
- *   <li>{@code next} reads what was written in this tick. It is the only thing that orders two
- *       systems; the levels of a tick follow from it, and systems of equal rank go by name.
+ *   <li>{@code out} writes the other side. Two writers of one component have an order that was
+ *       asked for, or entities that {@code exclude} keeps apart; a schedule that breaks this does
+ *       not build.
+ *   <li>{@code next} reads what was written in this tick, so it orders two systems. The levels of a
+ *       tick follow from it and from {@code before} and {@code after}; world systems, which may
+ *       share what they do not declare, need an order. No name decides what is computed.
  *   <li>The structure stands during a tick. Systems ask for changes by {@link
  *       dev.cairn.core.ecs.Commands}; between steps the user changes it directly.
  *   <li>Rows are dense: a deleted row is filled by the last one. An id is an index and a

@@ -16,7 +16,7 @@ final class Differences {
             if (!a.names[e].equals(b.names[e]) || a.kinds[e] != b.kinds[e]) {
                 return "one has " + a.path(e) + " where the other has " + b.path(e);
             }
-            String found = entry(a, b, e);
+            String found = entry(a, e, b, e);
             if (found != null) {
                 return found;
             }
@@ -28,13 +28,34 @@ final class Differences {
         return null;
     }
 
-    private static @Nullable String entry(WorldState a, WorldState b, int e) {
+    /** The same among entries whose path begins with a prefix. */
+    static @Nullable String within(WorldState a, WorldState b, String prefix) {
+        int k = 0;
+        for (int e = 0; e < a.entries; e++) {
+            if (!a.path(e).startsWith(prefix)) {
+                continue;
+            }
+            while (k < b.entries && !b.path(k).equals(a.path(e))) {
+                k++;
+            }
+            if (k == b.entries) {
+                return "only one of them has " + a.path(e);
+            }
+            String found = entry(a, e, b, k++);
+            if (found != null) {
+                return found;
+            }
+        }
+        return null;
+    }
+
+    private static @Nullable String entry(WorldState a, int e, WorldState b, int f) {
         int width = WorldState.WIDTH[a.kinds[e]];
-        int count = Math.min(a.counts[e], b.counts[e]);
+        int count = Math.min(a.counts[e], b.counts[f]);
         if (width == 0) {
             for (int i = 0; i < count; i++) {
                 Object x = a.objects[a.at[e] + i];
-                Object y = b.objects[b.at[e] + i];
+                Object y = b.objects[b.at[f] + i];
                 if (!Objects.equals(x, y)) {
                     return element(a, e, i) + ": " + x + " and " + y;
                 }
@@ -43,15 +64,15 @@ final class Differences {
             int length = width * count;
             int at =
                     Arrays.mismatch(
-                            a.bytes, a.at[e], a.at[e] + length, b.bytes, b.at[e], b.at[e] + length);
+                            a.bytes, a.at[e], a.at[e] + length, b.bytes, b.at[f], b.at[f] + length);
             if (at >= 0) {
                 int i = at / width;
-                return element(a, e, i) + ": " + text(a, e, i) + " and " + text(b, e, i);
+                return element(a, e, i) + ": " + text(a, e, i) + " and " + text(b, f, i);
             }
         }
-        return a.counts[e] == b.counts[e]
+        return a.counts[e] == b.counts[f]
                 ? null
-                : a.path(e) + " has " + a.counts[e] + " and " + b.counts[e] + " elements";
+                : a.path(e) + " has " + a.counts[e] + " and " + b.counts[f] + " elements";
     }
 
     private static String element(WorldState s, int e, int i) {

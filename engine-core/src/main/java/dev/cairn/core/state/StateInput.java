@@ -150,6 +150,36 @@ public final class StateInput {
         return type.cast(value);
     }
 
+    /**
+     * Reads a state.
+     *
+     * @return what was written
+     */
+    public WorldState readState() {
+        return StateBytes.parse(this);
+    }
+
+    /**
+     * Reads a difference of states.
+     *
+     * @return what was written
+     */
+    public StateDelta readDelta() {
+        return DeltaBytes.parse(this);
+    }
+
+    /**
+     * Refuses a number of elements that there are no bytes for, before room for them is made.
+     *
+     * @param width least bytes of an element, at least 1
+     * @param count how many are told
+     * @return count
+     * @throws StateException if it is negative or the bytes end before
+     */
+    public int requireCount(int width, int count) {
+        return need(width, count);
+    }
+
     /** The objects, each of those before. */
     void readPool(StateCodecs codecs) {
         int count = need(4, readInt());
@@ -177,8 +207,12 @@ public final class StateInput {
         return Arrays.copyOfRange(bytes, at - count, at);
     }
 
-    boolean isAtEnd() {
-        return at == end;
+    /** Refuses bytes that nobody has asked for. */
+    void requireEnd() {
+        if (at != end) {
+            throw new StateException(
+                    "there are " + (end - at) + " bytes behind the end; they are damaged");
+        }
     }
 
     /** Refuses a number of elements that there are no bytes for. */

@@ -111,6 +111,26 @@ public final class StateOutput {
         writeInt(value == null ? -1 : number(value));
     }
 
+    /**
+     * Writes a whole state; its objects by their codecs.
+     *
+     * @param state any
+     * @throws StateException naming the field that holds an object without a codec
+     */
+    public void writeState(WorldState state) {
+        StateBytes.contents(state, this);
+    }
+
+    /**
+     * Writes a difference of states; its objects by their codecs.
+     *
+     * @param delta any
+     * @throws StateException if there is an object without a codec
+     */
+    public void writeDelta(StateDelta delta) {
+        DeltaBytes.contents(delta, this);
+    }
+
     void writeBytes(byte[] from, int count) {
         System.arraycopy(from, 0, room(count), size, count);
         size += count;

@@ -15,6 +15,11 @@ final class StateReader implements StateVisitor {
         this.state = state;
     }
 
+    /** From the first entry on. */
+    void begin() {
+        entry = 0;
+    }
+
     @Override
     public boolean isRestoring() {
         return true;
@@ -28,6 +33,28 @@ final class StateReader implements StateVisitor {
     @Override
     public int value(String name, int now) {
         return (int) StateWriter.INT.get(state.bytes, next(name, WorldState.INT));
+    }
+
+    /** The arrays up to the next object; without any, each row has at least an id of its own. */
+    @Override
+    public int count(String name, int now) {
+        int value = value(name, now);
+        WorldState s = state;
+        int most = -1;
+        for (int e = entry; e < s.entries && s.kinds[e] != WorldState.SECTION; e++) {
+            if (s.kinds[e] >= WorldState.INTS) {
+                most = Math.max(most, s.counts[e]);
+            }
+        }
+        if (value < 0 || value > (most < 0 ? s.size / Long.BYTES : most)) {
+            throw new StateException(
+                    s.path(entry - 1)
+                            + " is "
+                            + value
+                            + ", and there are no arrays of so many elements; the state is damaged,"
+                            + " or of another version");
+        }
+        return value;
     }
 
     @Override
@@ -55,60 +82,58 @@ final class StateReader implements StateVisitor {
     @Override
     @SuppressWarnings("unchecked") // an array of the same type
     public <A> A array(String name, A now, int from, int count, int room, boolean clears) {
+        if (entry < state.entries && state.counts[entry] != count) {
+            next(name, state.kinds[entry], count); // refused before room is made
+        }
         A to = now;
         int length = Math.max(room, from + count);
         if (Array.getLength(now) < length) {
             to = (A) Array.newInstance(now.getClass().getComponentType(), length);
         }
         int end = from + count;
-        switch (to) {
-            case double[] a -> {
-                int at = next(name, WorldState.DOUBLES, count);
-                MemorySegment.copy(state.memory, StateWriter.DOUBLES, at, a, from, count);
-                if (clears) {
-                    Arrays.fill(a, end, a.length, 0);
-                }
+        if (to instanceof double[] a) {
+            int at = next(name, WorldState.DOUBLES, count);
+            MemorySegment.copy(state.memory, StateWriter.DOUBLES, at, a, from, count);
+            if (clears) {
+                Arrays.fill(a, end, a.length, 0);
             }
-            case int[] a -> {
-                int at = next(name, WorldState.INTS, count);
-                MemorySegment.copy(state.memory, StateWriter.INTS, at, a, from, count);
-                if (clears) {
-                    Arrays.fill(a, end, a.length, 0);
-                }
+        } else if (to instanceof int[] a) {
+            int at = next(name, WorldState.INTS, count);
+            MemorySegment.copy(state.memory, StateWriter.INTS, at, a, from, count);
+            if (clears) {
+                Arrays.fill(a, end, a.length, 0);
             }
-            case long[] a -> {
-                int at = next(name, WorldState.LONGS, count);
-                MemorySegment.copy(state.memory, StateWriter.LONGS, at, a, from, count);
-                if (clears) {
-                    Arrays.fill(a, end, a.length, 0);
-                }
+        } else if (to instanceof long[] a) {
+            int at = next(name, WorldState.LONGS, count);
+            MemorySegment.copy(state.memory, StateWriter.LONGS, at, a, from, count);
+            if (clears) {
+                Arrays.fill(a, end, a.length, 0);
             }
-            case byte[] a -> {
-                int at = next(name, WorldState.BYTES, count);
-                System.arraycopy(state.bytes, at, a, from, count);
-                if (clears) {
-                    Arrays.fill(a, end, a.length, (byte) 0);
-                }
+        } else if (to instanceof byte[] a) {
+            int at = next(name, WorldState.BYTES, count);
+            System.arraycopy(state.bytes, at, a, from, count);
+            if (clears) {
+                Arrays.fill(a, end, a.length, (byte) 0);
             }
-            case boolean[] a -> {
-                int at = next(name, WorldState.BOOLEANS, count);
-                byte[] saved = state.bytes;
-                for (int i = 0; i < count; i++) {
-                    a[from + i] = saved[at + i] != 0;
-                }
-                if (clears) {
-                    Arrays.fill(a, end, a.length, false);
-                }
+        } else if (to instanceof boolean[] a) {
+            int at = next(name, WorldState.BOOLEANS, count);
+            byte[] saved = state.bytes;
+            for (int i = 0; i < count; i++) {
+                a[from + i] = saved[at + i] != 0;
             }
-            case float[] a -> {
-                int at = next(name, WorldState.FLOATS, count);
-                MemorySegment.copy(state.memory, StateWriter.FLOATS, at, a, from, count);
-                if (clears) {
-                    Arrays.fill(a, end, a.length, 0);
-                }
+            if (clears) {
+                Arrays.fill(a, end, a.length, false);
             }
-            case Object[] a -> objects(name, a, from, count);
-            default -> throw new IllegalArgumentException(name + " is no array");
+        } else if (to instanceof float[] a) {
+            int at = next(name, WorldState.FLOATS, count);
+            MemorySegment.copy(state.memory, StateWriter.FLOATS, at, a, from, count);
+            if (clears) {
+                Arrays.fill(a, end, a.length, 0);
+            }
+        } else if (to instanceof Object[] a) {
+            objects(name, a, from, count);
+        } else {
+            throw new IllegalArgumentException(name + " is no array");
         }
         return to;
     }

@@ -45,6 +45,19 @@ public interface StateVisitor {
     int value(String name, int now);
 
     /**
+     * A number of rows, before room for them is made: when it restores, one that the arrays of this
+     * object are too short for is refused.
+     *
+     * @param name of the field; a constant
+     * @param now its value
+     * @return what the field shall hold
+     * @throws StateException if the state is damaged
+     */
+    default int count(String name, int now) {
+        return value(name, now);
+    }
+
+    /**
      * A number.
      *
      * @param name of the field; a constant

@@ -79,47 +79,39 @@ final class StateWriter implements StateVisitor {
     @Override
     public <A> A array(String name, A now, int begin, int count, int room, boolean clears) {
         int from = count == 0 ? 0 : begin; // an empty array may be shorter than where rows begin
-        switch (now) {
-            case double[] a -> {
-                int at = room(name, WorldState.DOUBLES, count);
-                MemorySegment.copy(a, from, state.memory, DOUBLES, at, count);
+        if (now instanceof double[] a) {
+            int at = room(name, WorldState.DOUBLES, count);
+            MemorySegment.copy(a, from, state.memory, DOUBLES, at, count);
+        } else if (now instanceof int[] a) {
+            int at = room(name, WorldState.INTS, count);
+            MemorySegment.copy(a, from, state.memory, INTS, at, count);
+        } else if (now instanceof long[] a) {
+            int at = room(name, WorldState.LONGS, count);
+            MemorySegment.copy(a, from, state.memory, LONGS, at, count);
+        } else if (now instanceof byte[] a) {
+            int at = room(name, WorldState.BYTES, count);
+            System.arraycopy(a, from, state.bytes, at, count);
+        } else if (now instanceof boolean[] a) {
+            int at = room(name, WorldState.BOOLEANS, count);
+            byte[] to = state.bytes;
+            for (int i = 0; i < count; i++) {
+                to[at + i] = (byte) (a[from + i] ? 1 : 0);
             }
-            case int[] a -> {
-                int at = room(name, WorldState.INTS, count);
-                MemorySegment.copy(a, from, state.memory, INTS, at, count);
-            }
-            case long[] a -> {
-                int at = room(name, WorldState.LONGS, count);
-                MemorySegment.copy(a, from, state.memory, LONGS, at, count);
-            }
-            case byte[] a -> {
-                int at = room(name, WorldState.BYTES, count);
-                System.arraycopy(a, from, state.bytes, at, count);
-            }
-            case boolean[] a -> {
-                int at = room(name, WorldState.BOOLEANS, count);
-                byte[] to = state.bytes;
-                for (int i = 0; i < count; i++) {
-                    to[at + i] = (byte) (a[from + i] ? 1 : 0);
-                }
-            }
-            case float[] a -> {
-                int at = room(name, WorldState.FLOATS, count);
-                MemorySegment.copy(a, from, state.memory, FLOATS, at, count);
-            }
-            case Object[] a -> {
-                state.ensureObjects(state.objectCount + count);
-                state.add(name, WorldState.REFERENCES, state.objectCount, count);
-                System.arraycopy(a, from, state.objects, state.objectCount, count);
-                state.objectCount += count;
-            }
-            default ->
-                    throw new IllegalArgumentException(
-                            name
-                                    + " is a "
-                                    + now.getClass().getSimpleName()
-                                    + ", which no state"
-                                    + " holds; use double, float, long, int, byte or boolean");
+        } else if (now instanceof float[] a) {
+            int at = room(name, WorldState.FLOATS, count);
+            MemorySegment.copy(a, from, state.memory, FLOATS, at, count);
+        } else if (now instanceof Object[] a) {
+            state.ensureObjects(state.objectCount + count);
+            state.add(name, WorldState.REFERENCES, state.objectCount, count);
+            System.arraycopy(a, from, state.objects, state.objectCount, count);
+            state.objectCount += count;
+        } else {
+            throw new IllegalArgumentException(
+                    name
+                            + " is a "
+                            + now.getClass().getSimpleName()
+                            + ", which no state"
+                            + " holds; use double, float, long, int, byte or boolean");
         }
         return now;
     }

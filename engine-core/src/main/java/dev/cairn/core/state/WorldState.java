@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Objects;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.zip.CRC32C;
 
 /**
@@ -78,7 +79,12 @@ public final class WorldState {
 
     boolean isRead;
 
+    private @Nullable WorldState spare;
+
     private final StateWriter writer = new StateWriter(this);
+
+    /** One that no thread uses now: several may restore the same state. */
+    private final AtomicReference<@Nullable StateReader> spareReader = new AtomicReference<>();
 
     /** Nothing yet. */
     public WorldState() {}
@@ -103,7 +109,70 @@ public final class WorldState {
     }
 
     /**
-     * Gives back all that was saved.
+     * Takes over all that another state holds. Allocates only while buffers grow.
+     *
+     * @param other what this state shall be; stays as it is
+     */
+    public void set(WorldState other) {
+        Objects.requireNonNull(other, "other must not be null");
+        if (other == this) {
+            return;
+        }
+        clear();
+        isRead = other.isRead;
+        ensureBytes(other.size);
+        System.arraycopy(other.bytes, 0, bytes, 0, other.size);
+        size = other.size;
+        ensureObjects(other.objectCount);
+        System.arraycopy(other.objects, 0, objects, 0, other.objectCount);
+        objectCount = other.objectCount;
+        for (int e = 0; e < other.entries; e++) {
+            add(other.names[e], other.kinds[e], other.at[e], other.counts[e]);
+        }
+    }
+
+    /** Nothing yet; room stays. */
+    void clear() {
+        Arrays.fill(objects, 0, objectCount, null);
+        isRead = false;
+        size = 0;
+        objectCount = 0;
+        entries = 0;
+    }
+
+    /** An entry of another state, behind those that are here: longer by zeros, or cut. */
+    void append(WorldState from, int entry, int count) {
+        byte kind = from.kinds[entry];
+        int width = WIDTH[kind];
+        int least = Math.min(count, from.counts[entry]);
+        if (kind == SECTION) {
+            add(from.names[entry], kind, size, 0);
+        } else if (width == 0) {
+            ensureObjects(objectCount + count);
+            System.arraycopy(from.objects, from.at[entry], objects, objectCount, least);
+            Arrays.fill(objects, objectCount + least, objectCount + count, null);
+            add(from.names[entry], kind, objectCount, count);
+            objectCount += count;
+        } else {
+            long end = size + ((long) width * count + 7 & -8L);
+            ensureBytes(end);
+            System.arraycopy(from.bytes, from.at[entry], bytes, size, width * least);
+            Arrays.fill(bytes, size + width * least, (int) end, (byte) 0);
+            add(from.names[entry], kind, size, count);
+            size = (int) end;
+        }
+    }
+
+    /** Room to lay this state out anew; used by deltas. */
+    WorldState spare() {
+        if (spare == null) {
+            spare = new WorldState();
+        }
+        return spare;
+    }
+
+    /**
+     * Gives back all that was saved. Allocates nothing where the same was restored before.
      *
      * @param root of the same kind as what was saved
      * @throws StateException if this is no state of such a thing
@@ -113,9 +182,12 @@ public final class WorldState {
         if (isEmpty()) {
             throw new StateException("the state is empty: save something into it first");
         }
-        StateReader reader = new StateReader(this);
+        StateReader spare = spareReader.getAndSet(null);
+        StateReader reader = spare != null ? spare : new StateReader(this);
+        reader.begin();
         root.state(reader);
         reader.end();
+        spareReader.set(reader);
     }
 
     /**
@@ -207,6 +279,17 @@ public final class WorldState {
      */
     public @Nullable String difference(WorldState other) {
         return Differences.first(this, other);
+    }
+
+    /**
+     * The first difference among the columns of one part of the world.
+     *
+     * @param other another one
+     * @param section name of the part, such as {@code bodies}
+     * @return as {@link #difference(WorldState)}
+     */
+    public @Nullable String difference(WorldState other, String section) {
+        return Differences.within(this, other, section + ".");
     }
 
     /**

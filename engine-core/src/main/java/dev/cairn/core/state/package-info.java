@@ -17,8 +17,9 @@
  * </pre>
  *
  * <p>A {@link dev.cairn.core.state.WorldState} is one block of bytes with a table of contents, so
- * that two can be compared, subtracted and written; numbers have their place and their least
- * significant byte first, on every machine.
+ * that two can be compared, subtracted (a {@link dev.cairn.core.state.StateDelta} leads from one to
+ * the other and back, and is as large as what has changed) and written; numbers have their place
+ * and their least significant byte first, on every machine.
  */
 @NullMarked
 package dev.cairn.core.state;

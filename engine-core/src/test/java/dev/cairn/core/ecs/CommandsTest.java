@@ -18,10 +18,10 @@ import java.util.function.Consumer;
 
 /** Commands: recorded per (system, chunk), made at commit in (system, chunk, sequence) order. */
 class CommandsTest {
-    private static WorldSystem once(String name, Consumer<Tick> body) {
+    private static WorldSystem once(String name, Consumer<Tick> body, String... after) {
         return world(
                 name,
-                a -> {},
+                a -> a.after(after),
                 tick -> {
                     if (tick.number() == 1) {
                         body.accept(tick);
@@ -39,12 +39,13 @@ class CommandsTest {
                         tick -> {
                             tick.commands().set(target[0], new Position(1, 0));
                             tick.commands().set(target[0], new Position(3, 0));
-                        });
+                        },
+                        "b");
         for (EcsSystem[] order : new EcsSystem[][] {{a, b}, {b, a}}) {
             try (World world = World.builder().systems(order).workers(1).build()) {
                 target[0] = world.spawn(new Position(0, 0));
                 world.step(1);
-                assertEquals(2, world.get(target[0], POSITION).x());
+                assertEquals(3, world.get(target[0], POSITION).x());
             }
         }
     }

@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -40,8 +42,136 @@ class ScheduleTest {
                 "(columns f)",
                 "'drag' (stage 'forces')",
                 "'wind' (stage 'after')",
+                "access.before(\"wind\") or access.after(\"wind\") in 'drag'",
                 "next(",
                 "exclude");
+    }
+
+    /** The later one goes on from what the earlier one wrote, whichever name comes first. */
+    @ParameterizedTest
+    @CsvSource({"a,z", "z,a"})
+    void twoWritersInTheOrderThatWasAskedFor(String first, String second) {
+        ChunkSystem add =
+                chunks(
+                        first,
+                        a -> a.out(FORCE),
+                        (chunk, tick) -> {
+                            for (int row = 0; row < chunk.size(); row++) {
+                                chunk.out(F)[row] += 1;
+                            }
+                        });
+        ChunkSystem multiply =
+                chunks(
+                        second,
+                        a -> a.out(FORCE).after(first),
+                        (chunk, tick) -> {
+                            for (int row = 0; row < chunk.size(); row++) {
+                                chunk.out(F)[row] *= 3;
+                            }
+                        });
+        ChunkSystem read =
+                chunks(
+                        "m",
+                        a -> a.next(FORCE).out(POSITION),
+                        (chunk, tick) -> {
+                            for (int row = 0; row < chunk.size(); row++) {
+                                chunk.out(X)[row] = chunk.next(F)[row];
+                            }
+                        });
+        for (boolean checked : new boolean[] {false, true}) {
+            try (World world =
+                    World.builder()
+                            .systems(read, multiply, add)
+                            .checked(checked)
+                            .workers(2)
+                            .build()) {
+                long last = 0;
+                for (int i = 0; i < 3000; i++) {
+                    last = world.spawn(new Force(0), new Position(0, 0));
+                }
+                world.step(1);
+                assertEquals(3, world.get(last, POSITION).x());
+                world.step(1);
+                assertEquals(12, world.get(last, FORCE).f());
+                world.schedule().setEnabled(first, false);
+                world.step(1);
+                assertEquals(36, world.get(last, POSITION).x(), "goes on from what is published");
+            }
+        }
+    }
+
+    @Test
+    void theOrderOfTwoWritersMayFollowFromAThird() {
+        assertEquals(
+                """
+                level 0, chunks in parallel
+                  z [s] out{Force, Position}
+                level 1, chunks in parallel
+                  m [s] out{Velocity} next{Position} after z (Position)
+                level 2, chunks in parallel
+                  a [s] out{Force} next{Velocity} after m (Velocity)
+                """,
+                graph(
+                        idle("a", a -> a.next(VELOCITY).out(FORCE)),
+                        idle("z", a -> a.out(FORCE, POSITION)),
+                        idle("m", a -> a.next(POSITION).out(VELOCITY))));
+    }
+
+    @Test
+    void whatTheLaterWriterWouldLoseIsRefused() {
+        assertTeaches(
+                SchedulingException.class,
+                () ->
+                        graph(
+                                idle("a", a -> a.out(FORCE).before("b")),
+                                idle("b", a -> a.writesAll(FORCE))),
+                "'a'",
+                "'b'",
+                "writesAll",
+                "declare out in the second");
+        graph(idle("a", a -> a.writesAll(FORCE).before("b")), idle("b", a -> a.out(FORCE)));
+        assertTeaches(
+                SchedulingException.class,
+                () ->
+                        graph(
+                                idle("a", a -> a.inPlace(FORCE).before("b")),
+                                idle("b", a -> a.out(FORCE))),
+                "inPlace",
+                "only writer");
+    }
+
+    /** Who reads the last tick and who writes the next do not meet; two readers never do. */
+    @Test
+    void readersOfTheLastTickAreOrderedByNothing() {
+        assertEquals(
+                """
+                level 0, chunks in parallel
+                  a [s] in{Force} out{Position}
+                  b [s] in{Position} out{Force}
+                  c [s] in{Force, Position}
+                """,
+                graph(
+                        idle("c", a -> a.in(FORCE, POSITION)),
+                        idle("b", a -> a.in(POSITION).out(FORCE)),
+                        idle("a", a -> a.in(FORCE).out(POSITION))));
+    }
+
+    /** What world systems do to objects is not declared, so their names would decide. */
+    @Test
+    void twoWorldSystemsNeedAnOrder() {
+        assertTeaches(
+                SchedulingException.class,
+                () ->
+                        graph(
+                                world("referee", a -> a.in(POSITION), tick -> {}),
+                                world("physics", a -> a.out(POSITION), tick -> {})),
+                "'referee' (stage 's')",
+                "'physics' (stage 's')",
+                "world systems",
+                "access.before(\"referee\") or access.after(\"referee\") in 'physics'");
+        graph(
+                world("referee", a -> a.next(POSITION), tick -> {}),
+                world("physics", a -> a.out(POSITION), tick -> {}));
     }
 
     @Test
@@ -74,11 +204,11 @@ class ScheduleTest {
                 level 1, simulation thread
                   a [s] out{Force}
                 level 2, simulation thread
-                  b [s] out{Position}
+                  b [s] out{Position} after a (asked for)
                 """,
                 graph(
                         world("b", a -> a.out(POSITION), tick -> {}),
-                        world("a", a -> a.out(FORCE), tick -> {}),
+                        world("a", a -> a.out(FORCE).before("b"), tick -> {}),
                         idle("c", a -> a.out(TAG))));
         assertEquals("(no systems)\n", graph());
     }

@@ -368,7 +368,7 @@ public final class AabbTree implements Stateful {
         s.section("tree", this);
         root = s.value("root", root);
         free = s.value("free", free);
-        used = s.value("used", used);
+        used = s.count("used", used);
         leaves = s.value("leaves", leaves);
         changes = s.value("changes", changes);
         if (used > parent.length) {

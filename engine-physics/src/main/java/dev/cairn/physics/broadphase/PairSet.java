@@ -93,7 +93,7 @@ public final class PairSet implements Stateful {
     public void state(StateVisitor s) {
         s.section("pairs", this);
         size = s.value("size", size);
-        int length = s.value("length", keys.length);
+        int length = s.count("length", keys.length);
         if (length != keys.length) {
             keys = new long[length];
         }

@@ -60,7 +60,7 @@ final class PairGroups {
     /** Numbers in use, and how much of each group touches; between ticks nothing is changed. */
     void state(StateVisitor s) {
         s.section("groups", this);
-        used = s.value("used", used);
+        used = s.count("used", used);
         freeCount = s.value("freeCount", freeCount);
         if (used >= touching.length && used > 0) {
             grow(used + 1);

@@ -220,7 +220,7 @@ public final class BodyStore extends Poses implements Stateful {
     @Override
     public void state(StateVisitor s) {
         s.section("bodies", this);
-        slotCount = s.value("slotCount", slotCount);
+        slotCount = s.count("slotCount", slotCount);
         driven = s.value("driven", driven);
         belts = s.value("belts", belts);
         isFar = s.value("isFar", isFar);

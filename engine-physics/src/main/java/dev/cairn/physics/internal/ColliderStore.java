@@ -160,7 +160,7 @@ public final class ColliderStore implements Stateful {
     @Override
     public void state(StateVisitor s) {
         s.section("colliders", this);
-        slotCount = s.value("slotCount", slotCount);
+        slotCount = s.count("slotCount", slotCount);
         belts = s.value("belts", belts);
         sensors = s.value("sensors", sensors);
         compounds = s.value("compounds", compounds);

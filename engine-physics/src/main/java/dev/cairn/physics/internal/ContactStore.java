@@ -277,7 +277,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     @Override
     public void state(StateVisitor s) {
         s.section("contacts", this);
-        count = s.value("count", count);
+        count = s.count("count", count);
         remembered = s.value("remembered", remembered);
         rolls = s.value("rolls", rolls);
         uneven = s.value("uneven", uneven);

@@ -266,8 +266,8 @@ public final class JointStore implements EdgeSource, Stateful {
     @Override
     public void state(StateVisitor s) {
         s.section("joints", this);
-        count = s.value("count", count);
-        rowCount = s.value("rowCount", rowCount);
+        count = s.count("count", count);
+        rowCount = s.count("rowCount", rowCount);
         revision = s.value("revision", revision);
         freeCount = s.value("freeCount", freeCount);
         free = s.array("free", free, freeCount);

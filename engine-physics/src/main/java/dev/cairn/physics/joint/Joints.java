@@ -77,6 +77,11 @@ public final class Joints implements Stateful {
     final Host host;
     private JointRef[] refs = new JointRef[0];
 
+    /** Room to restore them, and for the numbers of those that broke. */
+    private JointRef[] savedRefs = new JointRef[0];
+
+    private int[] brokenNumbers = {};
+
     /** By joint: whether it keeps its bodies from colliding. */
     private boolean[] isApart = {};
 
@@ -169,8 +174,9 @@ public final class Joints implements Stateful {
     public void state(StateVisitor s) {
         s.section("jointList", this);
         int count = store.count;
-        JointRef[] saved = s.array("refs", s.isRestoring() ? new JointRef[count] : refs, count);
-        isApart = s.array("isApart", isApart, count);
+        JointRef[] saved = s.array("refs", s.isRestoring() ? savedRefs : refs, count);
+        savedRefs = s.isRestoring() ? saved : savedRefs;
+        isApart = s.array("isApart", isApart, 0, count, store.isThere.length, true);
         int numbers = count * Joint.AXES * AxisSettings.NUMBERS;
         if (settings.length < numbers) {
             settings = new double[numbers + numbers / 2];
@@ -179,32 +185,42 @@ public final class Joints implements Stateful {
             exchange(false);
         }
         settings = s.array("settings", settings, numbers);
-        int[] gone = s.array("broken", brokenNumbers(), s.value("brokenCount", broken.size()));
+        int gone = s.value("brokenCount", broken.size());
+        if (!s.isRestoring()) {
+            numberBroken();
+        }
+        brokenNumbers = s.array("broken", brokenNumbers, gone);
         if (s.isRestoring()) {
-            own(saved);
+            own(saved, count);
             exchange(true);
             broken.clear();
-            for (int j : gone) {
-                broken.add(refs[j]);
+            for (int i = 0; i < gone; i++) {
+                broken.add(refs[brokenNumbers[i]]);
             }
         }
     }
 
-    private int[] brokenNumbers() {
-        int[] numbers = new int[broken.size()];
-        for (int i = 0; i < numbers.length; i++) {
-            numbers[i] = broken.get(i).index;
+    private void numberBroken() {
+        if (brokenNumbers.length < broken.size()) {
+            brokenNumbers = new int[2 * broken.size()];
         }
-        return numbers;
+        for (int i = 0; i < broken.size(); i++) {
+            brokenNumbers[i] = broken.get(i).index;
+        }
     }
 
-    private void own(JointRef[] saved) {
-        JointRef[] now = refs;
-        refs = Arrays.copyOf(saved, Math.max(saved.length, store.isThere.length));
-        for (int j = 0; j < saved.length; j++) {
-            if (saved[j] != null && !saved[j].isOf(this)) {
-                boolean known = j < now.length && now[j] != null && now[j].isTwin(saved[j]);
-                refs[j] = known ? now[j] : new JointRef(this, saved[j]);
+    @SuppressWarnings("NullAway") // a row without a joint has no reference
+    private void own(JointRef[] saved, int count) {
+        if (refs.length < Math.max(count, store.isThere.length)) {
+            refs = Arrays.copyOf(refs, Math.max(count, store.isThere.length));
+        }
+        for (int j = 0; j < refs.length; j++) {
+            JointRef now = refs[j];
+            JointRef then = j < count ? saved[j] : null;
+            if (then == null || then.isOf(this)) {
+                refs[j] = then;
+            } else if (now == null || !now.isTwin(then)) {
+                refs[j] = new JointRef(this, then);
             }
         }
     }

@@ -5,7 +5,11 @@ import dev.cairn.physics.shape.polyhedron.Polyhedron;
 
 import org.joml.Vector3d;
 
-/** A rectangular block around the origin of the shape frame, given by its half extents. */
+/**
+ * A rectangular block around the origin of the shape frame. Its factories say in their names what
+ * they take: {@link #ofHalfExtents half extents}, from the centre to a face, as the rest of the
+ * engine uses them, or whole {@link #ofEdges edges}, from face to face, as a tape measures them.
+ */
 public final class Box extends Polyhedral implements Shape {
     /** Half extents, m. */
     private final double halfX, halfY, halfZ;
@@ -26,11 +30,24 @@ public final class Box extends Polyhedral implements Shape {
      * @return the shape
      * @throws DegenerateShapeException if a half extent is NaN, infinite or out of range
      */
-    public static Box of(double halfX, double halfY, double halfZ) {
+    public static Box ofHalfExtents(double halfX, double halfY, double halfZ) {
         Checks.length("Box halfX", halfX);
         Checks.length("Box halfY", halfY);
         Checks.length("Box halfZ", halfZ);
         return new Box(halfX, halfY, halfZ);
+    }
+
+    /**
+     * A block of {@code edgeX} by {@code edgeY} by {@code edgeZ}.
+     *
+     * @param edgeX the whole width, m, in [2e-50, 2e50]
+     * @param edgeY the whole height, m
+     * @param edgeZ the whole depth, m
+     * @return the shape, equal to the one of half of these as half extents
+     * @throws DegenerateShapeException if an edge is NaN, infinite or out of range
+     */
+    public static Box ofEdges(double edgeX, double edgeY, double edgeZ) {
+        return ofHalfExtents(edgeX / 2, edgeY / 2, edgeZ / 2);
     }
 
     /**
@@ -40,8 +57,19 @@ public final class Box extends Polyhedral implements Shape {
      * @return the shape
      * @throws DegenerateShapeException if the half extent is NaN, infinite or out of range
      */
-    public static Box cube(double half) {
-        return of(half, half, half);
+    public static Box cubeOfHalfExtent(double half) {
+        return ofHalfExtents(half, half, half);
+    }
+
+    /**
+     * A cube of the given edge.
+     *
+     * @param edge the whole edge, m, in [2e-50, 2e50]
+     * @return the shape
+     * @throws DegenerateShapeException if the edge is NaN, infinite or out of range
+     */
+    public static Box cubeOfEdge(double edge) {
+        return ofEdges(edge, edge, edge);
     }
 
     /**

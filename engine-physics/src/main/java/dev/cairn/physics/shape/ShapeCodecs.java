@@ -34,7 +34,7 @@ public final class ShapeCodecs {
                             out.writeDouble(s.halfY());
                             out.writeDouble(s.halfZ());
                         },
-                        in -> Box.of(in.readDouble(), in.readDouble(), in.readDouble())),
+                        in -> Box.ofHalfExtents(in.readDouble(), in.readDouble(), in.readDouble())),
                 codec(
                         Capsule.class,
                         (s, out) -> {

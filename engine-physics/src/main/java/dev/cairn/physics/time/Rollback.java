@@ -1,5 +1,6 @@
 package dev.cairn.physics.time;
 
+import dev.cairn.core.state.WorldState;
 import dev.cairn.physics.PhysicsWorld;
 
 import org.jspecify.annotations.Nullable;
@@ -44,7 +45,9 @@ public final class Rollback<I> {
     private final int players;
     private final int window;
     private final Inputs<I> inputs;
-    private final History history;
+
+    /** Of the last ticks, by tick modulo their number: used again, without garbage. */
+    private final WorldState[] past;
 
     /**
      * By player and tick modulo {@link #length}: what was told, and what the step was made with.
@@ -99,7 +102,8 @@ public final class Rollback<I> {
         this.window = window;
         this.inputs = inputs;
         length = 2 * window + 2;
-        history = new History(world, window + 1, Long.MAX_VALUE);
+        past = new WorldState[window + 1];
+        Arrays.setAll(past, i -> new WorldState());
         told = new ArrayList<@Nullable I>();
         for (int i = 0; i < players * length; i++) {
             told.add(null);
@@ -197,7 +201,7 @@ public final class Rollback<I> {
     public void settle() {
         long end = tick();
         if (dirty < end) {
-            history.rewind(dirty);
+            world.restore(past(dirty));
             rewinds++;
             while (tick() < end) {
                 step();
@@ -232,7 +236,7 @@ public final class Rollback<I> {
 
     private void step() {
         long tick = tick();
-        history.remember();
+        world.save(past(tick));
         for (int p = 0; p < players; p++) {
             int at = at(p, tick);
             I known = told.get(at);
@@ -242,6 +246,10 @@ public final class Rollback<I> {
         }
         inputs.apply(world, tick, Collections.unmodifiableList(now));
         world.step(stepSeconds);
+    }
+
+    private WorldState past(long tick) {
+        return past[(int) Math.floorMod(tick, (long) past.length)];
     }
 
     private int at(int player, long tick) {

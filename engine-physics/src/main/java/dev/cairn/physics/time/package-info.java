@@ -6,7 +6,11 @@
  * an earlier state and the inputs since are; and two machines that agree on inputs agree on worlds.
  *
  * <ul>
- *   <li>{@link dev.cairn.physics.time.History}: the last ticks, within a bound of memory.
+ *   <li>{@link dev.cairn.physics.time.History}: the last ticks as differences, within a bound of
+ *       memory.
+ *   <li>{@link dev.cairn.physics.time.Recorder}, {@link dev.cairn.physics.time.Recording}, {@link
+ *       dev.cairn.physics.time.Replay}: a run with what was done in it, as a file; run again, and
+ *       compared.
  *   <li>{@link dev.cairn.physics.time.Rollback}: predict with the inputs that are known, and rewind
  *       and step again when others arrive. After T. Cannon, GGPO, 2009.
  *   <li>{@link dev.cairn.physics.time.Ensemble}: many futures of one state, beside each other.

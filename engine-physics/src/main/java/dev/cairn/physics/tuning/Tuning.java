@@ -5,6 +5,8 @@ import java.util.Objects;
 
 /** A value for each {@link Tunable}. Immutable; any thread. Reading one does not allocate. */
 public final class Tuning {
+    private static final Tunable[] ALL = Tunable.values();
+
     /** The measured defaults. */
     public static final Tuning DEFAULT = new Tuning();
 
@@ -12,7 +14,7 @@ public final class Tuning {
 
     private Tuning() {
         values = new EnumMap<>(Tunable.class);
-        for (Tunable tunable : Tunable.values()) {
+        for (Tunable tunable : ALL) {
             values.put(tunable, tunable.initial());
         }
     }
@@ -56,6 +58,25 @@ public final class Tuning {
         return (int) get(tunable);
     }
 
+    /**
+     * Whether all values but two are the same. Allocates nothing.
+     *
+     * @param other values to compare with
+     * @param one that may differ
+     * @param another that may differ
+     * @return true if so
+     */
+    public boolean equalsBut(Tuning other, Tunable one, Tunable another) {
+        for (Tunable tunable : ALL) {
+            boolean counts = tunable != one && tunable != another;
+            // as equals compares them: NaN is in no range, and 0 has one sign
+            if (counts && get(tunable) != other.get(tunable)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     @Override
     public boolean equals(Object other) {
         return other instanceof Tuning tuning && values.equals(tuning.values);
@@ -70,7 +91,7 @@ public final class Tuning {
     @Override
     public String toString() {
         StringBuilder text = new StringBuilder("Tuning");
-        for (Tunable tunable : Tunable.values()) {
+        for (Tunable tunable : ALL) {
             if (get(tunable) != tunable.initial()) {
                 text.append(' ').append(tunable).append('=').append(get(tunable));
             }

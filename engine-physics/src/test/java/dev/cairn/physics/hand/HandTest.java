@@ -22,7 +22,11 @@ final class HandTest {
 
     private static BodyRef box(PhysicsWorld world) {
         return world.add(
-                Body.dynamic().shape(Box.of(0.2, 0.3, 0.1)).mass(3).at(0, 1, 0).name("box"));
+                Body.dynamic()
+                        .shape(Box.ofHalfExtents(0.2, 0.3, 0.1))
+                        .mass(3)
+                        .at(0, 1, 0)
+                        .name("box"));
     }
 
     private static PhysicsWorld world() {
@@ -53,7 +57,7 @@ final class HandTest {
     void isNoStrongerThanAHundredWeights() {
         try (PhysicsWorld world = world()) {
             BodyRef box = box(world);
-            BodyRef wall = world.add(Body.fixed().shape(Box.of(1, 1, 1)).at(0, 5, 0));
+            BodyRef wall = world.add(Body.fixed().shape(Box.ofHalfExtents(1, 1, 1)).at(0, 5, 0));
             world.add(Joint.fixed(wall, box).at(0, 1, 0));
             Hand hand = new Hand(world);
             hand.grab(box, new Vector3d(0, 1, 0));
@@ -71,7 +75,7 @@ final class HandTest {
     void letsGo() {
         try (PhysicsWorld world = world()) {
             BodyRef box = box(world);
-            BodyRef wall = world.add(Body.fixed().shape(Box.of(1, 1, 1)).at(0, 5, 0));
+            BodyRef wall = world.add(Body.fixed().shape(Box.ofHalfExtents(1, 1, 1)).at(0, 5, 0));
             Hand hand = new Hand(world);
             assertFalse(hand.isHolding());
             assertNull(hand.body());

@@ -50,7 +50,11 @@ final class ClosedStructuresTest {
     void redundantHingesBearWhatFalls() {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).sleeping(false).build()) {
             BodyRef plank =
-                    world.add(Body.dynamic().shape(Box.of(0.23, 0.04, 0.6)).mass(10).at(0, 0, 0));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.ofHalfExtents(0.23, 0.04, 0.6))
+                                    .mass(10)
+                                    .at(0, 0, 0));
             JointRef[] hinge = new JointRef[2];
             for (int k = 0; k < 2; k++) {
                 double x = 0.25 * (2 * k - 1);
@@ -60,7 +64,7 @@ final class ClosedStructuresTest {
             BodyRef box =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.of(0.1, 0.2, 0.1))
+                                    .shape(Box.ofHalfExtents(0.1, 0.2, 0.1))
                                     .mass(20)
                                     .at(0.05, 0.5, 0.1));
             double start = world.kineticEnergy() + world.potentialEnergy();
@@ -100,7 +104,7 @@ final class ClosedStructuresTest {
                 BodyRef next =
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.of(0.23, 0.04, 0.6))
+                                        .shape(Box.ofHalfExtents(0.23, 0.04, 0.6))
                                         .mass(10)
                                         .at(inner * s, up - inner * c, 0)
                                         .rotationAbout(0, 0, 1, a));
@@ -115,7 +119,7 @@ final class ClosedStructuresTest {
             for (int k = 0; k < 3; k++) {
                 world.add(
                         Body.dynamic()
-                                .shape(Box.of(0.2, 0.2, 0.2))
+                                .shape(Box.ofHalfExtents(0.2, 0.2, 0.2))
                                 .mass(20)
                                 .at(1.3 * k - 1.2, 0.8, 0.1));
             }
@@ -162,14 +166,15 @@ final class ClosedStructuresTest {
 
     /** Planks in a straight line between two piers, and a box of four times their mass above. */
     private static void bridge(PhysicsWorld world, boolean isHinged) {
-        BodyRef last = world.add(Body.fixed().shape(Box.of(0.5, 0.1, 1)).at(-1, 3, 0));
+        BodyRef last = world.add(Body.fixed().shape(Box.ofHalfExtents(0.5, 0.1, 1)).at(-1, 3, 0));
         for (int k = 0; k <= PLANKS; k++) {
             BodyRef next =
                     k == PLANKS
-                            ? world.add(Body.fixed().shape(Box.of(0.5, 0.1, 1)).at(k, 3, 0))
+                            ? world.add(
+                                    Body.fixed().shape(Box.ofHalfExtents(0.5, 0.1, 1)).at(k, 3, 0))
                             : world.add(
                                     Body.dynamic()
-                                            .shape(Box.of(0.45, 0.05, 1))
+                                            .shape(Box.ofHalfExtents(0.45, 0.05, 1))
                                             .mass(5)
                                             .at(k, 3, 0));
             double x = k - 0.5;
@@ -181,7 +186,8 @@ final class ClosedStructuresTest {
             }
             last = next;
         }
-        world.add(Body.dynamic().shape(Box.of(0.3, 0.3, 0.3)).mass(20).at(2.6, 4.5, 0.1));
+        world.add(
+                Body.dynamic().shape(Box.ofHalfExtents(0.3, 0.3, 0.3)).mass(20).at(2.6, 4.5, 0.1));
     }
 
     /** Knots in a level square, that falls and swings by two of its corners. */

@@ -74,7 +74,11 @@ final class GearsTest {
         try (PhysicsWorld world = world()) {
             world.setGravity(0, 0, 0);
             BodyRef carrier =
-                    world.add(Body.dynamic().shape(Box.of(0.4, 0.05, 0.05)).mass(2).at(0, 0, 1));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.ofHalfExtents(0.4, 0.05, 0.05))
+                                    .mass(2)
+                                    .at(0, 0, 1));
             BodyRef sun = wheel(world, 0.2, 0);
             BodyRef ring = wheel(world, 0.6, 0);
             BodyRef planet = wheel(world, 0.2, 0.4);
@@ -114,7 +118,11 @@ final class GearsTest {
                 BodyRef base = housing(world);
                 BodyRef pinion = wheel(world, 0.2, 0);
                 BodyRef rack =
-                        world.add(Body.dynamic().shape(Box.of(2, 0.1, 0.1)).mass(8).at(0, side, 1));
+                        world.add(
+                                Body.dynamic()
+                                        .shape(Box.ofHalfExtents(2, 0.1, 0.1))
+                                        .mass(8)
+                                        .at(0, side, 1));
                 JointRef hinge =
                         world.add(
                                 Joint.hinge(base, pinion)

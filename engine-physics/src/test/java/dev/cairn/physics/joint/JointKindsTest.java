@@ -58,10 +58,13 @@ final class JointKindsTest {
     @Test
     void handsPull() {
         try (PhysicsWorld world = world()) {
-            world.add(Body.fixed().shape(Box.of(5, 1, 5)).at(0, -1, 0));
+            world.add(Body.fixed().shape(Box.ofHalfExtents(5, 1, 5)).at(0, -1, 0));
             BodyRef box =
                     world.add(
-                            Body.dynamic().shape(Box.of(0.25, 0.25, 0.25)).mass(2).at(0, 0.25, 0));
+                            Body.dynamic()
+                                    .shape(Box.ofHalfExtents(0.25, 0.25, 0.25))
+                                    .mass(2)
+                                    .at(0, 0.25, 0));
             JointRef hand =
                     world.add(
                             Joint.pull(peg(world, 9), box, 3, 1, 50)
@@ -120,7 +123,8 @@ final class JointKindsTest {
     void cylindersSlideAndTurn() {
         try (PhysicsWorld world = world()) {
             world.setGravity(0, 0, 0);
-            BodyRef rod = world.add(Body.dynamic().shape(Box.of(0.5, 0.1, 0.2)).at(0, 5, 0));
+            BodyRef rod =
+                    world.add(Body.dynamic().shape(Box.ofHalfExtents(0.5, 0.1, 0.2)).at(0, 5, 0));
             JointRef joint =
                     world.add(Joint.cylindrical(peg(world, 5), rod).at(0, 5, 0).axis(1, 0, 0));
             rod.setVelocity(0.5, 3, 0);
@@ -140,11 +144,13 @@ final class JointKindsTest {
             double d = 0.6;
             double c = StrictMath.cos(d);
             double s = StrictMath.sin(d);
-            BodyRef in = world.add(Body.dynamic().shape(Box.of(0.4, 0.1, 0.1)).at(-0.5, 0, 0));
+            BodyRef in =
+                    world.add(
+                            Body.dynamic().shape(Box.ofHalfExtents(0.4, 0.1, 0.1)).at(-0.5, 0, 0));
             BodyRef out =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.of(0.4, 0.1, 0.1))
+                                    .shape(Box.ofHalfExtents(0.4, 0.1, 0.1))
                                     .at(0.5 * c, 0.5 * s, 0)
                                     .rotationAbout(0, 0, 1, d));
             BodyRef base = peg(world, 5);
@@ -181,7 +187,8 @@ final class JointKindsTest {
     @Test
     void parallelKeepsUpright() {
         try (PhysicsWorld world = world()) {
-            BodyRef box = world.add(Body.dynamic().shape(Box.of(0.1, 0.5, 0.2)).at(3, 5, 0));
+            BodyRef box =
+                    world.add(Body.dynamic().shape(Box.ofHalfExtents(0.1, 0.5, 0.2)).at(3, 5, 0));
             JointRef joint =
                     world.add(Joint.parallel(peg(world, 9), box).at(3, 5, 0).axis(0, 1, 0));
             box.setAngularVelocity(1, 2, 3);
@@ -204,13 +211,17 @@ final class JointKindsTest {
                 half[k] =
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.of(0.5, 0.2, 0.1))
+                                        .shape(Box.ofHalfExtents(0.5, 0.2, 0.1))
                                         .mass(3)
                                         .at(k - 0.5, 0, 0));
             }
             JointRef joint = world.add(Joint.fixed(half[0], half[1]).at(0, 0, 0));
             BodyRef whole =
-                    world.add(Body.dynamic().shape(Box.of(1, 0.2, 0.1)).mass(6).at(0, 5, 0));
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.ofHalfExtents(1, 0.2, 0.1))
+                                    .mass(6)
+                                    .at(0, 5, 0));
             Vector3d spin = new Vector3d(0.7, 1.1, 1.9);
             whole.setAngularVelocity(spin);
             for (int k = 0; k < 2; k++) {

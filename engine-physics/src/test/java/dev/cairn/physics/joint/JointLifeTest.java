@@ -34,7 +34,8 @@ final class JointLifeTest {
     }
 
     private static BodyRef arm(PhysicsWorld world) {
-        return world.add(Body.dynamic().shape(Box.of(0.5, 0.05, 0.05)).mass(4).at(0.5, 5, 0));
+        return world.add(
+                Body.dynamic().shape(Box.ofHalfExtents(0.5, 0.05, 0.05)).mass(4).at(0.5, 5, 0));
     }
 
     /** It bears a hundredth more than its load, and breaks with a hundredth less, once. */
@@ -220,7 +221,8 @@ final class JointLifeTest {
             BodyRef ball = world.add(Body.dynamic().shape(Sphere.of(0.2)).mass(1).at(0.1, 5, 0));
             JointRef one = world.add(Joint.rod(left, ball).length(1));
             JointRef two = world.add(Joint.rod(right, ball).length(1));
-            BodyRef square = world.add(Body.dynamic().shape(Box.of(0.5, 0.1, 0.1)).at(0, 8, 0));
+            BodyRef square =
+                    world.add(Body.dynamic().shape(Box.ofHalfExtents(0.5, 0.1, 0.1)).at(0, 8, 0));
             world.add(Joint.ball(left, square).anchors(-1.5, 5, 0, -0.5, 8, 0));
             world.add(Joint.ball(right, square).anchors(1.5, 5, 0, 0.5, 8, 0));
             for (int tick = 0; tick < 600; tick++) {

@@ -94,7 +94,7 @@ final class JointsTest {
                 bodies.add(
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.of(0.3, 0.1 + 0.02 * k, 0.2))
+                                        .shape(Box.ofHalfExtents(0.3, 0.1 + 0.02 * k, 0.2))
                                         .mass(1 + k)
                                         .at(k, 0.1 * k, 0)
                                         .velocity(0, k % 3 - 1, 0.3 * k)
@@ -153,8 +153,10 @@ final class JointsTest {
     void sleepsAndWakes() {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
             BodyRef peg = world.add(Body.fixed().shape(Sphere.of(0.05)).at(0, 3, 1));
-            BodyRef arm = world.add(Body.dynamic().shape(Box.of(0.1, 0.5, 0.1)).at(0, 2.5, 0));
-            BodyRef other = world.add(Body.dynamic().shape(Box.of(0.1, 0.5, 0.1)).at(0, 1.4, 0));
+            BodyRef arm =
+                    world.add(Body.dynamic().shape(Box.ofHalfExtents(0.1, 0.5, 0.1)).at(0, 2.5, 0));
+            BodyRef other =
+                    world.add(Body.dynamic().shape(Box.ofHalfExtents(0.1, 0.5, 0.1)).at(0, 1.4, 0));
             world.add(Joint.hinge(peg, arm).at(0, 3, 0).axis(0, 0, 1).motor(0, 3));
             world.add(Joint.hinge(arm, other).at(0, 1.95, 0).axis(0, 0, 1).motor(0, 3));
             arm.applyImpulse(20, 0, 0);
@@ -176,7 +178,7 @@ final class JointsTest {
         long expected = 0;
         for (int workers = 1; workers <= 3; workers++) {
             try (PhysicsWorld world = still().workers(workers).build()) {
-                world.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0));
+                world.add(Body.fixed().shape(Box.ofHalfExtents(50, 1, 50)).at(0, -1, 0));
                 for (int c = 0; c < 12; c++) {
                     BodyRef last = null;
                     for (int k = 0; k < 30; k++) {

@@ -34,7 +34,8 @@ final class LimitsAndMotorsTest {
 
     /** A level arm of 1 m and 4 kg, whose end is at the origin. */
     private static BodyRef arm(PhysicsWorld world) {
-        return world.add(Body.dynamic().shape(Box.of(0.5, 0.05, 0.05)).mass(4).at(0.5, 0, 0));
+        return world.add(
+                Body.dynamic().shape(Box.ofHalfExtents(0.5, 0.05, 0.05)).mass(4).at(0.5, 0, 0));
     }
 
     /** An arm falls from 0.7 rad above level onto its limit, and bears its weight. */
@@ -67,7 +68,7 @@ final class LimitsAndMotorsTest {
     @Test
     void sliderLimitsBearTheWeight() {
         try (PhysicsWorld world = world(4)) {
-            BodyRef box = world.add(Body.dynamic().shape(Box.of(0.2, 0.2, 0.2)).mass(3));
+            BodyRef box = world.add(Body.dynamic().shape(Box.ofHalfExtents(0.2, 0.2, 0.2)).mass(3));
             JointRef slider =
                     world.add(
                             Joint.slider(peg(world), box)
@@ -91,7 +92,8 @@ final class LimitsAndMotorsTest {
     @Test
     void conesAndTwistsAreKept() {
         try (PhysicsWorld world = world(4)) {
-            BodyRef bar = world.add(Body.dynamic().shape(Box.of(0.05, 0.5, 0.05)).mass(2));
+            BodyRef bar =
+                    world.add(Body.dynamic().shape(Box.ofHalfExtents(0.05, 0.5, 0.05)).mass(2));
             bar.teleport(0, -0.5, 0);
             JointRef ball =
                     world.add(
@@ -165,7 +167,7 @@ final class LimitsAndMotorsTest {
     @Test
     void weakBrakesSlip() {
         try (PhysicsWorld world = world(4)) {
-            BodyRef box = world.add(Body.dynamic().shape(Box.of(0.2, 0.2, 0.2)).mass(3));
+            BodyRef box = world.add(Body.dynamic().shape(Box.ofHalfExtents(0.2, 0.2, 0.2)).mass(3));
             JointRef slider =
                     world.add(
                             Joint.slider(peg(world), box)
@@ -186,7 +188,7 @@ final class LimitsAndMotorsTest {
     @Test
     void springsYieldByTheWeight() {
         try (PhysicsWorld world = world(4)) {
-            BodyRef box = world.add(Body.dynamic().shape(Box.of(0.2, 0.2, 0.2)).mass(3));
+            BodyRef box = world.add(Body.dynamic().shape(Box.ofHalfExtents(0.2, 0.2, 0.2)).mass(3));
             JointRef slider =
                     world.add(
                             Joint.slider(peg(world), box)

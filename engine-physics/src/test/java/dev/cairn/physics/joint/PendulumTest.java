@@ -38,7 +38,7 @@ final class PendulumTest {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).sleeping(false).build()) {
             boolean isArm = kind.equals("hinge");
             BodyRef peg = world.add(Body.fixed().shape(Sphere.of(0.05)).at(0, 0, isArm ? 1 : 0));
-            Shape shape = isArm ? Box.of(0.05, 0.5, 0.05) : Sphere.of(0.1);
+            Shape shape = isArm ? Box.ofHalfExtents(0.05, 0.5, 0.05) : Sphere.of(0.1);
             double length = isArm ? 0.5 : 1;
             double x = length * StrictMath.sin(amplitude);
             double y = -length * StrictMath.cos(amplitude);

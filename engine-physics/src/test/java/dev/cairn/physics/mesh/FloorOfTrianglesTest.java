@@ -56,8 +56,13 @@ class FloorOfTrianglesTest {
         Quaterniond down = new Quaterniond().rotateX(Math.PI / 2);
         return new Mover[] {
             new Mover("ball", Sphere.of(.25), no, .25, true),
-            new Mover("box", Box.of(.3, .2, .4), no, .2, false),
-            new Mover("turned box", Box.of(.3, .2, .4), new Quaterniond().rotateY(.3), .2, false),
+            new Mover("box", Box.ofHalfExtents(.3, .2, .4), no, .2, false),
+            new Mover(
+                    "turned box",
+                    Box.ofHalfExtents(.3, .2, .4),
+                    new Quaterniond().rotateY(.3),
+                    .2,
+                    false),
             new Mover("capsule", Capsule.of(.2, .4), down, .2, true),
             new Mover("cylinder", Cylinder.of(.3, .2), no, .2, false),
             new Mover("roller", Cylinder.of(.3, .2), down, .3, true),
@@ -87,7 +92,7 @@ class FloorOfTrianglesTest {
             world.add(
                     mesh == null
                             ? Body.fixed()
-                                    .shape(Box.of(HALF, 1, HALF))
+                                    .shape(Box.ofHalfExtents(HALF, 1, HALF))
                                     .at(0, -1, 0)
                                     .material(material)
                             : Body.fixed().shape(mesh).material(material));

@@ -94,7 +94,7 @@ public final class Grounds {
             Capsule.of(.15, .2),
             Cylinder.of(.2, .15),
             Cone.of(.25, .2),
-            Box.of(.25, .15, .2),
+            Box.ofHalfExtents(.25, .15, .2),
             ConvexHull.of(
                     new double[] {
                         .25, 0, 0, -.25, 0, 0, 0, .25, 0, 0, -.25, 0, 0, 0, .25, 0, 0, -.25, .2, .2,

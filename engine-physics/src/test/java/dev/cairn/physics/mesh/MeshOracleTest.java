@@ -181,7 +181,15 @@ class MeshOracleTest {
                 double[] half = {.02 + .3 * random.nextDouble(), .1, .2};
                 Quaterniond q = turn();
                 Vector3d p = point(3).add(at);
-                shapeAt.set(Box.of(half[0], half[1], half[2]), p.x, p.y, p.z, q.x, q.y, q.z, q.w);
+                shapeAt.set(
+                        Box.ofHalfExtents(half[0], half[1], half[2]),
+                        p.x,
+                        p.y,
+                        p.z,
+                        q.x,
+                        q.y,
+                        q.z,
+                        q.w);
                 Vector3d[] axes = {
                     q.transform(new Vector3d(1, 0, 0)),
                     q.transform(new Vector3d(0, 1, 0)),
@@ -279,7 +287,7 @@ class MeshOracleTest {
         assertTrue(mesh.report().isClosed());
         Shape[] shapes = {
             Sphere.of(.3),
-            Box.of(.3, .2, .4),
+            Box.ofHalfExtents(.3, .2, .4),
             Capsule.of(.2, .4),
             ConvexHull.of(new double[] {-.3, 0, -.2, .3, 0, -.2, .35, 0, .3, -.2, 0, .3, 0, .4, 0})
         };

@@ -131,7 +131,8 @@ class TriangleMeshTest {
         TriangleMesh mesh = TriangleMesh.of(cube(), sides()).scaled(-2, .5, 3);
         try (PhysicsWorld world = PhysicsWorld.builder().sleeping(false).build()) {
             world.add(Body.fixed().shape(mesh));
-            BodyRef box = world.add(Body.dynamic().shape(Box.cube(.2)).at(1.7, .8, -2.7));
+            BodyRef box =
+                    world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(.2)).at(1.7, .8, -2.7));
             for (int i = 0; i < 120; i++) {
                 world.step(1 / 60.0);
             }

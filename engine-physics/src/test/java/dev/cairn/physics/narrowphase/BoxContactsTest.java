@@ -33,7 +33,12 @@ class BoxContactsTest {
         STACKED {
             @Override
             Scene first(SplittableRandom r) {
-                return stacked(r, Box.cube(.5), Box.cube(.5), 1e-4, .5 * r.nextInt(3));
+                return stacked(
+                        r,
+                        Box.cubeOfHalfExtent(.5),
+                        Box.cubeOfHalfExtent(.5),
+                        1e-4,
+                        .5 * r.nextInt(3));
             }
         },
         OVERHANGING {
@@ -57,7 +62,7 @@ class BoxContactsTest {
         TURNED {
             @Override
             Scene first(SplittableRandom r) {
-                Scene s = stacked(r, Box.cube(.5), Box.cube(.5), 1e-3, 0);
+                Scene s = stacked(r, Box.cubeOfHalfExtent(.5), Box.cubeOfHalfExtent(.5), 1e-3, 0);
                 s.qb.rotateY(Math.PI / 4 * r.nextInt(3) + 1e-3 * Scene.gauss(r));
                 return s;
             }
@@ -65,7 +70,7 @@ class BoxContactsTest {
         ON_A_LATTICE {
             @Override
             Scene first(SplittableRandom r) {
-                Scene s = new Scene(Box.of(.5, .5, 1), Box.of(.5, .25, 1));
+                Scene s = new Scene(Box.ofHalfExtents(.5, .5, 1), Box.ofHalfExtents(.5, .25, 1));
                 s.at(r.nextInt(13) - 6, r.nextInt(13) - 6, r.nextInt(17) - 8).d.mul(.125);
                 s.qb.rotateY(Math.PI / 2 * r.nextInt(4)).rotateX(Math.PI / 2 * r.nextInt(4));
                 return s;
@@ -83,22 +88,27 @@ class BoxContactsTest {
             @Override
             Scene first(SplittableRandom r) {
                 double half = Scene.logUniform(r, 1e-6, 1e6);
-                return stacked(r, Box.cube(half), Box.of(.5, .4, .3), 1e-7, r.nextDouble());
+                return stacked(
+                        r,
+                        Box.cubeOfHalfExtent(half),
+                        Box.ofHalfExtents(.5, .4, .3),
+                        1e-7,
+                        r.nextDouble());
             }
         },
         SCALED {
             @Override
             Scene first(SplittableRandom r) {
                 double scale = StrictMath.scalb(1, 30 * (2 * r.nextInt(2) - 1));
-                Box a = Box.of(scale * (.1 + r.nextDouble()), scale, .7 * scale);
-                return Scene.random(r, a, Box.of(.3 * scale, .5 * scale, scale));
+                Box a = Box.ofHalfExtents(scale * (.1 + r.nextDouble()), scale, .7 * scale);
+                return Scene.random(r, a, Box.ofHalfExtents(.3 * scale, .5 * scale, scale));
             }
         },
         /** Any face on any face, overlapping at a corner or along a side. */
         CORNER_TO_CORNER {
             @Override
             Scene first(SplittableRandom r) {
-                Scene s = new Scene(Box.cube(.5), Box.cube(.45));
+                Scene s = new Scene(Box.cubeOfHalfExtent(.5), Box.cubeOfHalfExtent(.45));
                 double half = Math.PI / 2;
                 s.qb.rotateXYZ(half * r.nextInt(4), half * r.nextInt(4), half * r.nextInt(4));
                 s.qb.rotateXYZ(1e-4 * Scene.gauss(r), 1e-4 * Scene.gauss(r), 1e-4 * Scene.gauss(r));
@@ -115,7 +125,7 @@ class BoxContactsTest {
         NEARLY_FLUSH {
             @Override
             Scene first(SplittableRandom r) {
-                Scene s = new Scene(Box.cube(.5), Box.cube(.5));
+                Scene s = new Scene(Box.cubeOfHalfExtent(.5), Box.cubeOfHalfExtent(.5));
                 double half = Math.PI / 2;
                 s.qb.rotateXYZ(half * r.nextInt(4), half * r.nextInt(4), half * r.nextInt(4));
                 int axis = r.nextInt(3);
@@ -131,7 +141,7 @@ class BoxContactsTest {
         ON_THE_BRINK {
             @Override
             Scene first(SplittableRandom r) {
-                Scene s = new Scene(Box.cube(.5), Box.cube(.5));
+                Scene s = new Scene(Box.cubeOfHalfExtent(.5), Box.cubeOfHalfExtent(.5));
                 double beside = .9 + .1 * r.nextDouble();
                 s.at(beside, .99 - .1 * r.nextDouble(), .3 * Scene.gauss(r));
                 s.qb.rotateXYZ(.05 * Scene.gauss(r), .2 * Scene.gauss(r), .05 * Scene.gauss(r));
@@ -147,7 +157,8 @@ class BoxContactsTest {
             @Override
             Scene first(SplittableRandom r) {
                 double thin = Scene.logUniform(r, 1e-7, .1);
-                return Scene.random(r, Box.of(1, thin, 1), Box.of(.1, .5, thin));
+                return Scene.random(
+                        r, Box.ofHalfExtents(1, thin, 1), Box.ofHalfExtents(.1, .5, thin));
             }
         };
 

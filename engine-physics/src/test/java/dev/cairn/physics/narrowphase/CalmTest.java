@@ -75,7 +75,7 @@ class CalmTest {
 
     @Test
     void theDepthOfFacetedShapesIsTheTrueOneWithinTheBound() {
-        Shape[] shapes = {ball(60), cylinder(24), Box.of(.7, .4, .9), cylinder(7)};
+        Shape[] shapes = {ball(60), cylinder(24), Box.ofHalfExtents(.7, .4, .9), cylinder(7)};
         SplittableRandom r = new SplittableRandom(51);
         for (int i = 0; i < 150; i++) {
             Scene s = Scene.random(r, shapes[r.nextInt(2)], shapes[r.nextInt(4)]);
@@ -90,7 +90,7 @@ class CalmTest {
     /** Too many features for brute force; {@code distance} is checked against it elsewhere. */
     @Test
     void theDepthOfFineShapesIsTheTrueOneWithinTheBound() {
-        Shape[] shapes = {ball(500), needle(300), cylinder(128), Box.of(.7, .4, .9)};
+        Shape[] shapes = {ball(500), needle(300), cylinder(128), Box.ofHalfExtents(.7, .4, .9)};
         SplittableRandom r = new SplittableRandom(52);
         NarrowPhase n = new NarrowPhase();
         for (int i = 0; i < 1_500; i++) {
@@ -112,7 +112,7 @@ class CalmTest {
     @EnumSource
     void crossedEdgesKeepTheirNormalUntilTheyPart(NarrowPhase.Method method) {
         NarrowPhase n = new NarrowPhase(method);
-        Scene s = new Scene(Box.of(.5, .5, 2), Box.of(2, .5, .5));
+        Scene s = new Scene(Box.ofHalfExtents(.5, .5, 2), Box.ofHalfExtents(2, .5, .5));
         s.qa.rotateZ(Math.PI / 4);
         s.qb.rotateX(Math.PI / 4 + .1).rotateY(.2);
         double touching = touchingHeight(n, s);
@@ -151,7 +151,7 @@ class CalmTest {
             int changes = 0;
             int[] before = {};
             for (int tick = 0; tick < 400; tick++) {
-                Scene s = new Scene(Box.cube(.5), Box.cube(.5));
+                Scene s = new Scene(Box.cubeOfHalfExtent(.5), Box.cubeOfHalfExtent(.5));
                 s.at(sway * Scene.gauss(r), .9999, sway * Scene.gauss(r));
                 s.qb.rotateY(sway * Scene.gauss(r))
                         .rotateX(.1 * sway * Scene.gauss(r))
@@ -175,7 +175,7 @@ class CalmTest {
         long word = 0;
         double side = 0;
         for (int tick = 0; tick < 400; tick++) {
-            Scene s = new Scene(Box.cube(.5), Box.cube(.5));
+            Scene s = new Scene(Box.cubeOfHalfExtent(.5), Box.cubeOfHalfExtent(.5));
             s.at(.9 + 1e-5 * Scene.gauss(r), .9 + 1e-5 * Scene.gauss(r), 0);
             word = s.collide(n, .01, word, m);
             side = tick == 0 ? m.normalX : side;

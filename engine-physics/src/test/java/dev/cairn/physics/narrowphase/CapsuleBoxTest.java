@@ -78,7 +78,9 @@ class CapsuleBoxTest {
     void nearlyParallelToAnEdgeTheNearestFeatureIsFound() {
         SplittableRandom r = new SplittableRandom(303);
         for (int i = 0; i < 100_000; i++) {
-            Scene s = new Scene(Box.of(1, 2, .5), Capsule.of(.25, .5 + 2 * r.nextDouble()));
+            Scene s =
+                    new Scene(
+                            Box.ofHalfExtents(1, 2, .5), Capsule.of(.25, .5 + 2 * r.nextDouble()));
             double tilt = Scene.logUniform(r, 1e-17, 1e-12);
             Vector3d axis = Scene.direction(r);
             s.qb.rotateAxis(tilt, axis.x, axis.y, axis.z);
@@ -149,7 +151,7 @@ class CapsuleBoxTest {
     /** Lying on a face the capsule has two points, upright one, over an edge one. */
     @Test
     void lyingItHasTwoPointsAndUprightOne() {
-        Scene s = new Scene(Box.of(2, .5, 2), Capsule.of(.25, .5));
+        Scene s = new Scene(Box.ofHalfExtents(2, .5, 2), Capsule.of(.25, .5));
         s.at(.3, .5 + .25 + .5 - 1e-3, .1).collide(special, .01, 0, manifold);
         assertEquals(1, manifold.pointCount);
         assertEquals(-1e-3, manifold.separation[0], 1e-15);

@@ -126,7 +126,7 @@ class CapsuleHullTest {
         ConvexHull[] hulls = new ConvexHull[boxes.length];
         for (int i = 0; i < boxes.length; i++) {
             boxes[i] =
-                    Box.of(
+                    Box.ofHalfExtents(
                             Scene.logUniform(r, .1, 2),
                             Scene.logUniform(r, .1, 2),
                             Scene.logUniform(r, .1, 2));

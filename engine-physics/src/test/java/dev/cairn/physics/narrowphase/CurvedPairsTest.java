@@ -47,7 +47,7 @@ class CurvedPairsTest {
                 case CAPSULE -> Capsule.of(size, other);
                 case CYLINDER -> Cylinder.of(size, other);
                 case CONE -> Cone.of(size, other);
-                case BOX -> Box.of(size, other, size * Scene.logUniform(r, .1, 3));
+                case BOX -> Box.ofHalfExtents(size, other, size * Scene.logUniform(r, .1, 3));
                 case HULL -> Scene.hull(r, 4 + r.nextInt(12), size);
             };
         }
@@ -104,7 +104,7 @@ class CurvedPairsTest {
             case Capsule c -> Capsule.of(f * c.radius(), f * c.halfLength());
             case Cylinder c -> Cylinder.of(f * c.radius(), f * c.halfHeight());
             case Cone c -> Cone.of(f * c.radius(), f * c.halfHeight());
-            case Box b -> Box.of(f * b.halfX(), f * b.halfY(), f * b.halfZ());
+            case Box b -> Box.ofHalfExtents(f * b.halfX(), f * b.halfY(), f * b.halfZ());
             default -> shape;
         };
     }

@@ -32,8 +32,8 @@ class DistanceTest {
             r -> {
                 Scene s =
                         new Scene(
-                                Box.of(.5 * (1 + r.nextInt(3)), .5, 1),
-                                Box.of(.5, 1, .5 * (1 + r.nextInt(2))));
+                                Box.ofHalfExtents(.5 * (1 + r.nextInt(3)), .5, 1),
+                                Box.ofHalfExtents(.5, 1, .5 * (1 + r.nextInt(2))));
                 s.d.set(
                         (r.nextInt(33) - 16) / 8.0,
                         (r.nextInt(33) - 16) / 8.0,
@@ -155,8 +155,10 @@ class DistanceTest {
                 Box b = (Box) s.b;
                 Scene big =
                         new Scene(
-                                Box.of(scale * a.halfX(), scale * a.halfY(), scale * a.halfZ()),
-                                Box.of(scale * b.halfX(), scale * b.halfY(), scale * b.halfZ()));
+                                Box.ofHalfExtents(
+                                        scale * a.halfX(), scale * a.halfY(), scale * a.halfZ()),
+                                Box.ofHalfExtents(
+                                        scale * b.halfX(), scale * b.halfY(), scale * b.halfZ()));
                 big.qa = s.qa;
                 big.qb = s.qb;
                 big.d = s.d.mul(scale, new Vector3d());
@@ -209,32 +211,54 @@ class DistanceTest {
     void posesThatBrokeOtherEnginesHaveTheirClosedForm(NarrowPhase.Method method) {
         NarrowPhase n = new NarrowPhase(method);
         // libccd issue 25: two cubes of 2 m at z = 1.9.
-        assertEquals(-.1, new Scene(Box.cube(1), Box.cube(1)).at(0, 0, 1.9).distance(n), 1e-15);
+        assertEquals(
+                -.1,
+                new Scene(Box.cubeOfHalfExtent(1), Box.cubeOfHalfExtent(1))
+                        .at(0, 0, 1.9)
+                        .distance(n),
+                1e-15);
         // FCL issue 493: cubes that kiss.
-        assertEquals(0, new Scene(Box.cube(.25), Box.cube(.25)).at(.5, 0, 0).distance(n), 0.0);
-        assertEquals(0, new Scene(Box.cube(.25), Box.cube(.25)).at(.5, .5, .5).distance(n), 0.0);
+        assertEquals(
+                0,
+                new Scene(Box.cubeOfHalfExtent(.25), Box.cubeOfHalfExtent(.25))
+                        .at(.5, 0, 0)
+                        .distance(n),
+                0.0);
+        assertEquals(
+                0,
+                new Scene(Box.cubeOfHalfExtent(.25), Box.cubeOfHalfExtent(.25))
+                        .at(.5, .5, .5)
+                        .distance(n),
+                0.0);
         // FCL issue 495: cubes an epsilon apart, on both sides of touching.
         for (int k = -15; k <= -1; k++) {
             double gap = StrictMath.pow(10, k);
             assertEquals(
                     gap,
-                    new Scene(Box.cube(.125), Box.cube(.125)).at(.25 + gap, .01, .02).distance(n),
+                    new Scene(Box.cubeOfHalfExtent(.125), Box.cubeOfHalfExtent(.125))
+                            .at(.25 + gap, .01, .02)
+                            .distance(n),
                     2e-16);
             assertEquals(
                     -gap,
-                    new Scene(Box.cube(.125), Box.cube(.125)).at(.01, .25 - gap, .02).distance(n),
+                    new Scene(Box.cubeOfHalfExtent(.125), Box.cubeOfHalfExtent(.125))
+                            .at(.01, .25 - gap, .02)
+                            .distance(n),
                     2e-16);
         }
         // mujoco_warp issue 1526: identical cubes dropped by 2.5e-4.
         assertEquals(
                 -2.5e-4,
-                new Scene(Box.cube(.5), Box.cube(.5)).at(0, 1 - 2.5e-4, 0).distance(n),
+                new Scene(Box.cubeOfHalfExtent(.5), Box.cubeOfHalfExtent(.5))
+                        .at(0, 1 - 2.5e-4, 0)
+                        .distance(n),
                 2e-16);
         // Concentric.
-        assertEquals(-2, new Scene(Box.cube(1), Box.cube(1)).distance(n), 1e-15);
+        assertEquals(
+                -2, new Scene(Box.cubeOfHalfExtent(1), Box.cubeOfHalfExtent(1)).distance(n), 1e-15);
         assertEquals(-4, new Scene(Sphere.of(2), Sphere.of(2)).distance(n), 0.0);
         assertEquals(1, Math.abs(n.axisX()) + Math.abs(n.axisY()) + Math.abs(n.axisZ()), 0.0);
-        assertEquals(-3, new Scene(Box.cube(1), Sphere.of(2)).distance(n), 0.0);
+        assertEquals(-3, new Scene(Box.cubeOfHalfExtent(1), Sphere.of(2)).distance(n), 0.0);
     }
 
     @ParameterizedTest
@@ -247,8 +271,10 @@ class DistanceTest {
             double small = Scene.logUniform(r, 1e-3, 1);
             Scene s =
                     new Scene(
-                            (i & 1) == 0 ? Box.of(1, thin, 1) : Box.of(thin, 10, thin),
-                            Box.of(small, small, 2 * small));
+                            (i & 1) == 0
+                                    ? Box.ofHalfExtents(1, thin, 1)
+                                    : Box.ofHalfExtents(thin, 10, thin),
+                            Box.ofHalfExtents(small, small, 2 * small));
             s.qa = Scene.turn(r);
             s.qb = Scene.turn(r);
             s.d =

@@ -216,7 +216,7 @@ class G01To09Test {
         Scene[] all = new Scene[turns.length + 2];
         for (int i = 0; i < all.length; i++) {
             Quaterniond[] t = turns[i % turns.length];
-            all[i] = new Scene(Box.of(.5, .75, .6), Box.of(.4, .3, .55));
+            all[i] = new Scene(Box.ofHalfExtents(.5, .75, .6), Box.ofHalfExtents(.4, .3, .55));
             all[i].qa = t[0];
             all[i].qb = t[1];
             all[i].d.set(.03, 1, -.04);
@@ -265,7 +265,7 @@ class G01To09Test {
             Capsule.of(.25, .5),
             Cylinder.of(.5, .75),
             Cone.of(.5, .5),
-            Box.of(.5, 1, .25)
+            Box.ofHalfExtents(.5, 1, .25)
         };
         double[] up = {.5, .75, .75, .75, 1};
         double[] down = {.5, .75, .75, .25, 1};
@@ -306,8 +306,8 @@ class G01To09Test {
     @ParameterizedTest
     @EnumSource
     void g5NearlyParallelFlatsKeepFourPointsAndTheirNormal(NarrowPhase.Method method) {
-        Shape[] lower = {Box.of(1, .5, 1), prism(12), Cylinder.of(1, .5)};
-        Shape[] upper = {Box.cube(.5), prism(6), Cylinder.of(.5, .5), Cone.of(.5, 1)};
+        Shape[] lower = {Box.ofHalfExtents(1, .5, 1), prism(12), Cylinder.of(1, .5)};
+        Shape[] upper = {Box.cubeOfHalfExtent(.5), prism(6), Cylinder.of(.5, .5), Cone.of(.5, 1)};
         NarrowPhase n = new NarrowPhase(method);
         Manifold m = new Manifold();
         for (Shape a : lower) {
@@ -341,7 +341,7 @@ class G01To09Test {
         NarrowPhase special = new NarrowPhase();
         NarrowPhase general = new NarrowPhase(NarrowPhase.Method.GENERAL);
         Shape[] small = {
-            Box.cube(.1),
+            Box.cubeOfHalfExtent(.1),
             Sphere.of(.1),
             Capsule.of(.1, .1),
             Cylinder.of(.1, .1),
@@ -353,7 +353,7 @@ class G01To09Test {
             double bar = half <= 1e5 ? 1e-9 * .1 : 1e-8 * .1;
             for (int i = 0; i < small.length; i++) {
                 for (double depth : new double[] {1.078e-4, 1e-7, 0, -1e-7, -1e-2}) {
-                    Scene s = new Scene(Box.of(half, half, half), small[i]);
+                    Scene s = new Scene(Box.ofHalfExtents(half, half, half), small[i]);
                     s.d.set(.3 * half, half + down[i] - depth, -.2 * half);
                     s.qb.rotateY(.3);
                     double truth = s.d.y - half - down[i];

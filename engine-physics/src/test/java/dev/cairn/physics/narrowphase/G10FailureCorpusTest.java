@@ -50,7 +50,7 @@ class G10FailureCorpusTest {
     }
 
     private static Box box(double x, double y, double z) {
-        return Box.of(x / 2, y / 2, z / 2);
+        return Box.ofHalfExtents(x / 2, y / 2, z / 2);
     }
 
     /** A cylinder along z. */
@@ -505,7 +505,7 @@ class G10FailureCorpusTest {
         // Within the margin but apart: the axis came out flipped.
         reach(
                 "Jolt 671, built anew",
-                Box.of(1, .1, 2),
+                Box.ofHalfExtents(1, .1, 2),
                 Pose.at(0, 0, 0),
                 Capsule.of(.3, .8),
                 new Pose(new Quaterniond().rotationX(1.5), at(.2, .41, .1)));

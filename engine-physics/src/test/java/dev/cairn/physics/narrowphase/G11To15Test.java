@@ -59,7 +59,7 @@ class G11To15Test {
         Manifold m = new Manifold();
         double worst = 0;
         for (int i = 0; i < poses; i++) {
-            Scene s = new Scene(Box.of(.5, .75, 1), Box.of(.5, .75, 1));
+            Scene s = new Scene(Box.ofHalfExtents(.5, .75, 1), Box.ofHalfExtents(.5, .75, 1));
             s.qb = turns.get(r.nextInt(24));
             s.d.set(r.nextInt(-17, 18) / 8., r.nextInt(-17, 18) / 8., r.nextInt(-17, 18) / 8.);
             Vector3d half = s.qb.transform(new Vector3d(.5, .75, 1)).absolute();
@@ -115,7 +115,7 @@ class G11To15Test {
         for (int points : new int[] {4, 8, 20, 64, 300, 2_000, 10_000}) {
             g12(Scene.hull(r, points, 1), r, points + " points");
         }
-        g12(Polyhedron.of(Box.of(1, 2, 3)), r, "box");
+        g12(Polyhedron.of(Box.ofHalfExtents(1, 2, 3)), r, "box");
         for (int side : new int[] {4, 12, 30}) {
             g12(plateaus(r, side), r, "plateaus of " + side);
         }
@@ -398,11 +398,11 @@ class G11To15Test {
         for (int i = 0; i < 1_500; i++) {
             double thin = Scene.logUniform(r, 1e-6, 1e-3);
             Shape[] kinds = {
-                Box.of(1, thin, 1),
+                Box.ofHalfExtents(1, thin, 1),
                 block(1, thin, .7),
                 Cylinder.of(1, thin),
                 Cone.of(1, thin),
-                Box.of(1e-5, 1, 1e-5),
+                Box.ofHalfExtents(1e-5, 1, 1e-5),
                 block(1e-5, 1, 1e-5),
                 Cylinder.of(1e-5, 1),
                 Capsule.of(1e-5, 1),
@@ -443,7 +443,9 @@ class G11To15Test {
         NarrowPhase n = new NarrowPhase(method);
         Manifold m = new Manifold();
         for (double thin : new double[] {1e-3, 1e-4, 1e-5, 1e-6}) {
-            Shape[] kinds = {Box.of(1, thin, 1), block(1, thin, .7), Cylinder.of(1, thin)};
+            Shape[] kinds = {
+                Box.ofHalfExtents(1, thin, 1), block(1, thin, .7), Cylinder.of(1, thin)
+            };
             for (Shape a : kinds) {
                 for (Shape b : kinds) {
                     for (double gap : new double[] {-1e-2, -1e-6, 0, 1e-6, 1e-2, 1}) {

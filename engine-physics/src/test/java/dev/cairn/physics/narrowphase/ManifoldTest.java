@@ -44,7 +44,9 @@ class ManifoldTest {
     void aCubeOnACubeHasFourPointsThatKeepTheirNames(NarrowPhase.Method method) {
         NarrowPhase n = new NarrowPhase(method);
         SplittableRandom r = new SplittableRandom(21);
-        Scene s = new Scene(Box.cube(.5), Box.cube(.5)).at(1e-3, 1 - 1e-4, -1e-3);
+        Scene s =
+                new Scene(Box.cubeOfHalfExtent(.5), Box.cubeOfHalfExtent(.5))
+                        .at(1e-3, 1 - 1e-4, -1e-3);
         s.qb.rotateY(1e-3);
         long word = s.collide(n, .02, 0, m);
         int[] first = names();
@@ -77,7 +79,7 @@ class ManifoldTest {
         long word = 0;
         for (int tick = 0; tick < 500; tick++) {
             Scene s =
-                    new Scene(Box.cube(.5), Box.cube(.5))
+                    new Scene(Box.cubeOfHalfExtent(.5), Box.cubeOfHalfExtent(.5))
                             .at(1e-8 * Scene.gauss(r), 1 - 1e-6, 1e-8 * Scene.gauss(r));
             s.qb.rotateY(1e-8 * Scene.gauss(r)).rotateX(1e-9 * Scene.gauss(r));
             word = s.collide(n, .02, word, m);
@@ -94,7 +96,7 @@ class ManifoldTest {
     @EnumSource
     void touchingIsZeroAndTheMarginIsASharpBound(NarrowPhase.Method method) {
         NarrowPhase n = new NarrowPhase(method);
-        Scene s = new Scene(Box.cube(.5), Box.cube(.5)).at(.25, 1, 0);
+        Scene s = new Scene(Box.cubeOfHalfExtent(.5), Box.cubeOfHalfExtent(.5)).at(.25, 1, 0);
         s.collide(n, 0, 0, m);
         assertEquals(4, m.pointCount);
         assertEquals(0, m.separation[0], 0.0);
@@ -117,7 +119,9 @@ class ManifoldTest {
     @EnumSource
     void aCubeRestsOnAWideFloorAtAnyCornerOfIt(NarrowPhase.Method method) {
         NarrowPhase n = new NarrowPhase(method);
-        Scene s = new Scene(Box.of(50, .5, 50), Box.cube(.5)).at(37.3, .999, -41.7);
+        Scene s =
+                new Scene(Box.ofHalfExtents(50, .5, 50), Box.cubeOfHalfExtent(.5))
+                        .at(37.3, .999, -41.7);
         s.qb.rotateY(.3);
         s.collide(n, .02, 0, m);
         assertEquals(4, m.pointCount);
@@ -129,11 +133,15 @@ class ManifoldTest {
         t.collide(n, .02, 0, m);
         assertEquals(4, m.pointCount);
         assertEquals(-1, m.normalY, 1e-14);
-        s = new Scene(Box.of(500, 500, 500), Box.cube(.5)).at(3, 500.5 - 1e-6, 4);
+        s =
+                new Scene(Box.ofHalfExtents(500, 500, 500), Box.cubeOfHalfExtent(.5))
+                        .at(3, 500.5 - 1e-6, 4);
         s.collide(n, .02, 0, m);
         assertEquals(4, m.pointCount);
         assertEquals(-1e-6, deepest(), 2e-13);
-        s = new Scene(Box.of(1, .1, 1), Box.of(.03, 5e-7, .05)).at(0, .1 + 5e-7 - 1e-9, 0);
+        s =
+                new Scene(Box.ofHalfExtents(1, .1, 1), Box.ofHalfExtents(.03, 5e-7, .05))
+                        .at(0, .1 + 5e-7 - 1e-9, 0);
         s.collide(n, 1e-8, 0, m);
         assertEquals(4, m.pointCount);
         assertEquals(-1e-9, deepest(), 1e-16);
@@ -145,7 +153,8 @@ class ManifoldTest {
         NarrowPhase n = new NarrowPhase(method);
         for (int k = -14; k <= -3; k++) {
             double tilt = StrictMath.pow(10, k);
-            Scene s = new Scene(Box.cube(.5), Box.cube(.5)).at(.1, .999, .05);
+            Scene s =
+                    new Scene(Box.cubeOfHalfExtent(.5), Box.cubeOfHalfExtent(.5)).at(.1, .999, .05);
             s.qb.rotateXYZ(tilt, tilt, -tilt);
             s.collide(n, .02, 0, m);
             assertEquals(4, m.pointCount, "tilt " + tilt);
@@ -158,7 +167,9 @@ class ManifoldTest {
     @EnumSource
     void crossedEdgesTouchAtOnePointBetweenThem(NarrowPhase.Method method) {
         NarrowPhase n = new NarrowPhase(method);
-        Scene s = new Scene(Box.of(.5, .5, 2), Box.of(2, .5, .5)).at(0, Math.sqrt(2) - .01, 0);
+        Scene s =
+                new Scene(Box.ofHalfExtents(.5, .5, 2), Box.ofHalfExtents(2, .5, .5))
+                        .at(0, Math.sqrt(2) - .01, 0);
         s.qa.rotateZ(Math.PI / 4);
         s.qb.rotateX(Math.PI / 4);
         s.collide(n, .02, 0, m);
@@ -177,7 +188,7 @@ class ManifoldTest {
     @EnumSource
     void ballsTouchInOnePointMidway(NarrowPhase.Method method) {
         NarrowPhase n = new NarrowPhase(method);
-        Scene s = new Scene(Box.of(5, 1, 5), Sphere.of(.5)).at(1, 1.49, 2);
+        Scene s = new Scene(Box.ofHalfExtents(5, 1, 5), Sphere.of(.5)).at(1, 1.49, 2);
         s.collide(n, .02, 0, m);
         assertEquals(1, m.pointCount);
         assertEquals(-.01, m.separation[0], 1e-15);
@@ -278,7 +289,7 @@ class ManifoldTest {
     @EnumSource
     void eightCornersAreReducedToFourThatCarryTheLoad(NarrowPhase.Method method) {
         NarrowPhase n = new NarrowPhase(method);
-        Scene s = new Scene(Box.cube(.5), Box.cube(.5)).at(0, .999, 0);
+        Scene s = new Scene(Box.cubeOfHalfExtent(.5), Box.cubeOfHalfExtent(.5)).at(0, .999, 0);
         s.qb.rotateY(Math.PI / 4).rotateX(1e-4);
         long word = s.collide(n, .02, 0, m);
         assertEquals(4, m.pointCount);
@@ -307,7 +318,7 @@ class ManifoldTest {
         SplittableRandom r = new SplittableRandom(24);
         for (int i = 0; i < 100; i++) {
             ConvexHull hull = Scene.hull(r, 500, 1);
-            Scene s = new Scene(Box.of(5, 1, 5), hull);
+            Scene s = new Scene(Box.ofHalfExtents(5, 1, 5), hull);
             s.qb = Scene.turn(r);
             double[] bounds = new double[6];
             hull.bounds(s.qb.x, s.qb.y, s.qb.z, s.qb.w, bounds, 0);

@@ -45,8 +45,8 @@ class RecycledContactsTest {
     RecycledContactsTest() {
         bodies.ensureCapacity(2);
         bodies.slotCount = 2;
-        colliders.attach(0, Box.cube(1));
-        colliders.attach(1, Box.cube(1));
+        colliders.attach(0, Box.cubeOfHalfExtent(1));
+        colliders.attach(1, Box.cubeOfHalfExtent(1));
         bounds.ensureSlots(2);
         rows.ensureCapacity(1);
     }
@@ -280,7 +280,7 @@ class RecycledContactsTest {
 
     @Test
     void aPairThatIsApartIsCollidedWhenItComesNear() {
-        Scene s = new Scene(Box.cube(.5), Box.of(.4, .3, .2)).at(0, .85, 0);
+        Scene s = new Scene(Box.cubeOfHalfExtent(.5), Box.ofHalfExtents(.4, .3, .2)).at(0, .85, 0);
         begin(s);
         assertEquals(0, rows.pointCount[0]);
         double margin = Tuning.DEFAULT.get(Tunable.SPECULATIVE_FRACTION) * inner(s);
@@ -295,7 +295,9 @@ class RecycledContactsTest {
     /** A cube slides over the edges of one below it, by small fractions of the share in a tick. */
     @Test
     void supportEndsWhereTheEdgeIs() {
-        Scene s = new Scene(Box.cube(.5), Box.cube(.5)).at(-.01, 1 - 1e-5, .2);
+        Scene s =
+                new Scene(Box.cubeOfHalfExtent(.5), Box.cubeOfHalfExtent(.5))
+                        .at(-.01, 1 - 1e-5, .2);
         begin(s);
         double share = SHARE * .5;
         double onEdge = 1e-3 * .5;

@@ -157,7 +157,7 @@ class ReductionTest {
         int[] first = {};
         long word = 0;
         for (int tick = 0; tick < 500; tick++) {
-            Scene s = new Scene(Box.cube(.5), Box.cube(.5));
+            Scene s = new Scene(Box.cubeOfHalfExtent(.5), Box.cubeOfHalfExtent(.5));
             s.at(1e-6 * Scene.gauss(r), .999, 1e-6 * Scene.gauss(r));
             s.qb.rotateY(Math.PI / 4 + 1e-6 * Scene.gauss(r))
                     .rotateX(1e-6 * Scene.gauss(r))

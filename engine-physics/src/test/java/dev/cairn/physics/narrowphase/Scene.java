@@ -73,7 +73,8 @@ final class Scene {
     }
 
     static Box box(SplittableRandom r) {
-        return Box.of(logUniform(r, .1, 10), logUniform(r, .1, 10), logUniform(r, .1, 10));
+        return Box.ofHalfExtents(
+                logUniform(r, .1, 10), logUniform(r, .1, 10), logUniform(r, .1, 10));
     }
 
     static ConvexHull hull(SplittableRandom r, int points, double size) {

@@ -64,7 +64,7 @@ enum ShapeKind {
                     case CAPSULE -> Capsule.of(size, other);
                     case CYLINDER -> Cylinder.of(size, other);
                     case CONE -> Cone.of(size, other);
-                    case BOX -> Box.of(size, other, size * Scene.logUniform(r, .1, 3));
+                    case BOX -> Box.ofHalfExtents(size, other, size * Scene.logUniform(r, .1, 3));
                     case HULL -> hull(r, 4 + r.nextInt(12), size);
                     case HALF_SPACE -> HalfSpace.of();
                 };
@@ -107,7 +107,7 @@ enum ShapeKind {
             case Capsule c -> Capsule.of(f * c.radius(), f * c.halfLength());
             case Cylinder c -> Cylinder.of(f * c.radius(), f * c.halfHeight());
             case Cone c -> Cone.of(f * c.radius(), f * c.halfHeight());
-            case Box b -> Box.of(f * b.halfX(), f * b.halfY(), f * b.halfZ());
+            case Box b -> Box.ofHalfExtents(f * b.halfX(), f * b.halfY(), f * b.halfZ());
             case ConvexHull h -> {
                 double[] xyz = POINTS.get(h).clone();
                 for (int i = 0; i < xyz.length; i++) {

@@ -74,7 +74,7 @@ class TipTest {
         Quaterniond straight = new Quaterniond();
         List<Shape> flats =
                 List.of(
-                        Box.of(2, .5, 2),
+                        Box.ofHalfExtents(2, .5, 2),
                         ConvexHull.of(
                                 new double[] {
                                     -2, -1.5, -2, 2, -1.5, -2, -2, -1.5, 2, 2, -1.5, 2, -2, .5, -2,
@@ -98,7 +98,7 @@ class TipTest {
         long seed = 20261124;
         System.out.println("seed " + seed);
         SplittableRandom random = new SplittableRandom(seed);
-        Box box = Box.of(.5, .4, .3);
+        Box box = Box.ofHalfExtents(.5, .4, .3);
         int there = 0;
         int wrong = 0;
         for (int n = 0; n < 60_000; n++) {

@@ -37,7 +37,7 @@ class ShapeQueriesTest {
     private static Shape shape(int i, double size) {
         return switch (i % 6) {
             case 0 -> Sphere.of(.7 * size);
-            case 1 -> Box.of(.5 * size, .8 * size, .3 * size);
+            case 1 -> Box.ofHalfExtents(.5 * size, .8 * size, .3 * size);
             case 2 -> Capsule.of(.4 * size, .6 * size);
             case 3 -> Cylinder.of(.6 * size, .5 * size);
             case 4 -> Cone.of(.7 * size, .6 * size);

@@ -61,13 +61,23 @@ class ShapeTest {
         }
     }
 
+    @Test
+    void aBoxSaysInItsNameWhetherItTakesHalfOrWholeEdges() {
+        Box box = Box.ofEdges(1, 2, 4);
+        assertEquals(8, box.volume());
+        assertEquals(Box.ofHalfExtents(.5, 1, 2).toString(), box.toString());
+        assertEquals(8, Box.cubeOfEdge(2).volume());
+        assertEquals(8, Box.cubeOfHalfExtent(1).volume());
+        assertThrows(DegenerateShapeException.class, () -> Box.ofEdges(1, -1, 1));
+    }
+
     @ParameterizedTest
     @CsvSource({"0, 0, 0", "3, -4, 5", "1e4, -2e4, 3e4"})
     void aHullOfBoxCornersIsTheBox(double x, double y, double z) {
         Quaterniond turn = new Quaterniond().rotateXYZ(.3, .7, -1.1);
         double[] xyz = corners(.5, 1, 2, new Vector3d(x, y, z), turn);
         ConvexHull hull = ConvexHull.of(xyz);
-        Box box = Box.of(.5, 1, 2);
+        Box box = Box.ofHalfExtents(.5, 1, 2);
         double tolerance = 1e-14 * (1 + 10 * Math.abs(x));
         assertEquals(6, Polyhedron.of(hull).faceCount());
         assertEquals(12, Polyhedron.of(hull).edgeCount());
@@ -228,7 +238,7 @@ class ShapeTest {
 
     @Test
     void loopsRunCounterClockwiseAndEveryEdgeHasTwoFaces() {
-        Polyhedron h = Polyhedron.of(Box.of(1, 2, 3));
+        Polyhedron h = Polyhedron.of(Box.ofHalfExtents(1, 2, 3));
         int[] uses = new int[h.edgeCount()];
         for (int f = 0; f < h.faceCount(); f++) {
             for (int s = h.faceBegin(f); s < h.faceBegin(f + 1); s++) {
@@ -262,7 +272,9 @@ class ShapeTest {
                                     r.nextDouble() - .5,
                                     r.nextDouble())
                             .normalize();
-            Box shape = Box.of(.5 + r.nextDouble(), .5 + r.nextDouble(), .5 + r.nextDouble());
+            Box shape =
+                    Box.ofHalfExtents(
+                            .5 + r.nextDouble(), .5 + r.nextDouble(), .5 + r.nextDouble());
             shape.bounds(q.x, q.y, q.z, q.w, box, 0);
             Polyhedron.of(shape).bounds(q.x, q.y, q.z, q.w, hull, 0);
             double top = -Double.MAX_VALUE;
@@ -291,10 +303,12 @@ class ShapeTest {
             assertTrue(sphere.getMessage().contains(String.valueOf(bad)), sphere.getMessage());
             assertSame(
                     reason,
-                    assertThrows(DegenerateShapeException.class, () -> Box.of(1, bad, 1)).reason());
+                    assertThrows(DegenerateShapeException.class, () -> Box.ofHalfExtents(1, bad, 1))
+                            .reason());
             assertSame(
                     reason,
-                    assertThrows(DegenerateShapeException.class, () -> Box.cube(bad)).reason());
+                    assertThrows(DegenerateShapeException.class, () -> Box.cubeOfHalfExtent(bad))
+                            .reason());
         }
         if (!(bad > 0 && Double.isFinite(bad))) {
             assertThrows(IllegalArgumentException.class, () -> Sphere.of(1).massProperties(bad));

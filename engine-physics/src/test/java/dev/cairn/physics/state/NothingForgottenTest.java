@@ -130,13 +130,13 @@ class NothingForgottenTest {
         world.contacts().setHitSpeed(0.5);
         world.collisions().setHook(contact -> {});
         Material rough = new Material(0.6, 0.2, 1000, 0.001);
-        Collider belt = Collider.of(Box.of(20, 1, 20)).surfaceVelocity(0.1, 0, 0);
+        Collider belt = Collider.of(Box.ofHalfExtents(20, 1, 20)).surfaceVelocity(0.1, 0, 0);
         world.add(Body.fixed().collider(belt).at(0, -1, 0));
         double[] corners = {30, 0, -9, 30, 0, 9, 50, 1, 9, 50, 0, -9};
         TriangleMesh ground = TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3});
         world.add(Body.fixed().shape(ground));
-        world.add(Body.dynamic().shape(Box.cube(0.5)).at(40, 2, 0));
-        BodyRef lift = world.add(Body.kinematic().shape(Box.cube(1)).at(-4, 2, 0));
+        world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(40, 2, 0));
+        BodyRef lift = world.add(Body.kinematic().shape(Box.cubeOfHalfExtent(1)).at(-4, 2, 0));
         BodyRef last = null;
         for (int i = 0; i < 12; i++) {
             BodyRef ball =
@@ -146,12 +146,12 @@ class NothingForgottenTest {
                                     .material(rough)
                                     .with(new Force(1, 0, 0))
                                     .at(i, 3, 0));
-            world.add(Body.dynamic().shape(Box.cube(0.4)).at(i, 0.4, 3));
-            world.add(Body.dynamic().shape(Box.cube(0.4)).at(i, 1.2, 3));
+            world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.4)).at(i, 0.4, 3));
+            world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.4)).at(i, 1.2, 3));
             world.add(Body.dynamic().shape(Cylinder.of(0.4, 0.4)).at(i, 0.4, 6));
             world.add(
                     Body.dynamic()
-                            .collider(Collider.of(Box.cube(0.3)))
+                            .collider(Collider.of(Box.cubeOfHalfExtent(0.3)))
                             .collider(Collider.of(Sphere.of(0.3)).at(0, 0.6, 0))
                             .at(i, 0.3, 9));
             if (last != null) {
@@ -160,8 +160,8 @@ class NothingForgottenTest {
             last = ball;
         }
         // It falls asleep under a ball that spins on.
-        world.add(Body.fixed().shape(Box.cube(1)).at(0, -1, 40));
-        world.add(Body.dynamic().shape(Box.cube(0.4)).at(0, 0.4, 40));
+        world.add(Body.fixed().shape(Box.cubeOfHalfExtent(1)).at(0, -1, 40));
+        world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.4)).at(0, 0.4, 40));
         world.add(Body.dynamic().shape(Sphere.of(0.4)).at(0, 1.2, 40).angularVelocity(0, 5, 0));
         for (int tick = 0; tick < 60; tick++) {
             lift.moveTo(-4, 2 + 0.01 * tick, 0);

@@ -9,6 +9,9 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.core.ecs.Access;
+import dev.cairn.core.ecs.Tick;
+import dev.cairn.core.ecs.WorldSystem;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.state.StateException;
@@ -31,7 +34,9 @@ import dev.cairn.physics.shape.Sphere;
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 
 /** A world that is restored goes on as the one that was saved did, whatever happened in between. */
 class SaveRestoreTest {
@@ -43,7 +48,7 @@ class SaveRestoreTest {
 
     private static PhysicsWorld world() {
         PhysicsWorld world = builder().build();
-        world.add(Body.fixed().shape(Box.of(20, 1, 20)).at(0, -1, 0));
+        world.add(Body.fixed().shape(Box.ofHalfExtents(20, 1, 20)).at(0, -1, 0));
         return world;
     }
 
@@ -78,7 +83,7 @@ class SaveRestoreTest {
     }
 
     private static BodyRef box(PhysicsWorld world, double x, double y) {
-        return world.add(Body.dynamic().shape(Box.cube(0.5)).at(x, y, 0));
+        return world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(x, y, 0));
     }
 
     @Test
@@ -127,8 +132,9 @@ class SaveRestoreTest {
     @Test
     void jointsWithMotorsThatBreak() {
         try (PhysicsWorld world = world()) {
-            BodyRef a = world.add(Body.fixed().shape(Box.cube(0.2)).at(0, 6, 0));
-            BodyRef b = world.add(Body.dynamic().shape(Box.of(0.6, 0.1, 0.1)).at(0.6, 6, 0));
+            BodyRef a = world.add(Body.fixed().shape(Box.cubeOfHalfExtent(0.2)).at(0, 6, 0));
+            BodyRef b =
+                    world.add(Body.dynamic().shape(Box.ofHalfExtents(0.6, 0.1, 0.1)).at(0.6, 6, 0));
             BodyRef c = world.add(Body.dynamic().shape(Sphere.of(0.3)).at(1.4, 6, 0));
             JointRef hinge = world.add(Joint.hinge(a, b).at(0, 6, 0).axis(0, 0, 1).motor(2, 500));
             JointRef rod = world.add(Joint.ball(b, c).at(1.2, 6, 0).breakAt(500, 1e9));
@@ -218,7 +224,8 @@ class SaveRestoreTest {
     @Test
     void aKinematicBodyOnItsWay() {
         try (PhysicsWorld world = world()) {
-            BodyRef lift = world.add(Body.kinematic().shape(Box.of(1, 0.1, 1)).at(0, 0.3, 0));
+            BodyRef lift =
+                    world.add(Body.kinematic().shape(Box.ofHalfExtents(1, 0.1, 1)).at(0, 0.3, 0));
             box(world, 0, 0.95);
             steps(world, 10);
             lift.moveTo(0, 0.35, 0);
@@ -306,6 +313,95 @@ class SaveRestoreTest {
         closed.close();
         assertThrows(IllegalStateException.class, closed::save);
         assertThrows(IllegalStateException.class, closed::fork);
+    }
+
+    /** The same state again and again, by several threads into a world each. */
+    @Test
+    void manyThreadsRestoreOneState() throws Exception {
+        try (PhysicsWorld world = world()) {
+            for (int i = 0; i < 5; i++) {
+                box(world, 0.1 * i, 0.5 + i);
+            }
+            steps(world, 10);
+            WorldState state = world.save();
+            List<Long> future = digests(world, 30);
+            List<List<Long>> futures = Collections.synchronizedList(new ArrayList<>());
+            List<Thread> threads = new ArrayList<>();
+            for (int i = 0; i < 4; i++) {
+                threads.add(
+                        Thread.ofPlatform()
+                                .start(() -> {
+                                    try (PhysicsWorld own = builder().build()) {
+                                        own.restore(state);
+                                        own.restore(state);
+                                        futures.add(digests(own, 30));
+                                    }
+                                }));
+            }
+            for (Thread thread : threads) {
+                thread.join();
+            }
+            assertEquals(Collections.nCopies(4, future), futures);
+        }
+    }
+
+    @Test
+    void aForkOfAForkOutlivesBoth() {
+        try (PhysicsWorld world = world()) {
+            box(world, 0, 3);
+            steps(world, 5);
+            PhysicsWorld fork = world.fork();
+            steps(fork, 3);
+            PhysicsWorld second = fork.fork();
+            WorldState state = fork.save();
+            List<Long> future = digests(fork, 20);
+            fork.close();
+            steps(world, 2); // the parent steps while a fork is closed
+            assertEquals(future, digests(second, 20));
+            world.restore(state);
+            assertEquals(future, digests(world, 20), "a state outlives its world");
+            second.close();
+            steps(world, 1);
+        }
+    }
+
+    /** During a step, by a system or a listener of it. */
+    @Test
+    void whileAStepRunsNothingIsSavedOrRestored() {
+        AtomicReference<PhysicsWorld> of = new AtomicReference<>();
+        AtomicReference<WorldState> state = new AtomicReference<>();
+        List<String> told = new ArrayList<>();
+        WorldSystem meddler =
+                new WorldSystem() {
+                    @Override
+                    public String name() {
+                        return "meddler";
+                    }
+
+                    @Override
+                    public void describe(Access access) {}
+
+                    @Override
+                    public void run(Tick tick) {
+                        PhysicsWorld world = of.get();
+                        for (Runnable each :
+                                List.<Runnable>of(
+                                        world::save,
+                                        () -> world.restore(state.get()),
+                                        world::fork)) {
+                            told.add(
+                                    assertThrows(IllegalStateException.class, each::run)
+                                            .getMessage());
+                        }
+                    }
+                };
+        try (PhysicsWorld world = builder().systems(meddler).build()) {
+            of.set(world);
+            state.set(world.save());
+            steps(world, 1);
+            assertEquals(3, told.size());
+            told.forEach(message -> assertTrue(message.contains("step"), message));
+        }
     }
 
     @Test

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
+
 import dev.cairn.core.ecs.Component;
 import dev.cairn.core.state.StateCodec;
 import dev.cairn.core.state.StateCodecs;
@@ -34,9 +36,14 @@ import org.junit.jupiter.api.Test;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.zip.CRC32;
+import java.util.zip.CRC32C;
 
 /** A state as bytes: it comes back whole, or is refused with a reason. */
 class StateBytesTest {
@@ -57,7 +64,7 @@ class StateBytesTest {
         Shape turned = Cone.of(0.4, 0.5).moved(0.1, 0, 0, new Quaterniond().rotateX(1));
         Shape[] shapes = {
             Sphere.of(0.5),
-            Box.of(0.5, 0.4, 0.3),
+            Box.ofHalfExtents(0.5, 0.4, 0.3),
             Capsule.of(0.3, 0.4),
             Cylinder.of(0.4, 0.3),
             Cone.of(0.5, 0.5),
@@ -82,7 +89,7 @@ class StateBytesTest {
         }
         world.add(
                 Body.dynamic()
-                        .collider(Collider.of(Box.cube(0.3)))
+                        .collider(Collider.of(Box.cubeOfHalfExtent(0.3)))
                         .collider(Collider.of(hull).at(0.5, 0, 0))
                         .at(-2, 1, 0));
         for (int tick = 0; tick < 40; tick++) {
@@ -129,25 +136,70 @@ class StateBytesTest {
     /** Flipped, cut, shifted and put in: refused with a reason, or the same state. */
     @Test
     void damagedBytesAreRefused() throws IOException {
-        long seed = 29;
+        fuzz(100_000, 29, false);
+    }
+
+    /** With sums made anew, as by somebody who means it: what stands behind them is read. */
+    @Test
+    void forgedBytesAreRefusedOrAState() throws IOException {
+        fuzz(20_000, 32, true);
+    }
+
+    private static void fuzz(int mutations, long seed, boolean forged) throws IOException {
         SplittableRandom random = new SplittableRandom(seed);
-        try (PhysicsWorld world = world()) {
-            WorldState state = world.save();
-            byte[] whole = bytes(state);
-            for (int i = 0; i < 1000; i++) {
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        try (PhysicsWorld small = PhysicsWorld.builder().workers(1).build();
+                PhysicsWorld other = PhysicsWorld.builder().workers(1).build()) {
+            BodyRef a = small.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).name("a"));
+            BodyRef b = small.add(Body.dynamic().shape(Sphere.of(0.5)).at(0.9, 0, 0));
+            small.add(Joint.ball(a, b).at(0.5, 0, 0));
+            small.step(1.0 / 60);
+            byte[] whole = bytes(small.save());
+            long digest = small.digest();
+            int refused = 0;
+            for (int i = 0; i < mutations; i++) {
                 byte[] bad = mutate(whole, random);
+                if (forged) {
+                    sign(bad);
+                }
                 String what = "seed " + seed + ", mutation " + i;
+                long before = threads.getCurrentThreadAllocatedBytes();
                 try {
                     WorldState read = read(bad);
-                    assertArrayEquals(whole, bytes(read), what);
+                    other.restore(read);
+                    if (!forged) {
+                        assertArrayEquals(whole, bytes(read), what);
+                        assertEquals(digest, other.digest(), what);
+                    }
                 } catch (StateException told) {
+                    refused++;
                     assertTrue(told.getMessage().length() > 20, what + ": " + told.getMessage());
                 }
+                long took = threads.getCurrentThreadAllocatedBytes() - before;
+                assertTrue(
+                        took < (forged ? 64_000_000 : 4_000_000) + 40L * whole.length,
+                        what + " takes " + took);
             }
+            assertTrue(refused > mutations / 10, refused + " were refused");
         }
     }
 
-    private static byte[] mutate(byte[] whole, SplittableRandom random) {
+    /** Puts the right sums to bytes of the length that they tell. */
+    private static void sign(byte[] bytes) {
+        if (bytes.length < 24) {
+            return;
+        }
+        ByteBuffer view = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+        int length = bytes.length - 24;
+        view.putLong(8, length);
+        CRC32C first = new CRC32C();
+        first.update(bytes, 16, length);
+        CRC32 second = new CRC32();
+        second.update(bytes, 16, length);
+        view.putLong(16 + length, first.getValue() << 32 | second.getValue());
+    }
+
+    static byte[] mutate(byte[] whole, SplittableRandom random) {
         byte[] bad = whole.clone();
         int at = random.nextInt(random.nextBoolean() ? whole.length : 64);
         switch (random.nextInt(5)) {

@@ -28,9 +28,10 @@ class TimeTest {
         world.add(Body.dynamic().shape(Sphere.of(0.5)).at(-3, 0.5, 0));
         world.add(Body.dynamic().shape(Sphere.of(0.5)).at(3, 0.5, 0));
         for (int i = 0; i < 9; i++) {
-            world.add(Body.dynamic().shape(Box.cube(0.4)).at(i % 3 - 1, 0.4 + i / 3, 0));
+            world.add(
+                    Body.dynamic().shape(Box.cubeOfHalfExtent(0.4)).at(i % 3 - 1, 0.4 + i / 3, 0));
         }
-        world.add(Body.fixed().shape(Box.of(20, 1, 20)).at(0, -1, 0));
+        world.add(Body.fixed().shape(Box.ofHalfExtents(20, 1, 20)).at(0, -1, 0));
         return world;
     }
 

@@ -20,7 +20,7 @@ import java.util.function.Consumer;
  * <pre>{@code
  * public final class MyDemo extends Application {
  *     @Override protected void initScene(Scene scene) {
- *         scene.add(Body.fixed().shape(Box.of(50, 1, 50)).at(0, -1, 0), Model.ground(Box.of(50, 1, 50)));
+ *         scene.add(Body.fixed().shape(Box.ofHalfExtents(50, 1, 50)).at(0, -1, 0), Model.ground(Box.ofHalfExtents(50, 1, 50)));
  *         BodyRef ball = scene.add(Body.dynamic().shape(Sphere.of(0.5)).at(0, 4, 0));
  *         scene.bindings().onKey(Key.J, "jump", () -> ball.applyImpulse(0, 2000, 0));
  *     }

@@ -98,7 +98,7 @@ class ControlTest {
             BodyRef box =
                     scene.add(
                             Body.dynamic()
-                                    .shape(Box.of(0.2, 0.3, 0.7))
+                                    .shape(Box.ofHalfExtents(0.2, 0.3, 0.7))
                                     .mass(7)
                                     .with(new Controllable(controls)));
             drive(scene, 1);

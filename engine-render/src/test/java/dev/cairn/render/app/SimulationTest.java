@@ -161,8 +161,8 @@ class SimulationTest {
 
         @Override
         public void begin(PhysicsWorld physics) {
-            physics.add(Body.fixed().shape(Box.of(20, 1, 20)).at(0, -1, 0));
-            Box box = Box.cube(0.5);
+            physics.add(Body.fixed().shape(Box.ofHalfExtents(20, 1, 20)).at(0, -1, 0));
+            Box box = Box.cubeOfHalfExtent(0.5);
             for (int i = 0; i < 20; i++) {
                 physics.add(
                         Body.dynamic()

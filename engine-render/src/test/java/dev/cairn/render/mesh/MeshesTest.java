@@ -58,7 +58,8 @@ class MeshesTest {
         }
         ConvexHull hull = ConvexHull.of(points);
         assertEquals(hull.volume(), volume(Meshes.of(hull)), 1e-5);
-        assertEquals(8 * 0.5 * 0.7 * 1.1, volume(Meshes.of(Box.of(0.5, 0.7, 1.1))), 1e-5);
+        assertEquals(
+                8 * 0.5 * 0.7 * 1.1, volume(Meshes.of(Box.ofHalfExtents(0.5, 0.7, 1.1))), 1e-5);
         double ball = volume(Meshes.of(Sphere.of(2)));
         assertEquals(Sphere.of(2).volume(), ball, 0.02 * ball);
         assertNormalsPointOutwards(Meshes.of(hull));
@@ -70,7 +71,9 @@ class MeshesTest {
 
     @Test
     void shapesOfOneKindShareAMesh() {
-        assertSame(Model.of(Box.of(1, 2, 3)).mesh(), Model.of(Box.cube(9)).mesh());
+        assertSame(
+                Model.of(Box.ofHalfExtents(1, 2, 3)).mesh(),
+                Model.of(Box.cubeOfHalfExtent(9)).mesh());
         assertSame(Model.of(Sphere.of(1)).mesh(), Model.of(Sphere.of(2)).mesh());
         ConvexHull hull = ConvexHull.of(new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
         assertSame(Model.of(hull).mesh(), Model.of(hull).mesh());

@@ -69,7 +69,7 @@ final class Conservation {
                 world.add(
                         Body.fixed()
                                 .shape(
-                                        Box.of(
+                                        Box.ofHalfExtents(
                                                 i / 2 == 0 ? 1 : 8,
                                                 i / 2 == 1 ? 1 : 8,
                                                 i / 2 == 2 ? 1 : 8))
@@ -142,7 +142,7 @@ final class Conservation {
                 BodyRef body =
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.of(0.3, 0.25, 0.2))
+                                        .shape(Box.ofHalfExtents(0.3, 0.25, 0.2))
                                         .mass(1 + i % 3)
                                         .at(at.x, at.y, at.z)
                                         .rotationAbout(1, 0.5, random.nextDouble(), i)
@@ -183,7 +183,7 @@ final class Conservation {
                                 .at(0.4 * (i % 3), 1 + 0.7 * i, 0.35 * (i % 2))
                                 .rotationAbout(1, 0.3, 0.1 * i, i)
                                 .material(surface);
-                body.shape(i % 3 == 2 ? Sphere.of(0.3) : Box.of(0.4, 0.3, 0.25));
+                body.shape(i % 3 == 2 ? Sphere.of(0.3) : Box.ofHalfExtents(0.4, 0.3, 0.25));
                 world.add(body);
             }
             double start = energy(world);

@@ -166,7 +166,7 @@ final class FreeMotion {
     private static BodyRef body(PhysicsWorld world, double[] inertia, double[] spin) {
         return world.add(
                 Body.dynamic()
-                        .shape(Box.of(0.05, 0.2, 0.45))
+                        .shape(Box.ofHalfExtents(0.05, 0.2, 0.45))
                         .mass(10)
                         .inertia(inertia[0], inertia[1], inertia[2])
                         .angularVelocity(spin[0], spin[1], spin[2]));

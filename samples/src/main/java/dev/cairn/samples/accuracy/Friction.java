@@ -20,7 +20,7 @@ import java.util.List;
 /** Group C of the table: Coulomb friction. Slopes are flat floors under inclined gravity. */
 final class Friction {
     private static final double G = Trial.GRAVITY;
-    private static final Shape BLOCK = Box.of(0.2, 0.05, 0.2);
+    private static final Shape BLOCK = Box.ofHalfExtents(0.2, 0.05, 0.2);
     private static final double RADIUS = 0.1;
     private static final int SIDES = 24;
 

@@ -239,7 +239,11 @@ final class Impact {
             double mass = StrictMath.pow(100, n);
             try (PhysicsWorld world = trial.bouncy(0)) {
                 Material surface = Trial.surface(0, 1);
-                world.add(Body.fixed().shape(Box.of(1, 10, 10)).at(-1, 0, 0).material(surface));
+                world.add(
+                        Body.fixed()
+                                .shape(Box.ofHalfExtents(1, 10, 10))
+                                .at(-1, 0, 0)
+                                .material(surface));
                 BodyRef light = ball(world, surface, 1, 0.5, 0, 0);
                 BodyRef heavy = ball(world, surface, mass, 1, 0, -1);
                 trial.run(world, 4);
@@ -364,7 +368,7 @@ final class Impact {
                 BodyRef rod =
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.of(0.5, half, half))
+                                        .shape(Box.ofHalfExtents(0.5, half, half))
                                         .mass(1)
                                         .inertia(1e-4, inertia, inertia)
                                         .at(0, 0.5, 0)
@@ -401,7 +405,7 @@ final class Impact {
                                 .rotationAbout(1, 0.3 * i, 0.5, 0.7 * i)
                                 .material(surface)
                                 .mass(1 + i % 4);
-                body.shape(i % 2 == 0 ? Box.of(0.2, 0.3, 0.25) : Sphere.of(0.3));
+                body.shape(i % 2 == 0 ? Box.ofHalfExtents(0.2, 0.3, 0.25) : Sphere.of(0.3));
                 bodies.add(world.add(body));
             }
             Vector3d[] before = new Vector3d[bodies.size()];

@@ -156,7 +156,7 @@ final class Invariance {
             Vector3d floor = frame.turn.transform(new Vector3d(0, -l, 0)).add(frame.shift);
             world.add(
                     Body.fixed()
-                            .shape(Box.of(64 * l, l, 64 * l))
+                            .shape(Box.ofHalfExtents(64 * l, l, 64 * l))
                             .at(frame.mirror * floor.x, floor.y, floor.z)
                             .rotation(frame.turn)
                             .material(surface()));
@@ -174,7 +174,13 @@ final class Invariance {
 
         void box(double hx, double hy, double hz, double x, double y, double z, double angle) {
             double l = frame.length;
-            body(Body.dynamic().shape(Box.of(hx * l, hy * l, hz * l)), hx * hy, x, y, z, angle);
+            body(
+                    Body.dynamic().shape(Box.ofHalfExtents(hx * l, hy * l, hz * l)),
+                    hx * hy,
+                    x,
+                    y,
+                    z,
+                    angle);
         }
 
         void ball(double r, double x, double y, double z) {

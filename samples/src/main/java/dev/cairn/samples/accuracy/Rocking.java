@@ -88,7 +88,7 @@ final class Rocking {
                 BodyRef box =
                         world.add(
                                 Body.dynamic()
-                                        .shape(Box.cube(0.5))
+                                        .shape(Box.cubeOfHalfExtent(0.5))
                                         .mass(mass)
                                         .at(0, 0.5, 0)
                                         .material(surface));
@@ -132,7 +132,7 @@ final class Rocking {
             BodyRef block =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.of(half, tall, half))
+                                    .shape(Box.ofHalfExtents(half, tall, half))
                                     .at(
                                             half - radius * StrictMath.sin(lean),
                                             radius * StrictMath.cos(lean),
@@ -222,7 +222,7 @@ final class Rocking {
             BodyRef block =
                     world.add(
                             Body.dynamic()
-                                    .shape(Box.of(0.1, 0.2, 0.1))
+                                    .shape(Box.ofHalfExtents(0.1, 0.2, 0.1))
                                     .at(0, 0.2, 0)
                                     .material(surface));
             trial.run(world, 6);

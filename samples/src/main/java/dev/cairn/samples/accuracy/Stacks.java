@@ -291,7 +291,7 @@ final class Stacks {
                 double z = 1.05 * (k / 20 % 20 - 9.5) + 0.02 * (layer % 2);
                 world.add(
                         Body.dynamic()
-                                .shape(Box.cube(0.5))
+                                .shape(Box.cubeOfHalfExtent(0.5))
                                 .at(x, 2.5 + 1.1 * layer, z)
                                 .material(surface));
             }
@@ -317,7 +317,7 @@ final class Stacks {
                     boxes.add(
                             world.add(
                                     Body.dynamic()
-                                            .shape(Box.cube(0.5))
+                                            .shape(Box.cubeOfHalfExtent(0.5))
                                             .at(i + 0.5 * row - 4.5, 0.5 + 0.5 * row, 0)
                                             .material(surface)));
                 }

@@ -177,7 +177,7 @@ public final class Trial {
     static BodyRef floor(PhysicsWorld world, Material surface) {
         return world.add(
                 Body.fixed()
-                        .shape(Box.of(100, 1, 100))
+                        .shape(Box.ofHalfExtents(100, 1, 100))
                         .at(0, -1, 0)
                         .material(surface)
                         .name("floor"));

@@ -263,7 +263,8 @@ public final class SceneLoader {
 
     private static Shape placeholderShape(EntitySpec entity) {
         Xyz s = entity.scale();
-        return Box.of(PLACEHOLDER_HALF * s.x(), PLACEHOLDER_HALF * s.y(), PLACEHOLDER_HALF * s.z());
+        return Box.ofHalfExtents(
+                PLACEHOLDER_HALF * s.x(), PLACEHOLDER_HALF * s.y(), PLACEHOLDER_HALF * s.z());
     }
 
     /** The collision shape; null if there is none: a broken mesh, or one that is only drawn. */

@@ -152,7 +152,8 @@ public sealed interface ShapeSpec {
     default Shape collider(Xyz scale) {
         return switch (this) {
             case BoxShape(Xyz half) ->
-                    Box.of(half.x() * scale.x(), half.y() * scale.y(), half.z() * scale.z());
+                    Box.ofHalfExtents(
+                            half.x() * scale.x(), half.y() * scale.y(), half.z() * scale.z());
             case SphereShape(double radius) -> Sphere.of(radius * uniform(scale));
             case HullShape(List<Xyz> points) -> ConvexHull.of(flat(points, scale));
             case SurfaceShape(List<Xyz> points, List<Integer> triangles, boolean twoSided) -> {

@@ -40,13 +40,13 @@ public final class BigOnSmall {
     private static void build(SceneBuilder scene) {
         double size = scene.get("size");
         scene.floor(2 * size, 2 * size, 0.6, 0);
-        Box small = Box.cube(0.5);
+        Box small = Box.cubeOfHalfExtent(0.5);
         double reach = 0.45 * size;
         BodyRef left = scene.add(small, Palette.body(0), Body.dynamic().at(-reach, 0.5, 0));
         BodyRef right = scene.add(small, Palette.body(1), Body.dynamic().at(reach, 0.5, 0));
         BodyRef big =
                 scene.add(
-                        Box.cube(0.5 * size),
+                        Box.cubeOfHalfExtent(0.5 * size),
                         Palette.STONE,
                         Body.dynamic().at(0, 1 + 0.5 * size + scene.get("drop"), 0));
         scene.view(new SceneBuilder.View(0.35 * size, 0.05 * size, 2.2 * size, 0, 0.42 * size, 0));

@@ -71,7 +71,7 @@ public final class Carried {
         Material material = Palette.material(scene.get("friction"), 0);
         BodyRef platform =
                 scene.add(
-                        Box.of(2, 0.1, 1),
+                        Box.ofHalfExtents(2, 0.1, 1),
                         Palette.body(3),
                         Body.kinematic()
                                 .at(0, 0.9, 0)
@@ -79,7 +79,7 @@ public final class Carried {
                                 .material(material)
                                 .name("platform"));
         scene.add(
-                Box.of(0.1, 1.5, 1.5),
+                Box.ofHalfExtents(0.1, 1.5, 1.5),
                 Palette.body(4),
                 Body.fixed().at(vx > 0 ? 4 : -4, 1.5, 0).material(material).name("wall"));
         BodyRef[] riders = new BodyRef[3];
@@ -88,7 +88,7 @@ public final class Carried {
             start[i] = new Vector3d(i == 2 ? -1 : 0.7 * i - 1, 1 + HALF * (i == 2 ? 3 : 1), 0);
             riders[i] =
                     scene.add(
-                            Box.cube(HALF),
+                            Box.cubeOfHalfExtent(HALF),
                             Palette.body(i),
                             Body.dynamic()
                                     .at(start[i])
@@ -137,7 +137,7 @@ public final class Carried {
         double ball = 0.1;
         Material material = Palette.material(scene.get("friction"), 0);
         scene.add(
-                Box.of(4, 0.1, 4),
+                Box.ofHalfExtents(4, 0.1, 4),
                 Palette.body(3),
                 Body.kinematic()
                         .at(0, -0.1, 0)

@@ -48,7 +48,8 @@ public final class Conveyor {
     }
 
     private static Collider belt(double speed) {
-        return Collider.of(Box.of(HALF_LENGTH, HALF_THICK, 1)).surfaceVelocity(speed, 0, 0);
+        return Collider.of(Box.ofHalfExtents(HALF_LENGTH, HALF_THICK, 1))
+                .surfaceVelocity(speed, 0, 0);
     }
 
     private static void build(SceneBuilder scene) {
@@ -66,7 +67,7 @@ public final class Conveyor {
         for (int i = 0; i < count; i++) {
             crates.add(
                     scene.add(
-                            Box.cube(HALF),
+                            Box.cubeOfHalfExtent(HALF),
                             Palette.body(i),
                             Body.dynamic()
                                     .at(0.8 * (i - (count - 1) / 2.0), 1 + HALF, 0)

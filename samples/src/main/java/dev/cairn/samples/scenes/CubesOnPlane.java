@@ -54,7 +54,7 @@ public final class CubesOnPlane {
         double friction = scene.get("friction");
         double mass = scene.get("mass");
         scene.floor(SIDE * spacing, SIDE * spacing, friction, 0);
-        Box cube = Box.cube(HALF);
+        Box cube = Box.cubeOfHalfExtent(HALF);
         List<BodyRef> cubes = new ArrayList<>();
         for (int layer = 0; layer < LAYERS; layer++) {
             for (int i = 0; i < SIDE * SIDE; i++) {

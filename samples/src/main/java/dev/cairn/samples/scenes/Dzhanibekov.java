@@ -47,7 +47,7 @@ public final class Dzhanibekov {
     private static void build(SceneBuilder scene) {
         scene.world().setGravity(0, 0, 0);
         scene.floor(8, 4, 0.6, 0);
-        Box plate = Box.of(0.9, 0.3, 0.08);
+        Box plate = Box.ofHalfExtents(0.9, 0.3, 0.08);
         double spin = scene.get("spin");
         double nudge = scene.get("nudge");
         List<BodyRef> bodies = new ArrayList<>();

@@ -45,7 +45,7 @@ public final class FreeFall {
 
     private static void build(SceneBuilder scene) {
         scene.floor(12, 8, 0.6, 0);
-        Shape box = Box.of(0.5, 0.2, 0.3);
+        Shape box = Box.ofHalfExtents(0.5, 0.2, 0.3);
         Shape ball = Sphere.of(0.3);
         double speed = scene.get("speed");
         double spin = scene.get("spin");

@@ -52,7 +52,7 @@ public final class FrictionStop {
         double friction = scene.get("friction");
         double distance = speed * speed / (2 * friction * SampleScene.GRAVITY);
         scene.floor(distance + 4, distance + 4, friction, 0);
-        Box shape = Box.of(HALF, HALF_HEIGHT, HALF);
+        Box shape = Box.ofHalfExtents(HALF, HALF_HEIGHT, HALF);
         List<BodyRef> blocks = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             double angle = 2 * StrictMath.PI * i / count;

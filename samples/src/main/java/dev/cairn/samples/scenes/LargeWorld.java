@@ -53,7 +53,7 @@ public final class LargeWorld {
         int side = scene.count("side");
         int boxes = side * side;
         int count = Math.min(boxes, scene.count("balls"));
-        Box box = Box.cube(HALF);
+        Box box = Box.cubeOfHalfExtent(HALF);
         Sphere sphere = Sphere.of(RADIUS);
         List<BodyRef> balls = new ArrayList<>();
         for (int i = 0; i < boxes; i++) {

@@ -48,7 +48,7 @@ public final class LoadRemoval {
     private static void build(SceneBuilder scene) {
         int boxes = scene.count("boxes");
         scene.floor(6, 6, 0.6, 0);
-        Box shape = Box.cube(HALF);
+        Box shape = Box.cubeOfHalfExtent(HALF);
         List<BodyRef> stack = new ArrayList<>();
         for (int k = 0; k < boxes; k++) {
             stack.add(

@@ -69,7 +69,7 @@ public final class OneWay {
         double speed = scene.get("speed");
         scene.floor(12, 6, 0.6, 0);
         scene.world().collisions().setHook(OneWay::platform);
-        Box slab = Box.of(0.4 * count + 0.5, HALF_THICK, 1);
+        Box slab = Box.ofHalfExtents(0.4 * count + 0.5, HALF_THICK, 1);
         scene.addParts(
                 List.of(Collider.of(slab).userData(NAME)),
                 Palette.STONE,

@@ -51,7 +51,7 @@ public final class Pairs {
     }
 
     private static void build(SceneBuilder scene) {
-        Shape cube = Box.cube(0.5);
+        Shape cube = Box.cubeOfHalfExtent(0.5);
         Shape ball = Sphere.of(0.5);
         double y = 2;
         BodyRef[] bodies = {

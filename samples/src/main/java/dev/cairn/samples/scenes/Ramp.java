@@ -45,7 +45,7 @@ final class Ramp {
         this.cos = StrictMath.cos(radians);
         this.length = length;
         double middle = (length - BEHIND) / 2;
-        Box slab = Box.of((length + BEHIND) / 2, HALF_THICKNESS, halfWidth);
+        Box slab = Box.ofHalfExtents((length + BEHIND) / 2, HALF_THICKNESS, halfWidth);
         scene.add(
                 slab,
                 Model.ground(slab),

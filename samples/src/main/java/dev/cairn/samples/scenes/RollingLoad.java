@@ -61,7 +61,7 @@ public final class RollingLoad {
         double dz = StrictMath.sin(heading);
         // The friction of a pair is the square root of the product.
         scene.floor(60, 60, GROUND_FRICTION, 0);
-        Box slab = Box.of(10, HALF, 10);
+        Box slab = Box.ofHalfExtents(10, HALF, 10);
         BodyRef plate =
                 scene.add(
                         slab,

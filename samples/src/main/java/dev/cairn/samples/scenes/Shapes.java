@@ -61,8 +61,8 @@ public final class Shapes {
                 ground,
                 Model.ground(ground),
                 Body.fixed().at(0, 0, 0).material(material).name("ground"));
-        Box side = Box.of(WALL, HEIGHT, HALF);
-        Box front = Box.of(HALF + 2 * WALL, HEIGHT, WALL);
+        Box side = Box.ofHalfExtents(WALL, HEIGHT, HALF);
+        Box front = Box.ofHalfExtents(HALF + 2 * WALL, HEIGHT, WALL);
         Model stone = Model.ground(side).color(Palette.STONE);
         scene.add(side, stone, wall(-HALF - WALL, 0, material));
         scene.add(side, stone, wall(HALF + WALL, 0, material));
@@ -97,7 +97,7 @@ public final class Shapes {
             Cylinder.of(0.3, 0.3),
             Cone.of(0.35, 0.35),
             Sphere.of(0.3),
-            Box.of(0.35, 0.2, 0.28),
+            Box.ofHalfExtents(0.35, 0.2, 0.28),
             Cylinder.of(0.4, 0.08),
             ConvexHull.of(
                     new double[] {

@@ -71,7 +71,10 @@ public final class SlopeBox {
                         .material(Palette.material(friction, restitution))
                         .name("box");
         BodyRef box =
-                scene.add(Box.of(HALF_LENGTH, HALF_HEIGHT, HALF_LENGTH), Palette.body(0), body);
+                scene.add(
+                        Box.ofHalfExtents(HALF_LENGTH, HALF_HEIGHT, HALF_LENGTH),
+                        Palette.body(0),
+                        body);
         ramp.look(scene, 2.2, 6.5);
 
         Truth truth = new Truth(ramp, friction, drop, speed);

@@ -42,7 +42,7 @@ public final class StaticCubes {
 
     private static void build(SceneBuilder scene) {
         double spacing = scene.get("spacing");
-        Box cube = Box.cube(0.5);
+        Box cube = Box.cubeOfHalfExtent(0.5);
         List<BodyRef> cubes = new ArrayList<>();
         List<Vector3d> starts = new ArrayList<>();
         for (int i = 0; i < SIDE * SIDE; i++) {

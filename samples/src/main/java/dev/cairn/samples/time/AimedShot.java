@@ -114,17 +114,17 @@ public final class AimedShot {
         for (int i = 0; i < 5; i++) {
             ball(world, 0.1 * i, 0.3 - 0.02 * i * i);
         }
-        world.add(Body.fixed().shape(Box.of(2, 0.1, 2)).at(0, -0.1, 0).material(BALL));
+        world.add(Body.fixed().shape(Box.ofHalfExtents(2, 0.1, 2)).at(0, -0.1, 0).material(BALL));
         double thick = 0.1;
         for (int side = -1; side <= 1; side += 2) {
             world.add(
                     Body.fixed()
-                            .shape(Box.of(thick, 0.1, HALF_WIDTH + thick))
+                            .shape(Box.ofHalfExtents(thick, 0.1, HALF_WIDTH + thick))
                             .at(side * (HALF_LENGTH + thick), 0.1, 0)
                             .material(CUSHION));
             world.add(
                     Body.fixed()
-                            .shape(Box.of(HALF_LENGTH + thick, 0.1, thick))
+                            .shape(Box.ofHalfExtents(HALF_LENGTH + thick, 0.1, thick))
                             .at(0, 0.1, side * (HALF_WIDTH + thick))
                             .material(CUSHION));
         }

@@ -173,10 +173,10 @@ public final class TwoPeers {
             int layer = i / 8;
             world.add(
                     Body.dynamic()
-                            .shape(Box.cube(0.3))
+                            .shape(Box.cubeOfHalfExtent(0.3))
                             .at(0, 0.3 + 0.6 * layer, 0.62 * (i % 8 - 3.5)));
         }
-        world.add(Body.fixed().shape(Box.of(30, 1, 30)).at(0, -1, 0));
+        world.add(Body.fixed().shape(Box.ofHalfExtents(30, 1, 30)).at(0, -1, 0));
         return world;
     }
 }

@@ -50,7 +50,7 @@ public final class Clipper {
 
     private double onPlane, stillOnPlane;
     private double vx, vy, vz;
-    private Polyhedron reference = Polyhedron.of(dev.cairn.physics.shape.Box.cube(1));
+    private Polyhedron reference = Polyhedron.of(dev.cairn.physics.shape.Box.cubeOfHalfExtent(1));
 
     /** Of the incident shape: its face, the first slot of it, and how many corners it has. */
     private int incidentFace, incidentBegin, incidentCorners;

@@ -43,7 +43,7 @@ final class SegmentHull {
     /** Middle, direction and half length of the segment, in the hull's frame. */
     private double cx, cy, cz, ux, uy, uz, h;
 
-    private Polyhedron hull = Polyhedron.of(dev.cairn.physics.shape.Box.cube(1));
+    private Polyhedron hull = Polyhedron.of(dev.cairn.physics.shape.Box.cubeOfHalfExtent(1));
 
     /** The best axis, from the hull to the segment, its separation, and what it belongs to. */
     private double x, y, z, best;

@@ -13,7 +13,7 @@ public final class BoxTopology {
     private static final boolean[] SIDE_POSITIVE = new boolean[24];
 
     static {
-        Polyhedron box = Polyhedron.of(Box.cube(1));
+        Polyhedron box = Polyhedron.of(Box.cubeOfHalfExtent(1));
         for (int s = 0; s < 24; s++) {
             SLOT_VERTEX[s] = box.slotVertex(s);
             SLOT_EDGE[s] = box.slotEdge(s);

@@ -12,7 +12,7 @@ import dev.cairn.physics.shape.polyhedron.Polyhedron;
  * world's.
  */
 public final class Pair {
-    private static final Polyhedron NONE = Polyhedron.of(Box.cube(1));
+    private static final Polyhedron NONE = Polyhedron.of(Box.cubeOfHalfExtent(1));
 
     public Polyhedron a = NONE, b = NONE;
 

@@ -117,7 +117,7 @@ public final class SolverBodies {
      */
     public void state(StateVisitor s, int slots) {
         s.section("flight", this);
-        int count = s.value("count", Math.min(slots, guide.length));
+        int count = s.count("count", Math.min(slots, guide.length));
         ensureCapacity(count);
         carry = s.array("carry", carry, 0, 12 * count, carry.length, true);
         for (int i = 0; i < count && !s.isRestoring(); i++) {

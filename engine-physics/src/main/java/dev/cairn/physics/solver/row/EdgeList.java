@@ -98,7 +98,7 @@ public final class EdgeList implements Stateful {
     @Override
     public void state(StateVisitor s) {
         s.section("edges", this);
-        count = s.value("count", count);
+        count = s.count("count", count);
         contacts = s.value("contacts", contacts);
         s.array("first", first, first.length);
         ensureCapacity(count);

@@ -58,6 +58,9 @@ public final class SubStep {
     /** Most sweeps over a lone contact. */
     public int lone;
 
+    private final Softness soft = new Softness();
+    private final Softness fixed = new Softness();
+
     /**
      * Sets what follows from the length of the tick and the settings.
      *
@@ -68,22 +71,21 @@ public final class SubStep {
         double h = stepSeconds / count;
         double hertz = settings.get(Tunable.CONTACT_STIFFNESS) / softSeconds;
         double damping = settings.get(Tunable.CONTACT_DAMPING_RATIO);
-        Softness soft = Softness.of(hertz, damping, h);
-        Softness fixed =
-                Softness.of(
-                        hertz * settings.get(Tunable.STATIC_STIFFNESS_SCALE),
-                        damping * settings.get(Tunable.STATIC_DAMPING_SCALE),
-                        h);
+        soft.set(hertz, damping, h);
+        fixed.set(
+                hertz * settings.get(Tunable.STATIC_STIFFNESS_SCALE),
+                damping * settings.get(Tunable.STATIC_DAMPING_SCALE),
+                h);
         seconds = h;
         inverse = 1 / h;
         pushSpeed = settings.get(Tunable.PUSH_SPEED);
         offsetGain = settings.get(Tunable.OFFSET_GAIN);
-        rate = soft.biasRate() * soft.massScale();
-        massScale = soft.massScale();
-        impulseScale = soft.impulseScale();
-        fixedRate = fixed.biasRate() * fixed.massScale();
-        fixedMassScale = fixed.massScale();
-        fixedImpulseScale = fixed.impulseScale();
+        rate = soft.biasRate * soft.massScale;
+        massScale = soft.massScale;
+        impulseScale = soft.impulseScale;
+        fixedRate = fixed.biasRate * fixed.massScale;
+        fixedMassScale = fixed.massScale;
+        fixedImpulseScale = fixed.impulseScale;
         sweeps = settings.count(Tunable.INNER_SWEEPS);
         landing = Math.max(sweeps, settings.count(Tunable.COLD_SWEEPS) / 2);
         coldRounds = settings.count(Tunable.COLD_SWEEPS);

@@ -49,7 +49,7 @@ public final class Car {
         }
         BodyRef body =
                 scene.add(
-                        Box.of(1.2, 0.25, 0.6),
+                        Box.ofHalfExtents(1.2, 0.25, 0.6),
                         Palette.body(1),
                         Body.dynamic().mass(800).at(-4, 0.75, 0));
         JointRef[] front = new JointRef[2];

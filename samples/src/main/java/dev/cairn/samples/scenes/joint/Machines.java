@@ -65,7 +65,10 @@ public final class Machines {
     private static void buildGears(SceneBuilder scene) {
         PhysicsWorld world = scene.world();
         BodyRef base =
-                scene.add(Box.of(2.5, 0.1, 0.1), Palette.body(3), Body.fixed().at(0.6, 2, -0.5));
+                scene.add(
+                        Box.ofHalfExtents(2.5, 0.1, 0.1),
+                        Palette.body(3),
+                        Body.fixed().at(0.6, 2, -0.5));
         int[] teeth = {12, 30, 20};
         double[] at = {0, 0.84, 1.84};
         BodyRef[] wheel = new BodyRef[3];
@@ -82,7 +85,7 @@ public final class Machines {
         }
         BodyRef rack =
                 scene.add(
-                        Box.of(1.2, 0.05, 0.06),
+                        Box.ofHalfExtents(1.2, 0.05, 0.06),
                         Palette.body(1),
                         Body.dynamic().mass(5).at(at[2], 1.55, 0));
         JointRef slider = world.add(Joint.slider(base, rack).at(at[2], 1.55, 0).axis(1, 0, 0));
@@ -154,7 +157,7 @@ public final class Machines {
         List<BodyRef> balls = new ArrayList<>();
         BodyRef frame =
                 scene.add(
-                        Box.of(0.5 * pitch * count, 0.05, 0.05),
+                        Box.ofHalfExtents(0.5 * pitch * count, 0.05, 0.05),
                         Palette.body(3),
                         Body.fixed().at(0, top + 0.3, 0));
         for (int k = 0; k < count; k++) {
@@ -215,7 +218,10 @@ public final class Machines {
         double c = StrictMath.cos(angle);
         double foot = 1.2;
         BodyRef base =
-                scene.add(Box.of(0.2, 0.6, 0.2), Palette.body(3), Body.fixed().at(0, 0.5, 0));
+                scene.add(
+                        Box.ofHalfExtents(0.2, 0.6, 0.2),
+                        Palette.body(3),
+                        Body.fixed().at(0, 0.5, 0));
         BodyRef rod =
                 scene.add(
                         Capsule.of(0.01, 0.49),

@@ -52,7 +52,7 @@ public final class Mechanisms {
         double dy = y1 - y0;
         double length = Math.sqrt(dx * dx + dy * dy);
         return scene.add(
-                Box.of(0.5 * length, 0.06, 0.04),
+                Box.ofHalfExtents(0.5 * length, 0.06, 0.04),
                 Palette.body(color),
                 Body.dynamic()
                         .mass(Math.rint(2e3 * length) / 1e3)
@@ -61,7 +61,8 @@ public final class Mechanisms {
     }
 
     private static BodyRef ground(SceneBuilder scene, double x, double y) {
-        return scene.add(Box.of(0.15, 0.15, 0.05), Palette.body(3), Body.fixed().at(x, y, -0.4));
+        return scene.add(
+                Box.ofHalfExtents(0.15, 0.15, 0.05), Palette.body(3), Body.fixed().at(x, y, -0.4));
     }
 
     private static void buildSliderCrank(SceneBuilder scene) {
@@ -73,7 +74,7 @@ public final class Mechanisms {
         BodyRef rod = bar(scene, 1, 0, 2.5, x, 2, 0.2);
         BodyRef slider =
                 scene.add(
-                        Box.of(0.2, 0.15, 0.1),
+                        Box.ofHalfExtents(0.2, 0.15, 0.1),
                         Palette.body(4),
                         Body.dynamic().mass(3).at(x, 2, 0.4));
         PhysicsWorld world = scene.world();
@@ -189,10 +190,13 @@ public final class Mechanisms {
     private static void buildDoor(SceneBuilder scene) {
         scene.floor(6, 6, 0.5, 0);
         BodyRef frame =
-                scene.add(Box.of(0.1, 1.2, 0.1), Palette.body(3), Body.fixed().at(-0.7, 1.2, 0));
+                scene.add(
+                        Box.ofHalfExtents(0.1, 1.2, 0.1),
+                        Palette.body(3),
+                        Body.fixed().at(-0.7, 1.2, 0));
         BodyRef leaf =
                 scene.add(
-                        Box.of(0.5, 1, 0.04),
+                        Box.ofHalfExtents(0.5, 1, 0.04),
                         Palette.body(1),
                         Body.dynamic().mass(20).at(0, 1.1, 0));
         scene.add(
@@ -208,10 +212,13 @@ public final class Mechanisms {
                                         .limits(0, 1.8)
                                         .stiffness(JointAxis.TWIST, 0, 6, 4));
         BodyRef post =
-                scene.add(Box.of(0.1, 0.8, 0.1), Palette.body(3), Body.fixed().at(2, 0.8, 0));
+                scene.add(
+                        Box.ofHalfExtents(0.1, 0.8, 0.1),
+                        Palette.body(3),
+                        Body.fixed().at(2, 0.8, 0));
         BodyRef arm =
                 scene.add(
-                        Box.of(0.5, 0.05, 0.05),
+                        Box.ofHalfExtents(0.5, 0.05, 0.05),
                         Palette.body(0),
                         Body.dynamic().mass(4).at(2.6, 1.5, 0));
         JointRef motor =
@@ -253,14 +260,17 @@ public final class Mechanisms {
     private static void buildRobotArm(SceneBuilder scene) {
         double hertz = scene.get("hertz");
         BodyRef last =
-                scene.add(Box.of(0.3, 0.1, 0.3), Palette.body(3), Body.fixed().at(0, 0.1, 0));
+                scene.add(
+                        Box.ofHalfExtents(0.3, 0.1, 0.3),
+                        Palette.body(3),
+                        Body.fixed().at(0, 0.1, 0));
         JointRef[] joints = new JointRef[6];
         for (int k = 0; k < 6; k++) {
             double y = 0.2 + 0.5 * k;
             boolean isHand = k == 5;
             BodyRef link =
                     scene.add(
-                            Box.of(isHand ? 0.15 : 0.07, 0.22, 0.07),
+                            Box.ofHalfExtents(isHand ? 0.15 : 0.07, 0.22, 0.07),
                             Palette.body(isHand ? 4 : k % 2),
                             Body.dynamic().mass(isHand ? 10 : 1).at(0, y + 0.25, 0));
             boolean turns = k == 0 || k == 3;

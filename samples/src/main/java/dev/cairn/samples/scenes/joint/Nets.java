@@ -72,7 +72,7 @@ public final class Nets {
             double y = top + radius * StrictMath.cos(t) - inner * StrictMath.cos(angle);
             BodyRef plank =
                     scene.add(
-                            Box.of(half - 0.02, 0.04, 0.6),
+                            Box.ofHalfExtents(half - 0.02, 0.04, 0.6),
                             Palette.body(k % 2),
                             Body.dynamic().mass(10).at(x, y, 0).rotationAbout(0, 0, 1, angle));
             join(
@@ -86,7 +86,7 @@ public final class Nets {
         join(scene, last, pier(scene, span, top), span, top);
         for (int k = 0; k < scene.count("boxes"); k++) {
             scene.add(
-                    Box.of(0.2, 0.2, 0.2),
+                    Box.ofHalfExtents(0.2, 0.2, 0.2),
                     Palette.body(4),
                     Body.dynamic()
                             .mass(20)
@@ -102,7 +102,9 @@ public final class Nets {
     private static BodyRef pier(SceneBuilder scene, double x, double top) {
         double side = x < 0 ? -0.5 : 0.5;
         return scene.add(
-                Box.of(0.48, 0.5, 0.8), Palette.body(3), Body.fixed().at(x + side, top - 0.5, 0));
+                Box.ofHalfExtents(0.48, 0.5, 0.8),
+                Palette.body(3),
+                Body.fixed().at(x + side, top - 0.5, 0));
     }
 
     private static void join(SceneBuilder scene, BodyRef a, BodyRef b, double x, double y) {

@@ -46,7 +46,7 @@ public final class Ragdolls {
         for (int k = 0; k < STEPS; k++) {
             double height = 0.25 * (STEPS - k);
             scene.add(
-                    Box.of(0.25, 0.5 * height, 4),
+                    Box.ofHalfExtents(0.25, 0.5 * height, 4),
                     Palette.body(3),
                     Body.fixed().at(-3 + 0.5 * k, 0.5 * height, 0));
         }

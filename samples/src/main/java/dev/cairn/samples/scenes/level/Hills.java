@@ -28,11 +28,11 @@ import java.util.function.DoubleBinaryOperator;
 public final class Hills {
     private static final Shape[] KINDS = {
         Sphere.of(.25),
-        Box.of(.3, .2, .25),
+        Box.ofHalfExtents(.3, .2, .25),
         Capsule.of(.18, .2),
         Cylinder.of(.25, .2),
         Cone.of(.3, .25),
-        Box.cube(.2)
+        Box.cubeOfHalfExtent(.2)
     };
 
     private Hills() {}

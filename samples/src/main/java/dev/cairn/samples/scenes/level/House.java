@@ -24,7 +24,9 @@ import java.util.List;
 public final class House {
     private static final int STEPS = 16;
     private static final double RISE = 0.2, TREAD = 0.3, UPPER = STEPS * RISE;
-    private static final Shape[] KINDS = {Sphere.of(.3), Box.of(.25, .3, .2), Capsule.of(.25, .5)};
+    private static final Shape[] KINDS = {
+        Sphere.of(.3), Box.ofHalfExtents(.25, .3, .2), Capsule.of(.25, .5)
+    };
 
     private House() {}
 

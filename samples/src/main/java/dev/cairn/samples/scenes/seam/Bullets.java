@@ -53,16 +53,16 @@ public final class Bullets {
         double wide = pitch * perRow;
         double high = pitch * (2 + count / (double) perRow);
         scene.add(
-                Box.of(thick / 2, high / 2 + 20, wide),
+                Box.ofHalfExtents(thick / 2, high / 2 + 20, wide),
                 Palette.STONE,
                 Body.fixed().at(0, high / 2, 0).name("wall"));
         List<BodyRef> bodies = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             Shape shape =
                     switch (i % 5) {
-                        case 0 -> Box.of(0.5, 0.02, 0.02);
-                        case 1 -> Box.of(0.3, 0.3, 0.005);
-                        case 2 -> Box.of(0.1, 0.05, 0.03);
+                        case 0 -> Box.ofHalfExtents(0.5, 0.02, 0.02);
+                        case 1 -> Box.ofHalfExtents(0.3, 0.3, 0.005);
+                        case 2 -> Box.ofHalfExtents(0.1, 0.05, 0.03);
                         case 3 -> Capsule.of(0.02, 0.3);
                         default -> Sphere.of(0.05);
                     };

@@ -47,7 +47,7 @@ public final class NearMiss {
             double clearance = StrictMath.pow(10, -2 - i);
             double z = 3 * i;
             scene.add(
-                    Box.of(0.2, 2, 0.2),
+                    Box.ofHalfExtents(0.2, 2, 0.2),
                     Palette.STONE,
                     Body.fixed().at(0, 2, z - 0.2 - RADIUS - clearance));
             balls.add(

@@ -65,7 +65,7 @@ public final class Tiles {
         for (int i = 0; (i - 1) * tile < way; i++) {
             for (int j = 0; j * tile < wide + tile; j++) {
                 scene.add(
-                        Box.of(tile / 2, 0.2, tile / 2),
+                        Box.ofHalfExtents(tile / 2, 0.2, tile / 2),
                         (i + j) % 2 == 0 ? Palette.STONE : Palette.body(7),
                         Body.fixed()
                                 .at((i - 0.5) * tile, -0.2, (j + 0.5) * tile)
@@ -73,7 +73,7 @@ public final class Tiles {
             }
         }
         scene.add(
-                Box.of(way / 2 + tile, 0.2, wide / 2),
+                Box.ofHalfExtents(way / 2 + tile, 0.2, wide / 2),
                 Palette.STONE,
                 Body.fixed().at(way / 2, -0.2, -wide / 2 - 0.5).material(surface).name("slab"));
         List<BodyRef> onTiles = new ArrayList<>();
@@ -107,7 +107,7 @@ public final class Tiles {
         Shape shape =
                 switch (kind) {
                     case 0 -> Sphere.of(RADIUS);
-                    case 1 -> Box.cube(RADIUS);
+                    case 1 -> Box.cubeOfHalfExtent(RADIUS);
                     case 2 -> Capsule.of(RADIUS, 0.3);
                     default -> Cylinder.of(RADIUS, 0.3);
                 };

@@ -1,0 +1,264 @@
+package dev.cairn.core.state;
+
+import org.jspecify.annotations.Nullable;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.util.Objects;
+
+/**
+ * The difference of two states: leads from the first one to the second one and back. It is as large
+ * as what has changed; what sleeps costs nothing.
+ *
+ * <p>Numbers are kept as the exclusive or of both states, which leads either way; references as the
+ * old one and the new one. Columns may have grown or shrunk, and tables of entities may have come
+ * or gone.
+ *
+ * <p>Immutable; any thread.
+ */
+public final class StateDelta {
+    /**
+     * What a state must be like, to be one of the two.
+     *
+     * @param entries columns and single numbers
+     * @param size bytes of numbers
+     * @param objects references
+     */
+    record Form(int entries, int size, int objects) {
+        static Form of(WorldState s) {
+            return new Form(s.entries, s.size, s.objectCount);
+        }
+    }
+
+    /** Memory of a delta in which nothing has changed, about. */
+    private static final int OWN_BYTES = 256;
+
+    final Form before;
+    final Form after;
+    final Alignment alignment;
+
+    /** What only one of the states has. */
+    final @Nullable WorldState onlyBefore;
+
+    final @Nullable WorldState onlyAfter;
+
+    final DeltaWords words;
+    final DeltaReferences references;
+    final boolean isRead;
+
+    StateDelta(
+            Form before,
+            Form after,
+            Alignment alignment,
+            @Nullable WorldState onlyBefore,
+            @Nullable WorldState onlyAfter,
+            DeltaWords words,
+            DeltaReferences references,
+            boolean isRead) {
+        this.before = before;
+        this.after = after;
+        this.alignment = alignment;
+        this.onlyBefore = onlyBefore;
+        this.onlyAfter = onlyAfter;
+        this.words = words;
+        this.references = references;
+        this.isRead = isRead;
+    }
+
+    /**
+     * The difference of two states. Takes the time to compare them.
+     *
+     * @param before the first state
+     * @param after the second state
+     * @return what leads from one to the other; holds none of them
+     */
+    public static StateDelta between(WorldState before, WorldState after) {
+        Objects.requireNonNull(before, "before must not be null");
+        Objects.requireNonNull(after, "after must not be null");
+        Alignment alignment = Alignment.of(before, after);
+        DeltaWords words = new DeltaWords();
+        DeltaReferences references = new DeltaReferences();
+        int word = 0;
+        int reference = 0;
+        for (int m = 0; m < alignment.count(); m++) {
+            int i = m < alignment.head() ? m : m + alignment.before();
+            int k = m < alignment.head() ? m : m + alignment.after();
+            byte kind = before.kinds[i];
+            if (WorldState.WIDTH[kind] != 0) {
+                word += words.add(word, before, i, after, k);
+            } else if (kind != WorldState.SECTION) {
+                reference += references.add(reference, before, i, after, k);
+            }
+        }
+        references.resize(references.count);
+        return new StateDelta(
+                Form.of(before),
+                Form.of(after),
+                alignment,
+                cut(before, alignment.head(), alignment.before()),
+                cut(after, alignment.head(), alignment.after()),
+                words.trimmed(),
+                references,
+                before.isRead || after.isRead);
+    }
+
+    private static @Nullable WorldState cut(WorldState from, int first, int count) {
+        if (count == 0) {
+            return null;
+        }
+        WorldState part = new WorldState();
+        for (int e = first; e < first + count; e++) {
+            part.append(from, e, from.counts[e]);
+        }
+        return part;
+    }
+
+    /**
+     * Makes the first state the second one. Allocates only while the state's buffers grow, where
+     * lengths have changed.
+     *
+     * @param state equal to the first state
+     * @throws StateException if it is another one; it stays as it is
+     */
+    public void apply(WorldState state) {
+        lead(state, true);
+    }
+
+    /**
+     * Makes the second state the first one.
+     *
+     * @param state equal to the second state
+     * @throws StateException if it is another one; it stays as it is
+     */
+    public void revert(WorldState state) {
+        lead(state, false);
+    }
+
+    private void lead(WorldState state, boolean forward) {
+        Form now = Form.of(Objects.requireNonNull(state, "state must not be null"));
+        Form from = forward ? before : after;
+        long sum = forward ? words.sumBefore : words.sumAfter;
+        if (!now.equals(from)) {
+            throw new StateException(
+                    "the state is not the one that the delta starts from: it has "
+                            + now
+                            + " and not "
+                            + from
+                            + "; apply deltas in the order of their ticks, and revert them in the"
+                            + " opposite order");
+        }
+        if (alignment.isInPlace()) {
+            words.apply(state, sum);
+            references.apply(state, forward);
+        } else {
+            laidOut(state, forward, sum);
+        }
+        state.isRead |= isRead;
+    }
+
+    /** By way of the wide layout, in a second buffer: if it is refused, the first one is there. */
+    private void laidOut(WorldState state, boolean forward, long sum) {
+        requireFit(state, forward);
+        WorldState wide = state.spare();
+        alignment.widen(state, forward ? alignment.before() : alignment.after(), wide);
+        words.apply(wide, sum);
+        references.apply(wide, forward);
+        boolean wasRead = state.isRead;
+        alignment.narrow(wide, forward ? onlyAfter : onlyBefore, forward ? 2 : 1, state);
+        state.isRead = wasRead;
+        wide.clear();
+    }
+
+    private void requireFit(WorldState state, boolean forward) {
+        int[] resized = alignment.resized();
+        long size = state.size;
+        long objects = state.objectCount;
+        for (int r = 0; r < resized.length; r += 3) {
+            int m = resized[r];
+            int only = forward ? alignment.before() : alignment.after();
+            int e = m < alignment.head() ? m : m + only;
+            int then = forward ? resized[r + 1] : resized[r + 2];
+            int next = forward ? resized[r + 2] : resized[r + 1];
+            if (state.counts[e] != then) {
+                throw new StateException(
+                        "the state is not the one that the delta starts from: "
+                                + state.path(e)
+                                + " has "
+                                + state.counts[e]
+                                + " elements and not "
+                                + then);
+            }
+            long width = WorldState.WIDTH[state.kinds[e]];
+            size += (width * next + 7 & -8L) - (width * then + 7 & -8L);
+            objects += width == 0 ? (long) next - then : 0;
+        }
+        WorldState gone = forward ? onlyBefore : onlyAfter;
+        WorldState comes = forward ? onlyAfter : onlyBefore;
+        size += (comes == null ? 0 : comes.size) - (gone == null ? 0 : gone.size);
+        objects += (comes == null ? 0 : comes.objectCount) - (gone == null ? 0 : gone.objectCount);
+        Form to = forward ? after : before;
+        if (size != to.size || objects != to.objects) {
+            throw new StateException(
+                    "the delta is damaged: it leads to "
+                            + size
+                            + " bytes of numbers and "
+                            + objects
+                            + " references where it tells of "
+                            + to);
+        }
+    }
+
+    /**
+     * Whether both states are equal.
+     *
+     * @return true if nothing changes
+     */
+    public boolean isEmpty() {
+        return words.size == 0 && references.count == 0 && alignment.isInPlace();
+    }
+
+    /**
+     * How much memory it takes, beside the objects that it refers to.
+     *
+     * @return bytes, about
+     */
+    public long byteCount() {
+        return OWN_BYTES
+                + words.size
+                + 4L * alignment.resized().length
+                + 20L * references.count
+                + bytesOf(onlyBefore)
+                + bytesOf(onlyAfter);
+    }
+
+    private static long bytesOf(@Nullable WorldState part) {
+        return part == null ? 0 : 2048 + part.bytes.length + 8L * part.objects.length;
+    }
+
+    /**
+     * Writes the delta as bytes that are the same on every machine, with a version and a sum that
+     * tells damage.
+     *
+     * @param out where to; stays open
+     * @param codecs write the objects, for example {@code PhysicsWorld.codecs()}
+     * @throws IOException if writing fails
+     * @throws StateException if there is an object without a codec
+     */
+    public void writeTo(OutputStream out, StateCodecs codecs) throws IOException {
+        DeltaBytes.write(this, out, codecs);
+    }
+
+    /**
+     * Reads what {@link #writeTo} wrote, and no more.
+     *
+     * @param in where from; stays open
+     * @param codecs read the objects
+     * @return the delta
+     * @throws IOException if reading fails
+     * @throws StateException if the bytes are damaged, incomplete, or of another version
+     */
+    public static StateDelta read(InputStream in, StateCodecs codecs) throws IOException {
+        return DeltaBytes.read(in, codecs);
+    }
+}

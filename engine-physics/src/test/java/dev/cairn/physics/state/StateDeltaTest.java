@@ -1,0 +1,250 @@
+package dev.cairn.physics.state;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.core.state.StateDelta;
+import dev.cairn.core.state.StateException;
+import dev.cairn.core.state.WorldState;
+import dev.cairn.physics.Body;
+import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.body.BodyType;
+import dev.cairn.physics.component.Force;
+import dev.cairn.physics.joint.Joint;
+import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Sphere;
+
+import org.junit.jupiter.api.Test;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+
+/** A delta leads from one state to the other and back, and is as large as what has changed. */
+class StateDeltaTest {
+    private static final double STEP = 1.0 / 60;
+
+    private static PhysicsWorld ground() {
+        PhysicsWorld world = PhysicsWorld.builder().workers(1).build();
+        world.add(Body.fixed().shape(Box.ofHalfExtents(60, 1, 60)).at(0, -1, 0));
+        return world;
+    }
+
+    /** Bodies come, go and change their table; a joint breaks; a pile falls asleep. */
+    private static List<WorldState> past(PhysicsWorld world, long seed, int ticks) {
+        SplittableRandom random = new SplittableRandom(seed);
+        List<BodyRef> bodies = new ArrayList<>();
+        List<WorldState> states = new ArrayList<>();
+        for (int tick = 0; tick < ticks; tick++) {
+            int what = random.nextInt(6);
+            double x = random.nextDouble(-3, 3);
+            if (what < 3 || bodies.size() < 3) {
+                Body body = Body.dynamic().shape(Sphere.of(0.3)).at(x, 1, random.nextDouble(3));
+                bodies.add(world.add(what == 1 ? body.with(new Force(1, 0, 0)) : body));
+            } else if (what == 3) {
+                bodies.remove(random.nextInt(bodies.size())).remove();
+            } else if (what == 4) {
+                BodyRef a = bodies.get(bodies.size() - 1);
+                BodyRef b = bodies.get(bodies.size() - 2);
+                world.add(Joint.ball(a, b).breakAt(x < 0 ? 1e-9 : 1e9, 1e9).at(x, 1, 0));
+            } else {
+                bodies.getFirst().applyImpulse(1, 2, 0);
+            }
+            world.step(STEP);
+            states.add(world.save());
+        }
+        return states;
+    }
+
+    @Test
+    void anyTwoTicksOfAnEventfulWorld() throws IOException {
+        long seed = 11;
+        try (PhysicsWorld world = ground()) {
+            List<WorldState> states = past(world, seed, 60);
+            SplittableRandom random = new SplittableRandom(seed);
+            WorldState moved = new WorldState();
+            for (int i = 0; i < 300; i++) {
+                WorldState a = states.get(random.nextInt(states.size()));
+                WorldState b = states.get(random.nextInt(states.size()));
+                StateDelta delta = StateDelta.between(a, b);
+                moved.set(a);
+                delta.apply(moved);
+                assertNull(moved.difference(b), "seed " + seed + ", forward " + i);
+                delta.revert(moved);
+                assertNull(moved.difference(a), "seed " + seed + ", back " + i);
+                assertEquals(a == b, delta.isEmpty());
+            }
+            // all the way forward and back, and a world goes on from there
+            List<StateDelta> deltas = new ArrayList<>();
+            for (int t = 1; t < states.size(); t++) {
+                deltas.add(StateDelta.between(states.get(t - 1), states.get(t)));
+            }
+            moved.set(states.getFirst());
+            deltas.forEach(delta -> delta.apply(moved));
+            assertTrue(moved.matches(states.getLast()));
+            for (int t = deltas.size() - 1; t >= 20; t--) {
+                deltas.get(t).revert(moved);
+            }
+            world.restore(states.get(20));
+            long digest = after(world, 40);
+            world.restore(moved);
+            assertEquals(digest, after(world, 40));
+        }
+    }
+
+    private static long after(PhysicsWorld world, int ticks) {
+        for (int t = 0; t < ticks; t++) {
+            world.step(STEP);
+        }
+        return world.digest();
+    }
+
+    private static long awake(PhysicsWorld world) {
+        return world.bodies().stream()
+                .filter(body -> body.type() == BodyType.DYNAMIC && !body.isAsleep())
+                .count();
+    }
+
+    private static byte[] bytes(StateDelta delta) throws IOException {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        delta.writeTo(out, PhysicsWorld.codecs());
+        return out.toByteArray();
+    }
+
+    private static StateDelta read(byte[] bytes) throws IOException {
+        return StateDelta.read(new ByteArrayInputStream(bytes), PhysicsWorld.codecs());
+    }
+
+    /** 990 sleep; ten fly over them. */
+    @Test
+    void ofAThousandBodiesTenMove() throws IOException {
+        try (PhysicsWorld world = ground()) {
+            List<BodyRef> flying = new ArrayList<>();
+            for (int i = 0; i < 990; i++) {
+                double x = i % 33 * 1.5 - 24;
+                world.add(
+                        Body.dynamic()
+                                .shape(Box.cubeOfHalfExtent(0.4))
+                                .at(x, 0.4, i / 33 * 1.5 - 24));
+                if (i % 99 == 0) {
+                    flying.add(
+                            world.add(
+                                    Body.dynamic()
+                                            .shape(Box.cubeOfHalfExtent(0.4))
+                                            .at(x, 30 + 2 * (i / 99), 0)
+                                            .angularVelocity(1, 2, 3)
+                                            .velocity(1, 9, 2)));
+                }
+            }
+            for (int t = 0; t < 90; t++) {
+                world.step(STEP);
+            }
+            assertEquals(10, awake(world));
+            WorldState before = world.save();
+            for (int t = 0; t < 20; t++) {
+                world.step(STEP);
+                WorldState after = world.save();
+                StateDelta delta = StateDelta.between(before, after);
+                int length = bytes(delta).length;
+                assertTrue(length <= 5000, length + " bytes of " + after.byteCount());
+                assertTrue(delta.byteCount() <= 5000, delta.byteCount() + " bytes of memory");
+                before = after;
+            }
+        }
+    }
+
+    @Test
+    void whatSleepsCostsNothing() throws IOException {
+        try (PhysicsWorld world = ground()) {
+            for (int i = 0; i < 200; i++) {
+                double x = i % 20 * 1.5 - 15;
+                world.add(
+                        Body.dynamic()
+                                .shape(Box.cubeOfHalfExtent(0.4))
+                                .at(x, 0.4, i / 20 * 1.5 - 15));
+            }
+            for (int t = 0; t < 120; t++) {
+                world.step(STEP);
+            }
+            assertEquals(0, awake(world));
+            WorldState before = world.save();
+            world.step(STEP);
+            StateDelta delta = StateDelta.between(before, world.save());
+            assertFalse(delta.isEmpty(), "the tick has another number");
+            assertTrue(bytes(delta).length <= 200, bytes(delta).length + " bytes");
+        }
+    }
+
+    @Test
+    void bytesOfADeltaLeadEitherWay() throws IOException {
+        try (PhysicsWorld world = ground()) {
+            List<WorldState> states = past(world, 5, 40);
+            for (int t = 1; t < states.size(); t++) {
+                WorldState a = states.get(t - 1);
+                byte[] bytes = bytes(StateDelta.between(a, states.get(t)));
+                StateDelta delta = read(bytes);
+                WorldState moved = new WorldState();
+                moved.set(a);
+                delta.apply(moved);
+                assertTrue(moved.isRead());
+                world.restore(states.get(t));
+                long digest = after(world, 3);
+                world.restore(moved);
+                assertEquals(digest, after(world, 3), "tick " + t);
+                delta.revert(moved);
+                world.restore(moved);
+                assertEquals(states.get(t - 1).byteCount(), moved.byteCount());
+            }
+        }
+    }
+
+    @Test
+    void theWrongStateIsRefusedAndStaysAsItIs() {
+        try (PhysicsWorld world = ground()) {
+            List<WorldState> states = past(world, 7, 30);
+            WorldState moved = new WorldState();
+            for (int t = 2; t < states.size(); t++) {
+                StateDelta delta = StateDelta.between(states.get(t - 1), states.get(t));
+                WorldState wrong = states.get(t - 2);
+                moved.set(wrong);
+                StateException refusal =
+                        assertThrows(StateException.class, () -> delta.apply(moved));
+                assertTrue(refusal.getMessage().contains("starts from"), refusal.getMessage());
+                assertNull(moved.difference(wrong));
+                assertThrows(StateException.class, () -> delta.revert(moved));
+                assertNull(moved.difference(wrong));
+            }
+        }
+    }
+
+    /** Flipped and cut: refused with a reason when it is read or applied. */
+    @Test
+    void damagedBytesAreRefused() throws IOException {
+        long seed = 31;
+        SplittableRandom random = new SplittableRandom(seed);
+        try (PhysicsWorld world = ground()) {
+            List<WorldState> states = past(world, 5, 12);
+            byte[] whole = bytes(StateDelta.between(states.get(9), states.get(11)));
+            for (int i = 0; i < 2000; i++) {
+                byte[] bad = StateBytesTest.mutate(whole, random);
+                WorldState moved = new WorldState();
+                moved.set(states.get(9));
+                try {
+                    read(bad).apply(moved);
+                    world.restore(moved);
+                    world.restore(states.get(11));
+                } catch (StateException told) {
+                    assertTrue(told.getMessage().length() > 20, "mutation " + i);
+                    assertNull(moved.difference(states.get(9)), "mutation " + i);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,186 @@
+package dev.cairn.samples.sandbox;
+
+import dev.cairn.render.app.Pick;
+import dev.cairn.render.app.View;
+import dev.cairn.render.input.MouseButton;
+import dev.cairn.render.input.Pointer;
+import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.Parameter;
+import dev.cairn.samples.SampleScene;
+
+import org.joml.Vector3d;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The panels of the sandbox. Window thread; acts on the world by posting only. */
+final class SandboxPanels {
+    private static final double GAP = 10;
+    private static final double LEFT_WIDTH = 290;
+    private static final int ROPE = 0xFFE082;
+    private static final int PROBLEM = 0xFF7A7A;
+
+    private final Sandbox sandbox;
+    private final List<SampleScene> scenes;
+    private final SimulationPanel simulation;
+    private final List<String> groups = new ArrayList<>();
+
+    /** Values that were asked for and may not have come back from the simulation yet. */
+    private final Map<String, Double> asked = new HashMap<>();
+
+    private int shownScene = -1;
+    private boolean pulling;
+    private volatile boolean hidden;
+
+    SandboxPanels(Sandbox sandbox, List<SampleScene> scenes) {
+        this.sandbox = sandbox;
+        this.scenes = scenes;
+        this.simulation = new SimulationPanel(sandbox);
+        for (SampleScene scene : scenes) {
+            if (!groups.contains(scene.group())) {
+                groups.add(scene.group());
+            }
+        }
+    }
+
+    void toggleHidden() {
+        hidden = !hidden;
+    }
+
+    void draw(Ui ui, View view, SandboxState state) {
+        hand(view, state);
+        if (view.pointer().isTurning()) {
+            ui.cross(ui.width() / 2, ui.height() / 2, 0xFFFFFF);
+        }
+        if (hidden) {
+            return;
+        }
+        if (state.scene != shownScene) {
+            shownScene = state.scene;
+            asked.clear();
+        }
+        double height = ui.height() - 2 * GAP;
+        double listHeight = Math.max(160, height * 0.5);
+        scenes(ui, state, listHeight);
+        chosen(ui, state, listHeight + 2 * GAP, height - listHeight - GAP);
+        simulation.draw(ui, view, state, height, false);
+    }
+
+    /** The part that goes with an edited scene that runs. */
+    void drawPlaying(Ui ui, View view, SandboxState state) {
+        hand(view, state);
+        simulation.draw(ui, view, state, ui.height() - 2 * GAP, true);
+    }
+
+    // The hand ---------------------------------------------------------------------------------
+
+    private void hand(View view, SandboxState state) {
+        Pointer pointer = view.pointer();
+        if (pointer.wasPressed(MouseButton.LEFT)) {
+            Pick pick = view.pick(pointer.across(), pointer.upwards());
+            if (pick != null) {
+                Vector3d local = new Vector3d(pick.localX(), pick.localY(), pick.localZ());
+                sandbox.post(() -> sandbox.grab(pick.entity(), pick.distance(), local));
+                pulling = true;
+            }
+        }
+        if (pulling) {
+            Vector3d from = view.camera().position(new Vector3d());
+            Vector3d along =
+                    view.camera()
+                            .ray(
+                                    pointer.across(),
+                                    pointer.upwards(),
+                                    view.aspect(),
+                                    new Vector3d());
+            sandbox.post(() -> sandbox.pull(from, along));
+            if (!pointer.isDown(MouseButton.LEFT)) {
+                pulling = false;
+                sandbox.post(sandbox::letGo);
+            }
+        }
+        if (state.pulling) {
+            Vector3d a = state.pullFrom;
+            Vector3d b = state.pullTo;
+            view.line(a.x, a.y, a.z, b.x, b.y, b.z, ROPE, 1.5);
+            view.line(a.x, a.y, a.z, a.x, a.y, a.z, ROPE, 4);
+        }
+    }
+
+    // Left -------------------------------------------------------------------------------------
+
+    private void scenes(Ui ui, SandboxState state, double height) {
+        if (ui.panel("Scenes", GAP, GAP, LEFT_WIDTH, height)) {
+            // By index: an iterator would be garbage of every frame.
+            for (int g = 0; g < groups.size(); g++) {
+                String group = groups.get(g);
+                if (ui.section(group, true)) {
+                    for (int i = 0; i < scenes.size(); i++) {
+                        SampleScene scene = scenes.get(i);
+                        if (scene.group().equals(group)
+                                && ui.item(scene.title(), i == state.scene, "")) {
+                            int index = i;
+                            sandbox.post(() -> sandbox.show(index));
+                        }
+                    }
+                    ui.endSection();
+                }
+            }
+        }
+        ui.endPanel();
+    }
+
+    private void chosen(Ui ui, SandboxState state, double top, double height) {
+        SampleScene scene = scenes.get(state.scene);
+        if (ui.panel("Scene", GAP, top, LEFT_WIDTH, height)) {
+            ui.heading(scene.title());
+            ui.text(scene.description());
+            if (!state.problem.isEmpty()) {
+                ui.label("It cannot be built:", PROBLEM);
+                ui.text(state.problem);
+            }
+            List<Parameter> parameters = scene.parameters();
+            for (int i = 0; i < parameters.size(); i++) {
+                parameter(ui, state, parameters.get(i));
+            }
+            ui.columns(2);
+            if (ui.button("Restart")) {
+                sandbox.post(sandbox::startAgain);
+            }
+            if (!scene.parameters().isEmpty() && ui.button("Defaults")) {
+                asked.clear();
+                sandbox.post(sandbox::setDefaults);
+            }
+            if (ui.button("Edit a copy")) {
+                sandbox.post(sandbox::editCopy);
+            }
+            if (ui.button("Editor (F2)")) {
+                sandbox.editor().open();
+            }
+        }
+        ui.endPanel();
+    }
+
+    private void parameter(Ui ui, SandboxState state, Parameter parameter) {
+        Double set = state.options.values().get(parameter.name());
+        Double wanted = asked.get(parameter.name());
+        double known = set == null ? 0 : set;
+        double shown = wanted == null ? known : wanted;
+        double value =
+                ui.slider(
+                        parameter.name(),
+                        shown,
+                        parameter.min(),
+                        parameter.max(),
+                        parameter.whole() ? 1 : 0,
+                        parameter.meaning());
+        if (value != shown) {
+            asked.put(parameter.name(), value);
+            sandbox.post(() -> sandbox.set(parameter.name(), value));
+        } else if (wanted != null && value == known) {
+            asked.remove(parameter.name());
+        }
+    }
+}

@@ -1,0 +1,226 @@
+package dev.cairn.samples.sandbox;
+
+import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.profile.StepStage;
+import dev.cairn.render.app.DebugLayer;
+import dev.cairn.render.app.View;
+import dev.cairn.render.ui.TextBuffer;
+import dev.cairn.render.ui.Ui;
+
+import java.util.Locale;
+
+/** The sandbox's panel on the right: time, plots, debug drawing, solver, ball, window, keys. */
+final class SimulationPanel {
+    private static final double GAP = 10;
+    private static final double WIDTH = 290;
+    private static final int MOST_SUBSTEPS = 32;
+    private static final int[] CURVES = {0xFFB74D, 0xF06292, 0xBA68C8, 0xA1887F};
+    private static final int[] STAGE_CURVES = {0x81C784, 0x4FC3F7, 0xFFB74D, 0xF06292, 0xBA68C8};
+    private static final DebugLayer[] LAYERS = DebugLayer.values();
+    private static final StepStage[] STAGES = StepStage.values();
+    private static final String[] STAGE_NAMES = new String[STAGES.length];
+    private static final double[] SCALES = {1, 1.25, 1.5, 2};
+    private static final String[] SCALE_NAMES = {"1", "1.25", "1.5", "2"};
+    private static final String[] CHOSEN_SCALE_NAMES = {"[1]", "[1.25]", "[1.5]", "[2]"};
+
+    static {
+        for (int i = 0; i < STAGES.length; i++) {
+            STAGE_NAMES[i] = STAGES[i].name().toLowerCase(Locale.ROOT).replace('_', ' ') + ", µs";
+        }
+    }
+
+    private final Sandbox sandbox;
+    private final KeyRows keys;
+    private final TextBuffer text = new TextBuffer();
+    private int askedWorkers;
+    private int askedSubsteps;
+    private int knownWorkers;
+    private int knownSubsteps;
+
+    SimulationPanel(Sandbox sandbox) {
+        this.sandbox = sandbox;
+        this.keys = new KeyRows(sandbox);
+    }
+
+    void draw(Ui ui, View view, SandboxState state, double height, boolean edited) {
+        if (ui.panel("Simulation", ui.width() - WIDTH - GAP, GAP, WIDTH, height)) {
+            controls(ui, view, state);
+            if (ui.section("Plots", true)) {
+                plots(ui, state.history);
+                ui.endSection();
+            }
+            if (ui.section("Stages of a tick", false)) {
+                stages(ui, state.history);
+                ui.endSection();
+            }
+            if (ui.section("Draw", false)) {
+                layers(ui);
+                ui.endSection();
+            }
+            // An edited scene says itself how many sub-steps it wants.
+            if (!edited && ui.section("Solver", false)) {
+                solver(ui, state);
+                ui.endSection();
+            }
+            if (ui.section("Ball (key B)", false)) {
+                ball(ui, state);
+                ui.endSection();
+            }
+            if (ui.section("Window", false)) {
+                window(ui);
+                ui.endSection();
+            }
+            if (ui.section("Keys", false)) {
+                keys.draw(ui);
+                ui.endSection();
+            }
+            held(ui, state);
+        }
+        ui.endPanel();
+    }
+
+    private void controls(Ui ui, View view, SandboxState state) {
+        ui.columns(3);
+        if (ui.button(sandbox.isPaused() ? "Play" : "Pause")) {
+            sandbox.togglePause();
+        }
+        if (ui.button("Step")) {
+            sandbox.singleStep();
+        }
+        if (ui.button("Keys (F1)")) {
+            sandbox.showHelp(!sandbox.isHelpShown());
+        }
+        double scale = sandbox.timeScale();
+        double octaves = Math.log(scale) / Math.log(2);
+        double moved = ui.slider("speed 2^", octaves, -6, 4, 1, "simulated by real time");
+        if (moved != octaves) {
+            sandbox.timeScale(Math.pow(2, moved));
+        }
+        ui.value("time", text.clear().put(state.seconds, 2).put(" s, tick ").put(state.tick));
+        ui.value(
+                "bodies, contacts",
+                text.clear().put(state.bodies).put(", ").put(state.history.touching));
+        ui.value("frames/s", text.clear().put(view.framesPerSecond(), 0));
+    }
+
+    private void plots(Ui ui, PlotHistory h) {
+        plot(ui, "tick, ms", h.millisNow, h.millis, h, 0x81C784);
+        plot(ui, "total energy, J", h.energyNow, h.energy, h, 0x4FC3F7);
+        plot(ui, "kinetic energy, J", h.kineticNow, h.kinetic, h, 0x4DD0E1);
+        plot(ui, "momentum, kg m/s", h.momentumNow, h.momentum, h, 0xFFF176);
+        plot(ui, "deepest overlap, mm", 1000 * h.overlapNow, h.overlap, h, 0xE57373);
+        for (int e = 0; e < h.errorCount; e++) {
+            plot(ui, h.errorNames[e], h.errorNow[e], h.errors[e], h, CURVES[e]);
+        }
+    }
+
+    private void plot(
+            Ui ui, String name, double now, float[] values, PlotHistory history, int rgb) {
+        ui.plot(name, text.clear().putDigits(now, 4), values, history.first, history.count, rgb);
+    }
+
+    private void stages(Ui ui, PlotHistory h) {
+        ui.text("Wall time; the number is a mean over half a second.");
+        for (int i = 0; i < STAGES.length; i++) {
+            ui.plot(
+                    STAGE_NAMES[i],
+                    text.clear().put(h.stageMicros(STAGES[i]), 1),
+                    h.stages[i],
+                    h.first,
+                    h.count,
+                    STAGE_CURVES[i % STAGE_CURVES.length]);
+        }
+    }
+
+    private void layers(Ui ui) {
+        for (DebugLayer layer : LAYERS) {
+            boolean shown = sandbox.isDebug(layer);
+            boolean wanted = ui.checkbox(layer.title(), shown);
+            if (wanted != shown) {
+                sandbox.debug(layer, wanted);
+            }
+        }
+    }
+
+    private void solver(Ui ui, SandboxState state) {
+        ui.text("Both change while the scene runs. Workers never change the result.");
+        if (state.workers != knownWorkers || state.substeps != knownSubsteps) {
+            knownWorkers = state.workers;
+            knownSubsteps = state.substeps;
+            askedWorkers = state.workers;
+            askedSubsteps = state.substeps;
+        }
+        int workers = (int) ui.slider("workers", askedWorkers, 1, mostWorkers(), 1, "threads");
+        int substeps =
+                (int)
+                        ui.slider(
+                                "sub-steps",
+                                askedSubsteps,
+                                1,
+                                MOST_SUBSTEPS,
+                                1,
+                                "solver steps in a tick");
+        if (workers != askedWorkers || substeps != askedSubsteps) {
+            askedWorkers = workers;
+            askedSubsteps = substeps;
+            sandbox.post(() -> sandbox.solve(workers, substeps));
+        }
+    }
+
+    /** Threads that the slider offers. */
+    static int mostWorkers() {
+        return Math.min(Jobs.MAX_WORKERS, Math.max(8, Jobs.defaultWorkers()));
+    }
+
+    private void ball(Ui ui, SandboxState state) {
+        Sandbox.Ball ball = state.ball;
+        double radius = ui.slider("radius", ball.radius(), 0.05, 1, 0.05, "m");
+        double density = ui.slider("density", ball.density(), 10, 20_000, 0, "kg/m³");
+        double speed = ui.slider("throw", ball.speed(), 0, 60, 1, "m/s");
+        if (radius != ball.radius() || density != ball.density() || speed != ball.speed()) {
+            Sandbox.Ball wanted = new Sandbox.Ball(radius, density, speed);
+            sandbox.post(() -> sandbox.ball(wanted));
+        }
+        ui.columns(1);
+        if (ui.button("Throw")) {
+            sandbox.post(sandbox::throwBall);
+        }
+    }
+
+    private void window(Ui ui) {
+        sandbox.fullscreen(ui.checkbox("full screen (F11)", sandbox.isFullscreen()));
+        sandbox.vsync(ui.checkbox("wait for the screen", sandbox.isVsync()));
+        ui.columns(4);
+        for (int i = 0; i < SCALES.length; i++) {
+            boolean chosen = SCALES[i] == sandbox.panelScale();
+            if (ui.button(chosen ? CHOSEN_SCALE_NAMES[i] : SCALE_NAMES[i])) {
+                sandbox.panelScale(SCALES[i]);
+            }
+        }
+    }
+
+    private void held(Ui ui, SandboxState state) {
+        if (state.held.isEmpty()) {
+            ui.text("Press the left button on a body to pull it; the wheel pulls it nearer.");
+            return;
+        }
+        ui.heading(state.held);
+        text.clear();
+        if (state.heldIsFixed) {
+            text.put("fixed");
+        } else {
+            text.putDigits(state.heldMass, 4).put(" kg");
+        }
+        ui.value("mass", text);
+        ui.value("speed", text.clear().put(state.heldSpeed, 3).put(" m/s"));
+        ui.value(
+                "at",
+                text.clear()
+                        .put(state.heldAt.x, 2)
+                        .put(", ")
+                        .put(state.heldAt.y, 2)
+                        .put(", ")
+                        .put(state.heldAt.z, 2)
+                        .put(" m"));
+    }
+}

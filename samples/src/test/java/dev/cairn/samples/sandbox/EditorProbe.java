@@ -1,0 +1,92 @@
+package dev.cairn.samples.sandbox;
+
+import dev.cairn.core.snapshot.PoseSnapshot;
+import dev.cairn.render.app.View;
+import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.editor.LeaveQuestion;
+import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenes.stack.StackOfBoxes;
+
+import org.joml.Vector3d;
+
+import java.lang.management.ManagementFactory;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * The sandbox as a program of its own that tells, one line a frame, what the editor shows, for
+ * {@link EditorWindowTest}.
+ */
+final class EditorProbe extends Sandbox {
+    private static final List<String> BUTTONS =
+            List.of(
+                    "box",
+                    "capsule",
+                    "hull",
+                    "half-space",
+                    "Save",
+                    "Load",
+                    LeaveQuestion.SAVE,
+                    LeaveQuestion.GIVE_UP);
+    private final com.sun.management.ThreadMXBean threads =
+            (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+    private final Vector3d eye = new Vector3d();
+    private long bytesBefore;
+
+    private EditorProbe() {
+        super(List.of(StackOfBoxes.scene()), Map.of(), 1, 4, false, System.err);
+    }
+
+    /** Runs until the window is closed. */
+    public static void main(String[] arguments) {
+        new EditorProbe().size(1024, 640).start();
+    }
+
+    @Override
+    void shown(Ui ui, View view, SandboxState state) {
+        // What the frame allocated but for this method.
+        long bytes = threads.getCurrentThreadAllocatedBytes() - bytesBefore;
+        EntitySpec chosen = editor().selectedEntity();
+        StringBuilder line = new StringBuilder();
+        line.append(
+                String.format(
+                        Locale.ROOT,
+                        "frame=%d mode=%s tick=%d steps=%d entities=%d changed=%b wrong=%b"
+                                + " selected=%d selectedX=%s selectedY=%s seenY=%.6f bytes=%d"
+                                + " asked=%b shortened=%d eyeZ=%.6f",
+                        view.frames(),
+                        editor().mode(),
+                        state.tick,
+                        editor().history().steps(),
+                        editor().scene().entities().size(),
+                        editor().isChanged(),
+                        editor().isWrong(),
+                        editor().selected(),
+                        chosen == null ? "NaN" : chosen.position().x(),
+                        chosen == null ? "NaN" : chosen.position().y(),
+                        heightOfLast(view, state),
+                        bytes,
+                        leaving().isAsked(),
+                        ui.shortened(),
+                        view.camera().position(eye).z));
+        for (String button : BUTTONS) {
+            line.append(WindowFixture.middle(ui, button));
+        }
+        System.out.println(line);
+        System.out.flush();
+        bytesBefore = threads.getCurrentThreadAllocatedBytes();
+    }
+
+    /** Where the world has the last entity of the edited scene. */
+    private static double heightOfLast(View view, SandboxState state) {
+        PoseSnapshot snapshot = view.snapshot();
+        for (int row = 0; row < snapshot.size(); row++) {
+            int last = state.entities.length - 1;
+            if (last >= 0 && snapshot.entity(row) == state.entities[last]) {
+                return snapshot.current()[row * PoseSnapshot.STRIDE + 1];
+            }
+        }
+        return Double.NaN;
+    }
+}

@@ -1,0 +1,172 @@
+package dev.cairn.samples.sandbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.cairn.samples.editor.LeaveQuestion;
+import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.SceneFile;
+import dev.cairn.samples.scenefile.SceneReader;
+import dev.cairn.samples.scenefile.Xyz;
+
+import org.junit.jupiter.api.Test;
+
+import java.io.IOException;
+
+/** The editor from end to end, by {@link EditorProbe}. */
+class EditorWindowTest extends WindowFixture {
+    @Override
+    Class<?> program() {
+        return EditorProbe.class;
+    }
+
+    @Override
+    boolean ready(Seen seen) {
+        return seen.number("tick") >= 1;
+    }
+
+    @Test
+    void aBoxIsPlacedDraggedRaisedSavedLoadedAndFalls() throws IOException, InterruptedException {
+        type("key", "F2");
+        await(
+                "the editor with a floor at rest",
+                seen ->
+                        seen.is("mode", "REST")
+                                && seen.number("entities") == 1
+                                && seen.number("seenY") == -0.5);
+        click("box");
+        Seen placed =
+                await(
+                        "a box on the floor",
+                        seen -> seen.number("entities") == 2 && seen.number("seenY") == 0.5);
+        assertEquals(1, placed.number("selected"), last);
+        assertEquals(0, placed.number("selectedX"), last);
+
+        moveTo(512, 40);
+        type("click", "1");
+        await("nothing to be selected by a click on the sky", seen -> seen.number("selected") < 0);
+        // The camera's axis meets the floor under the box, so the middle of the picture shows it.
+        moveTo(512, 320);
+        type("mousedown", "1");
+        await("the box to be taken", seen -> seen.number("selected") == 1);
+        moveTo(600, 320);
+        Seen dragged = await("the box to follow", seen -> seen.number("selectedX") > 1);
+        type("mouseup", "1");
+        assertEquals(0.5, dragged.number("selectedY"), "over the ground: " + last);
+        assertEquals(2, dragged.number("steps"), "a drag is one step: " + last);
+        type("key", "ctrl+z");
+        await("the drag to be taken back", seen -> seen.number("selectedX") == 0);
+        type("key", "ctrl+y");
+        await(
+                "the drag to be done again",
+                seen -> seen.number("selectedX") == dragged.number("selectedX"));
+        for (int i = 0; i < 10; i++) {
+            type("click", "4");
+        }
+        Seen raised =
+                await(
+                        "the box to hang 1 m above the floor",
+                        seen -> seen.number("selectedY") == 1.5 && seen.number("seenY") == 1.5);
+        assertEquals(0, raised.number("tick"), "at rest: " + last);
+
+        click("Save");
+        await("the file to be saved", seen -> !seen.flag("changed") && !seen.flag("wrong"));
+        SceneFile saved = SceneReader.read(folder.resolve("scene.json"));
+        EntitySpec box = saved.entities().get(1);
+        assertEquals(new Xyz(dragged.number("selectedX"), 1.5, box.position().z()), box.position());
+        type("key", "Delete");
+        await("the box to be gone", seen -> seen.number("entities") == 1);
+        click("Load");
+        await("the warning of unsaved changes", seen -> seen.flag("wrong"));
+        type("click", "1");
+        await(
+                "the box to be back",
+                seen -> seen.number("entities") == 2 && seen.number("seenY") == 1.5);
+
+        type("key", "F5");
+        Seen landed =
+                await(
+                        "the box to lie on the floor",
+                        seen -> seen.number("tick") > 90 && seen.is("mode", "PLAYING"));
+        // It fell 1 m and rests on y = 0 with half its height of 0.5 m.
+        assertEquals(0.5, landed.number("seenY"), 0.01);
+        type("key", "F5");
+        await(
+                "the scene as it was edited",
+                seen -> seen.is("mode", "REST") && seen.number("seenY") == 1.5);
+        // The pause key lets time pass, too.
+        type("key", "space");
+        await("the scene to run", seen -> seen.is("mode", "PLAYING") && seen.number("seenY") < 1.4);
+        type("key", "F2");
+        Seen closed = await("the sandbox's own scene", seen -> seen.is("mode", "CLOSED"));
+        assertTrue(closed.number("entities") == 2, "the editor keeps its scene: " + last);
+    }
+
+    /** The floor stays, the way up to a release counts, undo keeps what is selected. */
+    @Test
+    void nothingIsLostByAStrayClickOrByClosingTheWindow() throws IOException, InterruptedException {
+        type("key", "F2");
+        await("the editor", seen -> seen.is("mode", "REST") && seen.number("entities") == 1);
+        moveTo(700, 500);
+        dragTo(600, 560);
+        settle();
+        Seen start = now();
+        type("key", "c");
+        await("the duplicate to be refused", seen -> seen.flag("wrong"));
+        assertEquals(0, now().number("steps"), "the floor was moved: " + last);
+        assertEquals(-1, now().number("selected"), last);
+
+        click("box");
+        await("a box", seen -> seen.number("entities") == 2 && seen.number("seenY") == 0.5);
+        moveTo(512, 320);
+        dragTo(600, 320);
+        Seen dragged = await("the box to follow", seen -> seen.number("selectedX") > 1);
+        assertEquals(2, dragged.number("steps"), last);
+        type("key", "ctrl+z");
+        await(
+                "the drag to be taken back, the box still selected",
+                seen -> seen.number("selectedX") == 0 && seen.number("selected") == 1);
+        type("key", "Delete");
+        await("the box to be gone", seen -> seen.number("entities") == 1);
+        type("key", "ctrl+z");
+        await("the box to be back, selected", seen -> seen.number("selected") == 1);
+
+        type("key", "ctrl+s");
+        Seen saved = await("the file", seen -> !seen.flag("changed"));
+        assertEquals(2, SceneReader.read(folder.resolve("scene.json")).entities().size());
+        assertEquals(start.number("eyeZ"), saved.number("eyeZ"), "the camera flew: " + last);
+        assertEquals(0, saved.number("shortened"), last);
+
+        type("key", "Delete");
+        await("a change", seen -> seen.flag("changed") && seen.number("entities") == 1);
+        type("key", "Escape");
+        await("the editor to close", seen -> seen.is("mode", "CLOSED"));
+        type("key", "Escape");
+        await("the question", seen -> seen.flag("asked"));
+        type("key", "Escape");
+        await("to stay", seen -> !seen.flag("asked"));
+        type("key", "Escape");
+        await("the question again", seen -> seen.values().containsKey("Quit_without_savingX"));
+        click(LeaveQuestion.GIVE_UP);
+        assertEquals(0, ended());
+    }
+
+    /** With what is selected, its fields and its outline, and while the scene runs. */
+    @Test
+    void aSteadyEditorMakesNoGarbage() throws IOException, InterruptedException {
+        type("key", "F2");
+        await("the editor", seen -> seen.is("mode", "REST") && seen.number("entities") == 1);
+        awaitNoGarbage("nothing is selected");
+        int entities = 1;
+        for (String shape : new String[] {"box", "capsule", "hull", "half-space"}) {
+            click(shape);
+            int wanted = ++entities;
+            await(shape, seen -> seen.number("entities") == wanted);
+            awaitNoGarbage(shape);
+        }
+        type("key", "F5");
+        Seen started = await("the scene to run", seen -> seen.is("mode", "PLAYING"));
+        awaitNoGarbage("the scene runs");
+        assertTrue(now().number("tick") > started.number("tick"), last);
+    }
+}

@@ -1,0 +1,145 @@
+package dev.cairn.samples.sandbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+
+import javax.imageio.ImageIO;
+
+/** Small things that a user of the sandbox trips over, in the real window. */
+class NothingLostTest extends WindowFixture {
+    /** The panels' dark glass; pictures must not hold it. */
+    private static final int GLASS = 0x232A35;
+
+    @Override
+    Class<?> program() {
+        return SandboxProbe.class;
+    }
+
+    @Override
+    boolean ready(Seen seen) {
+        return seen.number("tick") >= 30;
+    }
+
+    /** What the user has rebound the last time. */
+    @Override
+    void prepare() throws IOException {
+        Files.writeString(keys(), "throw a ball = F7\nno such action = A\n");
+    }
+
+    @Test
+    void keysPanelsPicturesAndTitleDoAsTheySay() throws IOException, InterruptedException {
+        keysAreKeptAndRebound();
+
+        // While it stands still, title and panel tell one tick.
+        type("key", "p");
+        await("the pause", seen -> seen.flag("paused"));
+        String tick = "paused at tick " + Math.round(now().number("tick"));
+        long end = System.nanoTime() + 5_000_000_000L;
+        while (!title().endsWith(tick) && System.nanoTime() < end) {
+            now();
+        }
+        assertTrue(title().endsWith(tick), title() + " against " + tick);
+
+        // A picture shows the scene alone, and the window says where it is.
+        type("key", "F12");
+        await("the notice", seen -> seen.values().containsKey("NoticeX"));
+        Path found;
+        try (Stream<Path> files = Files.list(folder)) {
+            found = files.filter(file -> file.toString().endsWith(".png")).findAny().orElseThrow();
+        }
+        int corner = ImageIO.read(found.toFile()).getRGB(60, 24) & 0xFFFFFF;
+        assertTrue(corner != GLASS && (corner & 255) > 100, "%06x".formatted(corner));
+        type("key", "p");
+
+        // A tower that grows stays in the picture.
+        Seen before = await("to go on", seen -> !seen.flag("paused"));
+        moveTo(before.number("boxesX"), before.number("boxesY"));
+        type("click", "1");
+        await(
+                "the camera to go back from a tower of some hundred boxes",
+                seen -> seen.number("eyeZ") > 5 * before.number("eyeZ"));
+
+        // Escape closes what lies on top, then the window.
+        type("key", "F1");
+        await("the list of keys", seen -> seen.flag("help"));
+        type("key", "Escape");
+        await("the scene", seen -> !seen.flag("help"));
+        type("key", "Escape");
+        assertEquals(0, ended());
+    }
+
+    private String kept() {
+        try {
+            return Files.readString(keys());
+        } catch (IOException unreadable) {
+            throw new UncheckedIOException(unreadable);
+        }
+    }
+
+    private void keysAreKeptAndRebound() throws IOException, InterruptedException {
+        Seen start = now();
+        type("key", "F7");
+        await("a ball by the kept key", seen -> seen.number("bodies") > start.number("bodies"));
+        click("Plots");
+        settle();
+        click("Keys");
+        await("the keys", seen -> seen.values().containsKey("sinkX"));
+        click("sink");
+        type("key", "F1");
+        await("the conflict to be told", seen -> seen.values().containsKey("Leave_itX"));
+        assertEquals("F1", now().values().get("listKeys"), "nothing is taken yet");
+        click(KeyRows.LEAVE);
+        await("all to be as before", seen -> seen.is("sinkKeys", "Q") && seen.is("listKeys", "F1"));
+        settle();
+        click("sink");
+        type("key", "F6");
+        await("the new key", seen -> seen.is("sinkKeys", "F6"));
+        await("the new key to be kept", seen -> kept().contains("sink = F6"));
+    }
+
+    /** Ten ticks in a row, panels open, a body in the hand. */
+    @Test
+    void noTextIsCutAtAnyScaleAndTheSimulationThreadMakesNoGarbage()
+            throws IOException, InterruptedException {
+        await("ten ticks without a byte", seen -> seen.number("quiet") >= 10);
+        moveTo(512, 340);
+        type("mousedown", "1");
+        await("a body in the hand", seen -> seen.flag("pulling"));
+        type("mouseup", "1");
+        await("it to be let go", seen -> !seen.flag("pulling"));
+        await("ten ticks again", seen -> seen.number("quiet") >= 10);
+        assertEquals(0, now().number("shortened"), last);
+        click("Plots");
+        settle();
+        // So that the buttons stay in the window when all grows by a half.
+        type("key", "F11");
+        await("the whole screen", seen -> seen.number("uiWidth") == 1100);
+        settle();
+        click("Window");
+        await("the buttons of the scales", seen -> seen.values().containsKey("1.5X"));
+        for (String scale : new String[] {"1.5", "2"}) {
+            Seen known = now();
+            moveTo(
+                    known.number(scale + "X") * known.number("uiScale"),
+                    known.number(scale + "Y") * known.number("uiScale"));
+            type("click", "1");
+            await(scale, seen -> seen.number("uiScale") == Double.parseDouble(scale));
+            settle();
+            assertEquals(0, now().number("shortened"), last);
+            type("key", "F1");
+            await("the list of keys", seen -> seen.flag("help"));
+            settle();
+            assertEquals(0, now().number("shortened"), last);
+            type("key", "Escape");
+            await("the list to close", seen -> !seen.flag("help"));
+        }
+    }
+}

@@ -1,0 +1,139 @@
+package dev.cairn.samples.sandbox;
+
+import dev.cairn.render.app.DebugLayer;
+import dev.cairn.render.app.View;
+import dev.cairn.render.input.Bindings;
+import dev.cairn.render.ui.Ui;
+import dev.cairn.samples.SampleScene;
+import dev.cairn.samples.scenes.stack.StackOfBoxes;
+
+import org.joml.Vector3d;
+
+import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * The sandbox as a program of its own that tells on its standard output, one line a frame, what is
+ * in the window, for {@link SandboxWindowTest}.
+ */
+final class SandboxProbe extends Sandbox {
+    private final PrintStream out;
+    private final Vector3d eye = new Vector3d();
+    private final com.sun.management.ThreadMXBean threads =
+            (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+    private static final List<String> SECTIONS =
+            List.of(
+                    "Plots",
+                    "Stages of a tick",
+                    "Draw",
+                    "Solver",
+                    "Ball (key B)",
+                    "Window",
+                    "Keys");
+    private long bytesBefore;
+    private long tickBytes;
+    private volatile int quietTicks;
+
+    private SandboxProbe(List<SampleScene> scenes, PrintStream out) {
+        super(scenes, Map.of(), 1, 4, false, System.err);
+        this.out = out;
+    }
+
+    /** Runs until the window is closed. */
+    public static void main(String[] arguments) {
+        new SandboxProbe(List.of(StackOfBoxes.scene()), System.out).size(1024, 640).start();
+    }
+
+    private int layers() {
+        int count = 0;
+        for (DebugLayer layer : DebugLayer.values()) {
+            count += isDebug(layer) ? 1 : 0;
+        }
+        return count;
+    }
+
+    private static String places(Ui ui) {
+        StringBuilder line = new StringBuilder();
+        for (String widget : List.of("boxes", "sink", "Notice", "[1]", "1", "1.5", "2")) {
+            line.append(WindowFixture.middle(ui, widget));
+        }
+        for (String button : List.of(KeyRows.TAKE, KeyRows.LEAVE, KeyRows.RESET)) {
+            line.append(WindowFixture.middle(ui, button));
+        }
+        for (String section : SECTIONS) {
+            line.append(WindowFixture.middle(ui, section));
+        }
+        for (DebugLayer layer : DebugLayer.values()) {
+            line.append(WindowFixture.middle(ui, layer.title()));
+        }
+        return line.toString();
+    }
+
+    /** From the end of one tick to the end of the next: all that the simulation thread does. */
+    @Override
+    protected void updated(double seconds) {
+        super.updated(seconds);
+        long now = threads.getCurrentThreadAllocatedBytes();
+        quietTicks = now == tickBytes ? quietTicks + 1 : 0;
+        tickBytes = now;
+    }
+
+    private String keysOf(String action) {
+        for (Bindings.Binding binding : keyBindings().actions()) {
+            if (binding.action().equals(action)) {
+                return binding.label().replace(' ', '_');
+            }
+        }
+        return "";
+    }
+
+    @Override
+    void shown(Ui ui, View view, SandboxState state) {
+        // What the frame allocated but for this method.
+        long bytes = threads.getCurrentThreadAllocatedBytes() - bytesBefore;
+        view.camera().position(eye);
+        double[] slider = ui.boundsOf("gap");
+        out.printf(
+                Locale.ROOT,
+                "frame=%d tick=%d worldTick=%d paused=%b eyeX=%.6f eyeY=%.6f eyeZ=%.6f pulling=%b"
+                        + " held=%s heldX=%.6f gap=%.6f sliderX=%.1f sliderY=%.1f sliderWidth=%.1f"
+                        + " sliderHeight=%.1f bodies=%d uiWidth=%.0f uiHeight=%.0f uiScale=%.2f"
+                        + " full=%b substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d"
+                        + " shortened=%d sinkKeys=%s listKeys=%s%s%n",
+                view.frames(),
+                state.tick,
+                view.snapshot().tick(),
+                isPaused(),
+                eye.x,
+                eye.y,
+                eye.z,
+                state.pulling,
+                state.held.replace(' ', '_'),
+                state.heldAt.x,
+                state.options.values().get("gap"),
+                slider == null ? -1 : slider[0],
+                slider == null ? -1 : slider[1],
+                slider == null ? -1 : slider[2],
+                slider == null ? -1 : slider[3],
+                state.bodies,
+                ui.width(),
+                ui.height(),
+                ui.scale(),
+                isFullscreen(),
+                state.substeps,
+                state.workers,
+                layers(),
+                bytes,
+                isHelpShown(),
+                quietTicks,
+                ui.shortened(),
+                keysOf("sink"),
+                keysOf("list keys"),
+                places(ui));
+        out.flush();
+        bytesBefore = threads.getCurrentThreadAllocatedBytes();
+    }
+}

@@ -1,0 +1,309 @@
+package dev.cairn.samples.sandbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.fail;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import dev.cairn.render.ui.Ui;
+
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.io.TempDir;
+import org.opentest4j.TestAbortedException;
+
+import java.io.BufferedReader;
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+
+/**
+ * A real window on a virtual X server, keys and mouse through that server, in a process of its own
+ * that tells on its standard output what each frame shows. Every wait is for a condition with a
+ * deadline.
+ */
+abstract class WindowFixture {
+    @TempDir Path folder;
+    private final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
+    private final long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(deadlineSeconds());
+    private Process server;
+    private Process sandbox;
+    private String display;
+    private String window;
+    String last = "nothing yet";
+
+    /**
+     * The program that is started: one line of key=value pairs a frame, the frame's number first.
+     */
+    abstract Class<?> program();
+
+    /** When the window is ready for the test. */
+    abstract boolean ready(Seen seen);
+
+    /** What the program finds when it starts. */
+    void prepare() throws IOException {}
+
+    /** How long the whole test may take, from its beginning. */
+    long deadlineSeconds() {
+        return Long.getLong("window.seconds", 90);
+    }
+
+    /** One frame. */
+    record Seen(Map<String, String> values) {
+        static Seen of(String line) {
+            Map<String, String> map = new HashMap<>();
+            for (String pair : line.split(" ", -1)) {
+                int equals = pair.indexOf('=');
+                if (equals > 0) {
+                    map.put(pair.substring(0, equals), pair.substring(equals + 1));
+                }
+            }
+            return new Seen(map);
+        }
+
+        double number(String key) {
+            return Double.parseDouble(values.get(key));
+        }
+
+        boolean is(String key, String value) {
+            return value.equals(values.get(key));
+        }
+
+        boolean flag(String key) {
+            return Boolean.parseBoolean(values.get(key));
+        }
+    }
+
+    @BeforeEach
+    void openWindow() throws IOException, InterruptedException {
+        require();
+        prepare();
+        server =
+                new ProcessBuilder(
+                                "Xvfb",
+                                "-displayfd",
+                                "1",
+                                "-screen",
+                                "0",
+                                "1100x700x24",
+                                "-nolisten",
+                                "tcp")
+                        .redirectError(folder.resolve("server.txt").toFile())
+                        .start();
+        display = ":" + server.inputReader(StandardCharsets.UTF_8).readLine();
+        ProcessBuilder builder =
+                new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-ea",
+                        "--enable-native-access=ALL-UNNAMED",
+                        "--sun-misc-unsafe-memory-access=deny",
+                        "--add-modules=jdk.incubator.vector",
+                        "-Dcairn.keys=" + keys(),
+                        "-cp",
+                        wholeClassPath(),
+                        program().getName());
+        builder.directory(folder.toFile());
+        builder.environment().put("DISPLAY", display);
+        builder.environment().put("LIBGL_ALWAYS_SOFTWARE", "1");
+        builder.environment().remove("WAYLAND_DISPLAY");
+        sandbox = builder.redirectError(folder.resolve("sandbox.txt").toFile()).start();
+        BufferedReader reader =
+                new BufferedReader(
+                        new InputStreamReader(sandbox.getInputStream(), StandardCharsets.UTF_8));
+        Thread pump = new Thread(() -> pump(reader), "sandbox-output");
+        pump.setDaemon(true);
+        pump.start();
+        await("the window to be ready", this::ready);
+        window =
+                type("search", "--onlyvisible", "--pid", Long.toString(sandbox.pid()))
+                        .lines()
+                        .reduce((first, second) -> second)
+                        .orElseThrow();
+        type("windowfocus", "--sync", window);
+    }
+
+    /** Where the program keeps the keys of its user. */
+    Path keys() {
+        return folder.resolve("keys.txt");
+    }
+
+    /** What the window is called. */
+    String title() throws IOException, InterruptedException {
+        return type("getwindowname", window);
+    }
+
+    /** Waits until the program has ended by itself; its exit code. */
+    int ended() throws InterruptedException {
+        if (!sandbox.waitFor(20, TimeUnit.SECONDS)) {
+            fail("the window is still open; the last frame was: " + last);
+        }
+        return sandbox.exitValue();
+    }
+
+    private void pump(BufferedReader reader) {
+        try {
+            reader.lines().forEach(lines::add);
+        } catch (UncheckedIOException closed) {
+            // The end of the test closes the pipe under the reader; await tells of any other end.
+            return;
+        }
+    }
+
+    @AfterEach
+    void closeWindow() throws InterruptedException {
+        for (Process process : new Process[] {sandbox, server}) {
+            if (process != null) {
+                process.destroy();
+                process.waitFor();
+            }
+        }
+    }
+
+    /** The class path of this process, for one that runs in another folder. */
+    private static String wholeClassPath() {
+        List<String> whole = new ArrayList<>();
+        for (String entry : System.getProperty("java.class.path").split(File.pathSeparator)) {
+            whole.add(Path.of(entry).toAbsolutePath().toString());
+        }
+        return String.join(File.pathSeparator, whole);
+    }
+
+    private static void require() {
+        String mode = System.getProperty("gl.tests", "auto");
+        assumeTrue(!mode.equals("off"), "GL tests are off by -Dgl.tests=off");
+        List<String> missing = new ArrayList<>();
+        for (String program : new String[] {"Xvfb", "xdotool"}) {
+            if (!onPath(program)) {
+                missing.add(program);
+            }
+        }
+        if (missing.isEmpty()) {
+            return;
+        }
+        String reason =
+                String.join(" and ", missing)
+                        + " missing; on Debian or Ubuntu: apt-get install xvfb xdotool libgl1"
+                        + " libgl1-mesa-dri";
+        if (mode.equals("required")) {
+            fail("gl.tests=required, but " + reason);
+        }
+        System.err.println("NOTICE: the window test is skipped: " + reason);
+        throw new TestAbortedException(reason);
+    }
+
+    private static boolean onPath(String program) {
+        for (String entry : System.getenv().getOrDefault("PATH", "").split(File.pathSeparator)) {
+            if (Files.isExecutable(Path.of(entry, program))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** For a probe's line: where the middle of a widget is, if it was drawn yet. */
+    static String middle(Ui ui, String label) {
+        double[] at = ui.boundsOf(label);
+        String key = label.replace(' ', '_');
+        return at == null
+                ? ""
+                : String.format(
+                        Locale.ROOT,
+                        " %sX=%.1f %sY=%.1f",
+                        key,
+                        at[0] + at[2] / 2,
+                        key,
+                        at[1] + at[3] / 2);
+    }
+
+    /** Clicks on a widget whose middle the probe tells. */
+    void click(String label) throws IOException, InterruptedException {
+        Seen seen = now();
+        String key = label.replace(' ', '_');
+        moveTo(seen.number(key + "X"), seen.number(key + "Y"));
+        type("click", "1");
+    }
+
+    /** Waits until a change of the panels is drawn, so that the places of widgets are right. */
+    void settle() throws IOException, InterruptedException {
+        Seen seen = now();
+        await("three frames", later -> later.number("frame") > seen.number("frame") + 2);
+    }
+
+    /** Waits until the window's thread makes no garbage any more; the first frames make some. */
+    void awaitNoGarbage(String what) throws IOException, InterruptedException {
+        int[] quiet = new int[1];
+        await(
+                "ten frames in a row without a byte: " + what,
+                seen -> {
+                    quiet[0] = seen.number("bytes") == 0 ? quiet[0] + 1 : 0;
+                    return quiet[0] >= 10;
+                });
+    }
+
+    /** Runs xdotool to its end. */
+    String type(String... words) throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>(List.of("xdotool"));
+        command.addAll(List.of(words));
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+        builder.environment().put("DISPLAY", display);
+        Process process = builder.start();
+        String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(0, process.waitFor(), command + ": " + output);
+        return output.strip();
+    }
+
+    /** Press, way and release in one call, so fast that one frame may see all of it. */
+    void dragTo(double x, double y) throws IOException, InterruptedException {
+        String[] way = {"mousemove", "--window", window, whole(x), whole(y)};
+        type("mousedown", "1", way[0], way[1], way[2], way[3], way[4], "mouseup", "1");
+    }
+
+    void moveTo(double x, double y) throws IOException, InterruptedException {
+        type("mousemove", "--window", window, whole(x), whole(y));
+    }
+
+    private static String whole(double value) {
+        return Long.toString(Math.round(value));
+    }
+
+    /** Reads what the window shows, frame by frame, until it is so. */
+    Seen await(String what, Predicate<Seen> condition) throws IOException, InterruptedException {
+        while (true) {
+            String line = lines.poll(200, TimeUnit.MILLISECONDS);
+            if (line != null && line.startsWith("frame=")) {
+                last = line;
+                Seen seen = Seen.of(line);
+                if (condition.test(seen)) {
+                    return seen;
+                }
+            }
+            if (System.nanoTime() > deadline || (line == null && !sandbox.isAlive())) {
+                fail(
+                        "waited in vain for "
+                                + what
+                                + "; the last frame was: "
+                                + last
+                                + "; the sandbox said: "
+                                + Files.readString(folder.resolve("sandbox.txt")));
+            }
+        }
+    }
+
+    /** The newest frame. */
+    Seen now() throws IOException, InterruptedException {
+        lines.clear();
+        return await("a frame", seen -> true);
+    }
+}
