@@ -88,7 +88,8 @@ public final class Tiles {
         boolean[] isPast = new boolean[KINDS];
         scene.afterTick((tick, seconds) -> {
             for (int k = 0; k < KINDS; k++) {
-                isPast[k] |= onTiles.get(k).position(v).x > way || onSlab.get(k).position(v).x > way;
+                isPast[k] |=
+                        onTiles.get(k).position(v).x > way || onSlab.get(k).position(v).x > way;
                 if (isPast[k]) {
                     continue;
                 }
