@@ -8,6 +8,7 @@ module dev.cairn.core {
 
     exports dev.cairn.core.ecs;
     exports dev.cairn.core.job;
+    exports dev.cairn.core.profile;
     exports dev.cairn.core.snapshot;
     exports dev.cairn.core.state;
     exports dev.cairn.core.tick;

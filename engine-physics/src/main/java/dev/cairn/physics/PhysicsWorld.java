@@ -65,6 +65,7 @@ public final class PhysicsWorld implements AutoCloseable {
         this.physics = physics;
         this.ecs = ecs;
         physics.table.roster.bind(ecs);
+        physics.profile.watch(ecs.profile());
         ecs.watch(Pose.COMPONENT);
         newcomers = ecs.query(NewBody.COMPONENT);
         bodies = ecs.query(RigidBody.COMPONENT);
@@ -227,7 +228,7 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
-     * The clock of the physics step's stages; off until it is enabled.
+     * The clock of the physics step's stages and of all systems; off until it is enabled.
      *
      * @return the same object each time
      */

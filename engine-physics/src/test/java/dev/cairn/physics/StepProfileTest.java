@@ -3,6 +3,12 @@ package dev.cairn.physics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.core.ecs.Access;
+import dev.cairn.core.ecs.Chunk;
+import dev.cairn.core.ecs.ChunkSystem;
+import dev.cairn.core.ecs.Tick;
+import dev.cairn.core.profile.SystemProfile;
+import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.profile.StepProfile;
 import dev.cairn.physics.profile.StepStage;
 import dev.cairn.physics.shape.Box;
@@ -58,6 +64,57 @@ class StepProfileTest {
             profile.reset();
             assertEquals(0, profile.steps());
             assertEquals(0, profile.meanSeconds(StepStage.SOLVE));
+        }
+    }
+
+    /** Each system's work, the physics' among it; the stages are parts of the latter. */
+    @Test
+    void tellsTheTimeOfEachSystem() {
+        ChunkSystem still =
+                new ChunkSystem() {
+                    @Override
+                    public String name() {
+                        return "still";
+                    }
+
+                    @Override
+                    public void describe(Access access) {
+                        access.in(Pose.COMPONENT);
+                    }
+
+                    @Override
+                    public void run(Chunk chunk, Tick tick) {}
+                };
+        for (int workers = 1; workers <= 2; workers++) {
+            try (PhysicsWorld world =
+                    PhysicsWorld.builder().workers(workers).systems(still).build()) {
+                world.add(Body.dynamic().shape(Box.cubeOfEdge(1)));
+                SystemProfile systems = world.profile().systems();
+                assertEquals(2, systems.count());
+                assertEquals("still", systems.name(0));
+                assertEquals(PhysicsWorld.SYSTEM, systems.name(1));
+                step(world, 2);
+                assertEquals(0, systems.ticks());
+                assertEquals(0, systems.lastNanos(1));
+                world.profile().enable();
+                step(world, 3);
+                long stages = 0;
+                for (StepStage stage : StepStage.values()) {
+                    stages += world.profile().lastNanos(stage);
+                }
+                assertEquals(3, systems.ticks());
+                assertTrue(systems.lastNanos(0) > 0);
+                assertTrue(systems.lastNanos(1) >= stages, systems.lastNanos(1) + " " + stages);
+                assertTrue(systems.meanSeconds(1) > 0);
+                world.ecs().schedule().setEnabled("still", false);
+                step(world, 1);
+                assertEquals(0, systems.lastNanos(0));
+                world.profile().disable();
+                world.profile().reset();
+                step(world, 1);
+                assertEquals(0, systems.ticks());
+                assertEquals(0, systems.meanSeconds(1));
+            }
         }
     }
 

@@ -61,10 +61,14 @@ final class ReportText {
         object.add("errors", errors);
         object.addProperty("digest", report.digest());
         object.add("allocatedBytesPerTick", number(report.allocatedBytesPerTick()));
-        JsonObject stages = new JsonObject();
-        report.stageMicros()
-                .forEach((name, value) -> stages.add(name, number(Math.rint(1e3 * value) / 1e3)));
-        object.add("stageMicros", stages);
+        object.add("stageMicros", micros(report.stageMicros()));
+        object.add("systemMicros", micros(report.systemMicros()));
+        return object;
+    }
+
+    private static JsonObject micros(Map<String, Double> times) {
+        JsonObject object = new JsonObject();
+        times.forEach((name, value) -> object.add(name, number(Math.rint(1e3 * value) / 1e3)));
         return object;
     }
 

@@ -22,6 +22,8 @@ import java.util.Map;
  * @param digest state digest after the last tick, 16 hexadecimal digits
  * @param allocatedBytesPerTick bytes that a steady tick allocates, all threads of the simulation
  * @param stageMicros mean duration of each stage of the physics step, µs of wall time, in order
+ * @param systemMicros mean work of each system of the world in a tick, µs, in the order of the
+ *     schedule; the physics is one of them
  * @param remarks lines that the scene wants printed; not part of the JSON
  */
 public record SceneReport(
@@ -40,4 +42,5 @@ public record SceneReport(
         String digest,
         double allocatedBytesPerTick,
         Map<String, Double> stageMicros,
+        Map<String, Double> systemMicros,
         List<String> remarks) {}

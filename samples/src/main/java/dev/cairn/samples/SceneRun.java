@@ -1,5 +1,6 @@
 package dev.cairn.samples;
 
+import dev.cairn.core.profile.SystemProfile;
 import dev.cairn.core.snapshot.SnapshotExchange;
 import dev.cairn.physics.Contacts;
 import dev.cairn.physics.PhysicsSettings;
@@ -292,6 +293,7 @@ public final class SceneRun {
                 String.format(Locale.ROOT, "%016x", world.digest()),
                 measures.bytes.perTick(),
                 stages(world.profile()),
+                systems(world.profile().systems()),
                 List.copyOf(built.remarks()));
     }
 
@@ -299,6 +301,14 @@ public final class SceneRun {
         Map<String, Double> micros = new LinkedHashMap<>();
         for (StepStage stage : StepStage.values()) {
             micros.put(stage.name().toLowerCase(Locale.ROOT), 1e6 * profile.meanSeconds(stage));
+        }
+        return micros;
+    }
+
+    private static Map<String, Double> systems(SystemProfile profile) {
+        Map<String, Double> micros = new LinkedHashMap<>();
+        for (int system = 0; system < profile.count(); system++) {
+            micros.put(profile.name(system), 1e6 * profile.meanSeconds(system));
         }
         return micros;
     }

@@ -169,7 +169,8 @@ class CommandLineTest {
                         "errors",
                         "digest",
                         "allocatedBytesPerTick",
-                        "stageMicros"),
+                        "stageMicros",
+                        "systemMicros"),
                 names);
         assertEquals("slope-box", report.get("scene").getAsString());
         assertEquals(20, report.get("ticks").getAsInt());

@@ -14,19 +14,23 @@ final class Level implements BlockJob {
     private final int[] starts;
 
     private final Tick[] ticks;
+    private final SystemClock clock;
     private final boolean sequential;
 
-    Level(SystemRunner[] systems, Tick[] ticks, boolean sequential) {
+    Level(SystemRunner[] systems, Tick[] ticks, SystemClock clock, boolean sequential) {
         this.systems = systems;
         this.starts = new int[systems.length + 1];
         this.ticks = ticks;
+        this.clock = clock;
         this.sequential = sequential;
     }
 
     void run(Jobs jobs) {
         if (systems[0].worldSystem != null) {
             if (systems[0].active) {
+                long start = clock.now();
                 systems[0].runWorld(ticks[0].bind(systems[0], 0));
+                clock.add(systems[0].index, 0, start);
                 ticks[0].unbind();
             }
             return;
@@ -75,6 +79,8 @@ final class Level implements BlockJob {
         }
         SystemRunner system = systems[i];
         int chunk = block - starts[i];
+        long start = clock.now();
         system.runChunk(chunk, ticks[worker].bind(system, chunk));
+        clock.add(system.index, worker, start);
     }
 }

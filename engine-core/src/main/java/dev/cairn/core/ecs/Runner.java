@@ -12,6 +12,7 @@ final class Runner implements Commands.Handles {
     private final SystemRunner[] systems;
     private final Level[] levels;
     private final Tick[] ticks;
+    final SystemClock clock;
 
     Runner(World world, Store store, Schedule schedule, Jobs jobs, boolean checked) {
         this.store = store;
@@ -21,6 +22,7 @@ final class Runner implements Commands.Handles {
         for (int worker = 0; worker < ticks.length; worker++) {
             ticks[worker] = new Tick(world, none, worker);
         }
+        this.clock = new SystemClock(schedule.systems().toArray(String[]::new), jobs.workers());
         List<SystemRunner> all = new ArrayList<>();
         List<Level> stages = new ArrayList<>();
         for (List<Schedule.Entry> level : schedule.levels()) {
@@ -30,7 +32,7 @@ final class Runner implements Commands.Handles {
                 members.add(new SystemRunner(entry, entry.access(), index, store, this, checked));
             }
             all.addAll(members);
-            stages.add(new Level(members.toArray(SystemRunner[]::new), ticks, checked));
+            stages.add(new Level(members.toArray(SystemRunner[]::new), ticks, clock, checked));
         }
         this.systems = all.toArray(SystemRunner[]::new);
         this.levels = stages.toArray(Level[]::new);
@@ -44,7 +46,9 @@ final class Runner implements Commands.Handles {
         for (SystemRunner system : systems) {
             system.begin();
         }
+        clock.begin();
         compute();
+        clock.end();
         store.tick = tick;
         for (SystemRunner system : systems) {
             system.commitColumns(tick);

@@ -1,6 +1,7 @@
 package dev.cairn.core.ecs;
 
 import dev.cairn.core.job.Jobs;
+import dev.cairn.core.profile.SystemProfile;
 import dev.cairn.core.state.StateException;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
@@ -274,6 +275,15 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
      */
     public Schedule schedule() {
         return schedule;
+    }
+
+    /**
+     * How long each system works; off until it is enabled.
+     *
+     * @return the same object each time
+     */
+    public SystemProfile profile() {
+        return runner.clock;
     }
 
     /**

@@ -1,5 +1,7 @@
 package dev.cairn.physics.profile;
 
+import dev.cairn.core.profile.SystemProfile;
+
 /**
  * How long each stage of the physics step took. Off until {@link #enable} is called; then a step
  * reads the clock once per stage, some 20 ns each. While a recording of the JDK Flight Recorder has
@@ -41,4 +43,12 @@ public interface StepProfile {
      * @return s per timed step; 0 if no step was timed
      */
     double meanSeconds(StepStage stage);
+
+    /**
+     * The times of all systems of the world, the physics among them. On, off and forgotten with
+     * this profile; a recording alone does not switch them on.
+     *
+     * @return the same object each time
+     */
+    SystemProfile systems();
 }

@@ -1,11 +1,13 @@
 package dev.cairn.physics.state;
 
+import dev.cairn.core.profile.SystemProfile;
 import dev.cairn.physics.profile.StepProfile;
 import dev.cairn.physics.profile.StepStage;
 
 import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
+import java.util.Objects;
 
 /** The clock behind {@link StepProfile}: the step tells it when each stage has ended. */
 public final class StepClock implements StepProfile {
@@ -18,6 +20,9 @@ public final class StepClock implements StepProfile {
     private boolean timing;
     private long steps;
     private long mark;
+
+    /** Set once, before the first step. */
+    private @Nullable SystemProfile systems;
 
     /** An event, or null in a run-time image without the flight recorder: then the class fails. */
     private static @Nullable StepEvent event() {
@@ -34,11 +39,13 @@ public final class StepClock implements StepProfile {
     @Override
     public void enable() {
         enabled = true;
+        systems().enable();
     }
 
     @Override
     public void disable() {
         enabled = false;
+        systems().disable();
     }
 
     @Override
@@ -46,6 +53,17 @@ public final class StepClock implements StepProfile {
         Arrays.fill(lastNanos, 0);
         Arrays.fill(totalNanos, 0);
         steps = 0;
+        systems().reset();
+    }
+
+    @Override
+    public SystemProfile systems() {
+        return Objects.requireNonNull(systems, "the clock of a world knows its systems");
+    }
+
+    /** The world of the step has these systems. */
+    public void watch(SystemProfile all) {
+        systems = all;
     }
 
     @Override

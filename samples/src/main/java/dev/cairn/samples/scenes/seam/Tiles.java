@@ -22,7 +22,8 @@ import java.util.List;
 /**
  * A ball, a box, a capsule and a cylinder cross a floor of tiles; beside it the same on one slab.
  *
- * <p>Truth: the slab. No vertical speed that it does not give, and the same velocity.
+ * <p>Truth: the slab. No vertical speed that it does not give, and the same velocity, as long as
+ * both are there: who rolls on after the end of the floor is no longer compared.
  */
 public final class Tiles {
     private static final double RADIUS = 0.3;
@@ -84,8 +85,14 @@ public final class Tiles {
         double[] worst = {0, 0};
         Vector3d v = new Vector3d();
         Vector3d truth = new Vector3d();
+        boolean[] isPast = new boolean[KINDS];
         scene.afterTick((tick, seconds) -> {
             for (int k = 0; k < KINDS; k++) {
+                isPast[k] |=
+                        onTiles.get(k).position(v).x > way || onSlab.get(k).position(v).x > way;
+                if (isPast[k]) {
+                    continue;
+                }
                 onTiles.get(k).velocity(v).sub(onSlab.get(k).velocity(truth));
                 worst[0] = Math.max(worst[0], Math.abs(v.y));
                 worst[1] = Math.max(worst[1], v.length() / speed);
