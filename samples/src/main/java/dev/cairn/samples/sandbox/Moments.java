@@ -9,9 +9,12 @@ import java.util.Arrays;
 
 /**
  * States of the last minutes of a world, densely at the end and sparsely before, within a bound of
- * memory: each of the last ticks, and every n-th of those before. The oldest go first. Rooms of
- * states that are forgotten are used again, so that remembering takes no memory any more once the
- * bound is reached. Simulation thread, between steps.
+ * memory: each of the last ticks, and every n-th of those before. Beyond their number the oldest
+ * go; where memory is short the one goes that leaves the smallest gap beside its age, so that the
+ * past is the coarser the longer ago it is. Rooms of states that are forgotten are used again, so
+ * that remembering takes no memory any more once the bound is reached: what {@code History}, which
+ * reaches farther, cannot do, since each of its deltas is a new one. Simulation thread, between
+ * steps.
  */
 final class Moments {
     private final int dense;
@@ -105,8 +108,23 @@ final class Moments {
         count++;
         bytes += room.byteCount();
         while (bytes > mostBytes && count > 1) {
-            forget(0);
+            forget(leastMissed());
         }
+    }
+
+    /** The moment that leaves the smallest gap beside its age; never the last one. */
+    private int leastMissed() {
+        int best = 0; // there is none between the first and the last
+        double least = Double.POSITIVE_INFINITY;
+        long newest = ticks[count - 1];
+        for (int i = 1; i < count - 1; i++) {
+            double part = (double) (ticks[i + 1] - ticks[i - 1]) / (newest - ticks[i]);
+            if (part < least) {
+                least = part;
+                best = i;
+            }
+        }
+        return best;
     }
 
     /**

@@ -52,20 +52,28 @@ class MomentsTest {
         }
     }
 
+    /** With gaps in proportion to age n moments reach back by a power of n. */
     @Test
-    void aBoundOfMemoryHolds() {
+    void whereMemoryIsShortThePastIsTheCoarserTheLongerAgoItIs() {
         try (PhysicsWorld world = PhysicsWorld.builder().sleeping(false).build()) {
             for (int i = 0; i < 50; i++) {
                 world.add(Body.dynamic().shape(Sphere.of(0.5)).at(2 * i, 0, 0));
             }
             long one = world.save().byteCount();
-            Moments moments = new Moments(20, 10, 30, 5 * one);
-            for (int tick = 0; tick < 100; tick++) {
+            Moments moments = new Moments(120, 15, 480, 40 * one);
+            for (int tick = 0; tick < 1000; tick++) {
                 moments.add(world, tick);
-                assertTrue(moments.byteCount() <= 5 * one, "bytes " + moments.byteCount());
+                assertTrue(moments.byteCount() <= 40 * one, "bytes " + moments.byteCount());
             }
-            assertEquals(5, moments.count());
-            assertEquals(99, moments.tick(4));
+            assertEquals(40, moments.count());
+            assertEquals(0, moments.tick(0), "the beginning is remembered");
+            assertEquals(999, moments.tick(39));
+            assertEquals(998, moments.tick(38));
+            for (int i = 1; i < 40; i++) {
+                long gap = moments.tick(i) - moments.tick(i - 1);
+                long age = 999 - moments.tick(i - 1);
+                assertTrue(gap <= Math.max(2, 0.4 * age), gap + " ticks, " + age + " ago");
+            }
         }
     }
 }

@@ -36,8 +36,12 @@ final class SandboxProbe extends Sandbox {
     private long bytesBefore;
     private long tickBytes;
     private volatile int quietTicks;
-    private volatile long digest;
-    private volatile long digestTick;
+
+    /** Digest of each tick when it came first; how many came again the same, and otherwise. */
+    private final long[] digests = new long[1 << 16];
+
+    private volatile int sameAgain;
+    private volatile int otherAgain;
 
     private SandboxProbe(List<SampleScene> scenes, PrintStream out) {
         super(scenes, Map.of(), 1, 4, false, System.err);
@@ -81,9 +85,19 @@ final class SandboxProbe extends Sandbox {
         super.updated(seconds);
         long now = threads.getCurrentThreadAllocatedBytes();
         quietTicks = now == tickBytes ? quietTicks + 1 : 0;
-        digest = scene().physics().digest();
-        digestTick = builtTick();
+        compare((int) Math.min(builtTick(), digests.length - 1), scene().physics().digest());
         tickBytes = threads.getCurrentThreadAllocatedBytes();
+    }
+
+    /** Simulation thread. */
+    private void compare(int tick, long digest) {
+        if (digests[tick] == 0) {
+            digests[tick] = digest;
+        } else if (digests[tick] == digest) {
+            sameAgain = sameAgain + 1;
+        } else {
+            otherAgain = otherAgain + 1;
+        }
     }
 
     private String keysOf(String action) {
@@ -117,7 +131,7 @@ final class SandboxProbe extends Sandbox {
                     + " held=%s heldX=%.6f gap=%.6f sliderX=%.1f sliderY=%.1f sliderWidth=%.1f"
                     + " sliderHeight=%.1f bodies=%d uiWidth=%.0f uiHeight=%.0f uiScale=%.2f full=%b"
                     + " substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d shortened=%d"
-                    + " oldest=%d newest=%d kept=%d future=%b apart=%.9f digestTick=%d digest=%x"
+                    + " oldest=%d newest=%d kept=%d future=%b apart=%.9f sameAgain=%d otherAgain=%d"
                     + " barX=%.1f barY=%.1f barWidth=%.1f sinkKeys=%s listKeys=%s%s%n",
                 view.frames(),
                 state.tick,
@@ -151,8 +165,8 @@ final class SandboxProbe extends Sandbox {
                 state.keptTick,
                 state.future != null,
                 state.apart,
-                digestTick,
-                digest,
+                sameAgain,
+                otherAgain,
                 bar == null ? -1 : bar[0],
                 bar == null ? -1 : bar[1] + bar[3] / 2,
                 bar == null ? -1 : bar[2],
