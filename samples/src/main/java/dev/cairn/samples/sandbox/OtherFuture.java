@@ -52,7 +52,7 @@ final class OtherFuture {
             }
         }
         long room = MOST_NUMBERS / (STRIDE * Math.max(1L, bodies.size()));
-        mostTicks = (int) Math.clamp(room, 1, MOST_TICKS);
+        mostTicks = Math.clamp(room, 1, MOST_TICKS);
         poses = new double[mostTicks * bodies.size() * STRIDE];
         write();
     }
