@@ -50,8 +50,8 @@ final class TimePanel {
                 ui.slider(
                         BAR,
                         shown,
-                        state.oldestTick,
-                        state.newestTick,
+                        (double) state.oldestTick,
+                        (double) state.newestTick,
                         1,
                         "drag to go back; let go, and it goes on from there");
         boolean held = ui.isHeld(BAR);
