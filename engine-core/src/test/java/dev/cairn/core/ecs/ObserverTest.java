@@ -284,7 +284,7 @@ class ObserverTest {
                             () -> all.chunkCount(),
                             () -> world.step(1),
                             () -> world.save(),
-                            () -> world.close(),
+                            world::close,
                             () -> world.unobserve(TAG, new Log<>("", List.of())));
             int[] count = new int[1];
             world.observe(
