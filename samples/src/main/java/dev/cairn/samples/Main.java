@@ -2,6 +2,7 @@ package dev.cairn.samples;
 
 import dev.cairn.samples.accuracy.AccuracyCommand;
 import dev.cairn.samples.fuzz.FuzzCommand;
+import dev.cairn.samples.replay.RunFile;
 
 import org.jspecify.annotations.Nullable;
 
@@ -47,6 +48,7 @@ import java.util.Map;
             "  samples --headless --scene-file five.json --picture five.png",
             "  samples --scene pyramid --record run.cairn",
             "  samples --replay run.cairn --workers 1 --lanes 4",
+            "  samples --from moment.cairn   (a moment that was saved in the window by key M)",
             "  samples --scene room,pyramid,obj-drop --contact-sheet scenes.png",
             "  samples accuracy --quick      (compares with closed forms; accuracy --help)",
             "  samples fuzz --worlds 1000    (random worlds against laws; fuzz --help)",
@@ -194,6 +196,14 @@ public final class Main {
     @Nullable String replay;
 
     @Option(
+            names = "--from",
+            paramLabel = "FILE.cairn",
+            description =
+                    "Begin with a saved moment, or with the beginning of a recorded run, instead of"
+                            + " the scene's own; the file says which scene it is.")
+    @Nullable String from;
+
+    @Option(
             names = "--contact-sheet",
             paramLabel = "FILE.png",
             description = "Draw all scenes of the run side by side into one file.")
@@ -250,13 +260,14 @@ public final class Main {
                 line.printVersionHelp(out);
                 return DONE;
             }
-            if (typed.replay != null) {
+            if (typed.replay != null && typed.from == null) {
                 return new RunCommand(out, err).replay(typed);
             }
-            if (typed.record != null) {
+            if (typed.record != null && typed.from == null) {
                 return new RunCommand(out, err).record(typed);
             }
-            return new Runner(Request.of(typed), out, err, display).run();
+            RunFile begun = typed.from == null ? null : RunCommand.begin(typed, typed.from);
+            return new Runner(Request.of(typed), begun, out, err, display).run();
         } catch (CommandLine.UnmatchedArgumentException unknown) {
             String word = unknown.getUnmatched().get(0);
             if (!word.startsWith("-")) {

@@ -1,8 +1,13 @@
 package dev.cairn.samples;
 
 import dev.cairn.core.state.StateException;
-import dev.cairn.samples.replay.Recorder;
-import dev.cairn.samples.replay.Replay;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.time.Recorder;
+import dev.cairn.physics.time.Recording;
+import dev.cairn.physics.time.Replay;
+import dev.cairn.samples.replay.Act;
+import dev.cairn.samples.replay.Looks;
+import dev.cairn.samples.replay.Player;
 import dev.cairn.samples.replay.RunFile;
 
 import org.jspecify.annotations.Nullable;
@@ -12,6 +17,7 @@ import picocli.CommandLine;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -31,6 +37,11 @@ final class RunCommand {
                     "--sleeping",
                     "--precision");
 
+    /** Worlds of so many bodies have a keyframe each tick; larger ones now and then. */
+    private static final int SMALL = 100;
+
+    private static final int SELDOM = 60;
+
     private final PrintStream out;
     private final PrintStream err;
 
@@ -47,17 +58,29 @@ final class RunCommand {
                                     .formatted(typed.record)
                             + " --obj and --scene-file out");
         }
-        Recorder recorder = new Recorder(deciding(typed));
-        String digest = run(typed, "--record " + typed.record, recorder);
         Path file = Path.of(String.valueOf(typed.record));
-        try {
-            recorder.file().write(file);
+        Request request = Request.of(typed);
+        SampleScene scene = only(request, "--record " + file);
+        int ticks = request.ticks() == null ? scene.ticks() : request.ticks();
+        try (PhysicsWorld world = prepared(request, scene, ticks).world()) {
+            SceneBuilder built = scene.build(new SceneBuilder(world, options(request, scene)));
+            Looks looks = new Looks(world);
+            Recorder<Act> recorder =
+                    new Recorder<>(
+                            world, new Player(built), world.bodyCount() <= SMALL ? 1 : SELDOM);
+            for (int tick = 0; tick < ticks; tick++) {
+                recorder.input(Act.HOOKS);
+                recorder.step(built.stepSeconds());
+            }
+            RunFile.write(file, deciding(typed), 0, recorder.recording(), looks);
+            out.printf(
+                    "Recorded %s, digest %016x, in %s%n",
+                    typed.scenes, world.digest(), file.toAbsolutePath());
         } catch (IOException unwritable) {
             throw new UncheckedIOException(
                     "--record %s: cannot be written: %s".formatted(file, unwritable.getMessage()),
                     unwritable);
         }
-        out.printf("Recorded %s, digest %s, in %s%n", typed.scenes, digest, file.toAbsolutePath());
         return Main.DONE;
     }
 
@@ -68,46 +91,97 @@ final class RunCommand {
                     "--replay %s: the file says what runs; leave --scene, --set and --record out"
                             .formatted(typed.replay));
         }
-        RunFile file;
-        try {
-            file = RunFile.read(Path.of(String.valueOf(typed.replay)));
-        } catch (StateException told) {
-            throw new UsageException("--replay: " + told.getMessage(), told);
-        } catch (IOException unreadable) {
-            throw new UsageException(
-                    "--replay %s: cannot be read (%s)"
-                            .formatted(typed.replay, unreadable.getClass().getSimpleName()),
-                    unreadable);
-        }
+        RunFile file = open("--replay", String.valueOf(typed.replay));
         Main recorded = new Main(file.arguments());
         recorded.workers = typed.workers;
         recorded.lanes = typed.lanes;
-        Replay replay = new Replay(file);
-        run(recorded, "--replay " + typed.replay, replay);
-        (replay.isSame() ? out : err).println(typed.replay + ": " + replay.verdict());
-        return replay.isSame() ? Main.DONE : Main.FAILED;
+        Request request = Request.of(recorded);
+        SampleScene scene = only(request, "--replay " + typed.replay);
+        try (PhysicsWorld world = prepared(request, scene, 0).world()) {
+            SceneBuilder built = scene.build(new SceneBuilder(world, options(request, scene)));
+            built.returnTo(file.tick());
+            Recording<Act> recording = file.recording(new Looks(world));
+            Replay.Mismatch differs = new Replay<>(recording, world, new Player(built)).run();
+            if (differs != null) {
+                err.println(typed.replay + ": " + differs);
+                return Main.FAILED;
+            }
+            out.printf(
+                    "%s: %d ticks from tick %d on, all with the same digests, the last %016x%n",
+                    typed.replay, recording.tickCount(), file.tick(), world.digest());
+            return Main.DONE;
+        } catch (StateException told) {
+            throw new UsageException("--replay " + told.getMessage(), told);
+        }
     }
 
-    /** The digest at the end. */
-    private String run(Main typed, String what, SceneRun.Observer observer) {
-        Request request = Request.of(typed);
+    /** Has a command line begin with a saved moment: the scene and its settings are the file's. */
+    static RunFile begin(Main typed, String from) {
+        if (!typed.scenes.isEmpty()
+                || !typed.settings.isEmpty()
+                || typed.seed != null
+                || typed.sceneFile != null
+                || typed.obj != null
+                || typed.exportScene != null
+                || typed.record != null
+                || typed.replay != null) {
+            throw new UsageException(
+                    "--from %s: the file says which scene it is; leave --scene, --set, --seed,"
+                                    .formatted(from)
+                            + " --scene-file, --obj, --export-scene, --record and --replay out");
+        }
+        RunFile file = open("--from", from);
+        Main recorded = new Main(file.arguments());
+        typed.scenes = recorded.scenes;
+        typed.settings = recorded.settings;
+        typed.seed = recorded.seed;
+        typed.substeps = typed.substeps == null ? recorded.substeps : typed.substeps;
+        typed.directFrom = typed.directFrom == null ? recorded.directFrom : typed.directFrom;
+        typed.sleeping = typed.sleeping == null ? recorded.sleeping : typed.sleeping;
+        typed.precision = typed.precision == null ? recorded.precision : typed.precision;
+        return file;
+    }
+
+    private static RunFile open(String option, String name) {
+        try {
+            return RunFile.open(Path.of(name));
+        } catch (StateException told) {
+            throw new UsageException(option + " " + told.getMessage(), told);
+        } catch (InvalidPathException malformed) {
+            throw new UsageException(
+                    "%s %s: this is no file name".formatted(option, name), malformed);
+        } catch (IOException unreadable) {
+            throw new UsageException(
+                    "%s %s: cannot be read (%s)"
+                            .formatted(option, name, unreadable.getClass().getSimpleName()),
+                    unreadable);
+        }
+    }
+
+    private static SampleScene only(Request request, String what) {
         if (request.scenes().size() != 1) {
             throw new UsageException(
                     "%s: holds one scene, not %d; add --scene ID"
                             .formatted(what, request.scenes().size()));
         }
-        SampleScene scene = request.scenes().get(0);
-        int ticks = request.ticks() == null ? scene.ticks() : request.ticks();
-        SceneOptions options =
-                request.options().getOrDefault(scene.id(), SceneOptions.defaults(scene));
-        return new SceneRun(scene, options, ticks, request.workers(), request.substeps())
+        return request.scenes().get(0);
+    }
+
+    private static SceneOptions options(Request request, SampleScene scene) {
+        return request.options().getOrDefault(scene.id(), SceneOptions.defaults(scene));
+    }
+
+    private static SceneRun prepared(Request request, SampleScene scene, int ticks) {
+        return new SceneRun(
+                        scene,
+                        options(request, scene),
+                        ticks,
+                        request.workers(),
+                        request.substeps())
                 .directFrom(request.directFrom())
                 .sleeping(request.sleepingOr(false))
                 .lanes(request.lanes())
-                .precision(request.precision())
-                .observer(observer)
-                .run(() -> {})
-                .digest();
+                .precision(request.precision());
     }
 
     /** The options of a run that decide its bits, as arguments. */
@@ -136,7 +210,7 @@ final class RunCommand {
         for (int i = 0; i < arguments.size(); i += 2) {
             if (!DECIDING.contains(arguments.get(i)) || i + 1 == arguments.size()) {
                 throw new UsageException(
-                        "--replay: the file asks for %s, which is no option of a recorded run"
+                        "the file asks for %s, which is no option of a recorded run"
                                 .formatted(arguments.get(i)));
             }
         }

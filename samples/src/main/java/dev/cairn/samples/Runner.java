@@ -4,6 +4,7 @@ import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.render.app.Offscreen;
 import dev.cairn.samples.film.ContactSheet;
+import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.sandbox.Sandbox;
 import dev.cairn.samples.scenefile.SceneExport;
 import dev.cairn.samples.scenefile.SceneFile;
@@ -33,12 +34,20 @@ final class Runner {
     private static final int BAR_WIDTH = 100;
 
     private final Request request;
+    private final @Nullable RunFile from;
     private final PrintStream out;
     private final PrintStream err;
     private final boolean display;
 
-    Runner(Request request, PrintStream out, PrintStream err, boolean display) {
+    /** Begins with a saved moment, if there is one. */
+    Runner(
+            Request request,
+            @Nullable RunFile from,
+            PrintStream out,
+            PrintStream err,
+            boolean display) {
         this.request = request;
+        this.from = from;
         this.out = out;
         this.err = err;
         this.display = display;
@@ -120,6 +129,7 @@ final class Runner {
                         .with(Tunable.DIRECT_FROM, request.directFrom())
                         .withLanes(request.lanes())
                         .withPrecision(request.precision()));
+        window.beginAt(from);
         Path file = request.sceneFile();
         SceneFile described = request.described();
         if (file != null && described != null) {
@@ -209,7 +219,8 @@ final class Runner {
                         .directFrom(request.directFrom())
                         .sleeping(request.sleepingOr(false))
                         .lanes(request.lanes())
-                        .precision(request.precision());
+                        .precision(request.precision())
+                        .from(from);
         if (request.animation() != null) {
             run.animation(request.animation());
         }

@@ -13,6 +13,7 @@ import dev.cairn.render.app.Offscreen;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.CameraMount;
 import dev.cairn.samples.film.Film;
+import dev.cairn.samples.replay.RunFile;
 
 import org.jspecify.annotations.Nullable;
 
@@ -48,19 +49,7 @@ public final class SceneRun {
     private @Nullable Path picture;
     private int pictureTick;
     private @Nullable Path animation;
-    private Observer observer = (world, tick) -> {};
-
-    /** Sees the world after each tick. */
-    @FunctionalInterface
-    public interface Observer {
-        /**
-         * Looks, and changes nothing.
-         *
-         * @param world after the step
-         * @param tick its number; 0 before the first step
-         */
-        void stepped(PhysicsWorld world, int tick);
-    }
+    private @Nullable RunFile from;
 
     /** Hears of each tick. */
     @FunctionalInterface
@@ -155,13 +144,13 @@ public final class SceneRun {
     }
 
     /**
-     * Asks for somebody to look at the world after each tick, outside of the clock.
+     * Begins with a saved moment of the same scene.
      *
-     * @param value who looks
+     * @param file which one, null for the scene's own beginning
      * @return this
      */
-    public SceneRun observer(Observer value) {
-        this.observer = value;
+    public SceneRun from(@Nullable RunFile file) {
+        this.from = file;
         return this;
     }
 
@@ -186,26 +175,38 @@ public final class SceneRun {
      */
     public SceneReport run(Progress progress) {
         AllocationMeter meter = new AllocationMeter();
-        try (PhysicsWorld world =
-                PhysicsWorld.builder()
-                        .gravity(0, -SampleScene.GRAVITY, 0)
-                        .workers(workers)
-                        .settings(
-                                PhysicsSettings.DEFAULT
-                                        .withSubsteps(substeps)
-                                        .with(Tunable.DIRECT_FROM, directFrom)
-                                        .withLanes(lanes)
-                                        .withPrecision(precision))
-                        .sleeping(sleeping)
-                        .seed(options.seed())
-                        .build()) {
+        try (PhysicsWorld world = world()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
+            if (from != null) {
+                from.putBack(world, built);
+                world.setSubsteps(substeps); // those of the file, or other ones
+            }
             meter.attach();
             Film film = animation == null ? null : new Film(built);
             try (film) {
                 return run(world, built, meter, film, progress);
             }
         }
+    }
+
+    /**
+     * The world of the run, without the scene.
+     *
+     * @return a new world; close it
+     */
+    PhysicsWorld world() {
+        return PhysicsWorld.builder()
+                .gravity(0, -SampleScene.GRAVITY, 0)
+                .workers(workers)
+                .settings(
+                        PhysicsSettings.DEFAULT
+                                .withSubsteps(substeps)
+                                .with(Tunable.DIRECT_FROM, directFrom)
+                                .withLanes(lanes)
+                                .withPrecision(precision))
+                .sleeping(sleeping)
+                .seed(options.seed())
+                .build();
     }
 
     private SceneReport run(
@@ -219,7 +220,6 @@ public final class SceneRun {
         SnapshotExchange exchange = picture == null ? null : new SnapshotExchange();
         measures.depth(built);
         world.profile().enable();
-        observer.stepped(world, 0);
         if (exchange != null && pictureTick == 0) {
             exchange.publish(world.ecs());
             draw(exchange, built);
@@ -227,7 +227,6 @@ public final class SceneRun {
         for (int tick = 1; tick <= ticks; tick++) {
             built.beforeTick();
             measures.step(world, meter, tick, built.stepSeconds());
-            observer.stepped(world, tick);
             built.afterTick();
             if (tick == 1) {
                 // the first tick loads classes and grows every store

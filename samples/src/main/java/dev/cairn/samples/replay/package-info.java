@@ -1,7 +1,7 @@
 /**
- * Runs of scenes that are written down and played again: what was asked for, a digest of every
- * tick, and now and then a sum of each column and of each body, so that a run that comes out
- * otherwise tells from which tick on, and in what.
+ * Runs and moments of scenes as files: which scene it is, and the library's own recording of what
+ * was done to it. Whoever reads one builds the scene, puts it to the state in the file, and does
+ * the same again, so that what comes out otherwise shows from which tick on, and in what.
  */
 @NullMarked
 package dev.cairn.samples.replay;

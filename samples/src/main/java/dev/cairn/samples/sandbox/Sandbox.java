@@ -1,12 +1,16 @@
 package dev.cairn.samples.sandbox;
 
 import dev.cairn.core.snapshot.TripleBuffer;
+import dev.cairn.core.state.StateException;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.time.Recorder;
+import dev.cairn.physics.time.Recording;
+import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.render.app.Application;
 import dev.cairn.render.app.Scene;
 import dev.cairn.render.app.View;
@@ -23,18 +27,24 @@ import dev.cairn.samples.UsageException;
 import dev.cairn.samples.editor.Editor;
 import dev.cairn.samples.editor.EditorPanels;
 import dev.cairn.samples.editor.LeaveQuestion;
+import dev.cairn.samples.replay.Act;
+import dev.cairn.samples.replay.Looks;
+import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.scenefile.SceneExport;
 import dev.cairn.samples.scenefile.SceneFile;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
+import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -88,6 +98,8 @@ public class Sandbox extends Application {
 
     private SceneBuilder.@Nullable View seenFrom;
     private @Nullable SceneBuilder built;
+    private @Nullable RunFile from;
+    private @Nullable Looks looks;
     private int remarksShown;
     private long stepStartNanos;
     private String problem = "";
@@ -167,6 +179,15 @@ public class Sandbox extends Application {
      */
     public void beginWith(SampleScene scene) {
         current = Math.max(0, scenes.indexOf(scene));
+    }
+
+    /**
+     * Begins with a saved moment of that scene; before {@link #start}.
+     *
+     * @param file which one, null for the scene's own beginning
+     */
+    public void beginAt(@Nullable RunFile file) {
+        from = file;
     }
 
     /** The editor; window thread. For tests. */
@@ -259,7 +280,9 @@ public class Sandbox extends Application {
             SceneBuilder next = new SceneBuilder(scene.physics(), chosenOptions());
             if (edited == null) {
                 chosen.build(next);
+                looks = new Looks(scene.physics());
                 built = next;
+                putBack(scene, next);
             } else {
                 // Even if the world refuses an entity: what is there must be cleared some day.
                 built = next;
@@ -279,6 +302,16 @@ public class Sandbox extends Application {
                 throw refused;
             }
             problem = String.valueOf(refused.getMessage());
+        }
+    }
+
+    /** Only the first time; the scene begins as it does after that. */
+    private void putBack(Scene scene, SceneBuilder next) {
+        RunFile file = from;
+        from = null;
+        if (file != null) {
+            file.putBack(scene.physics(), next);
+            scene.physics().setSubsteps(substeps);
         }
     }
 
@@ -338,6 +371,7 @@ public class Sandbox extends Application {
                 .onKey(Key.PERIOD, "forth in time", this::forth)
                 .onKey(Key.K, "keep moment", this::keepMoment)
                 .onKey(Key.L, "to kept moment", this::backToKept)
+                .onKey(Key.M, "save moment", this::saveMoment)
                 .onKey(Key.H, "hide panels", panels::toggleHidden)
                 .onScroll("pull nearer, push away", hand::scroll)
                 .onScroll("raise, lower in the editor", editorPanels::raise);
@@ -393,6 +427,46 @@ public class Sandbox extends Application {
             setPaused(true);
         }
         publishState();
+    }
+
+    /** Writes this moment to a file. */
+    void saveMoment() {
+        SceneBuilder now = built;
+        Looks known = looks;
+        if (now == null || known == null || stage.shown() != null) {
+            notice("An edited scene is saved as a scene file (Ctrl S)");
+            return;
+        }
+        hand.release();
+        PhysicsWorld world = scene().physics();
+        Recording<Act> moment = new Recorder<Act>(world, (any, act) -> {}, 1).recording();
+        Path file = Path.of("moment-" + scenes.get(current).id() + "-" + now.tick() + ".cairn");
+        try {
+            RunFile.write(file, arguments(), now.tick(), moment, known);
+            notice("This moment is in " + file.toAbsolutePath());
+        } catch (IOException | StateException failure) {
+            notice("This moment is not saved: " + failure.getMessage());
+        }
+        publishState();
+    }
+
+    /** Options that lead to this scene. */
+    private List<String> arguments() {
+        List<String> arguments = new ArrayList<>(List.of("--scene", scenes.get(current).id()));
+        SceneOptions chosen = chosenOptions();
+        chosen.values()
+                .forEach((name, value) -> {
+                    arguments.add("--set");
+                    arguments.add(name + "=" + value);
+                });
+        Collections.addAll(arguments, "--seed", Long.toString(chosen.seed()));
+        Collections.addAll(arguments, "--substeps", Integer.toString(substeps));
+        int direct = settings.tuning().count(Tunable.DIRECT_FROM);
+        Collections.addAll(arguments, "--direct-from", Integer.toString(direct));
+        Collections.addAll(arguments, "--sleeping", sleeping ? "on" : "off");
+        String precision = settings.precision().name().toLowerCase(Locale.ROOT);
+        Collections.addAll(arguments, "--precision", precision);
+        return arguments;
     }
 
     void forgetFutures() {

@@ -40,6 +40,7 @@ final class SandboxProbe extends Sandbox {
     /** Digest of each tick when it came first; how many came again the same, and otherwise. */
     private final long[] digests = new long[1 << 16];
 
+    private volatile int digestTick;
     private volatile int sameAgain;
     private volatile int otherAgain;
 
@@ -98,6 +99,7 @@ final class SandboxProbe extends Sandbox {
         } else {
             otherAgain = otherAgain + 1;
         }
+        digestTick = tick; // volatile: the digest is there before it
     }
 
     private String keysOf(String action) {
@@ -123,6 +125,7 @@ final class SandboxProbe extends Sandbox {
         // What the frame allocated but for this method.
         long bytes = threads.getCurrentThreadAllocatedBytes() - bytesBefore;
         view.camera().position(eye);
+        int seenTick = digestTick;
         double[] slider = ui.boundsOf("gap");
         double[] bar = ui.boundsOf(TimePanel.BAR);
         out.printf(
@@ -132,7 +135,8 @@ final class SandboxProbe extends Sandbox {
                     + " sliderHeight=%.1f bodies=%d uiWidth=%.0f uiHeight=%.0f uiScale=%.2f full=%b"
                     + " substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d shortened=%d"
                     + " oldest=%d newest=%d kept=%d future=%b apart=%.9f sameAgain=%d otherAgain=%d"
-                    + " barX=%.1f barY=%.1f barWidth=%.1f sinkKeys=%s listKeys=%s%s%n",
+                    + " digestTick=%d digest=%016x barX=%.1f barY=%.1f barWidth=%.1f sinkKeys=%s"
+                    + " listKeys=%s%s%n",
                 view.frames(),
                 state.tick,
                 view.snapshot().tick(),
@@ -167,6 +171,8 @@ final class SandboxProbe extends Sandbox {
                 state.apart,
                 sameAgain,
                 otherAgain,
+                seenTick,
+                digests[seenTick],
                 bar == null ? -1 : bar[0],
                 bar == null ? -1 : bar[1] + bar[3] / 2,
                 bar == null ? -1 : bar[2],

@@ -3,9 +3,16 @@ package dev.cairn.samples.sandbox;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.samples.Main;
+
 import org.junit.jupiter.api.Test;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 
 /** Back and forth through the last minutes, in the real window. */
 class TimeBarTest extends WindowFixture {
@@ -86,5 +93,32 @@ class TimeBarTest extends WindowFixture {
         look("two-futures");
         click(TimePanel.FORGET);
         await("no other future", seen -> !seen.flag("future"));
+    }
+
+    /** What is read from the file is the moment that was seen, and goes on as it went on. */
+    @Test
+    void aMomentThatIsSavedGoesOnWithoutAWindow() throws IOException, InterruptedException {
+        type("key", "b");
+        await("a ball", seen -> seen.number("bodies") == 6);
+        type("key", "p");
+        Seen saved = await("the pause", seen -> seen.flag("paused"));
+        type("key", "m");
+        String tick = "%.0f".formatted(now().number("tick"));
+        Path file = folder.resolve("moment-stack-4-" + tick + ".cairn");
+        await("the file, " + saved, seen -> Files.exists(file));
+        await("the notice", seen -> seen.values().containsKey("NoticeX"));
+        look("moment-saved");
+        type("key", "p");
+        double last = Double.parseDouble(tick) + 100;
+        Seen later = await("100 ticks", seen -> seen.number("digestTick") >= last);
+        int ticks = (int) (later.number("digestTick") - Double.parseDouble(tick));
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        PrintStream both = new PrintStream(out, true, StandardCharsets.UTF_8);
+        String[] arguments = {
+            "--from", file.toString(), "--ticks", Integer.toString(ticks), "--json", "-"
+        };
+        assertEquals(0, Main.run(arguments, both, both, false), out::toString);
+        String json = out.toString(StandardCharsets.UTF_8);
+        assertTrue(json.contains(later.values().get("digest")), later + " against " + json);
     }
 }

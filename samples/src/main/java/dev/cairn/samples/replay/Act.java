@@ -1,0 +1,85 @@
+package dev.cairn.samples.replay;
+
+import dev.cairn.core.state.StateCodec;
+import dev.cairn.core.state.StateInput;
+import dev.cairn.core.state.StateOutput;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What is done to the world of a scene before a tick, as it is written down.
+ *
+ * @param what what it is
+ * @param entity of the body that is taken; else 0
+ * @param numbers as {@link What} tells
+ */
+public record Act(What what, long entity, List<Double> numbers) {
+    /** The scene's own hooks run. */
+    public static final Act HOOKS = new Act(What.HOOKS, 0, List.of());
+
+    /** How it becomes bytes. */
+    static final StateCodec<Act> CODEC = StateCodec.of(Act.class, "act", Act::write, Act::read);
+
+    private static final What[] ALL = What.values();
+
+    /** What can be done. */
+    public enum What {
+        /** The scene's hooks of the tick before and of the coming one run. */
+        HOOKS(0),
+        /** A body is taken into the hand at a point of the world: its x, y, z, m. */
+        GRAB(3),
+        /** The hand pulls towards a point: its x, y, z, m. */
+        PULL(3),
+        /** The hand lets go. */
+        RELEASE(0),
+        /** A ball is thrown: place, m, velocity, m/s, radius, m, density, kg/m³, its number. */
+        THROW(9),
+        /** The number of sub-steps changes. */
+        SUBSTEPS(1);
+
+        private final int count;
+
+        What(int count) {
+            this.count = count;
+        }
+
+        /**
+         * How many numbers go with it.
+         *
+         * @return the number
+         */
+        public int count() {
+            return count;
+        }
+    }
+
+    /** Copies the list, and checks how many numbers there are. */
+    public Act {
+        numbers = List.copyOf(numbers);
+        if (numbers.size() != what.count()) {
+            throw new IllegalArgumentException(
+                    what + " goes with " + what.count() + " numbers, not " + numbers.size());
+        }
+    }
+
+    private static void write(Act act, StateOutput out) {
+        out.writeInt(act.what.ordinal());
+        out.writeLong(act.entity);
+        act.numbers.forEach(out::writeDouble);
+    }
+
+    private static Act read(StateInput in) {
+        int kind = in.readInt();
+        if (kind < 0 || kind >= ALL.length) {
+            throw new IllegalArgumentException(
+                    "an act of kind " + kind + "; kinds are 0 to " + (ALL.length - 1));
+        }
+        long entity = in.readLong();
+        List<Double> numbers = new ArrayList<>();
+        for (int i = 0; i < ALL[kind].count(); i++) {
+            numbers.add(in.readDouble());
+        }
+        return new Act(ALL[kind], entity, numbers);
+    }
+}

@@ -1,0 +1,107 @@
+package dev.cairn.samples.replay;
+
+import dev.cairn.core.snapshot.Visual;
+import dev.cairn.physics.Body;
+import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.Material;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.hand.Hand;
+import dev.cairn.physics.shape.Sphere;
+import dev.cairn.render.mesh.Model;
+import dev.cairn.samples.Palette;
+import dev.cairn.samples.SceneBuilder;
+
+import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
+
+import java.util.List;
+import java.util.function.BiConsumer;
+
+/**
+ * Does to the world of a scene what was done to it: its hooks run, a hand pulls, balls fly.
+ * Simulation thread, between steps.
+ */
+public final class Player implements BiConsumer<PhysicsWorld, Act> {
+    private final SceneBuilder scene;
+    private boolean isTickBegun;
+    private @Nullable Hand hand;
+
+    /**
+     * For one run of a scene.
+     *
+     * @param scene as it was built, at the tick that the run begins with
+     */
+    public Player(SceneBuilder scene) {
+        this.scene = scene;
+    }
+
+    @Override
+    public void accept(PhysicsWorld world, Act act) {
+        List<Double> n = act.numbers();
+        switch (act.what()) {
+            case HOOKS -> hooks();
+            case GRAB -> grab(world, act);
+            case PULL -> pull(n.get(0), n.get(1), n.get(2));
+            case RELEASE -> release();
+            case THROW -> throwBall(world, n);
+            case SUBSTEPS -> world.setSubsteps((int) (double) n.get(0));
+        }
+    }
+
+    /** What follows a tick belongs to the next act: a recorder looks at the world before it. */
+    private void hooks() {
+        if (isTickBegun) {
+            scene.afterTick();
+        }
+        scene.beforeTick();
+        isTickBegun = true;
+    }
+
+    private void grab(PhysicsWorld world, Act act) {
+        release();
+        BodyRef body = world.bodyOf(act.entity());
+        if (body != null) {
+            List<Double> n = act.numbers();
+            Hand taken = new Hand(world);
+            taken.grab(body, new Vector3d(n.get(0), n.get(1), n.get(2)));
+            hand = taken;
+        }
+    }
+
+    private void pull(double x, double y, double z) {
+        Hand taken = hand;
+        if (taken != null && taken.isHolding()) {
+            taken.pull(x, y, z);
+        } else {
+            release();
+        }
+    }
+
+    private void release() {
+        if (hand != null) {
+            hand.release();
+            hand = null;
+        }
+    }
+
+    /**
+     * Throws a ball.
+     *
+     * @param world where
+     * @param n the numbers of {@link Act.What#THROW}
+     */
+    public static void throwBall(PhysicsWorld world, List<Double> n) {
+        Sphere shape = Sphere.of(n.get(6));
+        BodyRef ball =
+                world.add(
+                        Body.dynamic()
+                                .shape(shape)
+                                .at(n.get(0), n.get(1), n.get(2))
+                                .velocity(n.get(3), n.get(4), n.get(5))
+                                .material(
+                                        Material.DEFAULT.withDensity(n.get(7)).withRestitution(0.5))
+                                .name("ball " + (long) (double) n.get(8)));
+        Model look = Model.of(shape).color(Palette.BASKETBALL);
+        world.ecs().add(ball.entity(), new Visual(look));
+    }
+}
