@@ -21,8 +21,6 @@ public record Act(What what, long entity, List<Double> numbers) {
     /** How it becomes bytes. */
     static final StateCodec<Act> CODEC = StateCodec.of(Act.class, "act", Act::write, Act::read);
 
-    private static final What[] ALL = What.values();
-
     /** What can be done. */
     public enum What {
         /** The scene's hooks of the tick before and of the coming one run. */
@@ -64,22 +62,18 @@ public record Act(What what, long entity, List<Double> numbers) {
     }
 
     private static void write(Act act, StateOutput out) {
-        out.writeInt(act.what.ordinal());
+        out.writeString(act.what.name());
         out.writeLong(act.entity);
         act.numbers.forEach(out::writeDouble);
     }
 
     private static Act read(StateInput in) {
-        int kind = in.readInt();
-        if (kind < 0 || kind >= ALL.length) {
-            throw new IllegalArgumentException(
-                    "an act of kind " + kind + "; kinds are 0 to " + (ALL.length - 1));
-        }
+        What what = What.valueOf(in.readString());
         long entity = in.readLong();
         List<Double> numbers = new ArrayList<>();
-        for (int i = 0; i < ALL[kind].count(); i++) {
+        for (int i = 0; i < what.count(); i++) {
             numbers.add(in.readDouble());
         }
-        return new Act(ALL[kind], entity, numbers);
+        return new Act(what, entity, numbers);
     }
 }
