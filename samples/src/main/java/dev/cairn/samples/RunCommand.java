@@ -69,7 +69,10 @@ final class RunCommand {
                     new Recorder<>(
                             world, new Player(built), world.bodyCount() <= SMALL ? 1 : SELDOM);
             for (int tick = 0; tick < ticks; tick++) {
-                recorder.input(Act.HOOKS);
+                if (tick > 0) {
+                    recorder.input(Act.AFTER);
+                }
+                recorder.input(Act.BEFORE);
                 recorder.step(built.stepSeconds());
             }
             RunFile.write(file, deciding(typed), 0, recorder.recording(), looks);

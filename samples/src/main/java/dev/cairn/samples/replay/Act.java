@@ -15,16 +15,21 @@ import java.util.List;
  * @param numbers as {@link What} tells
  */
 public record Act(What what, long entity, List<Double> numbers) {
-    /** The scene's own hooks run. */
-    public static final Act HOOKS = new Act(What.HOOKS, 0, List.of());
+    /** The scene's hooks before a tick run. */
+    public static final Act BEFORE = new Act(What.BEFORE, 0, List.of());
+
+    /** The scene's hooks after the tick before run. */
+    public static final Act AFTER = new Act(What.AFTER, 0, List.of());
 
     /** How it becomes bytes. */
     static final StateCodec<Act> CODEC = StateCodec.of(Act.class, "act", Act::write, Act::read);
 
     /** What can be done. */
     public enum What {
-        /** The scene's hooks of the tick before and of the coming one run. */
-        HOOKS(0),
+        /** The scene's hooks before the coming tick run. */
+        BEFORE(0),
+        /** The scene's hooks after the tick before run: a recorder looks at the world first. */
+        AFTER(0),
         /** A body is taken into the hand at a point of the world: its x, y, z, m. */
         GRAB(3),
         /** The hand pulls towards a point: its x, y, z, m. */

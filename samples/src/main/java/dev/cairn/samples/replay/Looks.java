@@ -32,7 +32,7 @@ import java.util.Map;
  */
 public final class Looks {
     private final List<Object> known = new ArrayList<>();
-    private final Map<Object, Integer> numbers = new IdentityHashMap<>();
+    private final IdentityHashMap<Object, Integer> numbers = new IdentityHashMap<>();
 
     /**
      * Those of a scene.

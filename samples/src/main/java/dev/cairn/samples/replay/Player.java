@@ -23,7 +23,6 @@ import java.util.function.BiConsumer;
  */
 public final class Player implements BiConsumer<PhysicsWorld, Act> {
     private final SceneBuilder scene;
-    private boolean isTickBegun;
     private @Nullable Hand hand;
 
     /**
@@ -39,22 +38,14 @@ public final class Player implements BiConsumer<PhysicsWorld, Act> {
     public void accept(PhysicsWorld world, Act act) {
         List<Double> n = act.numbers();
         switch (act.what()) {
-            case HOOKS -> hooks();
+            case BEFORE -> scene.beforeTick();
+            case AFTER -> scene.afterTick();
             case GRAB -> grab(world, act);
             case PULL -> pull(n.get(0), n.get(1), n.get(2));
             case RELEASE -> release();
             case THROW -> throwBall(world, n);
             case SUBSTEPS -> world.setSubsteps((int) (double) n.get(0));
         }
-    }
-
-    /** What follows a tick belongs to the next act: a recorder looks at the world before it. */
-    private void hooks() {
-        if (isTickBegun) {
-            scene.afterTick();
-        }
-        scene.beforeTick();
-        isTickBegun = true;
     }
 
     private void grab(PhysicsWorld world, Act act) {

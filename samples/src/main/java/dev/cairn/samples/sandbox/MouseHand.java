@@ -4,6 +4,7 @@ import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.hand.Hand;
+import dev.cairn.samples.replay.Act.What;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -17,6 +18,7 @@ import org.jspecify.annotations.Nullable;
 final class MouseHand {
     private static final double NEAREST = 0.5;
 
+    private final Diary diary;
     private @Nullable Hand hand;
     private @Nullable BodyRef body;
     private @Nullable BodyRef named;
@@ -28,6 +30,10 @@ final class MouseHand {
     private final Vector3d scratch = new Vector3d();
     private final Quaterniond turn = new Quaterniond();
 
+    MouseHand(Diary diary) {
+        this.diary = diary;
+    }
+
     void grab(PhysicsWorld world, BodyRef what, double atDistance, Vector3d localPoint) {
         release();
         body = what;
@@ -37,6 +43,7 @@ final class MouseHand {
         if (what.type() == BodyType.DYNAMIC) {
             Hand taken = new Hand(world);
             taken.grab(what, point);
+            diary.add(What.GRAB, what.entity(), point.x, point.y, point.z);
             hand = taken;
         }
     }
@@ -45,6 +52,7 @@ final class MouseHand {
         Hand taken = hand;
         if (taken != null) {
             taken.release();
+            diary.add(What.RELEASE);
         }
         hand = null;
         if (body != null && !body.isAlive()) {
@@ -78,6 +86,7 @@ final class MouseHand {
             body = null;
         } else if (taken != null) {
             taken.pull(target.x, target.y, target.z);
+            diary.add(What.PULL, 0, target.x, target.y, target.z);
         }
     }
 

@@ -1,25 +1,16 @@
 package dev.cairn.samples.sandbox;
 
 import dev.cairn.core.snapshot.TripleBuffer;
-import dev.cairn.core.state.StateException;
-import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
-import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
-import dev.cairn.physics.shape.Sphere;
-import dev.cairn.physics.time.Recorder;
-import dev.cairn.physics.time.Recording;
-import dev.cairn.physics.tuning.Tunable;
 import dev.cairn.render.app.Application;
 import dev.cairn.render.app.Scene;
 import dev.cairn.render.app.View;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Key;
-import dev.cairn.render.mesh.Model;
 import dev.cairn.render.ui.Ui;
-import dev.cairn.samples.Palette;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
@@ -27,8 +18,9 @@ import dev.cairn.samples.UsageException;
 import dev.cairn.samples.editor.Editor;
 import dev.cairn.samples.editor.EditorPanels;
 import dev.cairn.samples.editor.LeaveQuestion;
-import dev.cairn.samples.replay.Act;
+import dev.cairn.samples.replay.Act.What;
 import dev.cairn.samples.replay.Looks;
+import dev.cairn.samples.replay.Player;
 import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.scenefile.SceneExport;
 import dev.cairn.samples.scenefile.SceneFile;
@@ -36,15 +28,12 @@ import dev.cairn.samples.scenefile.SceneFile;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
-import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -84,7 +73,9 @@ public class Sandbox extends Application {
     private final Map<String, SceneOptions> options;
     private final PlotHistory history = new PlotHistory();
     private final Timeline timeline = new Timeline();
-    private final MouseHand hand = new MouseHand();
+    private final Diary diary = new Diary();
+    private final MouseHand hand = new MouseHand(diary);
+    private double tickSeconds = SampleScene.STEP_SECONDS;
     private int current;
     private int workers;
     private int substeps;
@@ -372,6 +363,7 @@ public class Sandbox extends Application {
                 .onKey(Key.K, "keep moment", this::keepMoment)
                 .onKey(Key.L, "to kept moment", this::backToKept)
                 .onKey(Key.M, "save moment", this::saveMoment)
+                .onKey(Key.F9, "bug report", this::writeReport)
                 .onKey(Key.H, "hide panels", panels::toggleHidden)
                 .onScroll("pull nearer, push away", hand::scroll)
                 .onScroll("raise, lower in the editor", editorPanels::raise);
@@ -379,15 +371,22 @@ public class Sandbox extends Application {
     }
 
     private void remember(Scene scene) {
+        diary.begin(builtTick());
         timeline.begin(scene.physics(), stage.rests() ? null : built);
     }
 
     // Time; simulation thread ------------------------------------------------------------------
 
+    /** Whoever comes to a moment has an empty hand there. */
+    private void cameBack() {
+        diary.came(builtTick());
+    }
+
     /** Goes to a moment of the past, or forth again. */
     void goTo(long tick) {
         hand.release();
         timeline.goTo(tick);
+        cameBack();
         publishState();
     }
 
@@ -396,6 +395,7 @@ public class Sandbox extends Application {
         setPaused(true);
         hand.release();
         timeline.back();
+        cameBack();
         publishState();
     }
 
@@ -407,6 +407,7 @@ public class Sandbox extends Application {
         }
         hand.release();
         if (timeline.forth()) {
+            cameBack();
             publishState();
         } else {
             singleStep();
@@ -424,6 +425,7 @@ public class Sandbox extends Application {
     void backToKept() {
         hand.release();
         if (timeline.backToKept()) {
+            cameBack();
             setPaused(true);
         }
         publishState();
@@ -431,42 +433,30 @@ public class Sandbox extends Application {
 
     /** Writes this moment to a file. */
     void saveMoment() {
-        SceneBuilder now = built;
-        Looks known = looks;
-        if (now == null || known == null || stage.shown() != null) {
-            notice("An edited scene is saved as a scene file (Ctrl S)");
-            return;
+        MomentWriter writer = writer();
+        if (writer != null) {
+            hand.release();
+            notice(writer.save(scene().physics(), builtTick()));
+            publishState();
         }
-        hand.release();
-        PhysicsWorld world = scene().physics();
-        Recording<Act> moment = new Recorder<Act>(world, (any, act) -> {}, 1).recording();
-        Path file = Path.of("moment-" + scenes.get(current).id() + "-" + now.tick() + ".cairn");
-        try {
-            RunFile.write(file, arguments(), now.tick(), moment, known);
-            notice("This moment is in " + file.toAbsolutePath());
-        } catch (IOException | StateException failure) {
-            notice("This moment is not saved: " + failure.getMessage());
-        }
-        publishState();
     }
 
-    /** Options that lead to this scene. */
-    private List<String> arguments() {
-        List<String> arguments = new ArrayList<>(List.of("--scene", scenes.get(current).id()));
-        SceneOptions chosen = chosenOptions();
-        chosen.values()
-                .forEach((name, value) -> {
-                    arguments.add("--set");
-                    arguments.add(name + "=" + value);
-                });
-        Collections.addAll(arguments, "--seed", Long.toString(chosen.seed()));
-        Collections.addAll(arguments, "--substeps", Integer.toString(substeps));
-        int direct = settings.tuning().count(Tunable.DIRECT_FROM);
-        Collections.addAll(arguments, "--direct-from", Integer.toString(direct));
-        Collections.addAll(arguments, "--sleeping", sleeping ? "on" : "off");
-        String precision = settings.precision().name().toLowerCase(Locale.ROOT);
-        Collections.addAll(arguments, "--precision", precision);
-        return arguments;
+    /** Writes the last seconds to a file that can be played again. */
+    void writeReport() {
+        MomentWriter writer = writer();
+        if (writer != null) {
+            notice(writer.report(timeline, diary, this::createPhysics, builtTick(), tickSeconds));
+        }
+    }
+
+    private @Nullable MomentWriter writer() {
+        Looks known = looks;
+        if (built == null || known == null || stage.shown() != null) {
+            notice("Of an edited scene there are scene files (Ctrl S), no moments and reports");
+            return null;
+        }
+        return new MomentWriter(
+                scenes.get(current), chosenOptions(), substeps, settings, sleeping, known);
     }
 
     void forgetFutures() {
@@ -517,7 +507,10 @@ public class Sandbox extends Application {
     /** Changes the solver or the workers while the scene runs. */
     void solve(int newWorkers, int newSubsteps) {
         workers = newWorkers;
-        substeps = newSubsteps;
+        if (substeps != newSubsteps) {
+            substeps = newSubsteps;
+            diary.add(What.SUBSTEPS, 0, substeps, 0, 0);
+        }
         PhysicsWorld world = scene().physics();
         world.ecs().jobs().limit(workers);
         world.setSubsteps(substeps);
@@ -546,25 +539,20 @@ public class Sandbox extends Application {
         Camera camera = scene().camera();
         Vector3d eye = camera.position(new Vector3d());
         Vector3d ahead = camera.forward(new Vector3d());
-        Sphere shape = Sphere.of(ball.radius);
         double start = ball.radius + camera.near() + 0.3;
-        scene().add(
-                        Body.dynamic()
-                                .shape(shape)
-                                .at(
-                                        eye.x + start * ahead.x,
-                                        eye.y + start * ahead.y,
-                                        eye.z + start * ahead.z)
-                                .velocity(
-                                        ball.speed * ahead.x,
-                                        ball.speed * ahead.y,
-                                        ball.speed * ahead.z)
-                                .material(
-                                        Material.DEFAULT
-                                                .withDensity(ball.density)
-                                                .withRestitution(0.5))
-                                .name("ball " + ++thrown),
-                        Model.of(shape).color(Palette.BASKETBALL));
+        List<Double> thrownBall =
+                List.of(
+                        eye.x + start * ahead.x,
+                        eye.y + start * ahead.y,
+                        eye.z + start * ahead.z,
+                        ball.speed * ahead.x,
+                        ball.speed * ahead.y,
+                        ball.speed * ahead.z,
+                        ball.radius,
+                        ball.density,
+                        (double) ++thrown);
+        Player.throwBall(scene().physics(), thrownBall);
+        diary.add(What.THROW, thrownBall);
         publishState(); // also in a pause
     }
 
@@ -589,9 +577,11 @@ public class Sandbox extends Application {
     @Override
     protected void update(double seconds) {
         timeline.goingOn();
+        tickSeconds = seconds;
         SceneBuilder now = built;
         if (now != null) {
             now.beforeTick();
+            diary.add(What.BEFORE);
         }
         hand.apply();
         stepStartNanos = System.nanoTime();
@@ -612,6 +602,8 @@ public class Sandbox extends Application {
             }
         }
         timeline.remember();
+        diary.ticked(builtTick());
+        diary.forgetUpTo(timeline.oldest());
         history.add(scene().physics(), now, millis);
         publishState();
     }

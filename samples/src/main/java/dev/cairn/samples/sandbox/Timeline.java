@@ -156,6 +156,34 @@ final class Timeline {
         keptTick = -1;
     }
 
+    /** The first moment from a tick on at which the hand was empty; -1 if there is none. */
+    int momentWithEmptyHand(long tick, Diary diary) {
+        for (int i = moments.count() == 0 ? 0 : moments.indexAt(tick); i <= at; i++) {
+            if (i < moments.count() && !diary.holdsAfter(moments.tick(i))) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    long tick(int index) {
+        return moments.tick(index);
+    }
+
+    WorldState state(int index) {
+        return moments.state(index);
+    }
+
+    /** The oldest tick that can be gone back to. */
+    long oldest() {
+        return moments.count() == 0 ? Long.MAX_VALUE : moments.tick(0);
+    }
+
+    /** The state at the present tick, if it is remembered. */
+    @Nullable WorldState present(long tick) {
+        return moments.count() > 0 && moments.tick(at) == tick ? moments.state(at) : null;
+    }
+
     /** Tells the window. */
     void describe(SandboxState state) {
         SceneBuilder now = scene;

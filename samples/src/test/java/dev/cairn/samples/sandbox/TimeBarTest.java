@@ -121,4 +121,43 @@ class TimeBarTest extends WindowFixture {
         String json = out.toString(StandardCharsets.UTF_8);
         assertTrue(json.contains(later.values().get("digest")), later + " against " + json);
     }
+
+    /** Balls, pulls and a change of mind: what the report plays ends in the world that was seen. */
+    @Test
+    void aBugReportPlaysTheLastSecondsAgain() throws IOException, InterruptedException {
+        type("key", "b");
+        Seen ball = await("a ball", seen -> seen.number("bodies") == 6);
+        await("ticks", seen -> seen.number("tick") > ball.number("tick") + 20);
+        // The hand takes what is in the middle of the window, and moves.
+        moveTo(512, 340);
+        type("mousedown", "1");
+        Seen pulling = await("a body in the hand", seen -> seen.flag("pulling"));
+        moveTo(560, 300);
+        await("pulls", seen -> seen.number("tick") > pulling.number("tick") + 30);
+        type("mouseup", "1");
+        await("it to be let go", seen -> !seen.flag("pulling"));
+        // Some ticks back, and another future.
+        type("key", "comma", "comma", "comma");
+        Seen back = await("ticks back", seen -> seen.number("newest") == seen.number("tick") + 2);
+        type("key", "p");
+        await("to go on", seen -> seen.number("tick") > back.number("newest"));
+        type("key", "b");
+        Seen second = await("another ball", seen -> seen.number("bodies") == 7);
+        await("ticks", seen -> seen.number("tick") > second.number("tick") + 40);
+        type("key", "p");
+        await("the pause", seen -> seen.flag("paused"));
+        Seen end = now();
+        String tick = "%.0f".formatted(end.number("tick"));
+        type("key", "F9");
+        Path file = folder.resolve("report-stack-4-" + tick + ".cairn");
+        await("the notice", seen -> seen.values().containsKey("NoticeX"));
+        look("report");
+        assertTrue(Files.exists(file), file.toString());
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        PrintStream both = new PrintStream(out, true, StandardCharsets.UTF_8);
+        String[] arguments = {"--replay", file.toString(), "--workers", "2", "--lanes", "4"};
+        assertEquals(0, Main.run(arguments, both, both, false), out::toString);
+        String told = out.toString(StandardCharsets.UTF_8);
+        assertTrue(told.contains(end.values().get("digest")), end + " against " + told);
+    }
 }

@@ -12,12 +12,14 @@ import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.SceneRegistry;
 import dev.cairn.samples.replay.Act;
+import dev.cairn.samples.replay.Act.What;
 import dev.cairn.samples.replay.Looks;
 import dev.cairn.samples.replay.Player;
 import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.time.AimedShot;
 import dev.cairn.samples.time.TwoPeers;
 
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -78,7 +80,7 @@ class ReplayTest {
             Looks looks = new Looks(world);
             Recorder<Act> recorder = new Recorder<>(world, new Player(built), 1);
             for (int tick = 0; tick < 20; tick++) {
-                recorder.input(Act.HOOKS);
+                recorder.input(Act.BEFORE);
                 if (tick == 7) {
                     // Nobody writes this down.
                     built.bodies().get(2).applyImpulse(0, 1e-9, 0);
@@ -92,6 +94,52 @@ class ReplayTest {
         String told = err.toString();
         assertTrue(told.contains("tick 8 is the first that differs; at tick 8 "), told);
         assertTrue(told.contains("the first column is bodies."), told);
+    }
+
+    /** From a moment in the middle, with a hand, a ball and other sub-steps. */
+    @Test
+    void whatAUserDidComesAgain(@TempDir Path folder) throws IOException {
+        Path file = folder.resolve("report.cairn");
+        SampleScene scene = SceneRegistry.get("stack-4");
+        try (PhysicsWorld world =
+                PhysicsWorld.builder()
+                        .gravity(0, -SampleScene.GRAVITY, 0)
+                        .sleeping(false)
+                        .build()) {
+            SceneBuilder built = scene.build(new SceneBuilder(world, SceneOptions.defaults(scene)));
+            Looks looks = new Looks(world);
+            for (int tick = 0; tick < 50; tick++) {
+                built.beforeTick();
+                world.step(built.stepSeconds());
+                built.afterTick();
+            }
+            Recorder<Act> recorder = new Recorder<>(world, new Player(built), 60);
+            Vector3d top = built.bodies().get(4).position(new Vector3d());
+            List<Double> point = List.of(top.x + 0.1, top.y, top.z);
+            recorder.input(new Act(What.GRAB, built.bodies().get(4).entity(), point));
+            for (int tick = 0; tick < 120; tick++) {
+                if (tick == 20) {
+                    List<Double> ball = List.of(5.0, 1.0, 0.0, -9.0, 0.0, 0.0, 0.25, 1000.0, 1.0);
+                    recorder.input(new Act(What.THROW, 0, ball));
+                    recorder.input(new Act(What.SUBSTEPS, 0, List.of(6.0)));
+                } else if (tick == 80) {
+                    recorder.input(new Act(What.RELEASE, 0, List.of()));
+                }
+                recorder.input(Act.BEFORE);
+                List<Double> to = List.of(top.x + 0.02 * tick, top.y + 0.5, top.z);
+                recorder.input(new Act(What.PULL, 0, to));
+                recorder.step(built.stepSeconds());
+            }
+            List<String> arguments = List.of("--scene", "stack-4", "--sleeping", "off");
+            RunFile.write(file, arguments, 50, recorder.recording(), looks);
+            for (String workers : new String[] {"1", "2"}) {
+                String[] again = {"--replay", file.toString(), "--workers", workers};
+                assertEquals(0, run(again), err::toString);
+                String told = out.toString();
+                assertTrue(told.contains("120 ticks from tick 50 on, all with"), told);
+                assertTrue(told.contains("%016x".formatted(world.digest())), told);
+            }
+        }
     }
 
     @Test

@@ -1,0 +1,129 @@
+package dev.cairn.samples.sandbox;
+
+import dev.cairn.core.state.StateException;
+import dev.cairn.core.state.WorldState;
+import dev.cairn.physics.PhysicsSettings;
+import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.time.Recorder;
+import dev.cairn.physics.tuning.Tunable;
+import dev.cairn.samples.SampleScene;
+import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneOptions;
+import dev.cairn.samples.replay.Act;
+import dev.cairn.samples.replay.Looks;
+import dev.cairn.samples.replay.Player;
+import dev.cairn.samples.replay.RunFile;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Supplier;
+
+/**
+ * Writes moments of a scene, and what was done in the last seconds, to files in the present folder.
+ * Simulation thread, between steps.
+ *
+ * @param scene of the list
+ * @param options its parameters
+ * @param substeps of the solver now
+ * @param settings of the world
+ * @param sleeping whether bodies fall asleep
+ * @param looks those of the scene as it began
+ */
+record MomentWriter(
+        SampleScene scene,
+        SceneOptions options,
+        int substeps,
+        PhysicsSettings settings,
+        boolean sleeping,
+        Looks looks) {
+
+    /** Ticks that a report reaches back: five seconds. */
+    private static final int REPORT_TICKS = 300;
+
+    /** Ticks from one keyframe of a report to the next. */
+    private static final int KEYFRAME_TICKS = 60;
+
+    /** What to tell the user. */
+    String save(PhysicsWorld world, long tick) {
+        Recorder<Act> moment = new Recorder<>(world, (any, act) -> {}, 1);
+        Path file = Path.of("moment-" + scene.id() + "-" + tick + ".cairn").toAbsolutePath();
+        try {
+            RunFile.write(file, arguments(), tick, moment.recording(), looks);
+        } catch (IOException | StateException failure) {
+            return "This moment is not saved: " + failure.getMessage();
+        }
+        return "This moment is in " + file;
+    }
+
+    /**
+     * Writes the last seconds as they come again from a moment of the past, with what was done
+     * since; so nothing is to be written down while nobody asks for it.
+     *
+     * @param timeline knows the moments
+     * @param diary knows what was done
+     * @param worlds makes a world like the one in the window
+     * @param tick the present one
+     * @param stepSeconds length of the ticks, s
+     * @return what to tell the user
+     */
+    String report(
+            Timeline timeline,
+            Diary diary,
+            Supplier<PhysicsWorld> worlds,
+            long tick,
+            double stepSeconds) {
+        int key = timeline.momentWithEmptyHand(tick - REPORT_TICKS, diary);
+        if (key < 0) {
+            return "No report: no moment of the last seconds had an empty hand";
+        }
+        long begin = timeline.tick(key);
+        Path file = Path.of("report-" + scene.id() + "-" + tick + ".cairn").toAbsolutePath();
+        try (PhysicsWorld world = worlds.get()) {
+            SceneBuilder built = scene.build(new SceneBuilder(world, options));
+            world.restore(timeline.state(key));
+            built.returnTo(begin);
+            Recorder<Act> recorder = new Recorder<>(world, new Player(built), KEYFRAME_TICKS);
+            for (long t = begin + 1; t <= tick; t++) {
+                if (t > begin + 1) {
+                    recorder.input(Act.AFTER);
+                }
+                diary.before(t).forEach(recorder::input);
+                recorder.step(stepSeconds);
+            }
+            RunFile.write(file, arguments(), begin, recorder.recording(), looks);
+            long digest = world.digest();
+            WorldState present = timeline.present(tick);
+            if (present != null) {
+                world.restore(present);
+                if (world.digest() != digest) {
+                    return "The report is in %s, but it comes out otherwise than here: not all that was done is in it"
+                            .formatted(file);
+                }
+            }
+        } catch (IOException | StateException failure) {
+            return "No report: " + failure.getMessage();
+        }
+        return "The last %d ticks are in %s; samples --replay plays them again"
+                .formatted(tick - begin, file);
+    }
+
+    /** Options that lead to this scene. */
+    private List<String> arguments() {
+        List<String> arguments = new ArrayList<>(List.of("--scene", scene.id()));
+        options.values()
+                .forEach((name, value) ->
+                        Collections.addAll(arguments, "--set", name + "=" + value));
+        Collections.addAll(arguments, "--seed", Long.toString(options.seed()));
+        Collections.addAll(arguments, "--substeps", Integer.toString(substeps));
+        int direct = settings.tuning().count(Tunable.DIRECT_FROM);
+        Collections.addAll(arguments, "--direct-from", Integer.toString(direct));
+        Collections.addAll(arguments, "--sleeping", sleeping ? "on" : "off");
+        String precision = settings.precision().name().toLowerCase(Locale.ROOT);
+        Collections.addAll(arguments, "--precision", precision);
+        return arguments;
+    }
+}
