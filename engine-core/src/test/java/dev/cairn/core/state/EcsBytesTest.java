@@ -42,7 +42,7 @@ class EcsBytesTest {
     private record Farm() implements WorldSystem {
         @Override
         public void describe(Access access) {
-            access.out(ANIMAL);
+            access.out(ANIMAL).commands();
         }
 
         @Override
