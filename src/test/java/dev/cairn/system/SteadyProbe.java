@@ -17,8 +17,10 @@ final class SteadyProbe {
         int substeps = PhysicsSettings.DEFAULT.substeps();
         for (SampleScene scene : SceneRegistry.all()) {
             SceneOptions options = SceneOptions.defaults(scene);
+            // short scenes run on: a window of few ticks may each time hold a compilation
+            int ticks = Math.max(scene.ticks(), 240);
             SceneReport report =
-                    new SceneRun(scene, options, scene.ticks(), workers, substeps).run(() -> {});
+                    new SceneRun(scene, options, ticks, workers, substeps).run(() -> {});
             System.out.println(scene.id() + " " + report.allocatedBytesPerTick());
         }
     }

@@ -125,7 +125,7 @@ final class ManyShapes implements Stateful {
     @Override
     public void state(StateVisitor s) {
         s.section("manyShapes", this);
-        int length = s.value("length", rootOf.length);
+        int length = s.count("length", rootOf.length);
         if (length != rootOf.length) {
             rootOf = Arrays.copyOf(rootOf, length);
         }

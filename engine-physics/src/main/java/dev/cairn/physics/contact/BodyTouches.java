@@ -209,7 +209,7 @@ public final class BodyTouches implements Stateful {
     public void state(StateVisitor s) {
         s.section("bodyTouches", this);
         size = s.value("size", size);
-        int length = s.value("length", keys.length);
+        int length = s.count("length", keys.length);
         if (length != keys.length) {
             keys = new long[length];
             counts = new int[length];
@@ -217,9 +217,9 @@ public final class BodyTouches implements Stateful {
         }
         keys = s.array("keys", keys, length);
         counts = s.array("counts", counts, length);
-        beganCount = s.value("beganCount", beganCount);
+        beganCount = s.count("beganCount", beganCount);
         began = s.array("began", began, 2 * beganCount);
-        endedCount = s.value("endedCount", endedCount);
+        endedCount = s.count("endedCount", endedCount);
         ended = s.array("ended", ended, 2 * endedCount);
     }
 }

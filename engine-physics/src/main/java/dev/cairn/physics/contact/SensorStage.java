@@ -114,7 +114,7 @@ public final class SensorStage implements Stateful {
     @Override
     public void state(StateVisitor s) {
         s.section("sensors", this);
-        count = s.value("count", count);
+        count = s.count("count", count);
         if (count > sensor.length) {
             columns(new Columns.Growth(count));
         }

@@ -288,6 +288,9 @@ public final class ContactSolver {
                     t.loaded ? settings.count(Tunable.DIRECT_FROM) : Integer.MAX_VALUE,
                     t.weight() * softPace.seconds() * softPace.seconds(),
                     collector.isSame());
+            for (Workbench bench : benches) {
+                bench.direct.reserve(direct);
+            }
         }
     }
 

@@ -379,7 +379,9 @@ class SaveRestoreTest {
                     }
 
                     @Override
-                    public void describe(Access access) {}
+                    public void describe(Access access) {
+                        access.before("physics");
+                    }
 
                     @Override
                     public void run(Tick tick) {

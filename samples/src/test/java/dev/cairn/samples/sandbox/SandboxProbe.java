@@ -82,7 +82,13 @@ final class SandboxProbe extends Sandbox {
     }
 
     private String keysOf(String action) {
-        for (Bindings.Binding binding : keyBindings().actions()) {
+        Bindings bindings;
+        try {
+            bindings = keyBindings();
+        } catch (IllegalStateException early) {
+            return ""; // the first frames may come before the scene
+        }
+        for (Bindings.Binding binding : bindings.actions()) {
             if (binding.action().equals(action)) {
                 return binding.label().replace(' ', '_');
             }
