@@ -12,6 +12,9 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.Reach;
+import dev.cairn.physics.query.Hit;
+import dev.cairn.physics.query.Placement;
+import dev.cairn.physics.query.ShapeQueries;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 
@@ -33,8 +36,8 @@ import dev.cairn.physics.shape.Sphere;
  * </pre>
  *
  * <p>In almost all cases contacts have done it, and nothing is changed. What a {@link
- * dev.cairn.physics.collider.ContactHook} lets through is let through: while there is one, only rows
- * that were solved are looked at.
+ * dev.cairn.physics.collider.ContactHook} lets through is let through: while there is one, only
+ * rows that were solved are looked at.
  */
 final class CentreGuard {
     private static final int BODIES_PER_BLOCK = 256;
@@ -58,6 +61,9 @@ final class CentreGuard {
     private final BoundsStage bounds;
     private final NarrowPhase narrowPhase = new NarrowPhase();
     private final RayWalk walk = new RayWalk();
+    private final ShapeQueries queries = new ShapeQueries();
+    private final Placement surface = new Placement();
+    private final Hit hit = new Hit();
     private final double[] box = new double[6];
 
     private int[] dynamic = {};
@@ -81,12 +87,7 @@ final class CentreGuard {
      * @param bodies slots of the dynamic bodies that were moved
      * @param isHooked whether a hook may let bodies through
      */
-    void run(
-            int[] bodies,
-            int count,
-            BroadPhase broadPhase,
-            boolean isHooked,
-            Jobs jobs) {
+    void run(int[] bodies, int count, BroadPhase broadPhase, boolean isHooked, Jobs jobs) {
         dynamic = bodies;
         dynamicCount = count;
         int bodyBlocks = Blocks.count(count, BODIES_PER_BLOCK);
@@ -253,9 +254,6 @@ final class CentreGuard {
      * @param other a collider that is where it is at the end of the tick
      */
     private void keepOut(int body, int other) {
-        if (!Reach.fits(colliders.shape[other])) {
-            return;
-        }
         Poses p = colliders.poses;
         boolean moves = isDriven(colliders.body[other]);
         double wayX = (moves ? wayX(other) : 0) - wayX(body);
@@ -267,6 +265,11 @@ final class CentreGuard {
         double inner = colliders.innerRadius[body];
         double square = wayX * wayX + wayY * wayY + wayZ * wayZ;
         if (!(square > FAST * FAST * inner * inner)) {
+            return;
+        }
+        if (!Reach.fits(colliders.shape[other])) {
+            place(surface, other, x, y, z);
+            keepBefore(body, wayX, wayY, wayZ, Math.sqrt(square));
             return;
         }
         double away = Math.min(AWAY * inner, 0.5 * distance(other, x, y, z));
@@ -289,7 +292,50 @@ final class CentreGuard {
             }
             t += d / closing;
         }
-        stop(body, wayX, wayY, wayZ, 1 - t);
+        double nx = narrowPhase.axisX();
+        double ny = narrowPhase.axisY();
+        double nz = narrowPhase.axisZ();
+        stop(body, (1 - t) * wayX, (1 - t) * wayY, (1 - t) * wayZ, nx, ny, nz);
+    }
+
+    private void place(Placement to, int other, double x, double y, double z) {
+        Poses p = colliders.poses;
+        to.setCentre(
+                colliders.shape[other],
+                x,
+                y,
+                z,
+                p.orientationX[other],
+                p.orientationY[other],
+                p.orientationZ[other],
+                p.orientationW[other]);
+    }
+
+    /**
+     * The same for a surface without an inside, {@link #surface}: there the way is a ray. What
+     * comes from the back of a one-sided triangle passes.
+     */
+    private void keepBefore(int body, double wayX, double wayY, double wayZ, double way) {
+        double inner = colliders.innerRadius[body];
+        // it may end before the surface, and yet too near
+        if (!queries.rayCast(surface, 0, 0, 0, -wayX, -wayY, -wayZ, way + inner, hit)) {
+            return;
+        }
+        double closing = hit.normalX() * wayX + hit.normalY() * wayY + hit.normalZ() * wayZ;
+        double height = hit.distance() * closing / way;
+        double away = Math.min(AWAY * inner, 0.5 * height);
+        double rest = 1 - hit.distance() / way + away / closing;
+        if (!(rest > 0)) {
+            return;
+        }
+        stop(
+                body,
+                rest * wayX,
+                rest * wayY,
+                rest * wayZ,
+                -hit.normalX(),
+                -hit.normalY(),
+                -hit.normalZ());
     }
 
     /** Whether a body that does not answer moves by itself. */
@@ -322,13 +368,11 @@ final class CentreGuard {
                 z);
     }
 
-    /** Takes the rest of its way from a body, and what goes in of its velocity. */
-    private void stop(int body, double wayX, double wayY, double wayZ, double rest) {
+    /** Takes back the rest of its way from a body, and what goes in of its velocity. */
+    private void stop(
+            int body, double backX, double backY, double backZ, double nx, double ny, double nz) {
         BodyStore s = colliders.bodies;
-        s.move(body, rest * wayX, rest * wayY, rest * wayZ);
-        double nx = narrowPhase.axisX();
-        double ny = narrowPhase.axisY();
-        double nz = narrowPhase.axisZ();
+        s.move(body, backX, backY, backZ);
         double in = nx * s.velocityX[body] + ny * s.velocityY[body] + nz * s.velocityZ[body];
         if (in > 0) {
             s.velocityX[body] -= in * nx;
