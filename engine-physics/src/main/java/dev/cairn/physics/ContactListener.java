@@ -3,8 +3,8 @@ package dev.cairn.physics;
 /**
  * Is told what happened to contacts and sensors in a step, after it, on the thread that called it:
  * so it may change the world. The order is part of the contract: ends of shapes, ends of bodies,
- * begins of bodies, begins of shapes, then hits, then who left, then who entered; each list in the
- * order of {@link Contacts}. See {@link Contacts#listen}.
+ * begins of bodies, begins of shapes, then hits of shapes, hits of bodies, who left, who entered;
+ * each list in the order of {@link Contacts}. See {@link Contacts#listen}.
  */
 public interface ContactListener {
     /**
@@ -47,6 +47,14 @@ public interface ContactListener {
      * @param hit the number of this one
      */
     default void hit(Contacts.Hits hits, int hit) {}
+
+    /**
+     * Two bodies have met at speed, with one or more of their shapes: the strongest of their hits.
+     *
+     * @param hits all hits of bodies of the step
+     * @param hit the number of this one
+     */
+    default void bodiesHit(Contacts.Hits hits, int hit) {}
 
     /**
      * Somebody has left a sensor, or one of the two is gone. Each had entered.

@@ -1,6 +1,7 @@
 package dev.cairn.physics;
 
 import dev.cairn.physics.contact.BodyTouches;
+import dev.cairn.physics.contact.PairList;
 import dev.cairn.physics.contact.SensorStage;
 import dev.cairn.physics.contact.TouchEvents;
 import dev.cairn.physics.internal.BodyStore;
@@ -27,7 +28,8 @@ final class ContactView implements Contacts {
     private final EventList bodiesEnded = new EventList();
     private final EventList entered = new EventList();
     private final EventList left = new EventList();
-    private final HitList hits = new HitList();
+    private final HitList hits = new HitList(false);
+    private final HitList bodiesHit = new HitList(true);
     private final List<ContactListener> listeners = new ArrayList<>();
     private int[] rowOf = {};
     private int count;
@@ -50,35 +52,14 @@ final class ContactView implements Contacts {
     void update() {
         stale = true;
         ColliderTable refs = table.collision;
-        began.clear();
-        for (int i = 0; i < events.beganCount(); i++) {
-            began.add(refs.ref(events.began(i, 0)), refs.ref(events.began(i, 1)));
-        }
-        ended.clear();
-        for (int i = 0; i < events.endedCount(); i++) {
-            ended.add(refs.ref(events.ended(i, 0)), refs.ref(events.ended(i, 1)));
-        }
-        bodiesBegan.clear();
-        for (int i = 0; i < touches.beganCount(); i++) {
-            bodiesBegan.add(refs.ref(touches.began(i, 0)), refs.ref(touches.began(i, 1)));
-        }
-        bodiesEnded.clear();
-        for (int i = 0; i < touches.endedCount(); i++) {
-            bodiesEnded.add(refs.ref(touches.ended(i, 0)), refs.ref(touches.ended(i, 1)));
-        }
-        entered.clear();
-        for (int i = 0; i < sensors.enteredCount(); i++) {
-            entered.add(refs.ref(sensors.entered(i, 0)), refs.ref(sensors.entered(i, 1)));
-        }
-        left.clear();
-        for (int i = 0; i < sensors.leftCount(); i++) {
-            left.add(refs.ref(sensors.left(i, 0)), refs.ref(sensors.left(i, 1)));
-        }
-        hits.clear();
-        for (int i = 0; i < events.hitCount(); i++) {
-            int row = events.hit(i);
-            hits.add(refs.ref(rows.colliderA[row]), refs.ref(rows.colliderB[row]));
-        }
+        began.take(refs, events.began);
+        ended.take(refs, events.ended);
+        bodiesBegan.take(refs, touches.began);
+        bodiesEnded.take(refs, touches.ended);
+        entered.take(refs, sensors.entered);
+        left.take(refs, sensors.left);
+        hits.take(refs);
+        bodiesHit.take(refs);
     }
 
     /** Between steps: what a listener does may change the world. */
@@ -99,6 +80,9 @@ final class ContactView implements Contacts {
             }
             for (int i = 0; i < hits.count(); i++) {
                 listener.hit(hits, i);
+            }
+            for (int i = 0; i < bodiesHit.count(); i++) {
+                listener.bodiesHit(bodiesHit, i);
             }
             for (int i = 0; i < left.count(); i++) {
                 listener.left(left.colliderA(i), left.colliderB(i));
@@ -140,6 +124,11 @@ final class ContactView implements Contacts {
     @Override
     public Hits hits() {
         return hits;
+    }
+
+    @Override
+    public Hits bodiesHit() {
+        return bodiesHit;
     }
 
     @Override
@@ -271,6 +260,13 @@ final class ContactView implements Contacts {
             size = 0;
         }
 
+        final void take(ColliderTable refs, PairList list) {
+            clear();
+            for (int i = 0; i < list.count(); i++) {
+                add(refs.ref(list.collider(i, 0)), refs.ref(list.collider(i, 1)));
+            }
+        }
+
         final void add(ColliderRef a, ColliderRef b) {
             if (2 * size == pairs.length) {
                 pairs = Arrays.copyOf(pairs, 4 * size);
@@ -308,8 +304,33 @@ final class ContactView implements Contacts {
 
     /** Hits of the last step, by the rows of it. */
     private final class HitList extends EventList implements Hits {
+        /** Whether each pair of bodies is told once, the one of the lower slot as A. */
+        private final boolean byBodies;
+
+        HitList(boolean byBodies) {
+            this.byBodies = byBodies;
+        }
+
+        void take(ColliderTable refs) {
+            clear();
+            for (int i = 0; i < (byBodies ? touches.hitCount() : events.hitCount()); i++) {
+                int row = rowAt(i);
+                ColliderRef a = refs.ref(rows.colliderA[row]);
+                ColliderRef b = refs.ref(rows.colliderB[row]);
+                add(isSwapped(row) ? b : a, isSwapped(row) ? a : b);
+            }
+        }
+
+        private int rowAt(int hit) {
+            return byBodies ? touches.hit(hit) : events.hit(hit);
+        }
+
+        private boolean isSwapped(int row) {
+            return byBodies && rows.bodyA[row] > rows.bodyB[row];
+        }
+
         private int row(int hit) {
-            return events.hit(Objects.checkIndex(hit, count()));
+            return rowAt(Objects.checkIndex(hit, count()));
         }
 
         @Override
@@ -325,8 +346,9 @@ final class ContactView implements Contacts {
         @Override
         public Vector3d normal(int hit, Vector3d destination) {
             int row = row(hit);
-            return Checks.notNull("destination", destination)
+            Checks.notNull("destination", destination)
                     .set(rows.normalX(row), rows.normalY(row), rows.normalZ(row));
+            return isSwapped(row) ? destination.negate() : destination;
         }
 
         @Override
@@ -336,13 +358,7 @@ final class ContactView implements Contacts {
 
         @Override
         public double impulse(int hit) {
-            int row = row(hit);
-            double sum = 0;
-            int first = ContactStore.POINTS * row;
-            for (int p = first; p < first + rows.pointCount[row]; p++) {
-                sum += rows.totalNormalImpulse[p];
-            }
-            return sum;
+            return rows.normalImpulse(row(hit));
         }
     }
 }

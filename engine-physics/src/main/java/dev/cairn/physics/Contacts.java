@@ -167,8 +167,18 @@ public interface Contacts {
     Hits hits();
 
     /**
-     * Says from which speed of approach on a touch that begins is among the {@link #hits}; infinite
-     * by default. Between steps.
+     * The pairs of bodies that met at speed in the last step, each once: by the strongest of the
+     * {@link #hits} of their shapes, that of the largest impulse and of equal ones the first. Also
+     * bodies that touched already, if further shapes of them met. The body of the lower slot is A.
+     * In the order in which {@link #hits} first names the two.
+     *
+     * @return the same view each time
+     */
+    Hits bodiesHit();
+
+    /**
+     * Says from which speed of approach on a touch that begins is among the {@link #hits} and
+     * {@link #bodiesHit}; infinite by default. Between steps.
      *
      * @param metresPerSecond at least 0
      */

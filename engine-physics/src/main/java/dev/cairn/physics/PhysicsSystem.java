@@ -215,7 +215,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         assert StageCheck.poses(table.bodies, table.roster.dynamic, table.roster.dynamicCount);
         profile.end(StepStage.PUBLISH);
         events.update(contacts, rows, tick.jobs());
-        bodyEvents.update(events);
+        bodyEvents.update(events, contacts);
         view.update();
         sleepView.update();
         profile.end(StepStage.TOUCH);

@@ -8,6 +8,7 @@ import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.joint.Joint;
 import dev.cairn.physics.shape.Box;
 
+import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;
@@ -31,8 +32,7 @@ class BodyEventsTest {
     private static List<String> told(BiConsumer<PhysicsWorld, BodyRef> deed, boolean sleeping) {
         try (PhysicsWorld world = PhysicsWorld.builder().sleeping(sleeping).workers(1).build()) {
             List<String> told = new ArrayList<>();
-            BodyRef floor =
-                    world.add(Body.fixed().shape(Box.ofHalfExtents(5, .5, 5)).at(0, -.5, 0));
+            BodyRef floor = world.add(floor());
             BodyRef stool = world.add(stool().at(0, .02, 0));
             int[] shapes = new int[1];
             world.contacts()
@@ -92,5 +92,77 @@ class BodyEventsTest {
                     told((world, stool) -> stool.colliders().get(1).remove(), sleeping),
                     "two legs still stand");
         }
+    }
+
+    /**
+     * A stool that falls on its feet hits the floor once, though each foot does: with the strongest
+     * of these hits, at {@code g t} after {@code t} of free fall, along the normal from the body of
+     * the lower slot, whichever came first.
+     */
+    @Test
+    void aStoolThatFallsHitsOnceAndTheOrderOfWhatIsToldIsFixed() {
+        for (boolean floorFirst : new boolean[] {true, false}) {
+            try (PhysicsWorld world = PhysicsWorld.builder().sleeping(false).workers(1).build()) {
+                BodyRef early = floorFirst ? world.add(floor()) : world.add(stool().at(0, .5, 0));
+                BodyRef late = floorFirst ? world.add(stool().at(0, .5, 0)) : world.add(floor());
+                BodyRef stool = floorFirst ? late : early;
+                world.contacts().setHitSpeed(1);
+                List<String> told = new ArrayList<>();
+                world.contacts().listen(names(told));
+                double speed = 0;
+                while (told.isEmpty()) {
+                    speed = -stool.velocity().y;
+                    world.step(Scenes.STEP);
+                }
+                List<String> order = new ArrayList<>(List.of("bodies began"));
+                order.addAll(List.of("began", "began", "began", "hit", "hit", "hit"));
+                order.add("bodies hit");
+                assertEquals(order, told);
+                Contacts.Hits bodies = world.contacts().bodiesHit();
+                assertEquals(1, bodies.count());
+                assertEquals(early, bodies.bodyA(0));
+                assertEquals(late, bodies.bodyB(0));
+                assertEquals(late, bodies.colliderB(0).body());
+                Vector3d up = bodies.normal(0, new Vector3d());
+                assertEquals(floorFirst ? 1 : -1, up.y, 1e-9);
+                assertEquals(speed, bodies.approachSpeed(0), 1e-9);
+                assertEquals(0, bodies.point(0, new Vector3d()).y, .05);
+                Contacts.Hits shapes = world.contacts().hits();
+                double most = 0;
+                for (int i = 0; i < shapes.count(); i++) {
+                    most = Math.max(most, shapes.impulse(i));
+                }
+                assertEquals(most, bodies.impulse(0));
+                assertTrue(most > 0);
+            }
+        }
+    }
+
+    private static Body floor() {
+        return Body.fixed().shape(Box.ofHalfExtents(5, .5, 5)).at(0, -.5, 0);
+    }
+
+    private static ContactListener names(List<String> told) {
+        return new ContactListener() {
+            @Override
+            public void began(ColliderRef a, ColliderRef b) {
+                told.add("began");
+            }
+
+            @Override
+            public void bodiesBegan(BodyRef a, BodyRef b) {
+                told.add("bodies began");
+            }
+
+            @Override
+            public void hit(Contacts.Hits hits, int hit) {
+                told.add("hit");
+            }
+
+            @Override
+            public void bodiesHit(Contacts.Hits hits, int hit) {
+                told.add("bodies hit");
+            }
+        };
     }
 }

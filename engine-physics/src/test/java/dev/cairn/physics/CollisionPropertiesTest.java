@@ -20,7 +20,9 @@ import net.jqwik.api.constraints.LongRange;
 
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.Set;
 
@@ -55,6 +57,7 @@ class CollisionPropertiesTest {
             Random random = new Random(seed);
             Ledger ledger = new Ledger();
             world.contacts().listen(ledger);
+            world.contacts().setHitSpeed(.5);
             world.add(Body.fixed().shape(Box.ofHalfExtents(6, .5, 6)).at(0, -.5, 0));
             for (int i = 0; i < 12; i++) {
                 world.add(body(random));
@@ -73,6 +76,7 @@ class CollisionPropertiesTest {
             world.step(Scenes.STEP);
             assertTrue(ledger.touching.isEmpty() && ledger.inside.isEmpty(), "seed " + seed);
             assertTrue(ledger.bodies.isEmpty(), "seed " + seed);
+            assertTrue(ledger.count > 0, "seed " + seed + ": no hit");
             return world.digest() + 31 * ledger.told;
         }
     }
@@ -174,6 +178,31 @@ class CollisionPropertiesTest {
             told = 31 * told + 6 + b.slot();
         }
 
+        /** Of the hits of a pair's shapes the strongest, in the order of the first. */
+        @Override
+        public void hit(Contacts.Hits hits, int hit) {
+            BodyRef a = hits.bodyA(hit);
+            BodyRef b = hits.bodyB(hit);
+            strongest.merge(
+                    a.slot() < b.slot() ? List.of(a, b) : List.of(b, a),
+                    hits.impulse(hit),
+                    Math::max);
+            told = 31 * told + 7 + b.slot();
+        }
+
+        @Override
+        public void bodiesHit(Contacts.Hits hits, int hit) {
+            List<BodyRef> pair = List.of(hits.bodyA(hit), hits.bodyB(hit));
+            assertEquals(strongest.keySet().iterator().next(), pair, "in the order of the first");
+            assertEquals(strongest.remove(pair), hits.impulse(hit));
+            assertTrue(hits.approachSpeed(hit) >= .5 && bodies.contains(pair), "they touch");
+            told = 31 * told + 8 + Double.doubleToLongBits(hits.impulse(hit));
+            count++;
+        }
+
+        private final Map<List<BodyRef>, Double> strongest = new LinkedHashMap<>();
+        private int count;
+
         @Override
         public void left(ColliderRef a, ColliderRef b) {
             // what flies through leaves before it is told that it entered
@@ -195,6 +224,7 @@ class CollisionPropertiesTest {
 
         void check(PhysicsWorld world, String when) {
             assertTrue(through.isEmpty(), when + ": left without having entered");
+            assertTrue(strongest.isEmpty(), when + ": a hit of shapes and none of their bodies");
             Set<List<ColliderRef>> now = new HashSet<>();
             Contacts contacts = world.contacts();
             for (int i = 0; i < contacts.count(); i++) {

@@ -4,17 +4,19 @@ import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.broadphase.PairSet;
 import dev.cairn.physics.internal.ColliderStore;
+import dev.cairn.physics.internal.ContactStore;
 
 import java.util.Arrays;
 
 /**
  * Which pairs of bodies began and ceased to touch in a tick, whatever number of their shapes does:
  * two bodies touch while at least one pair of their shapes touches. What changes within one tick
- * and back is not told.
+ * and back is not told. Which of them met at speed, each pair by the strongest hit of its shapes.
  *
  * <p>The number of touching pairs of shapes is counted for each pair of bodies, from the events of
  * {@link TouchEvents} alone. So each end has its begin as theirs have. The order is that of the
- * first event of the pair of bodies in the tick, ends of shapes before begins.
+ * first event of the pair of bodies in the tick, ends of shapes before begins; that of hits is the
+ * order of the pair's first hit of shapes.
  *
  * <p>A table with open addressing, asked for one pair at a time and never iterated. Simulation
  * thread; allocates only when something grows.
@@ -39,8 +41,17 @@ public final class BodyTouches implements Stateful {
     private boolean[] before = new boolean[16];
     private int changes;
 
-    private int[] began = new int[32], ended = new int[32];
-    private int beganCount, endedCount;
+    /** By such a pair: one more than the number of its hit in {@link #hits}, or 0. */
+    private int[] hitOf = new int[16];
+
+    private int[] hits = new int[16];
+    private int hitCount;
+
+    /**
+     * The colliders of the last pair of shapes that began to touch, or that ceased, of bodies that
+     * did; the one of the lower body at side 0.
+     */
+    public final PairList began = new PairList(), ended = new PairList();
 
     /**
      * Without touches.
@@ -55,25 +66,26 @@ public final class BodyTouches implements Stateful {
      * Takes the events of a tick.
      *
      * @param events after {@link TouchEvents#update}
+     * @param rows those that the hits name
      */
-    public void update(TouchEvents events) {
+    public void update(TouchEvents events, ContactStore rows) {
         changes = 0;
-        beganCount = 0;
-        endedCount = 0;
-        for (int i = 0; i < events.endedCount(); i++) {
-            count(events.ended(i, 0), events.ended(i, 1), -1);
+        began.clear();
+        ended.clear();
+        hitCount = 0;
+        for (int i = 0; i < events.ended.count(); i++) {
+            count(events.ended.collider(i, 0), events.ended.collider(i, 1), -1);
         }
-        for (int i = 0; i < events.beganCount(); i++) {
-            count(events.began(i, 0), events.began(i, 1), 1);
+        for (int i = 0; i < events.began.count(); i++) {
+            count(events.began.collider(i, 0), events.began.collider(i, 1), 1);
+        }
+        for (int i = 0; i < events.hitCount(); i++) {
+            hit(rows, events.hit(i));
         }
         for (int i = 0; i < changes; i++) {
-            long key = changed[i];
-            int at = find(key);
-            boolean touches = counts[at] > 1;
-            if (touches && !before[i]) {
-                began = add(began, beganCount++, i);
-            } else if (!touches && before[i]) {
-                ended = add(ended, endedCount++, i);
+            boolean touches = counts[find(changed[i])] > 1;
+            if (touches != before[i]) {
+                (touches ? began : ended).add(shapes[2 * i], shapes[2 * i + 1]);
             }
         }
         for (int i = 0; i < changes; i++) {
@@ -113,47 +125,41 @@ public final class BodyTouches implements Stateful {
         if (changes == changed.length) {
             changed = Arrays.copyOf(changed, 2 * changes);
             before = Arrays.copyOf(before, 2 * changes);
+            hitOf = Arrays.copyOf(hitOf, 2 * changes);
             shapes = Arrays.copyOf(shapes, 4 * changes);
         }
         changed[changes] = key;
+        hitOf[changes] = 0;
         before[changes++] = touched;
     }
 
-    private int[] add(int[] list, int count, int change) {
-        int[] room = 2 * count == list.length ? Arrays.copyOf(list, 4 * count) : list;
-        room[2 * count] = shapes[2 * change];
-        room[2 * count + 1] = shapes[2 * change + 1];
-        return room;
+    /** A hit of shapes; each is one of a touch that begins, so its pair of bodies is noted. */
+    private void hit(ContactStore rows, int row) {
+        int pair = change[find(PairSet.key(rows.bodyA[row], rows.bodyB[row]))] - 1;
+        if (hitOf[pair] == 0) {
+            if (hitCount == hits.length) {
+                hits = Arrays.copyOf(hits, 2 * hitCount);
+            }
+            hits[hitCount++] = row;
+            hitOf[pair] = hitCount;
+        } else if (rows.normalImpulse(row) > rows.normalImpulse(hits[hitOf[pair] - 1])) {
+            hits[hitOf[pair] - 1] = row;
+        }
     }
 
-    /** How many pairs of bodies began to touch. */
-    public int beganCount() {
-        return beganCount;
-    }
-
-    /** How many pairs of bodies ceased to touch. */
-    public int endedCount() {
-        return endedCount;
-    }
-
-    /**
-     * A collider of a pair of bodies that began to touch: of its last pair of shapes that did.
-     *
-     * @param event 0 to beganCount - 1
-     * @param side 0 for the lower body
-     */
-    public int began(int event, int side) {
-        return began[2 * event + side];
+    /** How many pairs of bodies met at speed. */
+    public int hitCount() {
+        return hitCount;
     }
 
     /**
-     * A collider of a pair of bodies that ceased to touch: of its last pair of shapes that did.
+     * The row of the strongest hit of a pair of bodies that met at speed, the one of the largest
+     * impulse and of equal ones the first; until the next tick.
      *
-     * @param event 0 to endedCount - 1
-     * @param side 0 for the lower body
+     * @param hit 0 to hitCount - 1
      */
-    public int ended(int event, int side) {
-        return ended[2 * event + side];
+    public int hit(int hit) {
+        return hits[hit];
     }
 
     // The table ----------------------------------------------------------------------------------
@@ -217,9 +223,9 @@ public final class BodyTouches implements Stateful {
         }
         keys = s.array("keys", keys, length);
         counts = s.array("counts", counts, length);
-        beganCount = s.count("beganCount", beganCount);
-        began = s.array("began", began, 2 * beganCount);
-        endedCount = s.count("endedCount", endedCount);
-        ended = s.array("ended", ended, 2 * endedCount);
+        hitCount = s.count("hitCount", hitCount);
+        hits = s.array("hits", hits, hitCount);
+        began.state(s);
+        ended.state(s);
     }
 }

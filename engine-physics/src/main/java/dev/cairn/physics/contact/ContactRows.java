@@ -144,7 +144,7 @@ public final class ContactRows {
                 broadPhase.forget(c.colliderA[row], c.colliderB[row]);
             }
             if (touches) {
-                events.addEnded(c.colliderA[row], c.colliderB[row]);
+                events.ended.add(c.colliderA[row], c.colliderB[row]);
             }
             if (c.isSolved(row)) {
                 sleepers.wake(c.bodyA[row]);

@@ -58,10 +58,8 @@ public final class SensorStage implements Stateful {
     /** From the sensor to the visitor when they were looked at last, m. */
     private double[] from = {};
 
-    private int[] entered = new int[32];
-    private int enteredCount;
-    private int[] left = new int[32];
-    private int leftCount;
+    /** Sensors, and who entered them or left them. */
+    public final PairList entered = new PairList(), left = new PairList();
 
     /** Without sensors. */
     public SensorStage(ColliderStore colliders, BroadPhase broadPhase) {
@@ -76,8 +74,8 @@ public final class SensorStage implements Stateful {
 
     /** Empties the lists of events; at the start of a tick. */
     public void clear() {
-        enteredCount = 0;
-        leftCount = 0;
+        entered.clear();
+        left.clear();
     }
 
     /** Whether a pair of colliders is the sensors' business. */
@@ -119,10 +117,8 @@ public final class SensorStage implements Stateful {
             columns(new Columns.Growth(count));
         }
         columns(kept.of(s, count, sensor.length, false));
-        enteredCount = s.value("enteredCount", enteredCount);
-        entered = s.array("entered", entered, 2 * enteredCount);
-        leftCount = s.value("leftCount", leftCount);
-        left = s.array("left", left, 2 * leftCount);
+        entered.state(s);
+        left.state(s);
     }
 
     /** Pairs whose boxes parted, or that filters refuse now, go; who was in has left. */
@@ -137,7 +133,7 @@ public final class SensorStage implements Stateful {
                             || (broadPhase.isRefiltered() && !broadPhase.admits(s, v)))) {
                 broadPhase.forget(s, v);
                 if (in[row]) {
-                    addLeft(s, v);
+                    left.add(s, v);
                 }
                 continue;
             }
@@ -167,14 +163,14 @@ public final class SensorStage implements Stateful {
         for (int row = 0; row < count; row++) {
             boolean now = found[row] == IN;
             if (found[row] == THROUGH) {
-                addEntered(sensor[row], visitor[row]);
-                addLeft(sensor[row], visitor[row]);
+                entered.add(sensor[row], visitor[row]);
+                left.add(sensor[row], visitor[row]);
             } else if (now != in[row]) {
                 in[row] = now;
                 if (now) {
-                    addEntered(sensor[row], visitor[row]);
+                    entered.add(sensor[row], visitor[row]);
                 } else {
-                    addLeft(sensor[row], visitor[row]);
+                    left.add(sensor[row], visitor[row]);
                 }
             }
         }
@@ -238,42 +234,6 @@ public final class SensorStage implements Stateful {
                 p.orientationY[c],
                 p.orientationZ[c],
                 p.orientationW[c]);
-    }
-
-    private void addEntered(int s, int v) {
-        if (2 * enteredCount == entered.length) {
-            entered = Arrays.copyOf(entered, 2 * entered.length);
-        }
-        entered[2 * enteredCount] = s;
-        entered[2 * enteredCount++ + 1] = v;
-    }
-
-    private void addLeft(int s, int v) {
-        if (2 * leftCount == left.length) {
-            left = Arrays.copyOf(left, 2 * left.length);
-        }
-        left[2 * leftCount] = s;
-        left[2 * leftCount++ + 1] = v;
-    }
-
-    /** How many have entered a sensor. */
-    public int enteredCount() {
-        return enteredCount;
-    }
-
-    /** A collider of such an event: the sensor at side 0, who entered at side 1. */
-    public int entered(int event, int side) {
-        return entered[2 * event + side];
-    }
-
-    /** How many have left a sensor. */
-    public int leftCount() {
-        return leftCount;
-    }
-
-    /** A collider of such an event: the sensor at side 0, who left at side 1. */
-    public int left(int event, int side) {
-        return left[2 * event + side];
     }
 
     private static final class Scratch {

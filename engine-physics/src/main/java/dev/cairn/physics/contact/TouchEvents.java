@@ -28,10 +28,8 @@ public final class TouchEvents implements Stateful {
     private int[] changesInBlock = {};
     private byte[] change = {};
 
-    private int[] began = new int[64];
-    private int beganCount;
-    private int[] ended = new int[64];
-    private int endedCount;
+    /** Colliders A and B of pairs that began to touch, and of pairs that ceased. */
+    public final PairList began = new PairList(), ended = new PairList();
 
     private final BlockJob approachJob = this::approachBlock;
     private BodyStore bodies = new BodyStore();
@@ -44,8 +42,8 @@ public final class TouchEvents implements Stateful {
 
     /** Empties both lists; at the start of a tick. */
     public void clear() {
-        beganCount = 0;
-        endedCount = 0;
+        began.clear();
+        ended.clear();
         hitCount = 0;
     }
 
@@ -169,9 +167,9 @@ public final class TouchEvents implements Stateful {
                         groups.change(Math.abs(rows.group[row]), change[i] > 0, row);
                     }
                 } else if (change[i] > 0) {
-                    addBegan(rows.colliderA[row], rows.colliderB[row], row);
+                    begin(rows, row);
                 } else if (change[i] < 0) {
-                    addEnded(rows.colliderA[row], rows.colliderB[row]);
+                    ended.add(rows.colliderA[row], rows.colliderB[row]);
                 }
             }
         }
@@ -179,9 +177,9 @@ public final class TouchEvents implements Stateful {
             int row = groups.row(i);
             int outcome = groups.outcome(i);
             if (outcome > 0) {
-                addBegan(rows.colliderA[row], rows.colliderB[row], row);
+                begin(rows, row);
             } else if (outcome < 0) {
-                addEnded(rows.colliderA[row], rows.colliderB[row]);
+                ended.add(rows.colliderA[row], rows.colliderB[row]);
             }
         }
         groups.endChanges();
@@ -220,69 +218,23 @@ public final class TouchEvents implements Stateful {
         return false;
     }
 
-    private void addBegan(int a, int b, int row) {
-        if (hitSpeed < Double.POSITIVE_INFINITY && contacts.approach[row] >= hitSpeed) {
+    private void begin(ContactStore rows, int row) {
+        if (hitSpeed < Double.POSITIVE_INFINITY && rows.approach[row] >= hitSpeed) {
             if (hitCount == hits.length) {
                 hits = Arrays.copyOf(hits, 2 * hitCount);
             }
             hits[hitCount++] = row;
         }
-        if (2 * beganCount == began.length) {
-            began = Arrays.copyOf(began, 2 * began.length);
-        }
-        began[2 * beganCount] = a;
-        began[2 * beganCount + 1] = b;
-        beganCount++;
-    }
-
-    void addEnded(int a, int b) {
-        if (2 * endedCount == ended.length) {
-            ended = Arrays.copyOf(ended, 2 * ended.length);
-        }
-        ended[2 * endedCount] = a;
-        ended[2 * endedCount + 1] = b;
-        endedCount++;
+        began.add(rows.colliderA[row], rows.colliderB[row]);
     }
 
     @Override
     public void state(StateVisitor s) {
         s.section("touches", this);
         hitSpeed = s.value("hitSpeed", hitSpeed);
-        beganCount = s.value("beganCount", beganCount);
-        began = s.array("began", began, 2 * beganCount);
-        endedCount = s.value("endedCount", endedCount);
-        ended = s.array("ended", ended, 2 * endedCount);
-        hitCount = s.value("hitCount", hitCount);
+        hitCount = s.count("hitCount", hitCount);
         hits = s.array("hits", hits, hitCount);
-    }
-
-    /** How many pairs began to touch. */
-    public int beganCount() {
-        return beganCount;
-    }
-
-    /** How many pairs ceased to touch. */
-    public int endedCount() {
-        return endedCount;
-    }
-
-    /**
-     * A collider of a pair that began to touch.
-     *
-     * @param event 0 to beganCount - 1
-     * @param side 0 for A, 1 for B
-     */
-    public int began(int event, int side) {
-        return began[2 * event + side];
-    }
-
-    /**
-     * A collider of a pair that ceased to touch.
-     *
-     * @param event 0 to endedCount - 1
-     * @param side 0 for A, 1 for B
-     */
-    public int ended(int event, int side) {
-        return ended[2 * event + side];
+        began.state(s);
+        ended.state(s);
     }
 }

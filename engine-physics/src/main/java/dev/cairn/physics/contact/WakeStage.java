@@ -118,19 +118,11 @@ public final class WakeStage {
                     && !sleepers.settled(sleeper)
                     && contacts.isSolved(row)) {
                 contacts.beginLeaning();
-                contacts.lean[row] = Math.max(Double.MIN_NORMAL, impulse(row) / seconds);
+                contacts.lean[row] =
+                        Math.max(Double.MIN_NORMAL, contacts.normalImpulse(row) / seconds);
                 sleepers.movers().leanOn(mover);
             }
         }
-    }
-
-    /** Normal impulse of a contact in the last tick that was solved, N s. */
-    private double impulse(int row) {
-        double sum = 0;
-        for (int k = 0; k < contacts.pointCount[row]; k++) {
-            sum += contacts.totalNormalImpulse[ContactStore.POINTS * row + k];
-        }
-        return sum;
     }
 
     /** A point joins a body asleep to one that is awake, or to a fixed one that is new there. */
@@ -172,7 +164,7 @@ public final class WakeStage {
         double before = contacts.lean[row];
         double change = before;
         if (contacts.isSolved(row)) {
-            double force = impulse(row) / secondsBefore;
+            double force = contacts.normalImpulse(row) / secondsBefore;
             double moved = sleepers.movers().moved(mover) / bodies.innerRadius[sleeper];
             change = Math.max(0, force - before) + Math.max(force, before) * moved;
         }

@@ -153,6 +153,20 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         return pointCount[row] > 0;
     }
 
+    /**
+     * With what a row's bodies pushed each other in the last tick.
+     *
+     * @return N s along the normal, summed over points, at least 0
+     */
+    public double normalImpulse(int row) {
+        double sum = 0;
+        int first = POINTS * row;
+        for (int p = first; p < first + pointCount[row]; p++) {
+            sum += totalNormalImpulse[p];
+        }
+        return sum;
+    }
+
     @Override
     public int edges() {
         return activeCount;
