@@ -525,6 +525,15 @@ public final class SceneBuilder {
     }
 
     /**
+     * Counts on from another tick, since the world was put back to its state then.
+     *
+     * @param number of the tick, at least 0
+     */
+    public void returnTo(long number) {
+        tick = number;
+    }
+
+    /**
      * The ticks counted so far.
      *
      * @return at least 0
