@@ -415,9 +415,9 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
-     * A second world in the same state, which goes on by itself: with the systems, resources, pair
-     * filter and contact hook of this one, and without its listeners. Both use the same workers, so
-     * they must be stepped one after the other. Close it when it is done.
+     * A second world in the same state, which goes on by itself: with the systems, observers,
+     * resources, pair filter and contact hook of this one, and without its listeners. Both use the
+     * same workers, so they must be stepped one after the other. Close it when it is done.
      *
      * @return another world; {@link #bodyOf} finds its bodies by their entities
      */
@@ -443,6 +443,7 @@ public final class PhysicsWorld implements AutoCloseable {
         twin.physics.hooks.set(physics.hooks.get());
         twin.physics.table.collision.askAs(physics.table.collision);
         twin.ecs.putResourcesOf(ecs);
+        twin.ecs.putObserversOf(ecs);
         twin.restore(save());
         return twin;
     }

@@ -73,7 +73,7 @@ final class SystemRunner {
                 guard.after(chunk);
             }
         } catch (Throwable failure) {
-            throw new SystemFailure(name, index, failure);
+            throw SystemFailure.of(name, index, failure);
         }
     }
 
@@ -92,7 +92,7 @@ final class SystemRunner {
                 guard.after(chunks);
             }
         } catch (Throwable failure) {
-            throw new SystemFailure(name, -1, failure);
+            throw SystemFailure.of(name, -1, failure);
         }
     }
 

@@ -42,7 +42,9 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
     private final Runner runner;
     private double stepSeconds;
     private int skipped;
-    private boolean failed;
+
+    /** The tick in which a system or an observer threw, or 0. */
+    private long failedTick;
 
     /** While a tick runs: its thread; and whether the chunks of systems run in parallel. */
     private volatile @Nullable Thread stepThread;
@@ -98,10 +100,10 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
      */
     public void step(double stepSeconds) {
         requireChangeable("step");
-        if (failed) {
+        if (failedTick != 0) {
             throw new WorldFailedException(
                     "this world failed in tick "
-                            + (tickNumber + 1)
+                            + failedTick
                             + " and cannot step again; its last good state can still be read",
                     null);
         }
@@ -113,14 +115,18 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
         }
         stepping = true;
         stepThread = Thread.currentThread();
+        long tick = tickNumber + 1;
         try {
-            long tick = tickNumber + 1;
             skipped = runner.run(tick, stepSeconds);
             tickNumber = tick;
             this.stepSeconds = stepSeconds;
+            SystemFailure told = store.observers.takeFailure();
+            if (told != null) {
+                throw told;
+            }
         } catch (Throwable failure) {
-            failed = true;
-            throw Runner.explain(failure, tickNumber + 1);
+            failedTick = tick;
+            throw Runner.explain(failure, tick);
         } finally {
             stepping = false;
             stepThread = null;
@@ -217,10 +223,10 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
      */
     @Override
     public void state(StateVisitor s) {
-        if (failed && !s.isRestoring()) {
+        if (failedTick != 0 && !s.isRestoring()) {
             throw new WorldFailedException(
                     "this world failed in tick "
-                            + (tickNumber + 1)
+                            + failedTick
                             + ", so its state is no state to go on from; restore an earlier one",
                     null);
         }
@@ -231,18 +237,18 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
         skipped = s.value("skipped", skipped);
         store.state(s);
         if (s.isRestoring()) {
-            failed = false;
+            failedTick = 0;
             runner.forgetCommands();
         }
     }
 
     /**
-     * Whether a system threw in a step, so that this world cannot step again.
+     * Whether a system or an observer threw in a step, so that this world cannot step again.
      *
      * @return whether it has failed
      */
     public boolean hasFailed() {
-        return failed;
+        return failedTick != 0;
     }
 
     /**
