@@ -206,6 +206,7 @@ public final class SceneRun {
                                 .withPrecision(precision))
                 .sleeping(sleeping)
                 .seed(options.seed())
+                .systems(scene.systems(options))
                 .build();
     }
 

@@ -17,6 +17,7 @@ import dev.cairn.render.mesh.Mesh;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.mesh.ModelGroup;
 import dev.cairn.render.mesh.Texture;
+import dev.cairn.samples.weather.Hull;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -76,7 +77,7 @@ public final class Looks {
      */
     public StateCodecs codecs() {
         StateCodecs all =
-                PhysicsWorld.codecs(Controllable.COMPONENT, CameraMount.COMPONENT)
+                PhysicsWorld.codecs(Controllable.COMPONENT, CameraMount.COMPONENT, Hull.COMPONENT)
                         .with(Act.CODEC)
                         .with(StateCodec.of(Model.class, "look", this::write, this::read))
                         .with(StateCodec.of(ModelGroup.class, "looks", this::write, this::readAll));

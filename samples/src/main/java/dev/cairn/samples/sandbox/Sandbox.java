@@ -225,6 +225,7 @@ public class Sandbox extends Application {
                         .substeps(edited == null ? substeps : edited.scene().tick().substeps())
                         .sleeping(sleeping)
                         .seed(chosenOptions().seed())
+                        .systems(scenes.get(current).systems(chosenOptions()))
                         .build();
         // The others are parked until the slider asks for them.
         world.ecs().jobs().limit(workers);

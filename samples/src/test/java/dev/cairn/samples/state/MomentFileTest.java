@@ -43,12 +43,13 @@ class MomentFileTest {
         return SceneRegistry.ids();
     }
 
-    private static PhysicsWorld world(int workers, int lanes) {
+    private static PhysicsWorld world(SampleScene scene, int workers, int lanes) {
         return PhysicsWorld.builder()
                 .settings(PhysicsSettings.DEFAULT.withLanes(lanes))
                 .gravity(0, -SampleScene.GRAVITY, 0)
                 .workers(workers)
                 .sleeping(false)
+                .systems(scene.systems(SceneOptions.defaults(scene)))
                 .build();
     }
 
@@ -75,8 +76,8 @@ class MomentFileTest {
     void aSceneGoesOnFromTheFileInAnotherWorld(String id) throws IOException {
         SampleScene scene = SceneRegistry.get(id);
         SceneOptions options = SceneOptions.defaults(scene);
-        try (PhysicsWorld world = world(1, 1);
-                PhysicsWorld other = world(2, 4)) {
+        try (PhysicsWorld world = world(scene, 1, 1);
+                PhysicsWorld other = world(scene, 2, 4)) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
             Looks looks = new Looks(world);
             int before = world.bodyCount() > MANY ? 4 : 45;
@@ -112,7 +113,7 @@ class MomentFileTest {
         SampleScene scene = SceneRegistry.get("stack-4");
         Path file = folder.resolve("moment.cairn");
         String digest;
-        try (PhysicsWorld world = world(1, 1)) {
+        try (PhysicsWorld world = world(scene, 1, 1)) {
             SceneBuilder built = scene.build(new SceneBuilder(world, SceneOptions.defaults(scene)));
             Looks looks = new Looks(world);
             ticks(world, built, 50);
@@ -132,7 +133,7 @@ class MomentFileTest {
     void damagedFilesAreRefusedWithAReason() throws IOException {
         SampleScene scene = SceneRegistry.get("stack-4");
         Path file = folder.resolve("moment.cairn");
-        try (PhysicsWorld world = world(1, 1)) {
+        try (PhysicsWorld world = world(scene, 1, 1)) {
             SceneBuilder built = scene.build(new SceneBuilder(world, SceneOptions.defaults(scene)));
             written(file, "stack-4", world, built, new Looks(world));
         }
