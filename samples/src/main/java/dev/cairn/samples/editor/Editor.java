@@ -345,7 +345,8 @@ public final class Editor {
                                 camera,
                                 scene.light(),
                                 scene.entities(),
-                                scene.joints()),
+                                scene.joints(),
+                                scene.layers()),
                 false);
     }
 
