@@ -350,6 +350,15 @@ public final class Editor {
                 false);
     }
 
+    /**
+     * Names the layers of filters.
+     *
+     * @param names of the bits, from the lowest on
+     */
+    public void layers(List<String> names) {
+        edit("layers", scene -> scene.withLayers(names), true);
+    }
+
     /** Ends the present step of the history: a drag is over, a slider rests. */
     public void seal() {
         document.history().seal();

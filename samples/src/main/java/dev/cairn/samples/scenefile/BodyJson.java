@@ -4,6 +4,7 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
 
+import dev.cairn.physics.Body;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.collider.Filter;
@@ -107,10 +108,12 @@ final class BodyJson {
     }
 
     /** Refuses what no world would take, where it stands. */
-    static void check(EntitySpec made, Map<String, JsonNode> in) {
+    static void check(JsonNode node, EntitySpec made, Map<String, JsonNode> in) {
         List<PartSpec> parts = made.physics().parts();
         List<JsonNode> nodes =
-                parts.isEmpty() ? List.of() : in.get("colliders").items("a list of colliders");
+                parts.isEmpty()
+                        ? List.of()
+                        : node.required(in, "colliders").items("a list of colliders");
         for (int i = 0; i < parts.size(); i++) {
             PartSpec part = parts.get(i);
             if (!(part.shape() instanceof MeshShape)) {
@@ -124,7 +127,7 @@ final class BodyJson {
         JsonNode inertia = in.get("inertia");
         if (inertia != null) {
             try {
-                made.physics().tell(dev.cairn.physics.Body.dynamic());
+                made.physics().tell(Body.dynamic());
             } catch (IllegalArgumentException refusal) {
                 throw inertia.refused(refusal);
             }

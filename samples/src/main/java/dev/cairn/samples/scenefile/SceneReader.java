@@ -292,7 +292,7 @@ public final class SceneReader {
         Xyz scale = in.containsKey("scale") ? scale(in.get("scale")) : Xyz.ONE;
         boolean isUniform = scale.x() == scale.y() && scale.x() == scale.z();
         if (!isUniform && !physics.parts().isEmpty()) {
-            throw in.get("scale")
+            throw node.required(in, "scale")
                     .wrong("three equal factors for an entity of colliders", scale.toString());
         }
         EntitySpec made =
@@ -318,7 +318,7 @@ public final class SceneReader {
             for (PartSpec part : made.parts()) {
                 if (part.shape() instanceof SurfaceShape
                         || (part.shape() instanceof MeshShape mesh && mesh.isLevel())) {
-                    throw (in.containsKey("shape") ? in.get("shape") : in.get("colliders"))
+                    throw node.required(in, in.containsKey("shape") ? "shape" : "colliders")
                             .wrong(
                                     "a solid shape for a dynamic body (a surface of triangles has"
                                             + " no inside: \"body\": \"fixed\" or"
@@ -335,7 +335,7 @@ public final class SceneReader {
                 throw node.required(in, "shape").refused(refusal);
             }
         }
-        BodyJson.check(made, in);
+        BodyJson.check(node, made, in);
         return made;
     }
 
