@@ -187,9 +187,9 @@ final class BodyFields {
     }
 
     private void mixing(Ui ui, Material old) {
-        int friction = ui.choice("mix of friction", MIXES, old.frictionMix().ordinal());
-        int bounce = ui.choice("mix of restitution", MIXES, old.restitutionMix().ordinal());
-        if (friction != old.frictionMix().ordinal() || bounce != old.restitutionMix().ordinal()) {
+        int friction = ui.choice("mix of friction", MIXES, old.frictionMix().strength());
+        int bounce = ui.choice("mix of restitution", MIXES, old.restitutionMix().strength());
+        if (friction != old.frictionMix().strength() || bounce != old.restitutionMix().strength()) {
             Mix[] all = Mix.values();
             editor.change(
                     "mixing of",
