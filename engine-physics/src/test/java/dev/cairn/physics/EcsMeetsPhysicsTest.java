@@ -63,6 +63,7 @@ class EcsMeetsPhysicsTest {
     private record Script(String name, Consumer<Tick> body, String before) implements WorldSystem {
         @Override
         public void describe(Access access) {
+            access.commands();
             if (!before.isEmpty()) {
                 access.before(before);
             }

@@ -8,8 +8,8 @@ import java.util.Objects;
 /**
  * Structural changes that a system asks for during a tick. They are recorded per (system, chunk),
  * in the order of the calls, and made at commit in the order of (system, chunk, sequence), so the
- * result does not depend on which worker came first. Systems count in the order of {@link
- * Schedule#printGraph}.
+ * result does not depend on which worker came first. A system declares that it gives commands
+ * ({@link Access#commands}), and two that do have an order.
  *
  * <p>What concerns a dead entity is refused when it is recorded. What has become pointless by the
  * time of the commit, because an earlier command of the same tick deleted the entity or removed the

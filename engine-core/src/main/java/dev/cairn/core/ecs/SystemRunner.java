@@ -12,6 +12,7 @@ final class SystemRunner {
     final @Nullable ChunkSystem chunkSystem;
     final @Nullable WorldSystem worldSystem;
     boolean active;
+    private final boolean givesCommands;
 
     private final Schedule.@Nullable Entry entry;
     private final Store store;
@@ -32,6 +33,7 @@ final class SystemRunner {
             boolean checked) {
         this.entry = entry;
         this.name = access.system;
+        this.givesCommands = access.givesCommands();
         this.index = index;
         this.store = store;
         this.handles = handles;
@@ -97,6 +99,13 @@ final class SystemRunner {
     }
 
     Commands commands(int block, long tick) {
+        if (!givesCommands) {
+            throw new AccessException(
+                    "system '"
+                            + name
+                            + "' gives commands, but has not declared it; add access.commands() to"
+                            + " its describe method");
+        }
         Commands buffer = commands[block];
         if (buffer == null) {
             buffer = new Commands(store, handles, index, block, thread);

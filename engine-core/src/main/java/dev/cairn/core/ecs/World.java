@@ -2,6 +2,7 @@ package dev.cairn.core.ecs;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.core.profile.SystemProfile;
+import dev.cairn.core.state.StateCodecs;
 import dev.cairn.core.state.StateException;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
@@ -208,12 +209,28 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
      * given again. A world that has failed can step again.
      *
      * @param state what to restore
-     * @throws StateException if it is the state of something else
+     * @throws StateException if it is the state of something else; the world is as before if the
+     *     state came from bytes, and else needs another state
      * @throws IllegalStateException during a step
      */
     public void restore(WorldState state) {
         requireChangeable("restore");
-        state.restore(this);
+        state.restoreOrKeep(this, failedTick == 0);
+    }
+
+    /**
+     * How a state of such a world becomes bytes: {@code state.writeTo(file, World.codecs(WIND))}.
+     * Columns of numbers and texts need no more; nor do those of enums, arrays of primitives, and
+     * records of such, as {@link StateCodecs#derived} makes them. Objects of other classes need
+     * codecs of their own, by {@code with(..)}.
+     *
+     * @param components all that entities may have
+     * @return codecs
+     */
+    public static StateCodecs codecs(Component<?>... components) {
+        return StateCodecs.STANDARD
+                .derived(ComponentCodec.classes(components))
+                .with(new ComponentCodec(components));
     }
 
     /**

@@ -136,7 +136,7 @@ class ObserverTest {
     private static EcsSystem life(long seed) {
         return chunks(
                 "life",
-                a -> {},
+                a -> a.commands(),
                 (chunk, tick) -> {
                     for (int row = 0; row < chunk.size(); row++) {
                         long entity = chunk.entity(row);
@@ -213,7 +213,7 @@ class ObserverTest {
         WorldSystem system =
                 world(
                         "s",
-                        a -> {},
+                        a -> a.commands(),
                         tick -> {
                             Commands commands = tick.commands();
                             commands.set(e[0], new Force(2));
@@ -317,7 +317,7 @@ class ObserverTest {
         WorldSystem system =
                 world(
                         "s",
-                        a -> {},
+                        a -> a.commands(),
                         tick -> {
                             tick.commands().spawn(new Position(1, 0));
                             tick.commands().spawn(new Position(2, 0));
@@ -376,7 +376,10 @@ class ObserverTest {
     @Test
     void anObserverThatThrowsKeepsNobodyElse() {
         WorldSystem system =
-                world("s", a -> {}, tick -> tick.commands().spawn(new Tag(), new Force(1)));
+                world(
+                        "s",
+                        a -> a.commands(),
+                        tick -> tick.commands().spawn(new Tag(), new Force(1)));
         List<String> lines = new ArrayList<>();
         try (World world = World.builder().systems(system).workers(1).build()) {
             WorldState before = world.save();
@@ -419,7 +422,10 @@ class ObserverTest {
                     }
                 });
         WorldSystem system =
-                world("s", a -> {}, tick -> tick.commands().spawn(new Position(tick.number(), 0)));
+                world(
+                        "s",
+                        a -> a.commands(),
+                        tick -> tick.commands().spawn(new Position(tick.number(), 0)));
         try (World world = World.builder().systems(system).workers(1).build();
                 World fork = World.builder().systems(system).workers(1).build();
                 World without = World.builder().systems(system).workers(1).build()) {
@@ -508,7 +514,7 @@ class ObserverTest {
         WorldSystem system =
                 world(
                         "s",
-                        a -> {},
+                        a -> a.commands(),
                         tick -> {
                             for (int i = 0; i < entities.length; i++) {
                                 tick.commands().set(entities[i], forces[i & 1]);
