@@ -99,6 +99,25 @@ public abstract sealed class BodyState implements Jointed permits BodyRef {
     }
 
     /**
+     * The mass that was stated, instead of that of the shapes.
+     *
+     * @return kg; NaN if it follows from shapes and densities
+     */
+    public double statedMass() {
+        return table.collision.statedMass(alive());
+    }
+
+    /**
+     * The inertia that was stated, instead of that of the shapes, about the shape's axes.
+     *
+     * @param destination receives kg m²; NaN if it follows from shapes and mass
+     * @return destination
+     */
+    public Vector3d statedInertia(Vector3d destination) {
+        return table.collision.statedInertia(alive(), Checks.notNull("destination", destination));
+    }
+
+    /**
      * The inverse of the inertia about the centre of mass, in world axes.
      *
      * @param destination receives 1/(kg m²); all 0 for a fixed body

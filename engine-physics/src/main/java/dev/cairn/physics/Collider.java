@@ -12,6 +12,7 @@ import dev.cairn.physics.shape.Shape;
 
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
+import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -238,6 +239,36 @@ public final class Collider {
      */
     public Shape placed() {
         return placed;
+    }
+
+    /**
+     * Where the origin of the shape's frame is in the body's.
+     *
+     * @param destination receives m
+     * @return destination
+     */
+    public Vector3d localPosition(Vector3d destination) {
+        return destination.set(x, y, z);
+    }
+
+    /**
+     * How the shape's frame is turned in the body's.
+     *
+     * @param destination receives a unit quaternion
+     * @return destination
+     */
+    public Quaterniond localRotation(Quaterniond destination) {
+        return destination.set(qx, qy, qz, qw);
+    }
+
+    /**
+     * The velocity at which the surface runs along.
+     *
+     * @param destination receives m/s, body axes; 0 for most
+     * @return destination
+     */
+    public Vector3d surfaceVelocity(Vector3d destination) {
+        return destination.set(beltX, beltY, beltZ);
     }
 
     Material material() {

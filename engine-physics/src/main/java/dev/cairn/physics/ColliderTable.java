@@ -16,6 +16,7 @@ import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.TriangleMesh;
 
+import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
@@ -514,6 +515,14 @@ final class ColliderTable implements Stateful {
         inertiaXX[body] = xx;
         inertiaYY[body] = yy;
         inertiaZZ[body] = zz;
+    }
+
+    double statedMass(int body) {
+        return kilograms[body];
+    }
+
+    Vector3d statedInertia(int body, Vector3d d) {
+        return d.set(inertiaXX[body], inertiaYY[body], inertiaZZ[body]);
     }
 
     void stateMass(int body, double mass) {

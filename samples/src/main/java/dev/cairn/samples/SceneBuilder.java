@@ -242,6 +242,17 @@ public final class SceneBuilder {
     }
 
     /**
+     * Adds a body that says itself what it is made of.
+     *
+     * @param body all of it
+     * @param look a {@code Model} or a {@code ModelGroup}, or null if it is not drawn
+     * @return the body in the world
+     */
+    public BodyRef add(Body body, @Nullable Visual look) {
+        return remember(world.add(look == null ? body : body.with(look)));
+    }
+
+    /**
      * Adds a body that is not drawn.
      *
      * @param shape its shape

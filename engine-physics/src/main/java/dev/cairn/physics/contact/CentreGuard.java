@@ -9,6 +9,7 @@ import dev.cairn.physics.broadphase.RayWalk;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.Reach;
@@ -17,6 +18,8 @@ import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.query.ShapeQueries;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+
+import java.util.Arrays;
 
 /**
  * The centre of mass of a convex body does not pass what does not answer to it, however fast the
@@ -59,6 +62,7 @@ final class CentreGuard {
     private final ColliderStore colliders;
     private final ContactStore contacts;
     private final BoundsStage bounds;
+    private final EdgeSource[] edges;
     private final NarrowPhase narrowPhase = new NarrowPhase();
     private final RayWalk walk = new RayWalk();
     private final ShapeQueries queries = new ShapeQueries();
@@ -75,19 +79,34 @@ final class CentreGuard {
     /** By block of bodies: how many are fast; by block of rows: how many are looked at. */
     private int[] fastCount = {}, rowCount = {};
 
-    CentreGuard(ColliderStore colliders, ContactStore contacts, BoundsStage bounds) {
+    /** By body slot: it hangs on joints. */
+    private boolean[] tied = {};
+
+    CentreGuard(
+            ColliderStore colliders,
+            ContactStore contacts,
+            BoundsStage bounds,
+            EdgeSource[] edges) {
         this.colliders = colliders;
         this.contacts = contacts;
         this.bounds = bounds;
+        this.edges = edges;
     }
 
     /**
      * Looks at where bodies have gone; after the solve.
      *
      * @param bodies slots of the dynamic bodies that were moved
+     * @param state by active row, what {@link SweepStage} saw in it before the solve
      * @param isHooked whether a hook may let bodies through
      */
-    void run(int[] bodies, int count, BroadPhase broadPhase, boolean isHooked, Jobs jobs) {
+    void run(
+            int[] bodies,
+            int count,
+            byte[] state,
+            BroadPhase broadPhase,
+            boolean isHooked,
+            Jobs jobs) {
         dynamic = bodies;
         dynamicCount = count;
         int bodyBlocks = Blocks.count(count, BODIES_PER_BLOCK);
@@ -101,10 +120,11 @@ final class CentreGuard {
         if (!any) {
             return;
         }
+        tie();
         jobs.run(rowsJob, rowBlocks);
         for (int b = 0; b < rowBlocks; b++) {
             if (rowCount[b] > 0) {
-                guardRows(b, isHooked);
+                guardRows(b, state, isHooked);
             }
         }
         if (isHooked) {
@@ -120,12 +140,28 @@ final class CentreGuard {
     private void ensure(int bodyBlocks, int rowBlocks) {
         if (fast.length < colliders.slotCount) {
             fast = new boolean[colliders.poses.positionX.length];
+            tied = new boolean[fast.length];
         }
         if (fastCount.length < bodyBlocks) {
             fastCount = new int[Blocks.count(colliders.poses.positionX.length, BODIES_PER_BLOCK)];
         }
         if (rowCount.length < rowBlocks) {
             rowCount = new int[Blocks.count(contacts.bodyA.length, ROWS_PER_BLOCK)];
+        }
+    }
+
+    /** Who hangs on joints goes where they pull it: to put it back would pull at them. */
+    private void tie() {
+        Arrays.fill(tied, 0, colliders.bodies.slotCount, false);
+        for (int k = 1; k < edges.length; k++) {
+            EdgeSource source = edges[k];
+            for (int i = 0; i < source.edges(); i++) {
+                int a = source.edgeA(i);
+                if (a >= 0) {
+                    tied[a] = true;
+                    tied[source.edgeB(i)] = true;
+                }
+            }
         }
     }
 
@@ -184,7 +220,7 @@ final class CentreGuard {
                 : kind[b] == BodyStore.DYNAMIC && fast[b];
     }
 
-    private void guardRows(int block, boolean isHooked) {
+    private void guardRows(int block, byte[] state, boolean isHooked) {
         ContactStore c = contacts;
         int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
@@ -193,8 +229,10 @@ final class CentreGuard {
                 continue;
             }
             boolean movesA = colliders.bodies.kind[c.bodyA[row]] == BodyStore.DYNAMIC;
-            int other = movesA ? c.colliderB[row] : c.colliderA[row];
-            keepOut(movesA ? c.bodyA[row] : c.bodyB[row], other);
+            int body = movesA ? c.bodyA[row] : c.bodyB[row];
+            if (!tied[body] || state[i] != SweepStage.HARMLESS) {
+                keepOut(body, movesA ? c.colliderB[row] : c.colliderA[row]);
+            }
         }
     }
 
@@ -203,7 +241,7 @@ final class CentreGuard {
         int end = Blocks.end(block, BODIES_PER_BLOCK, dynamicCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             int slot = dynamic[i];
-            if (fast[slot] && !isInBox(slot, broadPhase.fatBoxes())) {
+            if (fast[slot] && !tied[slot] && !isInBox(slot, broadPhase.fatBoxes())) {
                 follow(slot, broadPhase);
             }
         }

@@ -37,7 +37,7 @@ public final class SweepStage {
     private static final double FAST = 0.25;
 
     private static final byte TOUCHING = 0;
-    private static final byte HARMLESS = 1;
+    static final byte HARMLESS = 1;
     private static final byte CLOSING = 2;
     private static final byte MISSING = 3;
 
@@ -86,7 +86,7 @@ public final class SweepStage {
         this.bounds = bounds;
         this.edges = edges;
         points = new PointStore(colliders);
-        guard = new CentreGuard(colliders, contacts, bounds);
+        guard = new CentreGuard(colliders, contacts, bounds, edges);
     }
 
     /**
@@ -180,7 +180,7 @@ public final class SweepStage {
      */
     public void finish(
             int[] dynamic, int count, BroadPhase broadPhase, boolean isHooked, Jobs jobs) {
-        guard.run(dynamic, count, broadPhase, isHooked, jobs);
+        guard.run(dynamic, count, state, broadPhase, isHooked, jobs);
     }
 
     private byte look(int row) {

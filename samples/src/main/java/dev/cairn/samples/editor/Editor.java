@@ -345,8 +345,18 @@ public final class Editor {
                                 camera,
                                 scene.light(),
                                 scene.entities(),
-                                scene.joints()),
+                                scene.joints(),
+                                scene.layers()),
                 false);
+    }
+
+    /**
+     * Names the layers of filters.
+     *
+     * @param names of the bits, from the lowest on
+     */
+    public void layers(List<String> names) {
+        edit("layers", scene -> scene.withLayers(names), true);
     }
 
     /** Ends the present step of the history: a drag is over, a slider rests. */

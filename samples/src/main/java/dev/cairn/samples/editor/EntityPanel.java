@@ -5,6 +5,7 @@ import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.scenefile.BodyKind;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.LookSpec;
+import dev.cairn.samples.scenefile.PartSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SurfaceShape;
@@ -20,7 +21,8 @@ import java.util.List;
 final class EntityPanel {
     private static final List<BodyKind> KINDS =
             List.of(BodyKind.DYNAMIC, BodyKind.FIXED, BodyKind.KINEMATIC, BodyKind.NONE);
-    private static final List<String> KIND_NAMES = List.of("moves", "fixed", "only drawn");
+    private static final List<String> KIND_NAMES =
+            List.of("moves", "fixed", "moves as told", "only drawn");
     private static final List<String> COLOURS =
             List.of("by its place", "red", "orange", "green", "blue", "purple", "white", "grey");
     private static final int[] RGB = {
@@ -38,6 +40,7 @@ final class EntityPanel {
     private final Fields fields = new Fields();
     private final ShapeFields shapes;
     private final DrivenFields driven;
+    private final BodyFields bodies;
     private final Quaterniond rotation = new Quaterniond();
     private final Vector3d angles = new Vector3d();
     private int shown = Editor.NOTHING;
@@ -46,6 +49,7 @@ final class EntityPanel {
         this.editor = editor;
         this.shapes = new ShapeFields(editor, fields);
         this.driven = new DrivenFields(editor);
+        this.bodies = new BodyFields(editor, fields);
     }
 
     void draw(Ui ui, double left, double top, double width, double height) {
@@ -78,6 +82,7 @@ final class EntityPanel {
             place(ui, entity);
             substance(ui, entity);
             motion(ui, entity);
+            bodies.draw(ui, entity);
             driven.draw(ui, entity);
             // So that the list of choices above can be scrolled to where it fits the window.
             for (int i = 0; i < ROWS_BELOW; i++) {
@@ -177,6 +182,9 @@ final class EntityPanel {
                                             scale.y() == scale.x() ? all : scale.y() * factor,
                                             scale.z() == scale.x() ? all : scale.z() * factor)));
         }
+        if (!entity.physics().parts().isEmpty()) {
+            return; // three equal factors
+        }
         Xyz each = fields.xyz(ui, "scale", scale);
         if (!each.equals(scale)) {
             editor.change("scale", e -> e.withScale(each));
@@ -238,13 +246,19 @@ final class EntityPanel {
     }
 
     private static double massOf(EntitySpec entity) {
-        if (entity.shape() instanceof MeshShape || entity.shape() instanceof SurfaceShape) {
-            return entity.material().density();
+        double sum = 0;
+        for (PartSpec part : entity.parts()) {
+            if (part.shape() instanceof MeshShape || part.shape() instanceof SurfaceShape) {
+                return entity.material().density();
+            }
+            Material own = part.material();
+            double density = (own == null ? entity.material() : own).density();
+            sum +=
+                    part.sensor()
+                            ? 0
+                            : part.shape().collider(entity.scale()).massProperties(density).mass();
         }
-        return entity.shape()
-                .collider(entity.scale())
-                .massProperties(entity.material().density())
-                .mass();
+        return sum > 0 ? sum : 1;
     }
 
     private void motion(Ui ui, EntitySpec entity) {

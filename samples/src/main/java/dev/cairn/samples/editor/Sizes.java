@@ -1,6 +1,7 @@
 package dev.cairn.samples.editor;
 
 import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.PartSpec;
 import dev.cairn.samples.scenefile.ShapeSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
@@ -16,6 +17,7 @@ import dev.cairn.samples.scenefile.Xyz;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -30,7 +32,17 @@ record Sizes(Xyz low, Xyz high) {
     private static final double GROUND_HALF = 5;
 
     static Sizes of(EntitySpec entity) {
-        return of(entity.shape(), entity.scale());
+        Xyz s = entity.scale();
+        if (entity.physics().parts().isEmpty()) {
+            return of(entity.shape(), s);
+        }
+        List<Vector3d> corners = new ArrayList<>();
+        for (PartSpec part : entity.parts()) {
+            Xyz at = part.position();
+            Xyz place = new Xyz(at.x() * s.x(), at.y() * s.x(), at.z() * s.x());
+            corners.addAll(List.of(of(part.shape(), s).corners(place, part.rotation())));
+        }
+        return around(corners);
     }
 
     private static Sizes of(ShapeSpec shape, Xyz s) {

@@ -1,5 +1,6 @@
 package dev.cairn.samples.sandbox;
 
+import dev.cairn.core.profile.SystemProfile;
 import dev.cairn.physics.Contacts;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.profile.StepProfile;
@@ -44,6 +45,8 @@ final class PlotHistory {
     int touching;
     int first;
     int count;
+    String[] systemNames = {};
+    private double[] systemMicros = {};
     private final double[] stageMicros = new double[STAGES.length];
     private long ticks;
 
@@ -62,6 +65,8 @@ final class PlotHistory {
         overlapNow = 0;
         millisNow = 0;
         Arrays.fill(stageMicros, 0);
+        systemNames = new String[0];
+        systemMicros = new double[0];
     }
 
     void add(PhysicsWorld world, @Nullable SceneBuilder scene, double tickMillis) {
@@ -78,6 +83,7 @@ final class PlotHistory {
         millisNow = tickMillis;
         contacts(world.contacts());
         readStages(world.profile(), at);
+        readSystems(world.profile().systems());
         millis[at] = (float) tickMillis;
         energy[at] = (float) energyNow;
         kinetic[at] = (float) kineticNow;
@@ -99,6 +105,27 @@ final class PlotHistory {
             stages[i][at] = (float) micros;
             stageMicros[i] += share * (micros - stageMicros[i]);
         }
+    }
+
+    /** The first tick of a world makes room for its systems. */
+    private void readSystems(SystemProfile profile) {
+        double share = ticks == 0 ? 1 : NEW_SHARE;
+        if (systemNames.length != profile.count()) {
+            systemNames = new String[profile.count()];
+            systemMicros = new double[systemNames.length];
+            share = 1;
+            for (int i = 0; i < systemNames.length; i++) {
+                systemNames[i] = profile.name(i) + ", µs";
+            }
+        }
+        for (int i = 0; i < systemNames.length; i++) {
+            systemMicros[i] += share * (profile.lastNanos(i) / 1e3 - systemMicros[i]);
+        }
+    }
+
+    /** Mean time of a system, of all workers together, µs. */
+    double systemMicros(int system) {
+        return systemMicros[system];
     }
 
     /** Mean time of a stage, µs. */
@@ -143,6 +170,11 @@ final class PlotHistory {
         System.arraycopy(from.errorNames, 0, errorNames, 0, ERRORS);
         System.arraycopy(from.errorNow, 0, errorNow, 0, ERRORS);
         System.arraycopy(from.stageMicros, 0, stageMicros, 0, STAGES.length);
+        systemNames = from.systemNames; // never written again
+        if (systemMicros.length != systemNames.length) {
+            systemMicros = new double[systemNames.length];
+        }
+        System.arraycopy(from.systemMicros, 0, systemMicros, 0, systemMicros.length);
         energyNow = from.energyNow;
         kineticNow = from.kineticNow;
         momentumNow = from.momentumNow;

@@ -130,6 +130,10 @@ final class SimulationPanel {
                     h.count,
                     STAGE_CURVES[i % STAGE_CURVES.length]);
         }
+        ui.heading("Systems: their work, on all workers");
+        for (int i = 0; i < h.systemNames.length; i++) {
+            ui.value(h.systemNames[i], text.clear().put(h.systemMicros(i), 1));
+        }
     }
 
     private void layers(Ui ui) {

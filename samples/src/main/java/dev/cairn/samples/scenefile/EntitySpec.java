@@ -6,6 +6,7 @@ import dev.cairn.render.input.Control;
 
 import org.jspecify.annotations.Nullable;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -23,6 +24,7 @@ import java.util.List;
  * @param angularVelocity rad/s
  * @param look how it looks
  * @param driven what the user does to it
+ * @param physics what else its body has; its first part, if any, is of the entity's shape
  */
 public record EntitySpec(
         String name,
@@ -36,7 +38,8 @@ public record EntitySpec(
         Xyz velocity,
         Xyz angularVelocity,
         LookSpec look,
-        Driven driven) {
+        Driven driven,
+        BodySpec physics) {
     /**
      * What drives an entity, and whether it carries the camera.
      *
@@ -61,6 +64,18 @@ public record EntitySpec(
         if (mass != null && !(mass > 0 && mass < Double.POSITIVE_INFINITY)) {
             throw new IllegalArgumentException("mass is " + mass + " kg, expected above 0");
         }
+        if (!physics.parts().isEmpty()) {
+            if (!physics.parts().get(0).shape().equals(shape)) {
+                throw new IllegalArgumentException(
+                        "shape is %s, expected that of the first part, %s"
+                                .formatted(shape, physics.parts().get(0).shape()));
+            }
+            if (scale.x() != scale.y() || scale.x() != scale.z()) {
+                throw new IllegalArgumentException(
+                        "scale of an entity of colliders is %s, expected three equal factors"
+                                .formatted(scale));
+            }
+        }
     }
 
     /**
@@ -84,7 +99,17 @@ public record EntitySpec(
                 Xyz.ZERO,
                 Xyz.ZERO,
                 LookSpec.DEFAULT,
-                Driven.NONE);
+                Driven.NONE,
+                BodySpec.DEFAULT);
+    }
+
+    /**
+     * What it is made of.
+     *
+     * @return its parts, or its shape as the only one
+     */
+    public List<PartSpec> parts() {
+        return physics.parts().isEmpty() ? List.of(PartSpec.of(shape)) : physics.parts();
     }
 
     /**
@@ -106,7 +131,8 @@ public record EntitySpec(
                 velocity,
                 angularVelocity,
                 look,
-                driven);
+                driven,
+                physics);
     }
 
     /**
@@ -128,7 +154,8 @@ public record EntitySpec(
                 velocity,
                 angularVelocity,
                 look,
-                driven);
+                driven,
+                physics);
     }
 
     /**
@@ -138,6 +165,12 @@ public record EntitySpec(
      * @return a copy
      */
     public EntitySpec withShape(ShapeSpec value) {
+        BodySpec changed = physics;
+        if (!physics.parts().isEmpty()) {
+            List<PartSpec> parts = new ArrayList<>(physics.parts());
+            parts.set(0, parts.get(0).withShape(value));
+            changed = physics.withParts(parts);
+        }
         return new EntitySpec(
                 name,
                 body,
@@ -150,7 +183,8 @@ public record EntitySpec(
                 velocity,
                 angularVelocity,
                 look,
-                driven);
+                driven,
+                changed);
     }
 
     /**
@@ -173,7 +207,8 @@ public record EntitySpec(
                 velocity,
                 angularVelocity,
                 look,
-                driven);
+                driven,
+                physics);
     }
 
     /**
@@ -195,7 +230,8 @@ public record EntitySpec(
                 velocity,
                 angularVelocity,
                 look,
-                driven);
+                driven,
+                physics);
     }
 
     /**
@@ -218,7 +254,8 @@ public record EntitySpec(
                 velocity,
                 angularVelocity,
                 look,
-                driven);
+                driven,
+                physics);
     }
 
     /**
@@ -231,7 +268,7 @@ public record EntitySpec(
     public EntitySpec moving(Xyz linear, Xyz angular) {
         return new EntitySpec(
                 name, body, shape, position, rotation, scale, material, mass, linear, angular, look,
-                driven);
+                driven, physics);
     }
 
     /**
@@ -253,7 +290,8 @@ public record EntitySpec(
                 velocity,
                 angularVelocity,
                 value,
-                driven);
+                driven,
+                physics);
     }
 
     /**
@@ -275,6 +313,30 @@ public record EntitySpec(
                 velocity,
                 angularVelocity,
                 look,
+                value,
+                physics);
+    }
+
+    /**
+     * The same with other features of its body.
+     *
+     * @param value what it has; if there are parts, the first one's shape becomes the entity's
+     * @return a copy
+     */
+    public EntitySpec withPhysics(BodySpec value) {
+        return new EntitySpec(
+                name,
+                body,
+                value.parts().isEmpty() ? shape : value.parts().get(0).shape(),
+                position,
+                rotation,
+                scale,
+                material,
+                mass,
+                velocity,
+                angularVelocity,
+                look,
+                driven,
                 value);
     }
 }

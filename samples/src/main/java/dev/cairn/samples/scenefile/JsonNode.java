@@ -287,6 +287,10 @@ final class JsonNode {
         return value instanceof Map;
     }
 
+    boolean isText() {
+        return value instanceof String;
+    }
+
     String text(String what) {
         if (value instanceof String text) {
             return text;

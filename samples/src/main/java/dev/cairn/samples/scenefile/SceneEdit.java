@@ -1,5 +1,6 @@
 package dev.cairn.samples.scenefile;
 
+import dev.cairn.physics.Body;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 
 import org.jspecify.annotations.Nullable;
@@ -134,13 +135,26 @@ public final class SceneEdit {
                                     look.tileMetres(),
                                     rebase(look.mesh(), source, target),
                                     look.meshScale()));
-            if (entity.shape() instanceof MeshShape(String file, boolean isLevel)) {
-                String there = rebase(file, source, target);
-                moved = moved.withShape(new MeshShape(there == null ? file : there, isLevel));
+            if (entity.physics().parts().isEmpty()) {
+                moved = moved.withShape(rebase(entity.shape(), source, target));
+            } else {
+                List<PartSpec> parts = new ArrayList<>();
+                for (PartSpec part : entity.physics().parts()) {
+                    parts.add(part.withShape(rebase(part.shape(), source, target)));
+                }
+                moved = moved.withPhysics(entity.physics().withParts(parts));
             }
             entities.add(moved);
         }
         return scene.withEntities(entities);
+    }
+
+    private static ShapeSpec rebase(ShapeSpec shape, Path source, Path target) {
+        if (!(shape instanceof MeshShape(String file, boolean isLevel))) {
+            return shape;
+        }
+        String there = rebase(file, source, target);
+        return new MeshShape(there == null ? file : there, isLevel);
     }
 
     private static @Nullable String rebase(@Nullable String path, Path source, Path target) {
@@ -153,9 +167,12 @@ public final class SceneEdit {
     }
 
     private static EntitySpec check(EntitySpec entity) {
-        if (!(entity.shape() instanceof MeshShape)) {
-            entity.shape().collider(entity.scale());
+        for (PartSpec part : entity.parts()) {
+            if (!(part.shape() instanceof MeshShape)) {
+                part.collider(part.shape().collider(entity.scale()), 1);
+            }
         }
+        entity.physics().tell(Body.dynamic());
         return entity;
     }
 

@@ -3,9 +3,11 @@ package dev.cairn.samples.scenefile;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.Visual;
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.Collider;
+import dev.cairn.physics.ColliderRef;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
-import dev.cairn.physics.body.BodyType;
+import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
@@ -19,10 +21,10 @@ import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.render.camera.CameraMount;
 import dev.cairn.render.mesh.Model;
+import dev.cairn.render.mesh.ModelGroup;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
-import dev.cairn.samples.UsageException;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFile.TickSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
@@ -33,6 +35,7 @@ import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
 import dev.cairn.samples.scenefile.ShapeSpec.SurfaceShape;
 import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 
+import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 import java.nio.file.Path;
@@ -93,7 +96,8 @@ public final class SceneExport {
                             Math.toDegrees(view.fieldOfView())),
                     built.light(),
                     entities,
-                    joints(world, built.bodies()));
+                    joints(world, built.bodies()),
+                    List.of());
         }
     }
 
@@ -111,25 +115,16 @@ public final class SceneExport {
     private EntitySpec entity(PhysicsWorld world, BodyRef body) {
         // The pose as it was given; the body itself keeps its centre of mass, which may round.
         Pose pose = world.ecs().get(body.entity(), Pose.COMPONENT);
-        if (body.colliders().size() != 1) {
-            throw new UsageException(
-                    body
-                            + " is made of "
-                            + body.colliders().size()
-                            + " shapes; a scene file holds bodies of one shape only: export another"
-                            + " scene");
-        }
-        Material material = body.material();
-        boolean ownMass =
-                body.type() == BodyType.DYNAMIC
-                        && body.mass()
-                                != 1 / (1 / body.shape().massProperties(material.density()).mass());
+        List<ColliderRef> colliders = body.colliders();
+        Material material = colliders.get(0).material();
+        double stated = body.statedMass();
         EntitySpec entity =
-                EntitySpec.of(body.name(), kind(body), shape(body.shape()))
+                EntitySpec.of(body.name(), kind(body), shape(colliders.get(0).shape()))
                         .at(
                                 new Xyz(pose.x(), pose.y(), pose.z()),
                                 new Turn(pose.qx(), pose.qy(), pose.qz(), pose.qw()))
-                        .withMaterial(material, ownMass ? (Double) given(body.mass()) : null)
+                        .withMaterial(material, Double.isNaN(stated) ? null : (Double) stated)
+                        .withPhysics(physics(body, colliders, material))
                         .withLook(look(world, body));
         if (world.ecs().has(body.entity(), CameraMount.COMPONENT)) {
             CameraMount mount = world.ecs().get(body.entity(), CameraMount.COMPONENT);
@@ -143,21 +138,40 @@ public final class SceneExport {
         return entity.moving(new Xyz(v.x, v.y, v.z), new Xyz(w.x, w.y, w.z));
     }
 
-    /**
-     * The mass as it was given. The body keeps its inverse, of which some neighbours have the same;
-     * of these people write the shortest.
-     */
-    private static double given(double mass) {
-        double best = mass;
-        double next = Math.nextDown(Math.nextDown(mass));
-        for (int k = 0; k < 5; k++) {
-            boolean isSame = 1 / (1 / next) == mass;
-            if (isSame && Double.toString(next).length() < Double.toString(best).length()) {
-                best = next;
-            }
-            next = Math.nextUp(next);
+    private static BodySpec physics(BodyRef body, List<ColliderRef> colliders, Material material) {
+        Filter filter = colliders.get(0).filter();
+        List<PartSpec> parts = new ArrayList<>();
+        for (ColliderRef collider : colliders) {
+            parts.add(part(collider, material, filter));
         }
-        return best;
+        boolean isPlain =
+                parts.size() == 1 && parts.get(0).equals(PartSpec.of(parts.get(0).shape()));
+        Vector3d inertia = body.statedInertia(new Vector3d());
+        return new BodySpec(
+                isPlain ? List.of() : parts,
+                filter,
+                Double.isNaN(inertia.x) ? null : new Xyz(inertia.x, inertia.y, inertia.z),
+                body.gravityScale(),
+                body.linearDamping(),
+                body.angularDamping(),
+                body.speedLimit(),
+                List.of(body.locks()));
+    }
+
+    private static PartSpec part(ColliderRef ref, Material material, Filter filter) {
+        Collider collider = ref.description();
+        Vector3d at = collider.localPosition(new Vector3d());
+        Quaterniond q = collider.localRotation(new Quaterniond());
+        Vector3d belt = collider.surfaceVelocity(new Vector3d());
+        return new PartSpec(
+                shape(collider.shape()),
+                new Xyz(at.x, at.y, at.z),
+                new Turn(q.x, q.y, q.z, q.w),
+                ref.material().equals(material) ? null : ref.material(),
+                ref.filter().equals(filter) ? null : ref.filter(),
+                ref.isSensor(),
+                new Xyz(belt.x, belt.y, belt.z),
+                ref.userData() instanceof String word ? word : "");
     }
 
     private static BodyKind kind(BodyRef body) {
@@ -205,9 +219,14 @@ public final class SceneExport {
     }
 
     private LookSpec look(PhysicsWorld world, BodyRef body) {
-        if (!world.ecs().has(body.entity(), Visual.COMPONENT)
-                || !(world.ecs().get(body.entity(), Visual.COMPONENT).model()
-                        instanceof Model model)) {
+        if (!world.ecs().has(body.entity(), Visual.COMPONENT)) {
+            return new LookSpec(false, null, null, 0, null, Xyz.ONE);
+        }
+        Object drawn = world.ecs().get(body.entity(), Visual.COMPONENT).model();
+        if (drawn instanceof ModelGroup group && group.parts().size() == body.colliders().size()) {
+            return LookSpec.DEFAULT.withRgb(group.parts().get(0).rgb());
+        }
+        if (!(drawn instanceof Model model)) {
             return new LookSpec(false, null, null, 0, null, Xyz.ONE);
         }
         Model own = Model.of(body.shape());

@@ -4,6 +4,7 @@ import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.render.camera.Light;
 
 import java.util.List;
+import java.util.Set;
 
 /**
  * A scene as data. Immutable; equal scenes are written as equal files.
@@ -16,6 +17,7 @@ import java.util.List;
  * @param light in which light
  * @param entities what is there, in the order of creation
  * @param joints what holds entities together, in the order of creation
+ * @param layers names of the bits of filters, from the lowest on, at most 64
  */
 public record SceneFile(
         String name,
@@ -25,7 +27,8 @@ public record SceneFile(
         CameraSpec camera,
         Light light,
         List<EntitySpec> entities,
-        List<JointSpec> joints) {
+        List<JointSpec> joints,
+        List<String> layers) {
     /** The value of {@code format} in every file. */
     public static final String FORMAT = "cairn-scene";
 
@@ -36,6 +39,11 @@ public record SceneFile(
     public SceneFile {
         entities = List.copyOf(entities);
         joints = List.copyOf(joints);
+        layers = List.copyOf(layers);
+        if (layers.size() > Long.SIZE || Set.copyOf(layers).size() != layers.size()) {
+            throw new IllegalArgumentException(
+                    "layers are %s, expected at most 64 different names".formatted(layers));
+        }
     }
 
     /**
@@ -57,7 +65,7 @@ public record SceneFile(
             CameraSpec camera,
             Light light,
             List<EntitySpec> entities) {
-        this(name, description, gravity, tick, camera, light, entities, List.of());
+        this(name, description, gravity, tick, camera, light, entities, List.of(), List.of());
     }
 
     /**
@@ -84,7 +92,8 @@ public record SceneFile(
      * @return a copy
      */
     public SceneFile withEntities(List<EntitySpec> value) {
-        return new SceneFile(name, description, gravity, tick, camera, light, value, joints);
+        return new SceneFile(
+                name, description, gravity, tick, camera, light, value, joints, layers);
     }
 
     /**
@@ -94,7 +103,19 @@ public record SceneFile(
      * @return a copy
      */
     public SceneFile withJoints(List<JointSpec> value) {
-        return new SceneFile(name, description, gravity, tick, camera, light, entities, value);
+        return new SceneFile(
+                name, description, gravity, tick, camera, light, entities, value, layers);
+    }
+
+    /**
+     * The same with other names of layers.
+     *
+     * @param value names of the bits of filters
+     * @return a copy
+     */
+    public SceneFile withLayers(List<String> value) {
+        return new SceneFile(
+                name, description, gravity, tick, camera, light, entities, joints, value);
     }
 
     /**

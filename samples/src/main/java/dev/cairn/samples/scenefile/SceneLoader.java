@@ -4,6 +4,7 @@ import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.Visual;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
+import dev.cairn.physics.Collider;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.shape.Box;
@@ -31,6 +32,7 @@ import org.joml.Quaterniond;
 import org.jspecify.annotations.Nullable;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
@@ -211,9 +213,16 @@ public final class SceneLoader {
     }
 
     private long add(EntitySpec entity, int index) {
-        Shape shape = shape(entity, index);
+        Shape shape = shape(entity.shape(), entity, index);
+        List<Collider> parts = parts(entity, index);
         LookSpec look = entity.look();
-        Visual visual = look.visible() ? look(entity, shape, index) : null;
+        Visual visual = null;
+        if (look.visible()) {
+            visual =
+                    parts.isEmpty() || look.mesh() != null
+                            ? look(entity, shape, index)
+                            : look(parts, look, index);
+        }
         Turn turn = entity.rotation();
         Xyz at = entity.position();
         if (entity.body() == BodyKind.NONE) {
@@ -243,6 +252,11 @@ public final class SceneLoader {
         Xyz v = entity.velocity();
         Xyz w = entity.angularVelocity();
         body.velocity(v.x(), v.y(), v.z()).angularVelocity(w.x(), w.y(), w.z());
+        entity.physics().tell(body);
+        if (!parts.isEmpty()) {
+            parts.forEach(body::collider);
+            return drive(into.add(body, visual).entity(), entity);
+        }
         Shape collider = shape == null ? placeholderShape(entity) : shape;
         BodyRef made =
                 visual == null ? into.addUnseen(collider, body) : into.add(collider, visual, body);
@@ -261,6 +275,29 @@ public final class SceneLoader {
         return made;
     }
 
+    /** The colliders of an entity of several; none if it is of one plain shape. */
+    private List<Collider> parts(EntitySpec entity, int index) {
+        List<Collider> parts = new ArrayList<>();
+        for (PartSpec part : entity.physics().parts()) {
+            Shape shape = shape(part.shape(), entity, index);
+            parts.add(
+                    part.collider(
+                            shape == null ? placeholderShape(entity) : shape, entity.scale().x()));
+        }
+        return parts;
+    }
+
+    /** Several colliders are drawn as they are. */
+    private Visual look(List<Collider> parts, LookSpec look, int index) {
+        Integer rgb = look.rgb();
+        int colour = rgb != null ? rgb : Palette.body(index);
+        List<Model> models = new ArrayList<>();
+        for (Collider part : parts) {
+            models.add(textured(Model.of(part.placed()).color(colour), look, index));
+        }
+        return new Visual(models.size() == 1 ? models.get(0) : new ModelGroup(models));
+    }
+
     private static Shape placeholderShape(EntitySpec entity) {
         Xyz s = entity.scale();
         return Box.ofHalfExtents(
@@ -268,13 +305,13 @@ public final class SceneLoader {
     }
 
     /** The collision shape; null if there is none: a broken mesh, or one that is only drawn. */
-    private @Nullable Shape shape(EntitySpec entity, int index) {
-        Shared key = new Shared(entity.shape(), entity.scale());
+    private @Nullable Shape shape(ShapeSpec spec, EntitySpec entity, int index) {
+        Shared key = new Shared(spec, entity.scale());
         Shape known = shapes.get(key);
         if (known == null) {
-            if (!(entity.shape() instanceof MeshShape(String file, boolean isLevel))) {
-                known = entity.shape().collider(entity.scale());
-            } else if (entity.body() != BodyKind.NONE) {
+            if (!(spec instanceof MeshShape(String file, boolean isLevel))) {
+                known = spec.collider(entity.scale());
+            } else if (entity.body() != BodyKind.NONE || !entity.physics().parts().isEmpty()) {
                 known = fileShape(file, isLevel, entity, index);
             }
             if (known != null) {

@@ -1,6 +1,5 @@
 package dev.cairn.samples.scenefile;
 
-import dev.cairn.physics.Material;
 import dev.cairn.render.camera.Light;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFile.TickSpec;
@@ -38,6 +37,7 @@ public final class SceneReader {
                     "tick",
                     "camera",
                     "light",
+                    "layers",
                     "entities",
                     "joints");
     static final List<String> TICK = List.of("seconds", "substeps", "ticks", "pictureTick");
@@ -57,6 +57,7 @@ public final class SceneReader {
                     "name",
                     "body",
                     "shape",
+                    "colliders",
                     "position",
                     "rotation",
                     "scale",
@@ -64,12 +65,16 @@ public final class SceneReader {
                     "mass",
                     "velocity",
                     "angularVelocity",
+                    "filter",
+                    "inertia",
+                    "gravityScale",
+                    "damping",
+                    "speedLimit",
+                    "locks",
                     "look",
                     "controls",
                     "camera");
     static final List<String> ROTATION = List.of("axis", "degrees");
-    static final List<String> MATERIAL =
-            List.of("friction", "restitution", "density", "rollingArm");
     static final List<String> LOOK =
             List.of("visible", "color", "texture", "tileMetres", "mesh", "meshScale");
     static final List<String> SHAPES =
@@ -142,9 +147,10 @@ public final class SceneReader {
         }
         root.required(in, "version").whole(1, SceneFile.VERSION);
         SceneFile empty = SceneFile.empty("");
+        List<String> layers = in.containsKey("layers") ? layers(in.get("layers")) : List.of();
         List<EntitySpec> entities = new ArrayList<>();
         for (JsonNode entity : root.required(in, "entities").items("a list of entities")) {
-            entities.add(entity(entity));
+            entities.add(entity(entity, layers));
         }
         List<JointSpec> joints = new ArrayList<>();
         if (in.containsKey("joints")) {
@@ -160,7 +166,22 @@ public final class SceneReader {
                 in.containsKey("camera") ? camera(in.get("camera")) : empty.camera(),
                 in.containsKey("light") ? light(in.get("light")) : empty.light(),
                 entities,
-                joints);
+                joints,
+                layers);
+    }
+
+    private static List<String> layers(JsonNode node) {
+        List<String> names = new ArrayList<>();
+        for (JsonNode name : node.items("a list of names")) {
+            if (names.contains(name.text("a name"))) {
+                throw name.wrong("each layer once", name.shown() + " again");
+            }
+            names.add(name.text("a name"));
+        }
+        if (names.size() > Long.SIZE) {
+            throw node.wrong("at most 64 layers", String.valueOf(names.size()));
+        }
+        return names;
     }
 
     private static TickSpec tick(JsonNode node) {
@@ -249,13 +270,19 @@ public final class SceneReader {
         return light;
     }
 
-    private static EntitySpec entity(JsonNode node) {
+    private static EntitySpec entity(JsonNode node, List<String> layers) {
         Map<String, JsonNode> in = node.fields("an entity", ENTITY);
+        if (in.containsKey("shape") && in.containsKey("colliders")) {
+            throw node.wrong("a field \"shape\" or a field \"colliders\"", "both");
+        }
+        BodySpec physics = BodyJson.read(in, layers);
         EntitySpec base =
                 EntitySpec.of(
                         in.containsKey("name") ? in.get("name").text("a name") : "",
                         in.containsKey("body") ? body(in.get("body")) : BodyKind.DYNAMIC,
-                        shape(node.required(in, "shape")));
+                        physics.parts().isEmpty()
+                                ? shape(node.required(in, "shape"))
+                                : physics.parts().get(0).shape());
         EntitySpec placed =
                 base.at(
                         in.containsKey("position")
@@ -263,11 +290,16 @@ public final class SceneReader {
                                 : base.position(),
                         in.containsKey("rotation") ? rotation(in.get("rotation")) : Turn.NONE);
         Xyz scale = in.containsKey("scale") ? scale(in.get("scale")) : Xyz.ONE;
+        boolean isUniform = scale.x() == scale.y() && scale.x() == scale.z();
+        if (!isUniform && !physics.parts().isEmpty()) {
+            throw node.required(in, "scale")
+                    .wrong("three equal factors for an entity of colliders", scale.toString());
+        }
         EntitySpec made =
                 placed.withScale(scale)
                         .withMaterial(
                                 in.containsKey("material")
-                                        ? material(in.get("material"))
+                                        ? BodyJson.material(in.get("material"))
                                         : base.material(),
                                 in.containsKey("mass")
                                         ? (Double) in.get("mass").positive("a mass in kg")
@@ -280,18 +312,22 @@ public final class SceneReader {
                                         ? in.get("angularVelocity").xyz("an angular velocity")
                                         : Xyz.ZERO)
                         .withLook(in.containsKey("look") ? look(in.get("look")) : base.look())
-                        .withDriven(DrivenJson.read(in));
-        boolean isSurface =
-                made.shape() instanceof SurfaceShape
-                        || (made.shape() instanceof MeshShape mesh && mesh.isLevel());
-        if (isSurface && made.body() == BodyKind.DYNAMIC) {
-            throw node.required(in, "shape")
-                    .wrong(
-                            "a solid shape for a dynamic body (a surface of triangles has no"
-                                    + " inside: \"body\": \"fixed\" or \"kinematic\")",
-                            made.shape().type());
+                        .withDriven(DrivenJson.read(in))
+                        .withPhysics(physics);
+        if (made.body() == BodyKind.DYNAMIC) {
+            for (PartSpec part : made.parts()) {
+                if (part.shape() instanceof SurfaceShape
+                        || (part.shape() instanceof MeshShape mesh && mesh.isLevel())) {
+                    throw node.required(in, in.containsKey("shape") ? "shape" : "colliders")
+                            .wrong(
+                                    "a solid shape for a dynamic body (a surface of triangles has"
+                                            + " no inside: \"body\": \"fixed\" or"
+                                            + " \"kinematic\")",
+                                    part.shape().type());
+                }
+            }
         }
-        if (!(made.shape() instanceof MeshShape)) {
+        if (physics.parts().isEmpty() && !(made.shape() instanceof MeshShape)) {
             try {
                 // Made once more by the loader; here only so that a refusal can name the line.
                 made.shape().collider(scale);
@@ -299,6 +335,7 @@ public final class SceneReader {
                 throw node.required(in, "shape").refused(refusal);
             }
         }
+        BodyJson.check(node, made, in);
         return made;
     }
 
@@ -312,7 +349,7 @@ public final class SceneReader {
         throw node.wrong("\"dynamic\", \"fixed\", \"kinematic\" or \"none\"", node.shown());
     }
 
-    private static ShapeSpec shape(JsonNode node) {
+    static ShapeSpec shape(JsonNode node) {
         Map<String, JsonNode> any =
                 node.fields(
                         "a shape",
@@ -416,7 +453,7 @@ public final class SceneReader {
         };
     }
 
-    private static Turn rotation(JsonNode node) {
+    static Turn rotation(JsonNode node) {
         try {
             if (node.isObject()) {
                 Map<String, JsonNode> in = node.fields("a rotation", ROTATION);
@@ -447,30 +484,6 @@ public final class SceneReader {
             throw node.wrong("factors above 0", scale.toString());
         }
         return scale;
-    }
-
-    private static Material material(JsonNode node) {
-        Map<String, JsonNode> in = node.fields("a material", MATERIAL);
-        Material base = Material.DEFAULT;
-        double restitution = base.restitution();
-        JsonNode bounce = in.get("restitution");
-        if (bounce != null) {
-            restitution = bounce.number("a number from 0 to 1");
-            if (!(restitution >= 0 && restitution <= 1)) {
-                throw bounce.wrong("a number from 0 to 1", bounce.shown());
-            }
-        }
-        return new Material(
-                in.containsKey("friction")
-                        ? in.get("friction").atLeastZero("a number")
-                        : base.friction(),
-                restitution,
-                in.containsKey("density")
-                        ? in.get("density").positive("a density in kg/m3")
-                        : base.density(),
-                in.containsKey("rollingArm")
-                        ? in.get("rollingArm").atLeastZero("a length in metres")
-                        : base.rollingArm());
     }
 
     private static LookSpec look(JsonNode node) {

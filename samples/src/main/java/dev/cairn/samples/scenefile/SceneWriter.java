@@ -20,6 +20,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
@@ -80,8 +81,13 @@ public final class SceneWriter {
         camera.add("fieldOfViewDegrees", number(scene.camera().fieldOfViewDegrees()));
         out.add("camera", camera);
         out.add("light", light(scene.light()));
+        if (!scene.layers().isEmpty()) {
+            JsonArray layers = new JsonArray();
+            scene.layers().forEach(layers::add);
+            out.add("layers", layers);
+        }
         JsonArray entities = new JsonArray();
-        scene.entities().forEach(entity -> entities.add(entity(entity)));
+        scene.entities().forEach(entity -> entities.add(entity(entity, scene.layers())));
         out.add("entities", entities);
         if (!scene.joints().isEmpty()) {
             JsonArray joints = new JsonArray();
@@ -106,37 +112,29 @@ public final class SceneWriter {
         return out;
     }
 
-    private static JsonObject entity(EntitySpec entity) {
+    private static JsonObject entity(EntitySpec entity, List<String> layers) {
         JsonObject out = new JsonObject();
         if (!entity.name().isEmpty()) {
             out.addProperty("name", entity.name());
         }
         out.addProperty("body", entity.body().word());
-        out.add("shape", shape(entity.shape()));
+        if (entity.physics().parts().isEmpty()) {
+            out.add("shape", shape(entity.shape()));
+        } else {
+            out.add("colliders", BodyJson.colliders(entity.physics().parts(), layers));
+        }
         if (!entity.position().equals(Xyz.ZERO)) {
             out.add("position", xyz(entity.position()));
         }
         Turn turn = entity.rotation();
         if (!turn.equals(Turn.NONE)) {
-            JsonArray q = new JsonArray();
-            q.add(number(turn.x()));
-            q.add(number(turn.y()));
-            q.add(number(turn.z()));
-            q.add(number(turn.w()));
-            out.add("rotation", q);
+            out.add("rotation", turn(turn));
         }
         if (!entity.scale().equals(Xyz.ONE)) {
             out.add("scale", xyz(entity.scale()));
         }
         if (!entity.material().equals(Material.DEFAULT)) {
-            JsonObject material = new JsonObject();
-            material.add("friction", number(entity.material().friction()));
-            material.add("restitution", number(entity.material().restitution()));
-            material.add("density", number(entity.material().density()));
-            if (entity.material().rollingArm() > 0) {
-                material.add("rollingArm", number(entity.material().rollingArm()));
-            }
-            out.add("material", material);
+            out.add("material", BodyJson.material(entity.material()));
         }
         if (entity.mass() != null) {
             out.add("mass", number(entity.mass()));
@@ -147,6 +145,7 @@ public final class SceneWriter {
         if (!entity.angularVelocity().equals(Xyz.ZERO)) {
             out.add("angularVelocity", xyz(entity.angularVelocity()));
         }
+        BodyJson.write(entity.physics(), layers, out);
         if (!entity.look().equals(LookSpec.DEFAULT)) {
             out.add("look", look(entity.look()));
         }
@@ -154,7 +153,7 @@ public final class SceneWriter {
         return out;
     }
 
-    private static JsonObject shape(ShapeSpec shape) {
+    static JsonObject shape(ShapeSpec shape) {
         JsonObject out = new JsonObject();
         out.addProperty("type", shape.type());
         switch (shape) {
@@ -173,12 +172,7 @@ public final class SceneWriter {
             case MovedShape(ShapeSpec inner, Xyz at, Turn turn) -> {
                 out.add("shape", shape(inner));
                 out.add("position", xyz(at));
-                JsonArray q = new JsonArray();
-                q.add(number(turn.x()));
-                q.add(number(turn.y()));
-                q.add(number(turn.z()));
-                q.add(number(turn.w()));
-                out.add("rotation", q);
+                out.add("rotation", turn(turn));
             }
             case MeshShape(String file, boolean isLevel) -> {
                 out.addProperty("file", file);
@@ -222,6 +216,15 @@ public final class SceneWriter {
             out.add("meshScale", xyz(look.meshScale()));
         }
         return out;
+    }
+
+    static JsonArray turn(Turn turn) {
+        JsonArray q = new JsonArray();
+        q.add(number(turn.x()));
+        q.add(number(turn.y()));
+        q.add(number(turn.z()));
+        q.add(number(turn.w()));
+        return q;
     }
 
     static JsonArray xyz(Xyz value) {

@@ -6,8 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.Material;
+import dev.cairn.physics.body.Lock;
+import dev.cairn.physics.collider.Filter;
+import dev.cairn.physics.collider.Mix;
 import dev.cairn.samples.scenefile.BodyKind;
+import dev.cairn.samples.scenefile.BodySpec;
 import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.PartSpec;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneReader;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
@@ -124,6 +130,51 @@ class EditorTest {
         editor.open();
         assertSame(edited, shown);
         assertEquals(List.of("rest", "rest", "play", "rest", "leave", "rest"), seen);
+    }
+
+    /** What the editor has no field for is in the file afterwards too. */
+    @Test
+    void nothingOfABodyIsLostByEditing() {
+        PartSpec gate =
+                new PartSpec(
+                        new BoxShape(Xyz.ONE),
+                        new Xyz(0, 1, 0),
+                        Turn.about(Xyz.ONE, 25),
+                        Material.ICE.withMix(Mix.MINIMUM, Mix.AVERAGE),
+                        new Filter(4, 3, -2),
+                        true,
+                        new Xyz(1, 0, 0),
+                        "gate");
+        BodySpec all =
+                new BodySpec(
+                        List.of(gate, PartSpec.of(new SphereShape(0.5))),
+                        new Filter(2, ~4L, 7),
+                        new Xyz(1, 2, 2),
+                        0.5,
+                        0.1,
+                        0.2,
+                        9,
+                        List.of(Lock.MOVE_X, Lock.TURN_Z));
+        editor.place(box("all").withPhysics(all));
+        editor.layers(List.of("ground", "crate"));
+        editor.change("rename", e -> e.withName("other"));
+        editor.change("move", e -> e.at(new Xyz(5, 6, 7), Turn.about(Xyz.ONE, 30)));
+        editor.change("scale", e -> e.withScale(new Xyz(2, 2, 2)));
+        editor.change("shape of", e -> e.withShape(new SphereShape(3)));
+        editor.camera(editor.scene().camera());
+        editor.duplicate();
+        editor.save("all.json");
+        assertFalse(editor.isWrong(), editor.message());
+        SceneFile read = SceneReader.read(folder.resolve("all.json"));
+        assertEquals(List.of("ground", "crate"), read.layers());
+        BodySpec kept =
+                all.withParts(List.of(gate.withShape(new SphereShape(3)), all.parts().get(1)));
+        for (int i = 1; i <= 2; i++) {
+            assertEquals("other", read.entities().get(i).name());
+            assertEquals(kept, read.entities().get(i).physics());
+        }
+        editor.change("scale", e -> e.withScale(new Xyz(1, 2, 1)));
+        assertTrue(editor.isWrong(), "a body of several shapes is scaled alike");
     }
 
     @Test

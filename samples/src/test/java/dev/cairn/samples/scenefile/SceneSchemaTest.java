@@ -145,7 +145,17 @@ class SceneSchemaTest {
     void whatIsWrittenFitsTheSchema() throws IOException {
         JsonObject root = schema();
         for (String id :
-                List.of("room", "pyramid", "slope-ball", "shapes", "obj-drop", "car", "door")) {
+                List.of(
+                        "room",
+                        "pyramid",
+                        "slope-ball",
+                        "shapes",
+                        "obj-drop",
+                        "car",
+                        "door",
+                        "compound-pile",
+                        "conveyor",
+                        "one-way")) {
             SampleScene scene = SceneRegistry.get(id);
             String text =
                     SceneWriter.text(
@@ -165,7 +175,10 @@ class SceneSchemaTest {
         JsonObject defs = root.getAsJsonObject("$defs");
         assertEquals(Set.copyOf(SceneReader.ENTITY), names(defs, "entity"));
         JsonObject entity = defs.getAsJsonObject("entity").getAsJsonObject("properties");
-        assertEquals(Set.copyOf(SceneReader.MATERIAL), names(entity, "material"));
+        assertEquals(Set.copyOf(BodyJson.MATERIAL), names(defs, "material"));
+        assertEquals(Set.copyOf(BodyJson.COLLIDER), names(defs, "collider"));
+        assertEquals(Set.copyOf(BodyJson.FILTER), names(defs, "filter"));
+        assertEquals(Set.copyOf(BodyJson.DAMPING), names(entity, "damping"));
         assertEquals(Set.copyOf(SceneReader.LOOK), names(entity, "look"));
         assertEquals(Set.copyOf(DrivenJson.CONTROL), names(defs, "control"));
         assertEquals(Set.copyOf(DrivenJson.MOUNT), names(entity, "camera"));

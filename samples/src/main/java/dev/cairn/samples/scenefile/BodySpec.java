@@ -1,0 +1,144 @@
+package dev.cairn.samples.scenefile;
+
+import dev.cairn.physics.Body;
+import dev.cairn.physics.body.Lock;
+import dev.cairn.physics.collider.Filter;
+
+import org.jspecify.annotations.Nullable;
+
+import java.util.List;
+
+/**
+ * What an entity's body can have beside shape, material and motion. Immutable.
+ *
+ * @param parts the shapes that it is made of; empty if it has one, at its origin, and nothing is
+ *     said of it
+ * @param filter whom it meets
+ * @param inertia about the shape's axes, kg m², or null for that of the shapes
+ * @param gravityScale how much of the gravity acts on it
+ * @param linearDamping rate at which velocity decays, 1/s
+ * @param angularDamping rate at which angular momentum decays, 1/s
+ * @param speedLimit m/s; infinite for none
+ * @param locks degrees of freedom that it does not have, in the order of {@link Lock}
+ */
+public record BodySpec(
+        List<PartSpec> parts,
+        Filter filter,
+        @Nullable Xyz inertia,
+        double gravityScale,
+        double linearDamping,
+        double angularDamping,
+        double speedLimit,
+        List<Lock> locks) {
+    /** One shape that meets all, under all of the gravity. */
+    public static final BodySpec DEFAULT =
+            new BodySpec(List.of(), Filter.ALL, null, 1, 0, 0, Double.POSITIVE_INFINITY, List.of());
+
+    /** Copies the lists. */
+    public BodySpec {
+        parts = List.copyOf(parts);
+        locks = List.of(Lock.of(Lock.bits(locks.toArray(new Lock[0]))));
+    }
+
+    /**
+     * The same of other shapes.
+     *
+     * @param value all of them, in their order
+     * @return a copy
+     */
+    public BodySpec withParts(List<PartSpec> value) {
+        return new BodySpec(
+                value,
+                filter,
+                inertia,
+                gravityScale,
+                linearDamping,
+                angularDamping,
+                speedLimit,
+                locks);
+    }
+
+    /**
+     * The same, meeting others.
+     *
+     * @param value the filter
+     * @return a copy
+     */
+    public BodySpec withFilter(Filter value) {
+        return new BodySpec(
+                parts,
+                value,
+                inertia,
+                gravityScale,
+                linearDamping,
+                angularDamping,
+                speedLimit,
+                locks);
+    }
+
+    /**
+     * The same with another inertia.
+     *
+     * @param value kg m², or null for that of the shapes
+     * @return a copy
+     */
+    public BodySpec withInertia(@Nullable Xyz value) {
+        return new BodySpec(
+                parts,
+                filter,
+                value,
+                gravityScale,
+                linearDamping,
+                angularDamping,
+                speedLimit,
+                locks);
+    }
+
+    /**
+     * The same, moving otherwise.
+     *
+     * @param gravity how much of it acts
+     * @param linear damping, 1/s
+     * @param angular damping, 1/s
+     * @param limit of the speed, m/s
+     * @return a copy
+     */
+    public BodySpec moving(double gravity, double linear, double angular, double limit) {
+        return new BodySpec(parts, filter, inertia, gravity, linear, angular, limit, locks);
+    }
+
+    /**
+     * The same with other locks.
+     *
+     * @param value degrees of freedom that it does not have
+     * @return a copy
+     */
+    public BodySpec withLocks(List<Lock> value) {
+        return new BodySpec(
+                parts,
+                filter,
+                inertia,
+                gravityScale,
+                linearDamping,
+                angularDamping,
+                speedLimit,
+                value);
+    }
+
+    /**
+     * Tells a body all of this but the shapes.
+     *
+     * @param body gets it
+     * @throws IllegalArgumentException if a number is out of its range
+     */
+    void tell(Body body) {
+        body.filter(filter)
+                .gravityScale(gravityScale)
+                .damping(linearDamping, angularDamping)
+                .speedLimit(speedLimit)
+                .lock(locks.toArray(new Lock[0]));
+        if (inertia != null) {
+            body.inertia(inertia.x(), inertia.y(), inertia.z());
+        }
+    }
+}
