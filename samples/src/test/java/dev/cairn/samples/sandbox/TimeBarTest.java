@@ -138,7 +138,7 @@ class TimeBarTest extends WindowFixture {
         await("it to be let go", seen -> !seen.flag("pulling"));
         // Some ticks back, and another future.
         type("key", "comma", "comma", "comma");
-        Seen back = await("ticks back", seen -> seen.number("newest") > seen.number("tick"));
+        Seen back = await("ticks back", seen -> seen.number("newest") == seen.number("tick") + 3);
         type("key", "p");
         await("to go on", seen -> seen.number("tick") > back.number("newest"));
         type("key", "b");
