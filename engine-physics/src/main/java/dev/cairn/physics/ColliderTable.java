@@ -41,7 +41,7 @@ final class ColliderTable implements Stateful {
     /** Room to restore the references: those of the state, and those that there were. */
     private ColliderRef[] savedRefs = {}, before = {};
 
-    /** What each collider was made of, with material and filter. */
+    /** What each collider was made of, with material; its filter may be another one by now. */
     private Collider[] specs = {};
 
     /** Where the references say that their colliders are; room to save them. */
@@ -62,8 +62,14 @@ final class ColliderTable implements Stateful {
         return refs[collider];
     }
 
+    /** What a collider is made of; its filter may be another one by now. */
     Collider spec(int collider) {
         return specs[collider];
+    }
+
+    /** The same with the filter that it has now. */
+    Collider now(int collider) {
+        return specs[collider].filter(colliders.filter[collider]);
     }
 
     List<ColliderRef> list(int body) {
@@ -268,7 +274,7 @@ final class ColliderTable implements Stateful {
 
     /** Another surface; contacts have it from the next step on. */
     void setMaterial(int c, Material material) {
-        surface(c, specs[c].material(Checks.notNull("material", material)));
+        surface(c, now(c).material(Checks.notNull("material", material)));
         contacts().mixAll(c, colliders);
         table.roster.changed(colliders.body[c]);
         table.changes.wakeAround(colliders.body[c]);
@@ -339,7 +345,7 @@ final class ColliderTable implements Stateful {
         Collider whole =
                 part.orElse(
                         specs[colliders.bodies.collider[body]].material(),
-                        specs[colliders.bodies.collider[body]].filter());
+                        colliders.filter[colliders.bodies.collider[body]]);
         List<Collider> parts = parts(body);
         parts.add(whole);
         MassProperties mass = massNow(body, parts);
@@ -373,7 +379,7 @@ final class ColliderTable implements Stateful {
     /** Another collider in the place of one, in the same slot. */
     void replace(int collider, Collider part) {
         int body = colliders.body[collider];
-        Collider whole = part.orElse(specs[collider].material(), specs[collider].filter());
+        Collider whole = part.orElse(specs[collider].material(), colliders.filter[collider]);
         if (whole.sensor != specs[collider].sensor) {
             throw new IllegalArgumentException(
                     ref(collider)
@@ -447,7 +453,7 @@ final class ColliderTable implements Stateful {
         ColliderRef ref = ref(body);
         broadPhase.remove(body);
         colliders.detach(body);
-        move(ref, child(body, specs[body]));
+        move(ref, child(body, now(body)));
     }
 
     /** The only child of a body becomes its only collider. */
@@ -457,7 +463,7 @@ final class ColliderTable implements Stateful {
             return;
         }
         ColliderRef ref = ref(c);
-        Collider part = specs[c];
+        Collider part = now(c);
         takeOut(body, c);
         only(body, part);
         move(ref, body);
@@ -547,7 +553,6 @@ final class ColliderTable implements Stateful {
             return;
         }
         colliders.filter[collider] = filter;
-        specs[collider] = specs[collider].filter(filter);
         pairFilter.begin();
         broadPhase.refilter(collider);
     }
