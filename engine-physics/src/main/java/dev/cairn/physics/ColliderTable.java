@@ -274,7 +274,10 @@ final class ColliderTable implements Stateful {
 
     /** Another surface; contacts have it from the next step on. */
     void setMaterial(int c, Material material) {
-        surface(c, now(c).material(Checks.notNull("material", material)));
+        if (Checks.notNull("material", material).equals(specs[c].material())) {
+            return;
+        }
+        surface(c, now(c).material(material));
         contacts().mixAll(c, colliders);
         table.roster.changed(colliders.body[c]);
         table.changes.wakeAround(colliders.body[c]);
@@ -352,6 +355,7 @@ final class ColliderTable implements Stateful {
         split(body);
         int c = child(body, whole);
         settle(body, mass);
+        table.changes.wakeAround(body);
         return ref(c);
     }
 
@@ -374,6 +378,7 @@ final class ColliderTable implements Stateful {
         takeOut(body, collider);
         join(body);
         settle(body, mass);
+        table.changes.wakeAround(body);
     }
 
     /** Another collider in the place of one, in the same slot. */
@@ -408,6 +413,7 @@ final class ColliderTable implements Stateful {
         surface(collider, whole);
         contacts().renew(collider, colliders);
         settle(body, mass);
+        table.changes.wakeAround(body);
     }
 
     private static boolean isSurface(Shape shape) {
@@ -493,7 +499,6 @@ final class ColliderTable implements Stateful {
         }
         measure(body);
         table.roster.changed(body);
-        table.changes.wakeAround(body);
     }
 
     /** Mass, centre and inertia of a body as it would be if it moved, or did not. */
@@ -512,7 +517,11 @@ final class ColliderTable implements Stateful {
             set(body, old[0], old[1], old[2], old[3]);
             throw refusal;
         }
-        settle(body, p);
+        if (canMove(body)) {
+            settle(body, p);
+        } else {
+            table.access.setMass(body, p);
+        }
     }
 
     private void set(int body, double mass, double xx, double yy, double zz) {
@@ -528,6 +537,17 @@ final class ColliderTable implements Stateful {
 
     void stateInertia(int body, double xx, double yy, double zz) {
         state(body, kilograms[body], xx, yy, zz);
+    }
+
+    /** Whether all colliders of a body are of a material already. */
+    boolean isMadeOf(int body, Material material) {
+        boolean all = true;
+        for (int c = colliders.bodies.collider[body];
+                c != ColliderStore.NONE;
+                c = colliders.next[c]) {
+            all &= material.equals(specs[c].material());
+        }
+        return all;
     }
 
     /** Another surface of all colliders of a body, and the mass that follows from its density. */
@@ -585,16 +605,26 @@ final class ColliderTable implements Stateful {
     /** The seam of joints: counted, since several may bind the same two bodies. */
     void apart(int bodyA, int bodyB) {
         if (pairFilter.apart(bodyA, bodyB)) {
-            refilter(bodyA);
+            refilter(canMove(bodyA) ? bodyA : bodyB);
         }
     }
 
     /** Takes back one {@link #apart}; also for a body that is leaving. */
     void together(int bodyA, int bodyB) {
         if (pairFilter.together(bodyA, bodyB)) {
-            refilter(bodyA);
-            refilter(bodyB);
+            if (canMove(bodyA) || !canMove(bodyB)) {
+                refilter(bodyA);
+            }
+            if (canMove(bodyB) || !canMove(bodyA)) {
+                refilter(bodyB);
+            }
         }
+    }
+
+    /** Asking a floor anew would wake all that lies on it. */
+    private boolean canMove(int body) {
+        byte kind = colliders.bodies.kind[body];
+        return kind == BodyStore.DYNAMIC || kind == BodyStore.ASLEEP;
     }
 
     private void refilter(int body) {

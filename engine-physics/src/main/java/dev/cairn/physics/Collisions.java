@@ -43,6 +43,9 @@ public final class Collisions {
      */
     public void setHook(@Nullable ContactHook hook) {
         world.requireBetweenSteps("setHook");
+        if (hook != world.physics.hooks.get()) {
+            world.physics.wakeAll(); // it may let through what lies on a floor
+        }
         world.physics.hooks.set(hook);
     }
 

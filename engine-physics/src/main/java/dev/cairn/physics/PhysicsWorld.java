@@ -603,7 +603,7 @@ public final class PhysicsWorld implements AutoCloseable {
         Checks.finite("gravity z", z);
         requireOpen("setGravity");
         if (x != physics.gravityX || y != physics.gravityY || z != physics.gravityZ) {
-            physics.table.sleepers.wakeAll(physics.table.bodies.slotCount);
+            physics.wakeAll();
         }
         physics.gravityX = x;
         physics.gravityY = y;
