@@ -24,13 +24,15 @@ final class AllocationProbe {
 
     private static long bytes(SampleScene scene, int ticks, int workers) {
         AllocationMeter meter = new AllocationMeter();
+        SceneOptions options = SceneOptions.defaults(scene);
         try (PhysicsWorld world =
                 PhysicsWorld.builder()
                         .gravity(0, -SampleScene.GRAVITY, 0)
                         .workers(workers)
                         .sleeping(false)
+                        .systems(scene.systems(options))
                         .build()) {
-            SceneBuilder built = scene.build(new SceneBuilder(world, SceneOptions.defaults(scene)));
+            SceneBuilder built = scene.build(new SceneBuilder(world, options));
             meter.attach();
             long sum = 0;
             for (int tick = 1; tick <= ticks; tick++) {

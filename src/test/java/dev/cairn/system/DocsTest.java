@@ -142,6 +142,37 @@ final class DocsTest {
         }
     }
 
+    /** The page links to each of the ten, and each is short. */
+    @Test
+    void theEverydayProgramsAreTenAndShort() throws IOException {
+        String folder = "src/test/java/dev/cairn/system/tutorial/";
+        String everyday = Files.readString(ROOT.resolve(folder + "EverydayTest.java"));
+        Pattern program =
+                Pattern.compile("    @Test\n    void (\\w+)\\(\\) .*?\n    }\n", Pattern.DOTALL);
+        List<String> names = new ArrayList<>();
+        for (Matcher m = program.matcher(everyday); m.find(); ) {
+            names.add(m.group(1));
+            long lines = m.group().lines().count();
+            assertTrue(lines < 30, m.group(1) + " has " + lines + " lines, expected below 30");
+        }
+        assertEquals(
+                List.of(
+                        "fallingBox",
+                        "wind",
+                        "trigger",
+                        "layers",
+                        "platform",
+                        "compound",
+                        "conveyor",
+                        "oneWay",
+                        "picking",
+                        "ensembleOfWorlds"),
+                names);
+        for (String name : names) {
+            assertTrue(page("tutorials.md").contains("| `" + name + "` |"), name);
+        }
+    }
+
     @Test
     void whatIsSaidToBeThereIsThere() throws ClassNotFoundException, IOException {
         String table = page("features.md");

@@ -7,8 +7,16 @@ import dev.cairn.samples.SceneRegistry;
 import dev.cairn.samples.SceneReport;
 import dev.cairn.samples.SceneRun;
 
-/** Prints, for every scene, the bytes per tick that its runner reports; one line each. */
+/**
+ * Prints, for every scene, the bytes per tick that its runner reports; one line each.
+ *
+ * <p>While HotSpot still compiles, each window of ticks that the runner looks at may hold a
+ * compilation, which costs bytes on the thread that asks for it. What ticks themselves allocate
+ * comes back in every run; so a run that reports bytes is repeated, and the least counts.
+ */
 final class SteadyProbe {
+    private static final int RUNS = 4;
+
     private SteadyProbe() {}
 
     /** Argument: workers. */
@@ -19,9 +27,13 @@ final class SteadyProbe {
             SceneOptions options = SceneOptions.defaults(scene);
             // short scenes run on: a window of few ticks may each time hold a compilation
             int ticks = Math.max(scene.ticks(), 240);
-            SceneReport report =
-                    new SceneRun(scene, options, ticks, workers, substeps).run(() -> {});
-            System.out.println(scene.id() + " " + report.allocatedBytesPerTick());
+            double least = Double.POSITIVE_INFINITY;
+            for (int run = 0; run < RUNS && least > 0; run++) {
+                SceneReport report =
+                        new SceneRun(scene, options, ticks, workers, substeps).run(() -> {});
+                least = Math.min(least, report.allocatedBytesPerTick());
+            }
+            System.out.println(scene.id() + " " + least);
         }
     }
 }

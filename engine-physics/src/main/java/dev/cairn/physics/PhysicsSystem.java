@@ -195,7 +195,12 @@ final class PhysicsSystem implements WorldSystem, Stateful {
                     tick.stepSeconds(),
                     tick.jobs());
             seams.part(tick.jobs());
-            sweeps.finish();
+            sweeps.finish(
+                    table.roster.dynamic,
+                    table.roster.dynamicCount,
+                    table.broadPhase,
+                    hooks.get() != null,
+                    tick.jobs());
         }
         table.roster.motion.end(
                 table.roster.kinematic, table.roster.kinematicCount, tick.stepSeconds());

@@ -1,7 +1,6 @@
 package dev.cairn.physics;
 
 import dev.cairn.core.ecs.Component;
-import dev.cairn.core.ecs.ComponentCodec;
 import dev.cairn.core.ecs.EcsSystem;
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
@@ -380,23 +379,13 @@ public final class PhysicsWorld implements AutoCloseable {
      */
     public void restore(WorldState state) {
         requireBetweenSteps("restore");
-        WorldState back = Checks.notNull("state", state).isRead() && !hasFailed() ? save() : null;
-        try {
-            state.restore(whole);
-        } catch (RuntimeException refusal) {
-            if (back != null) {
-                back.restore(whole);
-            }
-            throw refusal instanceof StateException told
-                    ? told
-                    : new StateException(
-                            "the state is not one of such a world: " + refusal, refusal);
-        }
+        Checks.notNull("state", state).restoreOrKeep(whole, !hasFailed());
     }
 
     /**
      * How a state of such a world becomes bytes: {@code state.writeTo(file,
-     * PhysicsWorld.codecs())}. Objects of the user need codecs of their own, by {@code with(..)}.
+     * PhysicsWorld.codecs())}. Columns of components need no more, where {@link World#codecs} says
+     * so; other objects of the user need codecs of their own, by {@code with(..)}.
      *
      * @param components those that entities may have beside the ones of this module
      * @return codecs of shapes, filters, components and references
@@ -406,17 +395,16 @@ public final class PhysicsWorld implements AutoCloseable {
         all.addAll(List.of(Pose.COMPONENT, Visual.COMPONENT, Velocity.COMPONENT));
         all.addAll(List.of(Force.COMPONENT, Torque.COMPONENT));
         all.addAll(List.of(RigidBody.COMPONENT, NewBody.COMPONENT, Body.Change.COMPONENT));
-        return StateCodecs.STANDARD
+        return World.codecs(all.toArray(new Component<?>[0]))
                 .with(ShapeCodecs.all().toArray(new StateCodec<?>[0]))
                 .with(Collider.CODEC, BodyRef.CODEC, ColliderRef.CODEC, PhysicsSettings.CODEC)
-                .with(Filter.CODEC, Joints.codec())
-                .with(new ComponentCodec(all.toArray(new Component<?>[0])));
+                .with(Filter.CODEC, Joints.codec());
     }
 
     /**
-     * A second world in the same state, which goes on by itself: with the systems, resources, pair
-     * filter and contact hook of this one, and without its listeners. Both use the same workers, so
-     * they must be stepped one after the other. Close it when it is done.
+     * A second world in the same state, which goes on by itself: with the systems, observers,
+     * resources, pair filter and contact hook of this one, and without its listeners. Both use the
+     * same workers, so they must be stepped one after the other. Close it when it is done.
      *
      * @return another world; {@link #bodyOf} finds its bodies by their entities
      */
@@ -442,6 +430,7 @@ public final class PhysicsWorld implements AutoCloseable {
         twin.physics.hooks.set(physics.hooks.get());
         twin.physics.table.collision.askAs(physics.table.collision);
         twin.ecs.putResourcesOf(ecs);
+        twin.ecs.putObserversOf(ecs);
         twin.restore(save());
         return twin;
     }

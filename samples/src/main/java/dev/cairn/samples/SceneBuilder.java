@@ -50,6 +50,7 @@ public final class SceneBuilder {
     private double stepSeconds = SampleScene.STEP_SECONDS;
     private double gravityTurn;
     private long tick;
+    private boolean hasSystems;
 
     /**
      * Where a scene wants to be seen from. World frame, metres.
@@ -372,10 +373,24 @@ public final class SceneBuilder {
     /**
      * Whether the scene does something before ticks, which a scene file cannot hold.
      *
-     * @return true if {@link #beforeTick(TickHook)} was called
+     * @return true if {@link #beforeTick(TickHook)} was called, or systems of the scene act
      */
     public boolean actsBeforeTicks() {
-        return !before.isEmpty();
+        return hasSystems || !before.isEmpty();
+    }
+
+    SceneOptions options() {
+        return options;
+    }
+
+    void needs(String scene, String system) {
+        if (!world.ecs().schedule().systems().contains(system)) {
+            throw new IllegalArgumentException(
+                    "scene %s needs the system \"%s\", which its world lacks: build the world with"
+                                    .formatted(scene, system)
+                            + " PhysicsWorld.builder().systems(scene.systems(options))");
+        }
+        hasSystems = true;
     }
 
     /**
@@ -507,6 +522,15 @@ public final class SceneBuilder {
         for (int i = 0; i < after.size(); i++) {
             after.get(i).run(tick, tick * stepSeconds);
         }
+    }
+
+    /**
+     * Counts on from another tick, since the world was put back to its state then.
+     *
+     * @param number of the tick, at least 0
+     */
+    public void returnTo(long number) {
+        tick = number;
     }
 
     /**

@@ -47,6 +47,7 @@ import dev.cairn.samples.scenes.stack.ManyPyramids;
 import dev.cairn.samples.scenes.stack.Overhang;
 import dev.cairn.samples.scenes.stack.Pyramid;
 import dev.cairn.samples.scenes.stack.StackOfBoxes;
+import dev.cairn.samples.scenes.water.Floating;
 
 import java.util.List;
 
@@ -99,6 +100,7 @@ public final class SceneRegistry {
                     Carried.platform(),
                     Carried.lift(),
                     Carried.turntable(),
+                    Floating.scene(),
                     Pendulums.single(),
                     Pendulums.twofold(),
                     Chains.heavy(),

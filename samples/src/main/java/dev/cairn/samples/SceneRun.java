@@ -198,6 +198,7 @@ public final class SceneRun {
                                         .withPrecision(precision))
                         .sleeping(sleeping)
                         .seed(options.seed())
+                        .systems(scene.systems(options))
                         .build()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
             meter.attach();

@@ -75,13 +75,15 @@ class SceneRegistryTest {
     @MethodSource("ids")
     void sceneStaysFiniteAndHasALook(String id) {
         SampleScene scene = SceneRegistry.get(id);
+        SceneOptions options = SceneOptions.defaults(scene);
         try (PhysicsWorld world =
                 PhysicsWorld.builder()
                         .sleeping(false)
                         .gravity(0, -SampleScene.GRAVITY, 0)
                         .workers(1)
+                        .systems(scene.systems(options))
                         .build()) {
-            SceneBuilder built = scene.build(new SceneBuilder(world, SceneOptions.defaults(scene)));
+            SceneBuilder built = scene.build(new SceneBuilder(world, options));
             assertEquals(built.bodies().size(), world.bodyCount());
             for (int tick = 0; tick < TICKS; tick++) {
                 built.beforeTick();
@@ -137,6 +139,28 @@ class SceneRegistryTest {
     void freeFallIsTheParabola() {
         SceneReport report = run("free-fall", 60, 1);
         assertTrue(report.errors().get("positionMetres") < 1e-9, report.errors().toString());
+    }
+
+    /** Archimedes' depth, the period of heaving and the speed of what drifts, as in WeatherTest. */
+    @Test
+    void floatingCubesFollowTheClosedForms() {
+        Map<String, Double> errors = run("buoyancy", 600, 2).errors();
+        assertTrue(errors.get("depthMetres") < 1e-9, errors.toString());
+        assertTrue(errors.get("driftMetresPerSecond") < 1e-9, errors.toString());
+        assertTrue(Math.abs(errors.get("periodRelative")) < 1e-3, errors.toString());
+    }
+
+    /** A world without water would let the cubes fall, so it is refused. */
+    @Test
+    void aSceneWithSystemsRefusesAWorldWithoutThem() {
+        SampleScene scene = SceneRegistry.get("buoyancy");
+        try (PhysicsWorld world = PhysicsWorld.builder().build()) {
+            SceneBuilder builder = new SceneBuilder(world, SceneOptions.defaults(scene));
+            String told =
+                    assertThrows(IllegalArgumentException.class, () -> scene.build(builder))
+                            .getMessage();
+            assertTrue(told.contains("needs the system \"buoyancy\""), told);
+        }
     }
 
     @Test

@@ -9,8 +9,7 @@ import dev.cairn.physics.component.Force;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.samples.weather.Buoyancy;
 import dev.cairn.samples.weather.Hull;
-import dev.cairn.samples.weather.Lift;
-import dev.cairn.samples.weather.Weather;
+import dev.cairn.samples.weather.Wind;
 
 import org.junit.jupiter.api.Test;
 
@@ -25,7 +24,7 @@ class WeatherTest {
     private static PhysicsWorld sea(double windX, int workers) {
         return PhysicsWorld.builder()
                 .workers(workers)
-                .systems(new Buoyancy(WATER, GRAVITY), new Weather(windX, 0))
+                .systems(new Buoyancy(WATER, GRAVITY), new Wind(windX, 0))
                 .build();
     }
 
@@ -36,7 +35,7 @@ class WeatherTest {
                         .shape(Box.cubeOfHalfExtent(0.5))
                         .mass(density)
                         .at(0, y, 0)
-                        .with(new Hull(1, 0.5, drag), Lift.NONE, Force.ZERO));
+                        .with(new Hull(1, 0.5, drag), Force.ZERO));
     }
 
     /** In balance {@code rho_w d = rho H}: a crate put there stays. */

@@ -38,6 +38,7 @@ public final class Access {
     private final List<Component<?>> with = new ArrayList<>();
     private final List<Component<?>> optional = new ArrayList<>();
     private final List<Component<?>> exclude = new ArrayList<>();
+    private boolean commands;
     private boolean closed;
 
     Access(String system) {
@@ -119,6 +120,31 @@ public final class Access {
     }
 
     /**
+     * The system gives commands, by {@link Tick#commands}; without this they are refused. Commands
+     * of two systems are made in the order of the systems, which decides what an entity is left
+     * with and which ids are given. So two systems that give commands need an order, as two writers
+     * do: one that follows from {@code next}, or {@link #before} or {@link #after}.
+     *
+     * @return this
+     */
+    public Access commands() {
+        if (closed) {
+            throw changedLate();
+        }
+        commands = true;
+        return this;
+    }
+
+    boolean givesCommands() {
+        return commands;
+    }
+
+    private IllegalStateException changedLate() {
+        return new IllegalStateException(
+                "system '" + system + "' changed its access after describe had returned");
+    }
+
+    /**
      * Asks that the system runs before others, where what they read and write leaves it open: both
      * write the same component, say, or are world systems. Which systems run in a tick at all is
      * not changed by it.
@@ -142,8 +168,7 @@ public final class Access {
 
     private Access ask(List<String> list, String call, String... systems) {
         if (closed) {
-            throw new IllegalStateException(
-                    "system '" + system + "' changed its access after describe had returned");
+            throw changedLate();
         }
         Objects.requireNonNull(systems, "systems must not be null");
         for (String name : systems) {
@@ -197,8 +222,7 @@ public final class Access {
 
     private Access note(List<Component<?>> list, String call, Component<?>... components) {
         if (closed) {
-            throw new IllegalStateException(
-                    "system '" + system + "' changed its access after describe had returned");
+            throw changedLate();
         }
         Objects.requireNonNull(components, "components must not be null");
         for (Component<?> component : components) {
@@ -258,6 +282,7 @@ public final class Access {
     /** An open copy. */
     Access copy() {
         Access copy = new Access(system);
+        copy.commands = commands;
         copy.in.addAll(in);
         copy.out.addAll(out);
         copy.all.addAll(all);
@@ -351,6 +376,9 @@ public final class Access {
         append(text, "optionalNext", optionalNext);
         append(text, "with", with);
         append(text, "exclude", exclude);
+        if (commands) {
+            text.append(text.isEmpty() ? "" : " ").append("commands");
+        }
         return text.toString();
     }
 

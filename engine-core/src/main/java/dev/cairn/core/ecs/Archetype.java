@@ -33,6 +33,9 @@ final class Archetype {
     /** Names of the components, for the digest. */
     final long signature;
 
+    /** Who observes a component of these, in the order of registration. */
+    Observers.Watch<?>[] watches = Observers.Watch.NONE;
+
     Slab[] slabs = new Slab[0];
     int rows;
 

@@ -8,8 +8,8 @@ import java.util.Objects;
 /**
  * Structural changes that a system asks for during a tick. They are recorded per (system, chunk),
  * in the order of the calls, and made at commit in the order of (system, chunk, sequence), so the
- * result does not depend on which worker came first. Systems count in the order of {@link
- * Schedule#printGraph}.
+ * result does not depend on which worker came first. A system declares that it gives commands
+ * ({@link Access#commands}), and two that do have an order.
  *
  * <p>What concerns a dead entity is refused when it is recorded. What has become pointless by the
  * time of the commit, because an earlier command of the same tick deleted the entity or removed the
@@ -27,6 +27,9 @@ public final class Commands {
     private static final byte REMOVE = 4;
     private static final byte CLEAR = 5;
     private static final byte SET = 6;
+
+    /** How long observers may go on asking for changes that are told to observers. */
+    private static final int MOST_ROUNDS = 1000;
 
     private final Store store;
     private final Handles handles;
@@ -157,8 +160,7 @@ public final class Commands {
     /** Forgets what was recorded and spawned: the world has another state. */
     void forget() {
         tick = -1;
-        Arrays.fill(payloads, 0, count, null);
-        count = 0;
+        drop();
         spawns = 0;
         resolved = 0;
     }
@@ -198,16 +200,39 @@ public final class Commands {
             return 0;
         }
         int skipped = 0;
+        int round = 0;
+        int roundEnd = count;
         for (int i = 0; i < count; i++) {
+            if (i == roundEnd) { // observers have asked for more meanwhile
+                roundEnd = count;
+                requireEnd(++round, payloads[i]);
+            }
             if (operations[i] == SPAWN) {
                 i += applySpawn(i);
             } else if (!apply(operations[i], targets[i], payloads[i])) {
                 skipped++;
             }
         }
+        drop();
+        return skipped;
+    }
+
+    /** Without what was recorded. */
+    void drop() {
         Arrays.fill(payloads, 0, count, null);
         count = 0;
-        return skipped;
+    }
+
+    private static void requireEnd(int round, @Nullable Object payload) {
+        if (round > MOST_ROUNDS) {
+            throw new IllegalStateException(
+                    "observers have answered each other's commands for "
+                            + MOST_ROUNDS
+                            + " rounds, the last one with "
+                            + payload
+                            + "; one of them asks for what it is told of itself, so let it ask"
+                            + " for an end first");
+        }
     }
 
     private int applySpawn(int at) {

@@ -6,9 +6,8 @@ package dev.cairn.core.ecs;
  */
 public sealed interface EcsSystem permits ChunkSystem, WorldSystem {
     /**
-     * The system's name, unique in its schedule; by default the simple name of its class. Systems
-     * of one level apply their commands in the order of their names, so a name is part of the
-     * result.
+     * The system's name, unique in its schedule; by default the simple name of its class. It names
+     * the system in {@link Access#before}, in messages and in the profile; no result depends on it.
      *
      * @return the name, never blank
      */

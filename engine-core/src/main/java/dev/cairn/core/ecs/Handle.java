@@ -5,7 +5,11 @@ package dev.cairn.core.ecs;
  * of system, 20 of chunk, 7 of tick and 24 of ordinal.
  */
 final class Handle {
-    static final int MAX_SYSTEMS = 1 << 12;
+    static final int MAX_SYSTEMS = (1 << 12) - 1;
+
+    /** In place of a system's number: the observers of the world. */
+    static final int OBSERVERS = MAX_SYSTEMS;
+
     private static final int MAX_CHUNKS = 1 << 20;
     private static final int MAX_SPAWNS = 1 << 24;
 
@@ -36,7 +40,7 @@ final class Handle {
     }
 
     static int system(long handle) {
-        return (int) (handle >>> 51) & MAX_SYSTEMS - 1;
+        return (int) (handle >>> 51) & OBSERVERS;
     }
 
     static int chunk(long handle) {

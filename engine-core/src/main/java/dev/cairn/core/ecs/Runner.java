@@ -36,6 +36,7 @@ final class Runner implements Commands.Handles {
         }
         this.systems = all.toArray(SystemRunner[]::new);
         this.levels = stages.toArray(Level[]::new);
+        store.observers.resolveBy(this);
     }
 
     /** Computes and publishes a tick; returns how many commands were skipped. */
@@ -57,7 +58,7 @@ final class Runner implements Commands.Handles {
         for (SystemRunner system : systems) {
             skipped += system.applyCommands(tick);
         }
-        return skipped;
+        return skipped + store.observers.applyCommands();
     }
 
     private void compute() {
@@ -83,11 +84,15 @@ final class Runner implements Commands.Handles {
         for (SystemRunner system : systems) {
             system.forgetCommands();
         }
+        store.observers.forget();
     }
 
     @Override
     public long entityOf(long handle) {
         int system = Handle.system(handle);
+        if (system == Handle.OBSERVERS) {
+            return store.observers.entityOf(handle);
+        }
         return system < systems.length ? systems[system].entityOf(handle) : Entities.NONE;
     }
 
@@ -101,10 +106,13 @@ final class Runner implements Commands.Handles {
                         "tick "
                                 + tick
                                 + " failed in "
-                                + first.place()
+                                + first.place
                                 + ": "
                                 + first.failure
-                                + "; it was not published, and this world cannot step again",
+                                + (first.isPublished
+                                        ? "; its changes are made, but this world cannot step again"
+                                        : "; it was not published, and this world cannot step"
+                                                + " again"),
                         first.failure);
         for (Throwable other : first.getSuppressed()) {
             failure.addSuppressed(other instanceof SystemFailure f ? f.failure : other);

@@ -12,9 +12,9 @@ import java.util.Objects;
  * Systems, and the graph that follows from what they declare. A system that reads a component with
  * {@code next} runs after the systems that write it, and one that asks with {@link Access#before}
  * or {@link Access#after} as it asked; nothing else orders two systems. Where that leaves open what
- * matters, because both write one component of the same entities or both are a {@link WorldSystem},
- * the schedule does not build and says what to ask for. So the graph, and every result, is the same
- * in whichever order systems were registered.
+ * matters, because both write one component of the same entities, both give commands, or both are a
+ * {@link WorldSystem}, the schedule does not build and says what to ask for. So the graph, and
+ * every result, is the same in whichever order systems were registered.
  *
  * <pre>{@code
  * Schedule schedule = Schedule.builder()
@@ -228,8 +228,8 @@ public final class Schedule {
                         throw new SchedulingException(
                                 "two systems are named '"
                                         + name
-                                        + "'; names order commands and must be unique, so return"
-                                        + " another one from name()");
+                                        + "'; names are unique, since others ask for order by them,"
+                                        + " so return another one from name()");
                     }
                 }
             }
@@ -242,8 +242,8 @@ public final class Schedule {
          * Derives the graph.
          *
          * @return the schedule
-         * @throws SchedulingException if the order of two systems is open that write one component
-         *     or are world systems, or systems wait for each other in a circle
+         * @throws SchedulingException if the order of two systems is open that write one component,
+         *     give commands or are world systems, or systems wait for each other in a circle
          */
         public Schedule build() {
             List<Entry> sorted = new ArrayList<>(entries.size());

@@ -69,6 +69,16 @@ final class ScheduleGraph {
                             + " the describe method of one of them: "
                             + remedy(a, b));
         }
+        if (!ordered && a.access().givesCommands() && b.access().givesCommands()) {
+            throw new SchedulingException(
+                    a
+                            + " and "
+                            + b
+                            + " both give commands, and nothing says whose are made first, which"
+                            + " decides what an entity is left with and which ids are given. Ask"
+                            + " for it in the describe method of one of them: "
+                            + remedy(a, b));
+        }
         if (a.access().isDisjoint(b.access())) {
             return;
         }

@@ -1,5 +1,6 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.Observers.What;
 import dev.cairn.core.state.StateVisitor;
 
 import org.jspecify.annotations.Nullable;
@@ -18,6 +19,7 @@ import java.util.Map;
 final class Store {
     final EntityTable entities = new EntityTable();
     final List<Archetype> archetypes = new ArrayList<>();
+    final Observers observers = new Observers(this);
 
     /** Goes up when an archetype appears or the number of used slabs of one changes. */
     long structureVersion = 1;
@@ -51,6 +53,7 @@ final class Store {
             return known;
         }
         Archetype created = new Archetype(archetypes.size(), set, members);
+        created.watches = observers.of(created);
         archetypes.add(created);
         bySet.put(set, created);
         structureVersion++;
@@ -69,6 +72,7 @@ final class Store {
         long entity = append(plan.archetype);
         int local = ChunkSizes.local(plan.archetype.rows - 1);
         plan.write(0, a, lastSlab(plan.archetype), local);
+        observers.tellAll(What.ADDED, entity, plan.archetype, plan.archetype.rows - 1);
         return entity;
     }
 
@@ -82,6 +86,7 @@ final class Store {
         Slab slab = lastSlab(plan.archetype);
         plan.write(0, a, slab, local);
         plan.write(1, b, slab, local);
+        observers.tellAll(What.ADDED, entity, plan.archetype, plan.archetype.rows - 1);
         return entity;
     }
 
@@ -104,6 +109,7 @@ final class Store {
         for (int part = 0; part < records.length; part++) {
             plan.write(part, records[part], slab, local);
         }
+        observers.tellAll(What.ADDED, entity, plan.archetype, plan.archetype.rows - 1);
         return entity;
     }
 
@@ -157,6 +163,7 @@ final class Store {
 
     void delete(long entity) {
         long place = require(entity, "delete");
+        observers.tellAll(What.REMOVED, entity, archetype(place), row(place));
         removeRow(archetype(place), row(place));
         entities.free(entity);
     }
@@ -194,6 +201,7 @@ final class Store {
         int row = move(entity, from, row(place), to);
         component.codec.write(
                 value, to.slab(row).published, to.base(component), ChunkSizes.local(row));
+        observers.tell(What.ADDED, entity, to, row, component);
     }
 
     void remove(long entity, Component<?> component) {
@@ -202,6 +210,7 @@ final class Store {
         if (!from.has(component)) {
             throw absent(entity, component, "there is nothing to remove; ask has first");
         }
+        observers.tell(What.REMOVED, entity, from, row(place), component);
         Archetype to = from.shrunkBy(component);
         if (to == null) {
             List<Component<?>> members = new ArrayList<>(Arrays.asList(from.components));
@@ -217,6 +226,7 @@ final class Store {
         long place = require(entity, "clear");
         Archetype from = archetype(place);
         if (from != empty) {
+            observers.tellAll(What.REMOVED, entity, from, row(place));
             move(entity, from, row(place), empty);
         }
     }
@@ -278,6 +288,7 @@ final class Store {
         }
         int row = row(place);
         Slab slab = archetype.slab(row);
+        observers.keep(archetype, row, component);
         component.codec.write(value, slab.published, base, ChunkSizes.local(row));
         Arrays.fill(slab.versions, base, base + component.fields.length, tick);
         if (component.equals(watched)) {
@@ -286,6 +297,7 @@ final class Store {
             }
             told[toldCount++] = entity;
         }
+        observers.tell(What.SET, entity, archetype, row, component);
     }
 
     private Archetype archetype(long place) {

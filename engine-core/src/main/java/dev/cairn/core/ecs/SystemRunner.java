@@ -12,6 +12,7 @@ final class SystemRunner {
     final @Nullable ChunkSystem chunkSystem;
     final @Nullable WorldSystem worldSystem;
     boolean active;
+    private final boolean givesCommands;
 
     private final Schedule.@Nullable Entry entry;
     private final Store store;
@@ -32,6 +33,7 @@ final class SystemRunner {
             boolean checked) {
         this.entry = entry;
         this.name = access.system;
+        this.givesCommands = access.givesCommands();
         this.index = index;
         this.store = store;
         this.handles = handles;
@@ -73,7 +75,7 @@ final class SystemRunner {
                 guard.after(chunk);
             }
         } catch (Throwable failure) {
-            throw new SystemFailure(name, index, failure);
+            throw SystemFailure.of(name, index, failure);
         }
     }
 
@@ -92,11 +94,18 @@ final class SystemRunner {
                 guard.after(chunks);
             }
         } catch (Throwable failure) {
-            throw new SystemFailure(name, -1, failure);
+            throw SystemFailure.of(name, -1, failure);
         }
     }
 
     Commands commands(int block, long tick) {
+        if (!givesCommands) {
+            throw new AccessException(
+                    "system '"
+                            + name
+                            + "' gives commands, but has not declared it; add access.commands() to"
+                            + " its describe method");
+        }
         Commands buffer = commands[block];
         if (buffer == null) {
             buffer = new Commands(store, handles, index, block, thread);

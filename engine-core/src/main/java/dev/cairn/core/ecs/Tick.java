@@ -87,6 +87,7 @@ public final class Tick {
      * thread.
      *
      * @return the recorder, valid during this call
+     * @throws AccessException if the system has not declared {@link Access#commands}
      */
     public Commands commands() {
         return system.commands(block, number);

@@ -2,6 +2,7 @@ package dev.cairn.core.ecs;
 
 import dev.cairn.core.job.Jobs;
 import dev.cairn.core.profile.SystemProfile;
+import dev.cairn.core.state.StateCodecs;
 import dev.cairn.core.state.StateException;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
@@ -42,7 +43,9 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
     private final Runner runner;
     private double stepSeconds;
     private int skipped;
-    private boolean failed;
+
+    /** The tick in which a system or an observer threw, or 0. */
+    private long failedTick;
 
     /** While a tick runs: its thread; and whether the chunks of systems run in parallel. */
     private volatile @Nullable Thread stepThread;
@@ -98,10 +101,10 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
      */
     public void step(double stepSeconds) {
         requireChangeable("step");
-        if (failed) {
+        if (failedTick != 0) {
             throw new WorldFailedException(
                     "this world failed in tick "
-                            + (tickNumber + 1)
+                            + failedTick
                             + " and cannot step again; its last good state can still be read",
                     null);
         }
@@ -113,14 +116,18 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
         }
         stepping = true;
         stepThread = Thread.currentThread();
+        long tick = tickNumber + 1;
         try {
-            long tick = tickNumber + 1;
             skipped = runner.run(tick, stepSeconds);
             tickNumber = tick;
             this.stepSeconds = stepSeconds;
+            SystemFailure told = store.observers.takeFailure();
+            if (told != null) {
+                throw told;
+            }
         } catch (Throwable failure) {
-            failed = true;
-            throw Runner.explain(failure, tickNumber + 1);
+            failedTick = tick;
+            throw Runner.explain(failure, tick);
         } finally {
             stepping = false;
             stepThread = null;
@@ -202,12 +209,28 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
      * given again. A world that has failed can step again.
      *
      * @param state what to restore
-     * @throws StateException if it is the state of something else
+     * @throws StateException if it is the state of something else; the world is as before if the
+     *     state came from bytes, and else needs another state
      * @throws IllegalStateException during a step
      */
     public void restore(WorldState state) {
         requireChangeable("restore");
-        state.restore(this);
+        state.restoreOrKeep(this, failedTick == 0);
+    }
+
+    /**
+     * How a state of such a world becomes bytes: {@code state.writeTo(file, World.codecs(WIND))}.
+     * Columns of numbers and texts need no more; nor do those of enums, arrays of primitives, and
+     * records of such, as {@link StateCodecs#derived} makes them. Objects of other classes need
+     * codecs of their own, by {@code with(..)}.
+     *
+     * @param components all that entities may have
+     * @return codecs
+     */
+    public static StateCodecs codecs(Component<?>... components) {
+        return StateCodecs.STANDARD
+                .derived(ComponentCodec.classes(components))
+                .with(new ComponentCodec(components));
     }
 
     /**
@@ -217,10 +240,10 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
      */
     @Override
     public void state(StateVisitor s) {
-        if (failed && !s.isRestoring()) {
+        if (failedTick != 0 && !s.isRestoring()) {
             throw new WorldFailedException(
                     "this world failed in tick "
-                            + (tickNumber + 1)
+                            + failedTick
                             + ", so its state is no state to go on from; restore an earlier one",
                     null);
         }
@@ -231,18 +254,18 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
         skipped = s.value("skipped", skipped);
         store.state(s);
         if (s.isRestoring()) {
-            failed = false;
+            failedTick = 0;
             runner.forgetCommands();
         }
     }
 
     /**
-     * Whether a system threw in a step, so that this world cannot step again.
+     * Whether a system or an observer threw in a step, so that this world cannot step again.
      *
      * @return whether it has failed
      */
     public boolean hasFailed() {
-        return failed;
+        return failedTick != 0;
     }
 
     /**

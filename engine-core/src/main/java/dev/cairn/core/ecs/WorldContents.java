@@ -34,7 +34,7 @@ abstract sealed class WorldContents permits World {
     public final long spawn(Record... components) {
         requireChangeable("spawn");
         requireParts(components);
-        return components.length == 0 ? store.spawn() : store.spawn(components);
+        return settled(components.length == 0 ? store.spawn() : store.spawn(components));
     }
 
     /**
@@ -45,7 +45,7 @@ abstract sealed class WorldContents permits World {
      */
     public final long spawn(Record a) {
         requireChangeable("spawn");
-        return store.spawn(requirePart(a));
+        return settled(store.spawn(requirePart(a)));
     }
 
     /**
@@ -57,7 +57,7 @@ abstract sealed class WorldContents permits World {
      */
     public final long spawn(Record a, Record b) {
         requireChangeable("spawn");
-        return store.spawn(requirePart(a), requirePart(b));
+        return settled(store.spawn(requirePart(a), requirePart(b)));
     }
 
     /**
@@ -70,7 +70,7 @@ abstract sealed class WorldContents permits World {
      */
     public final long spawn(Record a, Record b, Record c) {
         requireChangeable("spawn");
-        return store.spawn(new Record[] {requirePart(a), requirePart(b), requirePart(c)});
+        return settled(store.spawn(new Record[] {requirePart(a), requirePart(b), requirePart(c)}));
     }
 
     /**
@@ -84,8 +84,11 @@ abstract sealed class WorldContents permits World {
      */
     public final long spawn(Record a, Record b, Record c, Record d) {
         requireChangeable("spawn");
-        return store.spawn(
-                new Record[] {requirePart(a), requirePart(b), requirePart(c), requirePart(d)});
+        return settled(
+                store.spawn(
+                        new Record[] {
+                            requirePart(a), requirePart(b), requirePart(c), requirePart(d)
+                        }));
     }
 
     /**
@@ -107,6 +110,7 @@ abstract sealed class WorldContents permits World {
         }
         long[] entities = new long[count];
         store.spawnMany(entities, components);
+        store.observers.settle();
         return entities;
     }
 
@@ -119,6 +123,7 @@ abstract sealed class WorldContents permits World {
     public final void delete(long entity) {
         requireChangeable("delete");
         store.delete(entity);
+        store.observers.settle();
     }
 
     /**
@@ -143,6 +148,7 @@ abstract sealed class WorldContents permits World {
     public final void add(long entity, Record component) {
         requireChangeable("add");
         store.add(entity, requirePart(component));
+        store.observers.settle();
     }
 
     /**
@@ -159,6 +165,7 @@ abstract sealed class WorldContents permits World {
         requireChangeable("remove");
         requireKey(component);
         store.remove(entity, component);
+        store.observers.settle();
     }
 
     /**
@@ -170,6 +177,7 @@ abstract sealed class WorldContents permits World {
     public final void clear(long entity) {
         requireChangeable("clear");
         store.clear(entity);
+        store.observers.settle();
     }
 
     /**
@@ -217,6 +225,7 @@ abstract sealed class WorldContents permits World {
     public final void set(long entity, Record component) {
         requireChangeable("set");
         store.set(entity, requirePart(component));
+        store.observers.settle();
     }
 
     /**
@@ -343,6 +352,52 @@ abstract sealed class WorldContents permits World {
         store.toldCount = 0;
     }
 
+    /**
+     * Tells an observer of each change of a component from now on; see {@link Observer} for when
+     * and in which order. Observers are no part of the state: they stay when another one is
+     * restored, which they are not told of.
+     *
+     * @param component the component
+     * @param observer is told; as systems, by all worlds that it is given to
+     * @param <T> the record
+     * @throws NullPointerException if an argument is null
+     * @throws IllegalStateException if it observes this component already, or during a step
+     */
+    public final <T extends Record> void observe(Component<T> component, Observer<T> observer) {
+        requireChangeable("observe");
+        requireKey(component);
+        Objects.requireNonNull(observer, "observer must not be null");
+        store.observers.add(new Observers.Watch<>((World) this, component, observer));
+    }
+
+    /**
+     * Tells an observer no longer.
+     *
+     * @param component the component
+     * @param observer what was passed to {@link #observe}
+     * @return whether it was told until now
+     */
+    public final boolean unobserve(Component<?> component, Observer<?> observer) {
+        requireChangeable("unobserve");
+        return store.observers.remove(component, observer);
+    }
+
+    /**
+     * Tells all that another world tells, behind the own ones and in the same order.
+     *
+     * @param other whose observers these are
+     */
+    public final void putObserversOf(World other) {
+        requireChangeable("putObserversOf");
+        store.observers.addAll(((WorldContents) other).store.observers, (World) this);
+    }
+
+    /** After a direct change: what observers asked for is made. */
+    private long settled(long entity) {
+        store.observers.settle();
+        return entity;
+    }
+
     final void requireChangeable(String call) {
         if (closed) {
             throw new WorldClosedException(call + " was called on a world that is closed");
@@ -352,6 +407,13 @@ abstract sealed class WorldContents permits World {
     }
 
     final void requireBetweenSteps(String call) {
+        if (store.observers.calling) {
+            throw new IllegalStateException(
+                    call
+                            + " was called by an observer while a change is being made; an"
+                            + " observer reads by its change and by get, and asks for changes by"
+                            + " change.commands()");
+        }
         if (stepping) {
             throw new IllegalStateException(
                     call

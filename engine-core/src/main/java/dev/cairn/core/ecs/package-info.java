@@ -31,9 +31,12 @@
  *       not build.
  *   <li>{@code next} reads what was written in this tick, so it orders two systems. The levels of a
  *       tick follow from it and from {@code before} and {@code after}; world systems, which may
- *       share what they do not declare, need an order. No name decides what is computed.
+ *       share what they do not declare, need an order, and so do two systems that give commands. No
+ *       name decides what is computed.
  *   <li>The structure stands during a tick. Systems ask for changes by {@link
  *       dev.cairn.core.ecs.Commands}; between steps the user changes it directly.
+ *   <li>Observers are told of changes of structure and values as they are made, in the order in
+ *       which they registered, and ask for more by commands of their own, which come last.
  *   <li>Rows are dense: a deleted row is filled by the last one. An id is an index and a
  *       generation, and is never given twice.
  *   <li>Random numbers are a function of seed, tick, entity and stream.

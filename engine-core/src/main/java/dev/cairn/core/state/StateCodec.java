@@ -1,5 +1,6 @@
 package dev.cairn.core.state;
 
+import java.lang.invoke.MethodHandles;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 
@@ -26,6 +27,36 @@ public interface StateCodec<T> {
             BiConsumer<T, StateOutput> writing,
             Function<StateInput, T> reading) {
         return new FunctionCodec<>(type, name, writing, reading);
+    }
+
+    /**
+     * A codec of a record that follows from its components: primitives, texts, constants of enums,
+     * arrays of primitives, and records of such; all but primitives may be null. The names and
+     * types of the components are written once with the records, and a record whose components are
+     * others by then is refused with the name of the first that differs.
+     *
+     * @param type the record
+     * @param <T> the record
+     * @return the codec, under the name of the class
+     * @throws IllegalArgumentException if there is a component of another type, or the module of
+     *     the record keeps it from us
+     */
+    static <T extends Record> StateCodec<T> ofRecord(Class<T> type) {
+        return ofRecord(MethodHandles.lookup(), type);
+    }
+
+    /**
+     * The same for records in a named module that is not open to {@code dev.cairn.core}.
+     *
+     * @param lookup {@code MethodHandles.lookup()} of a class in the package of the record
+     * @param type the record
+     * @param <T> the record
+     * @return the codec, under the name of the class
+     * @throws IllegalArgumentException if there is a component of another type, or it is not
+     *     reached
+     */
+    static <T extends Record> StateCodec<T> ofRecord(MethodHandles.Lookup lookup, Class<T> type) {
+        return new RecordParts<>(lookup, type);
     }
 
     /**

@@ -2,6 +2,7 @@ package dev.cairn.core.state;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 
@@ -68,11 +69,27 @@ public final class StateCodecs {
      */
     public <E extends Enum<E>> StateCodecs withEnum(Class<E> type) {
         return with(
-                StateCodec.of(
-                        type,
-                        type.getName(),
-                        (value, out) -> out.writeString(value.name()),
-                        in -> Enum.valueOf(type, in.readString())));
+                new Derived<>(type, Objects.requireNonNull(Parts.whole(type), "an enumeration")));
+    }
+
+    /**
+     * These, and codecs that follow from classes themselves: records by their components as {@link
+     * StateCodec#ofRecord} does, enums by the names of their constants, arrays of primitives. Other
+     * classes, and those that have a codec, are left as they are: what has none is refused when it
+     * would be written.
+     *
+     * @param types classes of the objects that are to be written
+     * @return new codecs
+     */
+    public StateCodecs derived(Class<?>... types) {
+        StateCodecs all = this;
+        for (Class<?> type : types) {
+            StateCodec<?> codec = all.byType.containsKey(type) ? null : Derived.of(type);
+            if (codec != null) {
+                all = all.with(codec);
+            }
+        }
+        return all;
     }
 
     void write(Object value, StateOutput out) {
@@ -82,9 +99,10 @@ public final class StateCodecs {
         if (codec == null) {
             throw new StateException(
                     "the state holds an object of "
-                            + type.getName()
+                            + type.getTypeName()
                             + ", and there is no codec that writes it; add one by"
-                            + " StateCodecs.with(..)");
+                            + " StateCodecs.with(..)"
+                            + (type.isRecord() ? ", which StateCodec.ofRecord makes" : ""));
         }
         out.writeString(codec.name());
         writeBy(codec, value, out);

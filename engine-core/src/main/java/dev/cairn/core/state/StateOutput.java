@@ -69,12 +69,31 @@ public final class StateOutput {
     /**
      * Writes a text.
      *
-     * @param text any
+     * @param text any that is well formed
+     * @throws StateException if there is half a pair of surrogates in it, which no bytes can keep
      */
     public void writeString(String text) {
+        requireWhole(text);
         byte[] utf8 = text.getBytes(StandardCharsets.UTF_8);
         writeInt(utf8.length);
         writeBytes(utf8, utf8.length);
+    }
+
+    private static void requireWhole(String text) {
+        for (int i = 0; i < text.length(); i++) {
+            char letter = text.charAt(i);
+            if (Character.isSurrogate(letter)) {
+                if (Character.charCount(text.codePointAt(i)) == 1) {
+                    throw new StateException(
+                            "the character at "
+                                    + i
+                                    + " of a text is half a pair of surrogates (0x"
+                                    + Integer.toHexString(letter)
+                                    + "), which is no character; take it out");
+                }
+                i++;
+            }
+        }
     }
 
     /**

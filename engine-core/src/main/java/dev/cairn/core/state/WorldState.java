@@ -172,6 +172,33 @@ public final class WorldState {
     }
 
     /**
+     * Restores what came from bytes, and if it does not fit, what was there before; a state of this
+     * process is only restored.
+     *
+     * @param root what is restored
+     * @param keeps whether there is something to keep
+     * @throws StateException if it is the state of something else
+     */
+    public void restoreOrKeep(Stateful root, boolean keeps) {
+        WorldState back = null;
+        if (isRead && keeps) {
+            back = new WorldState();
+            back.save(root);
+        }
+        try {
+            restore(root);
+        } catch (RuntimeException refusal) {
+            if (back != null) {
+                back.restore(root);
+            }
+            throw refusal instanceof StateException told
+                    ? told
+                    : new StateException(
+                            "the state is not one of such a world: " + refusal, refusal);
+        }
+    }
+
+    /**
      * Gives back all that was saved. Allocates nothing where the same was restored before.
      *
      * @param root of the same kind as what was saved

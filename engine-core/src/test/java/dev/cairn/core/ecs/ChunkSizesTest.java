@@ -82,7 +82,7 @@ class ChunkSizesTest {
         ChunkSystem split =
                 Fixtures.chunks(
                         "split",
-                        access -> access.writesAll(Fixtures.POSITION),
+                        access -> access.writesAll(Fixtures.POSITION).commands(),
                         (chunk, tick) -> {
                             double[] from = chunk.in(Fixtures.X);
                             double[] to = chunk.out(Fixtures.X);

@@ -21,7 +21,7 @@ class CommandsTest {
     private static WorldSystem once(String name, Consumer<Tick> body, String... after) {
         return world(
                 name,
-                a -> a.after(after),
+                a -> a.commands().after(after),
                 tick -> {
                     if (tick.number() == 1) {
                         body.accept(tick);
@@ -55,7 +55,7 @@ class CommandsTest {
         ChunkSystem mother =
                 chunks(
                         "mother",
-                        a -> a.in(POSITION).with(TAG),
+                        a -> a.in(POSITION).with(TAG).commands(),
                         (chunk, tick) -> {
                             double[] x = chunk.in(X);
                             for (int row = 0; row < chunk.size(); row += 100) {

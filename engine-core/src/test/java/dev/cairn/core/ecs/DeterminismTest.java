@@ -53,7 +53,7 @@ class DeterminismTest {
         systems.add(
                 chunks(
                         "life",
-                        a -> a.in(POSITION).optional(FORCE),
+                        a -> a.in(POSITION).optional(FORCE).commands().before("tags"),
                         (chunk, tick) -> {
                             for (int row = 0; row < chunk.size(); row++) {
                                 live(chunk, row, tick);
@@ -62,7 +62,7 @@ class DeterminismTest {
         systems.add(
                 chunks(
                         "tags",
-                        a -> a.in(VELOCITY).with(TAG),
+                        a -> a.in(VELOCITY).with(TAG).commands(),
                         (chunk, tick) -> {
                             for (int row = 0; row < chunk.size(); row += 3) {
                                 tick.commands().remove(chunk.entity(row), TAG);

@@ -36,7 +36,7 @@ class FailureTest {
         EcsSystem a =
                 chunks(
                         "a",
-                        access -> access.out(POSITION),
+                        access -> access.out(POSITION).commands(),
                         (chunk, tick) -> {
                             chunk.out(X)[0] = 99;
                             ran.incrementAndGet();
@@ -127,7 +127,7 @@ class FailureTest {
         EcsSystem system =
                 world(
                         "s",
-                        a -> {},
+                        a -> a.commands(),
                         tick -> {
                             Commands commands = tick.commands();
                             Throwable[] thrown = new Throwable[1];

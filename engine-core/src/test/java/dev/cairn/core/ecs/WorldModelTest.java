@@ -42,7 +42,7 @@ class WorldModelTest {
         WorldSystem recorder =
                 world(
                         "recorder",
-                        access -> {},
+                        access -> access.commands(),
                         tick -> {
                             for (Operation operation : pending) {
                                 operation.record(tick.commands());

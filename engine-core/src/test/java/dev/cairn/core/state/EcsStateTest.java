@@ -40,7 +40,7 @@ class EcsStateTest {
 
         @Override
         public void describe(Access access) {
-            access.out(PLACE);
+            access.out(PLACE).commands();
         }
 
         @Override

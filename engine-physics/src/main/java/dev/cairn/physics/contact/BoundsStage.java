@@ -49,6 +49,9 @@ public final class BoundsStage {
      */
     double[] ahead = {};
 
+    /** Of each collider: where its centre was when the tick began, world, m, x, y and z. */
+    double[] start = {};
+
     private byte[] state = {};
     private double[] box = {};
     private int[] blockChanges = {};
@@ -105,6 +108,7 @@ public final class BoundsStage {
         }
         int n = Math.max(capacity, Math.max(64, state.length + (state.length >> 1)));
         ahead = Arrays.copyOf(ahead, AHEAD * n);
+        start = Arrays.copyOf(start, 3 * n);
         state = Arrays.copyOf(state, n);
         box = Arrays.copyOf(box, 6 * n);
         blockChanges = new int[Blocks.count(n, BODIES_PER_BLOCK)];
@@ -260,6 +264,9 @@ public final class BoundsStage {
     }
 
     private void setAhead(int collider, double x, double y, double z, double arc) {
+        start[3 * collider] = colliders.poses.positionX[collider];
+        start[3 * collider + 1] = colliders.poses.positionY[collider];
+        start[3 * collider + 2] = colliders.poses.positionZ[collider];
         int at = AHEAD * collider;
         ahead[at] = x;
         ahead[at + 1] = y;

@@ -1,10 +1,20 @@
 package dev.cairn.physics.contact;
 
+import dev.cairn.core.job.BlockJob;
+import dev.cairn.core.job.Blocks;
+import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.broadphase.AabbTree;
+import dev.cairn.physics.broadphase.BroadPhase;
+import dev.cairn.physics.broadphase.RayWalk;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.NarrowPhase;
+import dev.cairn.physics.narrowphase.pair.Reach;
+import dev.cairn.physics.query.Hit;
+import dev.cairn.physics.query.Placement;
+import dev.cairn.physics.query.ShapeQueries;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 
@@ -13,13 +23,26 @@ import dev.cairn.physics.shape.Sphere;
  * body is and whatever its contacts did.
  *
  * <p>A contact has the points of one moment. A stick that strikes with a tip at a thousand metres a
- * second turns about it by many rounds within the tick, and its contacts know of none. So the way
- * of the centre over the whole tick is looked at afterwards; where it meets the other surface, the
- * body stops there, and loses the rest of the tick and the speed at which it went in. Only bodies
- * that cover more than a part of their inner radius in a tick; of these, in almost all cases,
- * contacts have done it, and nothing is changed.
+ * second turns about it by many rounds within the tick, and its contacts know of none; and who is
+ * struck within the tick goes where nobody looked for contacts. So the way of the centre over the
+ * whole tick is looked at afterwards; where it meets the other surface, the body stops there, and
+ * loses the rest of the tick and the speed at which it went in.
+ *
+ * <pre>
+ *   bodies ─▶ fast: covered more than a part of the inner radius; in blocks
+ *   rows   ─▶ those of fast bodies with what does not answer; in blocks
+ *   guard  ─▶ the way of the centre against each, in row order
+ *   struck ─▶ fast bodies that left the box of which pairs were made: the static tree, along the way
+ * </pre>
+ *
+ * <p>In almost all cases contacts have done it, and nothing is changed. What a {@link
+ * dev.cairn.physics.collider.ContactHook} lets through is let through: while there is one, only
+ * rows that were solved are looked at.
  */
 final class CentreGuard {
+    private static final int BODIES_PER_BLOCK = 256;
+    private static final int ROWS_PER_BLOCK = 512;
+
     /** Of the inner radius: what covers less in a tick is not looked at. */
     private static final double FAST = 0.5;
 
@@ -30,40 +53,194 @@ final class CentreGuard {
 
     private static final Shape POINT = Sphere.of(1e-50);
 
-    private final ColliderStore colliders;
-    private final NarrowPhase narrowPhase = new NarrowPhase();
+    private final BlockJob bodiesJob = this::bodiesBlock;
+    private final BlockJob rowsJob = this::rowsBlock;
 
-    CentreGuard(ColliderStore colliders) {
+    private final ColliderStore colliders;
+    private final ContactStore contacts;
+    private final BoundsStage bounds;
+    private final NarrowPhase narrowPhase = new NarrowPhase();
+    private final RayWalk walk = new RayWalk();
+    private final ShapeQueries queries = new ShapeQueries();
+    private final Placement surface = new Placement();
+    private final Hit hit = new Hit();
+    private final double[] box = new double[6];
+
+    private int[] dynamic = {};
+    private int dynamicCount;
+
+    /** By body slot: it was fast in this tick. */
+    private boolean[] fast = {};
+
+    /** By block of bodies: how many are fast; by block of rows: how many are looked at. */
+    private int[] fastCount = {}, rowCount = {};
+
+    CentreGuard(ColliderStore colliders, ContactStore contacts, BoundsStage bounds) {
         this.colliders = colliders;
+        this.contacts = contacts;
+        this.bounds = bounds;
     }
 
     /**
-     * Whether the body of a row is to be looked at after the solve.
+     * Looks at where bodies have gone; after the solve.
      *
-     * @return 0 if not; 1 if it is body A, 2 if it is B
+     * @param bodies slots of the dynamic bodies that were moved
+     * @param isHooked whether a hook may let bodies through
      */
-    byte watches(ContactStore c, int row, double step) {
-        BodyStore s = colliders.bodies;
-        int a = c.bodyA[row];
-        int b = c.bodyB[row];
-        boolean movesA = s.kind[a] == BodyStore.DYNAMIC;
-        boolean movesB = s.kind[b] == BodyStore.DYNAMIC;
-        if (movesA == movesB) {
-            return 0;
+    void run(int[] bodies, int count, BroadPhase broadPhase, boolean isHooked, Jobs jobs) {
+        dynamic = bodies;
+        dynamicCount = count;
+        int bodyBlocks = Blocks.count(count, BODIES_PER_BLOCK);
+        int rowBlocks = Blocks.count(contacts.activeCount, ROWS_PER_BLOCK);
+        ensure(bodyBlocks, rowBlocks);
+        jobs.run(bodiesJob, bodyBlocks);
+        boolean any = false;
+        for (int b = 0; b < bodyBlocks; b++) {
+            any |= fastCount[b] > 0;
         }
-        int body = movesA ? a : b;
-        if (colliders.isChild(movesA ? c.colliderA[row] : c.colliderB[row])) {
-            return 0;
+        if (!any) {
+            return;
         }
-        double v = length(s.velocityX[body], s.velocityY[body], s.velocityZ[body]);
-        double w =
-                length(
-                        s.angularVelocityX[body],
-                        s.angularVelocityY[body],
-                        s.angularVelocityZ[body]);
-        double inner = colliders.innerRadius[body];
-        double turn = Math.max(0, colliders.outerRadius[body] - 2 * inner);
-        return step * (v + w * turn) > FAST * inner ? (byte) (movesA ? 1 : 2) : 0;
+        jobs.run(rowsJob, rowBlocks);
+        for (int b = 0; b < rowBlocks; b++) {
+            if (rowCount[b] > 0) {
+                guardRows(b, isHooked);
+            }
+        }
+        if (isHooked) {
+            return;
+        }
+        for (int b = 0; b < bodyBlocks; b++) {
+            if (fastCount[b] > 0) {
+                guardStruck(b, broadPhase);
+            }
+        }
+    }
+
+    private void ensure(int bodyBlocks, int rowBlocks) {
+        if (fast.length < colliders.slotCount) {
+            fast = new boolean[colliders.poses.positionX.length];
+        }
+        if (fastCount.length < bodyBlocks) {
+            fastCount = new int[Blocks.count(colliders.poses.positionX.length, BODIES_PER_BLOCK)];
+        }
+        if (rowCount.length < rowBlocks) {
+            rowCount = new int[Blocks.count(contacts.bodyA.length, ROWS_PER_BLOCK)];
+        }
+    }
+
+    private void bodiesBlock(int block, int worker) {
+        int end = Blocks.end(block, BODIES_PER_BLOCK, dynamicCount);
+        int count = 0;
+        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
+            int slot = dynamic[i];
+            fast[slot] = isFast(slot);
+            count += fast[slot] ? 1 : 0;
+        }
+        fastCount[block] = count;
+    }
+
+    private boolean isFast(int s) {
+        double x = wayX(s);
+        double y = wayY(s);
+        double z = wayZ(s);
+        double least = FAST * colliders.innerRadius[s];
+        // a body of several shapes has a centre that may be in none of them
+        return x * x + y * y + z * z > least * least
+                && least > 0
+                && colliders.bodies.collider[s] == s
+                && colliders.next[s] == ColliderStore.NONE
+                && !colliders.sensor[s];
+    }
+
+    private double wayX(int c) {
+        return colliders.poses.positionX[c] - bounds.start[3 * c];
+    }
+
+    private double wayY(int c) {
+        return colliders.poses.positionY[c] - bounds.start[3 * c + 1];
+    }
+
+    private double wayZ(int c) {
+        return colliders.poses.positionZ[c] - bounds.start[3 * c + 2];
+    }
+
+    private void rowsBlock(int block, int worker) {
+        int end = Blocks.end(block, ROWS_PER_BLOCK, contacts.activeCount);
+        int count = 0;
+        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
+            count += looksAt(contacts.active[i]) ? 1 : 0;
+        }
+        rowCount[block] = count;
+    }
+
+    /** Whether one body of a row was fast and the other one does not answer. */
+    private boolean looksAt(int row) {
+        byte[] kind = colliders.bodies.kind;
+        int a = contacts.bodyA[row];
+        int b = contacts.bodyB[row];
+        return kind[a] == BodyStore.DYNAMIC
+                ? fast[a] && kind[b] != BodyStore.DYNAMIC
+                : kind[b] == BodyStore.DYNAMIC && fast[b];
+    }
+
+    private void guardRows(int block, boolean isHooked) {
+        ContactStore c = contacts;
+        int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
+        for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
+            int row = c.active[i];
+            if (!looksAt(row) || (isHooked && !c.isSolved(row))) {
+                continue;
+            }
+            boolean movesA = colliders.bodies.kind[c.bodyA[row]] == BodyStore.DYNAMIC;
+            int other = movesA ? c.colliderB[row] : c.colliderA[row];
+            keepOut(movesA ? c.bodyA[row] : c.bodyB[row], other);
+        }
+    }
+
+    /** Who has left its box meets what is in no pair with it. */
+    private void guardStruck(int block, BroadPhase broadPhase) {
+        int end = Blocks.end(block, BODIES_PER_BLOCK, dynamicCount);
+        for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
+            int slot = dynamic[i];
+            if (fast[slot] && !isInBox(slot, broadPhase.fatBoxes())) {
+                follow(slot, broadPhase);
+            }
+        }
+    }
+
+    private boolean isInBox(int slot, double[] fat) {
+        Poses p = colliders.poses;
+        int at = 6 * slot;
+        return fat[at] <= p.positionX[slot]
+                && fat[at + 1] <= p.positionY[slot]
+                && fat[at + 2] <= p.positionZ[slot]
+                && p.positionX[slot] <= fat[at + 3]
+                && p.positionY[slot] <= fat[at + 4]
+                && p.positionZ[slot] <= fat[at + 5];
+    }
+
+    private void follow(int slot, BroadPhase broadPhase) {
+        double x = wayX(slot);
+        double y = wayY(slot);
+        double z = wayZ(slot);
+        double way = length(x, y, z);
+        double reach = AWAY * colliders.innerRadius[slot];
+        for (int axis = 0; axis < 3; axis++) {
+            box[axis] = bounds.start[3 * slot + axis] - reach;
+            box[axis + 3] = bounds.start[3 * slot + axis] + reach;
+        }
+        walk.start(broadPhase.staticTree(), box, x / way, y / way, z / way);
+        for (int other = walk.next(way);
+                other != AabbTree.NONE;
+                other = walk.next(length(wayX(slot), wayY(slot), wayZ(slot)))) {
+            if (colliders.bodies.kind[colliders.body[other]] != BodyStore.DYNAMIC
+                    && !colliders.sensor[other]
+                    && !broadPhase.isPair(slot, other)
+                    && broadPhase.admits(slot, other)) {
+                keepOut(slot, other);
+            }
+        }
     }
 
     private static double length(double x, double y, double z) {
@@ -75,19 +252,24 @@ final class CentreGuard {
      *
      * @param body a dynamic one
      * @param other a collider that is where it is at the end of the tick
-     * @param from where the other one's centre was from the body's, at the start, three numbers
      */
-    void keepOut(int body, int other, double[] from, int at) {
+    private void keepOut(int body, int other) {
         Poses p = colliders.poses;
-        double x = from[at];
-        double y = from[at + 1];
-        double z = from[at + 2];
-        double wayX = p.apartX(body, other) - x;
-        double wayY = p.apartY(body, other) - y;
-        double wayZ = p.apartZ(body, other) - z;
+        boolean moves = isDriven(colliders.body[other]);
+        double wayX = (moves ? wayX(other) : 0) - wayX(body);
+        double wayY = (moves ? wayY(other) : 0) - wayY(body);
+        double wayZ = (moves ? wayZ(other) : 0) - wayZ(body);
+        double x = p.apartX(body, other) - wayX;
+        double y = p.apartY(body, other) - wayY;
+        double z = p.apartZ(body, other) - wayZ;
         double inner = colliders.innerRadius[body];
         double square = wayX * wayX + wayY * wayY + wayZ * wayZ;
         if (!(square > FAST * FAST * inner * inner)) {
+            return;
+        }
+        if (!Reach.fits(colliders.shape[other])) {
+            place(surface, other, x, y, z);
+            keepBefore(body, wayX, wayY, wayZ, Math.sqrt(square));
             return;
         }
         double away = Math.min(AWAY * inner, 0.5 * distance(other, x, y, z));
@@ -110,7 +292,62 @@ final class CentreGuard {
             }
             t += d / closing;
         }
-        stop(body, wayX, wayY, wayZ, 1 - t);
+        double nx = narrowPhase.axisX();
+        double ny = narrowPhase.axisY();
+        double nz = narrowPhase.axisZ();
+        stop(body, (1 - t) * wayX, (1 - t) * wayY, (1 - t) * wayZ, nx, ny, nz);
+    }
+
+    private void place(Placement to, int other, double x, double y, double z) {
+        Poses p = colliders.poses;
+        to.setCentre(
+                colliders.shape[other],
+                x,
+                y,
+                z,
+                p.orientationX[other],
+                p.orientationY[other],
+                p.orientationZ[other],
+                p.orientationW[other]);
+    }
+
+    /**
+     * The same for a surface without an inside, {@link #surface}: there the way is a ray. What
+     * comes from the back of a one-sided triangle passes.
+     */
+    private void keepBefore(int body, double wayX, double wayY, double wayZ, double way) {
+        double inner = colliders.innerRadius[body];
+        // it may end before the surface, and yet too near
+        if (!queries.rayCast(surface, 0, 0, 0, -wayX, -wayY, -wayZ, way + inner, hit)) {
+            return;
+        }
+        double closing = hit.normalX() * wayX + hit.normalY() * wayY + hit.normalZ() * wayZ;
+        double height = hit.distance() * closing / way;
+        double away = Math.min(AWAY * inner, 0.5 * height);
+        double rest = 1 - hit.distance() / way + away / closing;
+        if (!(rest > 0)) {
+            return;
+        }
+        stop(
+                body,
+                rest * wayX,
+                rest * wayY,
+                rest * wayZ,
+                -hit.normalX(),
+                -hit.normalY(),
+                -hit.normalZ());
+    }
+
+    /** Whether a body that does not answer moves by itself. */
+    private boolean isDriven(int body) {
+        BodyStore s = colliders.bodies;
+        return s.kind[body] == BodyStore.KINEMATIC
+                && (s.velocityX[body] != 0
+                        || s.velocityY[body] != 0
+                        || s.velocityZ[body] != 0
+                        || s.angularVelocityX[body] != 0
+                        || s.angularVelocityY[body] != 0
+                        || s.angularVelocityZ[body] != 0);
     }
 
     private double distance(int other, double x, double y, double z) {
@@ -131,13 +368,11 @@ final class CentreGuard {
                 z);
     }
 
-    /** Takes the rest of its way from a body, and what goes in of its velocity. */
-    private void stop(int body, double wayX, double wayY, double wayZ, double rest) {
+    /** Takes back the rest of its way from a body, and what goes in of its velocity. */
+    private void stop(
+            int body, double backX, double backY, double backZ, double nx, double ny, double nz) {
         BodyStore s = colliders.bodies;
-        s.move(body, rest * wayX, rest * wayY, rest * wayZ);
-        double nx = narrowPhase.axisX();
-        double ny = narrowPhase.axisY();
-        double nz = narrowPhase.axisZ();
+        s.move(body, backX, backY, backZ);
         double in = nx * s.velocityX[body] + ny * s.velocityY[body] + nz * s.velocityZ[body];
         if (in > 0) {
             s.velocityX[body] -= in * nx;

@@ -3,6 +3,7 @@ package dev.cairn.physics.contact;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
@@ -54,15 +55,6 @@ public final class SweepStage {
     /** By active row. */
     private byte[] state = {};
 
-    /** By active row: see {@link CentreGuard#watches}; and where the other one was then. */
-    private byte[] watched = {};
-
-    private double[] from = {};
-    private int rows;
-
-    /** How many rows of a block are watched. */
-    private int[] watching = {};
-
     /** How many rows of a block are closing. */
     private int[] closing = {};
 
@@ -94,7 +86,7 @@ public final class SweepStage {
         this.bounds = bounds;
         this.edges = edges;
         points = new PointStore(colliders);
-        guard = new CentreGuard(colliders);
+        guard = new CentreGuard(colliders, contacts, bounds);
     }
 
     /**
@@ -111,15 +103,11 @@ public final class SweepStage {
         if (state.length < count) {
             state = new byte[contacts.bodyA.length];
             closing = new int[Blocks.count(state.length, ROWS_PER_BLOCK)];
-            watching = new int[closing.length];
-            watched = new byte[state.length];
-            from = new double[3 * state.length];
         }
         if (bound.length < slots) {
             bound = new boolean[slots + (slots >> 1)];
             meets = new boolean[bound.length];
         }
-        rows = count;
         Arrays.fill(bound, 0, slots, false);
         jobs.run(sortJob, blocks);
         boolean any = false;
@@ -165,20 +153,13 @@ public final class SweepStage {
         ContactStore c = contacts;
         int end = Blocks.end(block, ROWS_PER_BLOCK, c.activeCount);
         int count = 0;
-        int watches = 0;
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = c.active[i];
             state[i] = HARMLESS;
-            watched[i] = 0;
             if (!c.isSolved(row)) {
                 continue;
             }
             state[i] = look(row);
-            watched[i] = state[i] == HARMLESS ? 0 : guard.watches(c, row, step);
-            if (watched[i] != 0) {
-                watch(i, row);
-                watches++;
-            }
             if (state[i] == TOUCHING) {
                 bound[c.bodyA[row]] = true;
                 bound[c.bodyB[row]] = true;
@@ -187,37 +168,19 @@ public final class SweepStage {
             }
         }
         closing[block] = count;
-        watching[block] = watches;
     }
 
-    private void watch(int i, int row) {
-        int body = watched[i] == 1 ? contacts.bodyA[row] : contacts.bodyB[row];
-        int other = watched[i] == 1 ? contacts.colliderB[row] : contacts.colliderA[row];
-        from[3 * i] = colliders.poses.apartX(body, other);
-        from[3 * i + 1] = colliders.poses.apartY(body, other);
-        from[3 * i + 2] = colliders.poses.apartZ(body, other);
-    }
-
-    /** Looks at where fast bodies have gone; after the solve, in row order. */
-    public void finish() {
-        int blocks = Blocks.count(rows, ROWS_PER_BLOCK);
-        for (int b = 0; b < blocks; b++) {
-            if (watching[b] == 0) {
-                continue;
-            }
-            int end = Blocks.end(b, ROWS_PER_BLOCK, rows);
-            for (int i = Blocks.begin(b, ROWS_PER_BLOCK); i < end; i++) {
-                int row = contacts.active[i];
-                if (!contacts.isSolved(row)) {
-                    continue; // a hook lets it through
-                }
-                if (watched[i] == 1) {
-                    guard.keepOut(contacts.bodyA[row], contacts.colliderB[row], from, 3 * i);
-                } else if (watched[i] == 2) {
-                    guard.keepOut(contacts.bodyB[row], contacts.colliderA[row], from, 3 * i);
-                }
-            }
-        }
+    /**
+     * Looks at where fast bodies have gone; after the solve.
+     *
+     * @param dynamic slots of the dynamic bodies that were moved
+     * @param count how many there are
+     * @param broadPhase boxes of the tick
+     * @param isHooked whether a hook may let bodies through
+     */
+    public void finish(
+            int[] dynamic, int count, BroadPhase broadPhase, boolean isHooked, Jobs jobs) {
+        guard.run(dynamic, count, broadPhase, isHooked, jobs);
     }
 
     private byte look(int row) {

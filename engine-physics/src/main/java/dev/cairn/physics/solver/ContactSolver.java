@@ -204,6 +204,7 @@ public final class ContactSolver {
         tick.gravity[2] = gravityZ;
         timing(stepSeconds);
         tick.body.ensureCapacity(bodies.slotCount);
+        ensureBenches(jobs.workers());
         load(jobs);
         for (int k = Batches.FLOATS; k <= Batches.DOUBLES; k++) {
             if (list.count > 0 && batches.hasBodies(k)) {
@@ -215,7 +216,6 @@ public final class ContactSolver {
         }
         collector.sides.load(bodies, tick.body, contacts, list.source, list.contacts);
         jobs.run(begin, Blocks.count(bodies.slotCount, BODIES_PER_BLOCK));
-        ensureBenches(jobs.workers());
         if (list.count > 0) {
             findTurning();
             for (kind = Batches.FLOATS; kind <= Batches.DOUBLES; kind++) {
@@ -288,6 +288,9 @@ public final class ContactSolver {
                     t.loaded ? settings.count(Tunable.DIRECT_FROM) : Integer.MAX_VALUE,
                     t.weight() * softPace.seconds() * softPace.seconds(),
                     collector.isSame());
+            for (Workbench bench : benches) {
+                bench.direct.reserve(direct);
+            }
         }
     }
 

@@ -133,6 +133,33 @@ class StateBytesTest {
         }
     }
 
+    enum Side {
+        LEFT,
+        RIGHT
+    }
+
+    record Mark(Side side, Wind wind, double[] numbers) {}
+
+    /** Objects in columns need no codec where their class says how. */
+    @Test
+    void componentsOfRecordsNeedOnlyBeNamed() throws IOException {
+        Component<Mark> marks = Component.of(Mark.class);
+        StateCodecs codecs = PhysicsWorld.codecs(marks);
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build();
+                PhysicsWorld other = PhysicsWorld.builder().workers(1).build()) {
+            Mark mark = new Mark(Side.RIGHT, new Wind(2, "east"), new double[] {1, -0.0});
+            BodyRef body = world.add(Body.dynamic().shape(Sphere.of(1)).with(mark));
+            ByteArrayOutputStream out = new ByteArrayOutputStream();
+            world.save().writeTo(out, codecs);
+            other.restore(WorldState.read(new ByteArrayInputStream(out.toByteArray()), codecs));
+            Mark twin = other.ecs().get(body.entity(), marks);
+            assertEquals(mark.side(), twin.side());
+            assertEquals(mark.wind(), twin.wind());
+            assertArrayEquals(mark.numbers(), twin.numbers());
+            assertEquals(world.digest(), other.digest());
+        }
+    }
+
     /** Flipped, cut, shifted and put in: refused with a reason, or the same state. */
     @Test
     void damagedBytesAreRefused() throws IOException {

@@ -147,6 +147,14 @@ public interface Ui {
     double slider(String label, double value, double min, double max, double step, String hint);
 
     /**
+     * Whether the user holds a slider of the present panel with the mouse, moved or not.
+     *
+     * @param label name of the slider
+     * @return true from the press on until the frame after the release
+     */
+    boolean isHeld(String label);
+
+    /**
      * A list that opens on a click, on a row of its own.
      *
      * @param label its name

@@ -73,6 +73,7 @@ public class Sandbox extends Application {
     // The simulation thread's own, from initScene on.
     private final Map<String, SceneOptions> options;
     private final PlotHistory history = new PlotHistory();
+    private final Timeline timeline = new Timeline();
     private final MouseHand hand = new MouseHand();
     private int current;
     private int workers;
@@ -212,6 +213,7 @@ public class Sandbox extends Application {
                         .substeps(edited == null ? substeps : edited.scene().tick().substeps())
                         .sleeping(sleeping)
                         .seed(chosenOptions().seed())
+                        .systems(scenes.get(current).systems(chosenOptions()))
                         .build();
         // The others are parked until the slider asks for them.
         world.ecs().jobs().limit(workers);
@@ -242,6 +244,7 @@ public class Sandbox extends Application {
         thrown = 0;
         problem = "";
         build(scene);
+        remember(scene);
         keepCamera = false;
         refits = false;
         publishState();
@@ -288,6 +291,7 @@ public class Sandbox extends Application {
 
     /** Puts the edited scene as it is now in place of what the world holds. */
     void rebuildEdited() {
+        timeline.begin(scene().physics(), null);
         SceneBuilder old = built;
         if (old != null) {
             old.clear();
@@ -331,10 +335,70 @@ public class Sandbox extends Application {
                                 now.view().place(scene().camera());
                             }
                         })
+                .onKey(Key.COMMA, "back in time", this::back)
+                .onKey(Key.PERIOD, "forth in time", this::forth)
+                .onKey(Key.K, "keep moment", this::keepMoment)
+                .onKey(Key.L, "to kept moment", this::backToKept)
                 .onKey(Key.H, "hide panels", panels::toggleHidden)
                 .onScroll("pull nearer, push away", hand::scroll)
                 .onScroll("raise, lower in the editor", editorPanels::raise);
         editorPanels.bind(scene.bindings());
+    }
+
+    private void remember(Scene scene) {
+        timeline.begin(scene.physics(), stage.rests() ? null : built);
+    }
+
+    // Time; simulation thread ------------------------------------------------------------------
+
+    /** Goes to a moment of the past, or forth again. */
+    void goTo(long tick) {
+        hand.release();
+        timeline.goTo(tick);
+        publishState();
+    }
+
+    /** Pauses, and goes back by a moment. */
+    void back() {
+        setPaused(true);
+        hand.release();
+        timeline.back();
+        publishState();
+    }
+
+    /** Pauses, and goes forth by a moment; beyond the last one by a tick that is computed. */
+    void forth() {
+        if (!isPaused()) {
+            setPaused(true);
+            return;
+        }
+        hand.release();
+        if (timeline.forth()) {
+            publishState();
+        } else {
+            singleStep();
+        }
+    }
+
+    /** Keeps this moment, to come back to it and compare. */
+    void keepMoment() {
+        hand.release();
+        timeline.keep();
+        publishState();
+    }
+
+    /** Goes back to the moment that was kept. */
+    void backToKept() {
+        hand.release();
+        if (timeline.backToKept()) {
+            setPaused(true);
+        }
+        publishState();
+    }
+
+    void forgetFutures() {
+        timeline.forgetFutures();
+        publishState();
     }
 
     // What panels and keys ask for; simulation thread ------------------------------------------
@@ -387,6 +451,12 @@ public class Sandbox extends Application {
         publishState();
     }
 
+    /** Number of the last tick; simulation thread. For tests. */
+    long builtTick() {
+        SceneBuilder now = built;
+        return now == null ? -1 : now.tick();
+    }
+
     /** What keys do; any thread may read, the simulation thread binds. */
     Bindings keyBindings() {
         return scene().bindings();
@@ -422,6 +492,7 @@ public class Sandbox extends Application {
                                                 .withRestitution(0.5))
                                 .name("ball " + ++thrown),
                         Model.of(shape).color(Palette.BASKETBALL));
+        publishState(); // also in a pause
     }
 
     void grab(long entity, double distance, Vector3d localPoint) {
@@ -444,6 +515,7 @@ public class Sandbox extends Application {
 
     @Override
     protected void update(double seconds) {
+        timeline.goingOn();
         SceneBuilder now = built;
         if (now != null) {
             now.beforeTick();
@@ -466,6 +538,7 @@ public class Sandbox extends Application {
                 out.println(now.remarks().get(remarksShown));
             }
         }
+        timeline.remember();
         history.add(scene().physics(), now, millis);
         publishState();
     }
@@ -487,6 +560,7 @@ public class Sandbox extends Application {
         state.entities = stage.entities();
         state.notes = notes();
         hand.describe(state);
+        timeline.describe(state);
         state.history.copy(history);
         states.publish();
     }

@@ -25,6 +25,7 @@ final class SandboxPanels {
     private final Sandbox sandbox;
     private final List<SampleScene> scenes;
     private final SimulationPanel simulation;
+    private final TimePanel time;
     private final List<String> groups = new ArrayList<>();
 
     /** Values that were asked for and may not have come back from the simulation yet. */
@@ -38,6 +39,7 @@ final class SandboxPanels {
         this.sandbox = sandbox;
         this.scenes = scenes;
         this.simulation = new SimulationPanel(sandbox);
+        this.time = new TimePanel(sandbox);
         for (SampleScene scene : scenes) {
             if (!groups.contains(scene.group())) {
                 groups.add(scene.group());
@@ -51,6 +53,7 @@ final class SandboxPanels {
 
     void draw(Ui ui, View view, SandboxState state) {
         hand(view, state);
+        time.ghosts(view, state);
         if (view.pointer().isTurning()) {
             ui.cross(ui.width() / 2, ui.height() / 2, 0xFFFFFF);
         }
@@ -66,11 +69,14 @@ final class SandboxPanels {
         scenes(ui, state, listHeight);
         chosen(ui, state, listHeight + 2 * GAP, height - listHeight - GAP);
         simulation.draw(ui, view, state, height, false);
+        time.draw(ui, state);
     }
 
     /** The part that goes with an edited scene that runs. */
     void drawPlaying(Ui ui, View view, SandboxState state) {
         hand(view, state);
+        time.ghosts(view, state);
+        time.draw(ui, state);
         simulation.draw(ui, view, state, ui.height() - 2 * GAP, true);
     }
 

@@ -3,6 +3,7 @@ package dev.cairn.samples.sandbox;
 import dev.cairn.samples.SceneOptions;
 
 import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
 
 import java.util.Map;
 
@@ -13,6 +14,19 @@ final class SandboxState {
     SceneOptions options = new SceneOptions(Map.of(), SceneOptions.DEFAULT_SEED, null);
     long tick;
     double seconds;
+
+    /** The first and the last tick that can be gone back to. */
+    long oldestTick;
+
+    long newestTick;
+
+    /** The moment that was kept for comparing, or -1. */
+    long keptTick = -1;
+
+    /** What came of it the first time, and how far a body is from there, m; NaN if not known. */
+    @Nullable OtherFuture future;
+
+    double apart = Double.NaN;
     int workers = 1;
     int substeps = 1;
     int bodies;

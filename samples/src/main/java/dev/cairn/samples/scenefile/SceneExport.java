@@ -67,7 +67,11 @@ public final class SceneExport {
      */
     public static SceneFile of(SampleScene scene, SceneOptions options, int substeps, Path folder) {
         try (PhysicsWorld world =
-                PhysicsWorld.builder().gravity(0, -SampleScene.GRAVITY, 0).workers(1).build()) {
+                PhysicsWorld.builder()
+                        .gravity(0, -SampleScene.GRAVITY, 0)
+                        .workers(1)
+                        .systems(scene.systems(options))
+                        .build()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
             Vector3d g = world.gravity(new Vector3d());
             SceneExport export = new SceneExport(folder.toAbsolutePath().normalize());

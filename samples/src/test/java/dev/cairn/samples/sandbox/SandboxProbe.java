@@ -37,6 +37,12 @@ final class SandboxProbe extends Sandbox {
     private long tickBytes;
     private volatile int quietTicks;
 
+    /** Digest of each tick when it came first; how many came again the same, and otherwise. */
+    private final long[] digests = new long[1 << 16];
+
+    private volatile int sameAgain;
+    private volatile int otherAgain;
+
     private SandboxProbe(List<SampleScene> scenes, PrintStream out) {
         super(scenes, Map.of(), 1, 4, false, System.err);
         this.out = out;
@@ -60,7 +66,8 @@ final class SandboxProbe extends Sandbox {
         for (String widget : List.of("boxes", "sink", "Notice", "[1]", "1", "1.5", "2")) {
             line.append(WindowFixture.middle(ui, widget));
         }
-        for (String button : List.of(KeyRows.TAKE, KeyRows.LEAVE, KeyRows.RESET)) {
+        for (String button :
+                List.of(KeyRows.TAKE, KeyRows.LEAVE, KeyRows.RESET, TimePanel.FORGET)) {
             line.append(WindowFixture.middle(ui, button));
         }
         for (String section : SECTIONS) {
@@ -78,7 +85,19 @@ final class SandboxProbe extends Sandbox {
         super.updated(seconds);
         long now = threads.getCurrentThreadAllocatedBytes();
         quietTicks = now == tickBytes ? quietTicks + 1 : 0;
-        tickBytes = now;
+        compare((int) Math.min(builtTick(), digests.length - 1), scene().physics().digest());
+        tickBytes = threads.getCurrentThreadAllocatedBytes();
+    }
+
+    /** Simulation thread. */
+    private void compare(int tick, long digest) {
+        if (digests[tick] == 0) {
+            digests[tick] = digest;
+        } else if (digests[tick] == digest) {
+            sameAgain = sameAgain + 1;
+        } else {
+            otherAgain = otherAgain + 1;
+        }
     }
 
     private String keysOf(String action) {
@@ -98,17 +117,22 @@ final class SandboxProbe extends Sandbox {
 
     @Override
     void shown(Ui ui, View view, SandboxState state) {
+        if (state.id.isEmpty()) {
+            return; // the simulation thread has not built the scene yet
+        }
         // What the frame allocated but for this method.
         long bytes = threads.getCurrentThreadAllocatedBytes() - bytesBefore;
         view.camera().position(eye);
         double[] slider = ui.boundsOf("gap");
+        double[] bar = ui.boundsOf(TimePanel.BAR);
         out.printf(
                 Locale.ROOT,
                 "frame=%d tick=%d worldTick=%d paused=%b eyeX=%.6f eyeY=%.6f eyeZ=%.6f pulling=%b"
-                        + " held=%s heldX=%.6f gap=%.6f sliderX=%.1f sliderY=%.1f sliderWidth=%.1f"
-                        + " sliderHeight=%.1f bodies=%d uiWidth=%.0f uiHeight=%.0f uiScale=%.2f"
-                        + " full=%b substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d"
-                        + " shortened=%d sinkKeys=%s listKeys=%s%s%n",
+                    + " held=%s heldX=%.6f gap=%.6f sliderX=%.1f sliderY=%.1f sliderWidth=%.1f"
+                    + " sliderHeight=%.1f bodies=%d uiWidth=%.0f uiHeight=%.0f uiScale=%.2f full=%b"
+                    + " substeps=%d workers=%d layers=%d bytes=%d help=%b quiet=%d shortened=%d"
+                    + " oldest=%d newest=%d kept=%d future=%b apart=%.9f sameAgain=%d otherAgain=%d"
+                    + " barX=%.1f barY=%.1f barWidth=%.1f sinkKeys=%s listKeys=%s%s%n",
                 view.frames(),
                 state.tick,
                 view.snapshot().tick(),
@@ -136,6 +160,16 @@ final class SandboxProbe extends Sandbox {
                 isHelpShown(),
                 quietTicks,
                 ui.shortened(),
+                state.oldestTick,
+                state.newestTick,
+                state.keptTick,
+                state.future != null,
+                state.apart,
+                sameAgain,
+                otherAgain,
+                bar == null ? -1 : bar[0],
+                bar == null ? -1 : bar[1] + bar[3] / 2,
+                bar == null ? -1 : bar[2],
                 keysOf("sink"),
                 keysOf("list keys"),
                 places(ui));

@@ -241,6 +241,17 @@ abstract class WindowFixture {
         await("three frames", later -> later.number("frame") > seen.number("frame") + 2);
     }
 
+    /** Keeps a picture of the screen for the eyes of a person, where a folder is named. */
+    void look(String name) throws IOException, InterruptedException {
+        String pictures = System.getProperty("window.pictures");
+        if (pictures != null) {
+            ProcessBuilder builder =
+                    new ProcessBuilder("import", "-window", "root", pictures + "/" + name + ".png");
+            builder.environment().put("DISPLAY", display);
+            builder.inheritIO().start().waitFor();
+        }
+    }
+
     /** Waits until the window's thread makes no garbage any more; the first frames make some. */
     void awaitNoGarbage(String what) throws IOException, InterruptedException {
         int[] quiet = new int[1];

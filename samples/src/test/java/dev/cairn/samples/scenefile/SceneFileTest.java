@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.core.ecs.EcsSystem;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.joint.AxisState;
@@ -388,8 +389,9 @@ class SceneFileTest {
     static List<String> idsWithoutHooks() {
         List<String> ids = new ArrayList<>();
         for (SampleScene scene : SceneRegistry.all()) {
-            try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
-                SceneOptions options = SceneOptions.defaults(scene);
+            SceneOptions options = SceneOptions.defaults(scene);
+            EcsSystem[] systems = scene.systems(options);
+            try (PhysicsWorld world = PhysicsWorld.builder().workers(1).systems(systems).build()) {
                 boolean acts = scene.build(new SceneBuilder(world, options)).actsBeforeTicks();
                 if (!acts) {
                     ids.add(scene.id());

@@ -27,8 +27,9 @@ class StateOfEverySceneTest {
         return SceneRegistry.ids();
     }
 
-    private static PhysicsWorld world(int workers, int lanes) {
+    private static PhysicsWorld world(SampleScene scene, int workers, int lanes) {
         return PhysicsWorld.builder()
+                .systems(scene.systems(SceneOptions.defaults(scene)))
                 .settings(PhysicsSettings.DEFAULT.withLanes(lanes))
                 .gravity(0, -SampleScene.GRAVITY, 0)
                 .workers(workers)
@@ -51,7 +52,7 @@ class StateOfEverySceneTest {
 
     private static void goesOn(String id, boolean whole) {
         SampleScene scene = SceneRegistry.get(id);
-        try (PhysicsWorld world = world(1, 1)) {
+        try (PhysicsWorld world = world(scene, 1, 1)) {
             SceneBuilder built = scene.build(new SceneBuilder(world, SceneOptions.defaults(scene)));
             boolean large = !whole && world.bodyCount() > 150;
             int[] marks = large ? new int[] {0, 1, 12} : new int[] {0, 1, 50, 200};
@@ -86,7 +87,7 @@ class StateOfEverySceneTest {
         }
         // a contact hook is a function, which a state does not hold: a fork has it from its world
         boolean hasHook = id.equals("one-way");
-        try (PhysicsWorld other = hasHook ? world.fork() : world(2, 4)) {
+        try (PhysicsWorld other = hasHook ? world.fork() : world(SceneRegistry.get(id), 2, 4)) {
             other.restore(state);
             for (int t = 0; t <= ticks; t++) {
                 assertEquals(digests[t], other.digest(), where + t + ", new world");

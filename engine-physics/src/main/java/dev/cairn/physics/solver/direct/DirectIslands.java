@@ -268,6 +268,24 @@ public final class DirectIslands implements Stateful {
         return factors[2 * island + (soft ? 0 : 1)];
     }
 
+    /** Contacts of the island that has most. */
+    int mostRows() {
+        return largest(firstRow);
+    }
+
+    /** Bodies of the island that has most. */
+    int mostBodies() {
+        return largest(firstBody);
+    }
+
+    private int largest(int[] first) {
+        int most = 0;
+        for (int k = 0; k < count; k++) {
+            most = Math.max(most, first[k + 1] - first[k]);
+        }
+        return most;
+    }
+
     /** Lists the neighbours of the bodies of candidates. */
     private void connect(BodyStore b, EdgeList list) {
         Arrays.fill(firstNeighbour, 0, b.slotCount + 1, 0);

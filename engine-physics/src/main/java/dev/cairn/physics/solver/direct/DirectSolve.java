@@ -81,7 +81,6 @@ public final class DirectSolve {
         bodies = all.firstBody[island + 1] - head;
         from = all.firstRow[island];
         to = all.firstRow[island + 1];
-        ensureCapacity();
         double before = look(rows, sub, soft);
         if (!(before > WORTH * gain)) {
             return;
@@ -124,8 +123,13 @@ public final class DirectSolve {
         }
     }
 
-    private void ensureCapacity() {
-        int contacts = to - from;
+    /**
+     * Makes room for any of these islands. Simulation thread: which worker meets the largest one is
+     * left to timing, and what a tick allocates is not.
+     */
+    public void reserve(DirectIslands all) {
+        int contacts = all.mostRows();
+        int bodies = all.mostBodies();
         if (miss.length < DirectRow.COUNT * contacts) {
             miss = new double[2 * DirectRow.COUNT * contacts];
             stiffness = new double[miss.length];

@@ -128,7 +128,8 @@ public final class Assemblies implements Stateful {
     /** What is known of the bodies' frequencies under tension fades over ticks, see Tension. */
     private void gather() {
         quickCount = 0;
-        for (Assembly assembly : all) {
+        for (int i = 0; i < all.size(); i++) { // an iterator would be garbage
+            Assembly assembly = all.get(i);
             int n = assembly.quick.length;
             if (quickCount + n > quick.length) {
                 quick = Arrays.copyOf(quick, 2 * (quickCount + n));

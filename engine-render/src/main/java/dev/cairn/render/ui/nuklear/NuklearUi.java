@@ -333,6 +333,11 @@ public final class NuklearUi implements Ui, AutoCloseable {
     }
 
     @Override
+    public boolean isHeld(String label) {
+        return movedSlider.equals(label) && movedPanel.equals(panelNow);
+    }
+
+    @Override
     public double slider(
             String label, double value, double min, double max, double step, String hint) {
         if (!(max > min)) {

@@ -1,31 +1,35 @@
 package dev.cairn.render.ui.nuklear;
 
+import dev.cairn.render.ui.TextBuffer;
+
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
 
-/** Numbers as a slider shows them, made anew only when they change. */
+/** Numbers as a slider shows them, made anew only when they change; whole ones without garbage. */
 final class SliderText {
     private static final class Entry {
         private double value = Double.NaN;
-        private String text = "";
+        private final TextBuffer text = new TextBuffer();
     }
 
     private final Map<String, Entry> known = new HashMap<>();
 
-    String of(String label, double value) {
+    CharSequence of(String label, double value) {
         Entry entry = known.computeIfAbsent(label, key -> new Entry());
         if (entry.value != value) {
             entry.value = value;
-            entry.text = text(value);
+            entry.text.clear();
+            if (value == Math.rint(value) && Math.abs(value) < 1e6) {
+                entry.text.put((long) value);
+            } else {
+                entry.text.put(text(value));
+            }
         }
         return entry.text;
     }
 
     private static String text(double value) {
-        if (value == Math.rint(value) && Math.abs(value) < 1e6) {
-            return Long.toString((long) value);
-        }
         double size = Math.abs(value);
         if (size >= 1e5 || size < 1e-3) {
             return String.format(Locale.ROOT, "%.2e", value);

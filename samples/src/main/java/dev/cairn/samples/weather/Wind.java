@@ -9,31 +9,29 @@ import dev.cairn.physics.component.Force;
 import dev.cairn.physics.component.Velocity;
 
 /**
- * The wind, and the sum of all that acts: {@code F = c (u - v)} against the air that moves at u,
- * and the lift of the water.
+ * A steady wind, {@code F = c (u - v)} against the air that moves at u, added to the force of the
+ * water.
  *
  * @param windX velocity of the air, m/s
  * @param windZ velocity of the air, m/s
  */
-public record Weather(double windX, double windZ) implements ChunkSystem {
+public record Wind(double windX, double windZ) implements ChunkSystem {
     private static final DoubleField VX = Velocity.COMPONENT.doubleField("vx");
     private static final DoubleField VZ = Velocity.COMPONENT.doubleField("vz");
     private static final DoubleField DRAG = Hull.COMPONENT.doubleField("drag");
-    private static final DoubleField LIFT = Lift.COMPONENT.doubleField("y");
     private static final DoubleField FX = Force.COMPONENT.doubleField("x");
-    private static final DoubleField FY = Force.COMPONENT.doubleField("y");
     private static final DoubleField FZ = Force.COMPONENT.doubleField("z");
 
     @Override
     public String name() {
-        return "weather";
+        return "wind";
     }
 
     @Override
     public void describe(Access access) {
         access.in(Velocity.COMPONENT, Hull.COMPONENT)
-                .next(Lift.COMPONENT)
-                .writesAll(Force.COMPONENT);
+                .out(Force.COMPONENT)
+                .after(Buoyancy.NAME); // both write Force: which comes first is asked for
     }
 
     @Override
@@ -41,14 +39,11 @@ public record Weather(double windX, double windZ) implements ChunkSystem {
         double[] vx = chunk.in(VX);
         double[] vz = chunk.in(VZ);
         double[] drag = chunk.in(DRAG);
-        double[] lift = chunk.next(LIFT);
         double[] x = chunk.out(FX);
-        double[] y = chunk.out(FY);
         double[] z = chunk.out(FZ);
         for (int row = 0; row < chunk.size(); row++) {
-            x[row] = drag[row] * (windX - vx[row]);
-            y[row] = lift[row];
-            z[row] = drag[row] * (windZ - vz[row]);
+            x[row] += drag[row] * (windX - vx[row]);
+            z[row] += drag[row] * (windZ - vz[row]);
         }
     }
 }
