@@ -202,6 +202,42 @@ class EcsMeetsPhysicsTest {
         }
     }
 
+    private record Fuse(int shards) {}
+
+    private static final Component<Fuse> FUSE = Component.of(Fuse.class);
+
+    /** What bursts leaves shards: observers hear of bodies, and forks have the same ones. */
+    @Test
+    void observersHearOfBodiesAndForksTakeThemAlong() {
+        Observer<Fuse> burst =
+                new Observer<>() {
+                    @Override
+                    public void removed(Change<Fuse> change) {
+                        Pose at = change.world().get(change.entity(), Pose.COMPONENT);
+                        for (int i = 0; i < change.value().shards(); i++) {
+                            Body shard = Body.dynamic().shape(Sphere.of(0.1));
+                            change.commands().spawn(new NewBody(shard.at(at.x(), at.y() + i, 0)));
+                        }
+                    }
+                };
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+            world.ecs().observe(FUSE, burst);
+            BodyRef bomb =
+                    world.add(Body.dynamic().shape(Sphere.of(1)).at(4, 9, 0).with(new Fuse(3)));
+            world.step(STEP);
+            try (PhysicsWorld fork = world.fork()) {
+                for (PhysicsWorld each : List.of(world, fork)) {
+                    each.bodyOf(bomb.entity()).remove();
+                    each.step(STEP);
+                    assertEquals(3, each.bodyCount());
+                    each.validate();
+                    each.step(STEP);
+                }
+                assertEquals(world.digest(), fork.digest());
+            }
+        }
+    }
+
     /** Of blocks that run in parallel; two systems change the same bodies. */
     @Test
     void bodiesChangeByCommandsFromAnySystem() throws IOException {
@@ -328,40 +364,6 @@ class EcsMeetsPhysicsTest {
             assertFalse(world.hasFailed());
             world.step(STEP);
             assertEquals(7, stays.mass(), 0.0, "what was behind it comes with the next step");
-
-    private record Fuse(int shards) {}
-
-    private static final Component<Fuse> FUSE = Component.of(Fuse.class);
-
-    /** What bursts leaves shards: observers hear of bodies, and forks have the same ones. */
-    @Test
-    void observersHearOfBodiesAndForksTakeThemAlong() {
-        Observer<Fuse> burst =
-                new Observer<>() {
-                    @Override
-                    public void removed(Change<Fuse> change) {
-                        Pose at = change.world().get(change.entity(), Pose.COMPONENT);
-                        for (int i = 0; i < change.value().shards(); i++) {
-                            Body shard = Body.dynamic().shape(Sphere.of(0.1));
-                            change.commands().spawn(new NewBody(shard.at(at.x(), at.y() + i, 0)));
-                        }
-                    }
-                };
-        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
-            world.ecs().observe(FUSE, burst);
-            BodyRef bomb =
-                    world.add(Body.dynamic().shape(Sphere.of(1)).at(4, 9, 0).with(new Fuse(3)));
-            world.step(STEP);
-            try (PhysicsWorld fork = world.fork()) {
-                for (PhysicsWorld each : List.of(world, fork)) {
-                    each.bodyOf(bomb.entity()).remove();
-                    each.step(STEP);
-                    assertEquals(3, each.bodyCount());
-                    each.validate();
-                    each.step(STEP);
-                }
-                assertEquals(world.digest(), fork.digest());
-            }
         }
     }
 

@@ -44,11 +44,11 @@ class FilterTest {
         try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
             Scenes.stack(world, 3);
             step(world, 10);
-            assertFalse(world.physics.table.roster.pairFilter.active);
+            assertFalse(world.physics.table.roster.pairFilter.isActive());
             ContactStore rows = world.physics.contacts;
             assertFalse(rows.hooked || rows.belts || rows.compounds || rows.hits || rows.grouped);
             world.bodies().get(1).setFilter(new Filter(1, 1));
-            assertTrue(world.physics.table.roster.pairFilter.active);
+            assertTrue(world.physics.table.roster.pairFilter.isActive());
         }
     }
 
