@@ -315,7 +315,7 @@ class EcsMeetsPhysicsTest {
 
         @Override
         public void describe(Access access) {
-            access.in(RigidBody.COMPONENT, Velocity.COMPONENT);
+            access.in(RigidBody.COMPONENT, Velocity.COMPONENT).commands().before("other");
         }
 
         @Override
