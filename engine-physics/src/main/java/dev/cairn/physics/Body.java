@@ -1,5 +1,6 @@
 package dev.cairn.physics;
 
+import dev.cairn.core.ecs.Component;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.collider.Filter;
@@ -14,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * The description of a body to be, for {@link PhysicsWorld#add}. A builder that can be used again:
@@ -441,5 +443,27 @@ public final class Body {
     public Body name(String value) {
         name = Checks.notNull("name", value);
         return this;
+    }
+
+    /**
+     * A change of a body that is there, as a component of an entity of its own: asked for in a
+     * step, made when the step ends. So any system changes type, mass, material and whatever else
+     * {@link BodyRef} can: {@code tick.commands().spawn(new Body.Change(entity, body ->
+     * body.setMass(80)))}. Changes are made in the order of their commands, each by itself, so two
+     * systems may change one body. The entity that asked is gone then. What was asked for a body
+     * that was deleted in the same step is forgotten with it.
+     *
+     * @param entity of the body
+     * @param change what to do; the step throws what it throws, and changes behind it are made when
+     *     the next step ends
+     */
+    public record Change(long entity, Consumer<BodyRef> change) {
+        /** The component key. */
+        public static final Component<Change> COMPONENT = Component.of(Change.class);
+
+        /** Refuses null. */
+        public Change {
+            Checks.notNull("change", change);
+        }
     }
 }

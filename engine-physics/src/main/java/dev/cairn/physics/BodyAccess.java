@@ -76,10 +76,14 @@ final class BodyAccess {
     }
 
     /** What changes nothing wakes nobody. */
-    private void wakeUnlessZero(int s, double x, double y, double z) {
-        if (x != 0 || y != 0 || z != 0) {
+    private void wakeIf(boolean changes, int s) {
+        if (changes) {
             wake(s);
         }
+    }
+
+    private void wakeUnlessZero(int s, double x, double y, double z) {
+        wakeIf(x != 0 || y != 0 || z != 0, s);
     }
 
     Shape shape(int s) {
@@ -179,28 +183,29 @@ final class BodyAccess {
     }
 
     void setGravityScale(int s, double factor) {
-        bodies.gravityScale[s] = Checks.finite("gravityScale", factor);
-        wake(s);
+        wakeIf(bodies.gravityScale[s] != Checks.finite("gravityScale", factor), s);
+        bodies.gravityScale[s] = factor;
     }
 
     void setDamping(int s, double linear, double angular) {
         Checks.between("linear damping", linear, 0, 1e6);
         Checks.between("angular damping", angular, 0, 1e6);
+        wakeIf(linear != bodies.linearDamping[s] || angular != bodies.angularDamping[s], s);
         bodies.linearDamping[s] = linear;
         bodies.angularDamping[s] = angular;
         restrain(s, bodies.restraint[s]);
-        wake(s);
     }
 
     void setSpeedLimit(int s, double metresPerSecond) {
-        bodies.speedLimit[s] = Checks.limit("speedLimit", metresPerSecond);
+        wakeIf(bodies.speedLimit[s] != Checks.limit("speedLimit", metresPerSecond), s);
+        bodies.speedLimit[s] = metresPerSecond;
         restrain(s, bodies.restraint[s]);
-        wake(s);
     }
 
     void setLocks(int s, Lock... locks) {
+        byte before = bodies.restraint[s];
         restrain(s, Lock.bits(locks));
-        wake(s);
+        wakeIf(bodies.restraint[s] != before, s);
     }
 
     /** Sums up what holds a body back; of {@code locks} the bits of the axes count. */

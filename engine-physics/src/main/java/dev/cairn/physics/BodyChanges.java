@@ -3,6 +3,7 @@ package dev.cairn.physics;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.shape.MassProperties;
@@ -62,22 +63,33 @@ final class BodyChanges {
     }
 
     void setMaterial(int s, Material material) {
+        Checks.notNull("material", material);
+        if (table.collision.isMadeOf(s, material)) {
+            return;
+        }
         wakeAround(s);
         table.collision.setMaterials(s, material);
         learn(s);
     }
 
     void setMass(int s, double kilograms) {
-        wakeAround(s);
+        wakeIfItFalls(s);
         table.collision.stateMass(s, kilograms);
         learn(s);
     }
 
     void setInertia(int s, double xx, double yy, double zz) {
         Body.checkInertia(xx, yy, zz);
-        wakeAround(s);
+        wakeIfItFalls(s);
         table.collision.stateInertia(s, xx, yy, zz);
         learn(s);
+    }
+
+    /** The mass of what nothing moves concerns nobody. */
+    private void wakeIfItFalls(int s) {
+        if (table.access.type(s) == BodyType.DYNAMIC) {
+            wakeAround(s);
+        }
     }
 
     /** What was learnt of the body's loads was another body's. */

@@ -36,6 +36,8 @@ final class BodyTable implements Stateful {
     /** No entity. */
     private static final long NONE = 0;
 
+    private static final long[] NOBODY = {};
+
     private static final BodyRef[] NO_BODIES = {};
 
     /** Of a kinematic body: room for some ticks until what the step computes with ends. */
@@ -206,22 +208,55 @@ final class BodyTable implements Stateful {
 
     /** Makes bodies of the entities with {@link NewBody}, between steps, in order of their rows. */
     void adopt(Query newcomers) {
-        int count = newcomers.entityCount();
-        if (count == 0) {
-            return;
-        }
-        long[] found = new long[count];
-        int n = 0;
-        for (int c = 0; c < newcomers.chunkCount(); c++) {
-            for (int row = 0; row < newcomers.chunk(c).size(); row++) {
-                found[n++] = newcomers.chunk(c).entity(row);
-            }
-        }
-        for (long entity : found) {
+        for (long entity : entities(newcomers)) {
             Body body = world().get(entity, NewBody.COMPONENT).body();
             world().remove(entity, NewBody.COMPONENT);
             add(body, entity);
         }
+    }
+
+    /** Makes the changes that were asked for by {@link Body.Change}, in order of their rows. */
+    void change(Query asked) {
+        for (long entity : entities(asked)) {
+            Body.Change change = world().get(entity, Body.Change.COMPONENT);
+            world().delete(entity);
+            if (!world().isAlive(change.entity())) {
+                continue; // it was deleted in the same step
+            }
+            BodyRef body = of(change.entity());
+            if (body == null) {
+                throw new IllegalArgumentException(
+                        "a Body.Change names entity "
+                                + change.entity()
+                                + ", which is no body; pass BodyRef.entity()");
+            }
+            change.change().accept(body);
+        }
+    }
+
+    /** The body of an entity that is alive, or {@code null}. */
+    @Nullable BodyRef of(long entity) {
+        if (!world().has(entity, RigidBody.COMPONENT)) {
+            return null;
+        }
+        BodyRef ref = refs[world().get(entity, RigidBody.COMPONENT).slot()];
+        return ref.entity() == entity ? ref : null;
+    }
+
+    /** A list, because what is done with them changes the tables. */
+    private static long[] entities(Query query) {
+        int count = query.entityCount();
+        if (count == 0) {
+            return NOBODY;
+        }
+        long[] found = new long[count];
+        int n = 0;
+        for (int c = 0; c < query.chunkCount(); c++) {
+            for (int row = 0; row < query.chunk(c).size(); row++) {
+                found[n++] = query.chunk(c).entity(row);
+            }
+        }
+        return found;
     }
 
     private void give(long entity, Record[] records) {

@@ -98,7 +98,7 @@ public final class ColliderRef {
      * @return the description, complete
      */
     public Collider description() {
-        return table.spec(alive());
+        return table.now(alive());
     }
 
     /**

@@ -42,7 +42,7 @@ final class ColliderTable implements Stateful {
     /** Room to restore the references: those of the state, and those that there were. */
     private ColliderRef[] savedRefs = {}, before = {};
 
-    /** What each collider was made of, with material and filter. */
+    /** What each collider was made of, with material; its filter may be another one by now. */
     private Collider[] specs = {};
 
     /** Where the references say that their colliders are; room to save them. */
@@ -63,8 +63,14 @@ final class ColliderTable implements Stateful {
         return refs[collider];
     }
 
+    /** What a collider is made of; its filter may be another one by now. */
     Collider spec(int collider) {
         return specs[collider];
+    }
+
+    /** The same with the filter that it has now. */
+    Collider now(int collider) {
+        return specs[collider].filter(colliders.filter[collider]);
     }
 
     List<ColliderRef> list(int body) {
@@ -269,7 +275,10 @@ final class ColliderTable implements Stateful {
 
     /** Another surface; contacts have it from the next step on. */
     void setMaterial(int c, Material material) {
-        surface(c, specs[c].material(Checks.notNull("material", material)));
+        if (Checks.notNull("material", material).equals(specs[c].material())) {
+            return;
+        }
+        surface(c, now(c).material(material));
         contacts().mixAll(c, colliders);
         table.roster.changed(colliders.body[c]);
         table.changes.wakeAround(colliders.body[c]);
@@ -340,13 +349,14 @@ final class ColliderTable implements Stateful {
         Collider whole =
                 part.orElse(
                         specs[colliders.bodies.collider[body]].material(),
-                        specs[colliders.bodies.collider[body]].filter());
+                        colliders.filter[colliders.bodies.collider[body]]);
         List<Collider> parts = parts(body);
         parts.add(whole);
         MassProperties mass = massNow(body, parts);
         split(body);
         int c = child(body, whole);
         settle(body, mass);
+        table.changes.wakeAround(body);
         return ref(c);
     }
 
@@ -369,12 +379,13 @@ final class ColliderTable implements Stateful {
         takeOut(body, collider);
         join(body);
         settle(body, mass);
+        table.changes.wakeAround(body);
     }
 
     /** Another collider in the place of one, in the same slot. */
     void replace(int collider, Collider part) {
         int body = colliders.body[collider];
-        Collider whole = part.orElse(specs[collider].material(), specs[collider].filter());
+        Collider whole = part.orElse(specs[collider].material(), colliders.filter[collider]);
         if (whole.sensor != specs[collider].sensor) {
             throw new IllegalArgumentException(
                     ref(collider)
@@ -403,6 +414,7 @@ final class ColliderTable implements Stateful {
         surface(collider, whole);
         contacts().renew(collider, colliders);
         settle(body, mass);
+        table.changes.wakeAround(body);
     }
 
     private static boolean isSurface(Shape shape) {
@@ -448,7 +460,7 @@ final class ColliderTable implements Stateful {
         ColliderRef ref = ref(body);
         broadPhase.remove(body);
         colliders.detach(body);
-        move(ref, child(body, specs[body]));
+        move(ref, child(body, now(body)));
     }
 
     /** The only child of a body becomes its only collider. */
@@ -458,7 +470,7 @@ final class ColliderTable implements Stateful {
             return;
         }
         ColliderRef ref = ref(c);
-        Collider part = specs[c];
+        Collider part = now(c);
         takeOut(body, c);
         only(body, part);
         move(ref, body);
@@ -488,7 +500,6 @@ final class ColliderTable implements Stateful {
         }
         measure(body);
         table.roster.changed(body);
-        table.changes.wakeAround(body);
     }
 
     /** Mass, centre and inertia of a body as it would be if it moved, or did not. */
@@ -507,7 +518,11 @@ final class ColliderTable implements Stateful {
             set(body, old[0], old[1], old[2], old[3]);
             throw refusal;
         }
-        settle(body, p);
+        if (canMove(body)) {
+            settle(body, p);
+        } else {
+            table.access.setMass(body, p);
+        }
     }
 
     private void set(int body, double mass, double xx, double yy, double zz) {
@@ -533,6 +548,17 @@ final class ColliderTable implements Stateful {
         state(body, kilograms[body], xx, yy, zz);
     }
 
+    /** Whether all colliders of a body are of a material already. */
+    boolean isMadeOf(int body, Material material) {
+        boolean all = true;
+        for (int c = colliders.bodies.collider[body];
+                c != ColliderStore.NONE;
+                c = colliders.next[c]) {
+            all &= material.equals(specs[c].material());
+        }
+        return all;
+    }
+
     /** Another surface of all colliders of a body, and the mass that follows from its density. */
     void setMaterials(int body, Material material) {
         List<Collider> parts = new ArrayList<>();
@@ -556,7 +582,6 @@ final class ColliderTable implements Stateful {
             return;
         }
         colliders.filter[collider] = filter;
-        specs[collider] = specs[collider].filter(filter);
         pairFilter.begin();
         broadPhase.refilter(collider);
     }
@@ -589,16 +614,26 @@ final class ColliderTable implements Stateful {
     /** The seam of joints: counted, since several may bind the same two bodies. */
     void apart(int bodyA, int bodyB) {
         if (pairFilter.apart(bodyA, bodyB)) {
-            refilter(bodyA);
+            refilter(canMove(bodyA) ? bodyA : bodyB);
         }
     }
 
     /** Takes back one {@link #apart}; also for a body that is leaving. */
     void together(int bodyA, int bodyB) {
         if (pairFilter.together(bodyA, bodyB)) {
-            refilter(bodyA);
-            refilter(bodyB);
+            if (canMove(bodyA) || !canMove(bodyB)) {
+                refilter(bodyA);
+            }
+            if (canMove(bodyB) || !canMove(bodyA)) {
+                refilter(bodyB);
+            }
         }
+    }
+
+    /** Asking a floor anew would wake all that lies on it. */
+    private boolean canMove(int body) {
+        byte kind = colliders.bodies.kind[body];
+        return kind == BodyStore.DYNAMIC || kind == BodyStore.ASLEEP;
     }
 
     private void refilter(int body) {

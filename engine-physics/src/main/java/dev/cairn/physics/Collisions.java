@@ -5,6 +5,7 @@ import dev.cairn.physics.internal.Checks;
 
 import org.jspecify.annotations.Nullable;
 
+import java.util.Objects;
 import java.util.function.BiPredicate;
 
 /**
@@ -43,6 +44,9 @@ public final class Collisions {
      */
     public void setHook(@Nullable ContactHook hook) {
         world.requireBetweenSteps("setHook");
+        if (!Objects.equals(hook, world.physics.hooks.get())) {
+            world.physics.wakeAll(); // it may let through what lies on a floor
+        }
         world.physics.hooks.set(hook);
     }
 

@@ -260,6 +260,10 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         solver.setSubsteps(count);
     }
 
+    void wakeAll() {
+        table.sleepers.wakeAll(table.bodies.slotCount);
+    }
+
     int lanes() {
         return solver.lanes();
     }

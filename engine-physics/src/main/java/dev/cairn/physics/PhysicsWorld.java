@@ -50,6 +50,7 @@ public final class PhysicsWorld implements AutoCloseable {
 
     private final World ecs;
     private final Query newcomers;
+    private final Query changes;
     private final Query bodies;
     private final Collisions collisions;
     private boolean stepping;
@@ -67,6 +68,7 @@ public final class PhysicsWorld implements AutoCloseable {
         physics.profile.watch(ecs.profile());
         ecs.watch(Pose.COMPONENT);
         newcomers = ecs.query(NewBody.COMPONENT);
+        changes = ecs.query(Body.Change.COMPONENT);
         bodies = ecs.query(RigidBody.COMPONENT);
         collisions = new Collisions(this);
         joints = new Joints(physics.joints, physics.table.bodies, new JointHost());
@@ -187,6 +189,7 @@ public final class PhysicsWorld implements AutoCloseable {
         }
         physics.table.access.takePoses();
         physics.table.adopt(newcomers);
+        physics.table.change(changes);
         physics.view.tell();
     }
 
@@ -293,11 +296,7 @@ public final class PhysicsWorld implements AutoCloseable {
      * @return its body, or {@code null} if it has none
      */
     public @Nullable BodyRef bodyOf(long entity) {
-        if (closed || !ecs.isAlive(entity) || !ecs.has(entity, RigidBody.COMPONENT)) {
-            return null;
-        }
-        BodyRef ref = physics.table.refs[ecs.get(entity, RigidBody.COMPONENT).slot()];
-        return ref.entity() == entity ? ref : null;
+        return closed || !ecs.isAlive(entity) ? null : physics.table.of(entity);
     }
 
     /**
@@ -395,7 +394,7 @@ public final class PhysicsWorld implements AutoCloseable {
         List<Component<?>> all = new ArrayList<>(List.of(components));
         all.addAll(List.of(Pose.COMPONENT, Visual.COMPONENT, Velocity.COMPONENT));
         all.addAll(List.of(Force.COMPONENT, Torque.COMPONENT));
-        all.addAll(List.of(RigidBody.COMPONENT, NewBody.COMPONENT));
+        all.addAll(List.of(RigidBody.COMPONENT, NewBody.COMPONENT, Body.Change.COMPONENT));
         return World.codecs(all.toArray(new Component<?>[0]))
                 .with(ShapeCodecs.all().toArray(new StateCodec<?>[0]))
                 .with(Collider.CODEC, BodyRef.CODEC, ColliderRef.CODEC, PhysicsSettings.CODEC)
@@ -592,7 +591,7 @@ public final class PhysicsWorld implements AutoCloseable {
         Checks.finite("gravity z", z);
         requireOpen("setGravity");
         if (x != physics.gravityX || y != physics.gravityY || z != physics.gravityZ) {
-            physics.table.sleepers.wakeAll(physics.table.bodies.slotCount);
+            physics.wakeAll();
         }
         physics.gravityX = x;
         physics.gravityY = y;

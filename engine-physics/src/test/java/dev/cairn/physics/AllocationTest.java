@@ -7,16 +7,21 @@ import com.sun.management.ThreadMXBean;
 
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Jobs;
+import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.mesh.Grounds;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.tuning.Precision;
 
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import java.io.IOException;
 import java.lang.management.ManagementFactory;
+import java.net.URISyntaxException;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
@@ -25,6 +30,13 @@ import java.util.function.IntConsumer;
 /** A steady tick allocates nothing, on no thread. */
 class AllocationTest {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    @BeforeAll
+    static void makeStringConstants() throws IOException, URISyntaxException {
+        StringConstants.make(Jobs.class);
+        StringConstants.make(PhysicsWorld.class);
+        StringConstants.make(AllocationTest.class);
+    }
 
     /**
      * Learns which threads the workers are: each must take one block, because it waits for the
@@ -192,6 +204,134 @@ class AllocationTest {
                             .material(lively));
             measure(world, 900);
             assertTrue(told[0] > 10 && told[1] > 10, told[0] + " hits, " + told[1] + " entered");
+        }
+    }
+
+    /**
+     * Everything at once that is told or asked: listeners that are told of shapes, bodies, hits and
+     * sensors, a hook, a question for pairs, filters that change while the world runs, belts,
+     * polled lists and sleep. Balls bounce without end on each other's layer or through it, bodies
+     * of two shapes are thrown up again and again.
+     */
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void listenersHooksSensorsAndFiltersAtOnce(boolean sleeping) {
+        try (PhysicsWorld world = scalar().sleeping(sleeping).workers(2).build()) {
+            Counter told = new Counter();
+            world.contacts().listen(told);
+            world.contacts().listen(new Counter());
+            world.contacts().setHitSpeed(.1);
+            world.collisions()
+                    .setHook(contact -> {
+                        contact.remember(contact.memory() + 1);
+                        if (contact.friction() > 0) { // not those that bounce
+                            contact.surface(.5 * contact.friction(), .1);
+                        }
+                    });
+            world.collisions().setPairFilter((a, b) -> a.userData() == b.userData());
+            Scenes.ground(world);
+            Filter[] filters = {new Filter(1, 3), new Filter(2, 1)};
+            List<BodyRef> thrown = new ArrayList<>();
+            for (int i = 0; i < 8; i++) {
+                Collider half = Collider.of(Box.cubeOfHalfExtent(.3)).filter(filters[i % 2]);
+                thrown.add(
+                        world.add(
+                                Body.dynamic()
+                                        .collider(half.at(-.3, 0, 0))
+                                        .collider(half.at(.3, 0, 0))
+                                        .at(2 * (i / 2), .4 + .7 * (i % 2), 5)));
+            }
+            Collider belt = Collider.of(Box.ofHalfExtents(3, .1, 1)).surfaceVelocity(.5, 0, 0);
+            world.add(Body.fixed().collider(belt).at(0, .1, 12));
+            for (int i = 0; i < 4; i++) {
+                world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(.2)).at(-i, .4, 12));
+            }
+            Material lively = new Material(0, 1, 1000);
+            world.add(Body.fixed().shape(Box.ofHalfExtents(2, .1, 2)).at(0, 9, 0).material(lively));
+            Collider gate = Collider.of(Box.ofHalfExtents(2, .5, 2)).sensor(true);
+            world.add(Body.fixed().collider(gate).at(0, 12, 0));
+            for (int i = 0; i < 3; i++) {
+                world.add(
+                        Body.dynamic()
+                                .shape(Sphere.of(.2))
+                                .at(i - 1, 12.5, 0)
+                                .gravityScale(.5)
+                                .material(lively));
+            }
+            int[] polled = new int[1];
+            measure(
+                    world,
+                    900,
+                    tick -> {
+                        polled[0] += poll(world);
+                        if (tick % 20 == 0) {
+                            BodyRef body = thrown.get(tick / 20 % thrown.size());
+                            body.setVelocity(0, 4, 0);
+                            body.setFilter(filters[tick / 160 % 2]);
+                        }
+                    });
+            for (int kind = 0; kind < told.counts.length; kind++) {
+                assertTrue(told.counts[kind] > 10, "kind " + kind + ": " + told.counts[kind]);
+            }
+            assertTrue(polled[0] > 0);
+        }
+    }
+
+    /** How much there is to see after a tick. */
+    private static int poll(PhysicsWorld world) {
+        Contacts contacts = world.contacts();
+        int seen = contacts.count() + contacts.began().count() + contacts.ended().count();
+        seen += contacts.bodiesBegan().count() + contacts.bodiesEnded().count();
+        seen += contacts.hits().count() + contacts.bodiesHit().count();
+        seen += contacts.entered().count() + contacts.left().count();
+        for (int i = 0; i < contacts.bodiesHit().count(); i++) {
+            seen += contacts.bodiesHit().bodyA(i).isAlive() ? 1 : 0;
+        }
+        return seen + world.sleepEvents().wokeCount();
+    }
+
+    /** How often each kind of event was told. */
+    private static final class Counter implements ContactListener {
+        final int[] counts = new int[8];
+
+        @Override
+        public void began(ColliderRef a, ColliderRef b) {
+            counts[0]++;
+        }
+
+        @Override
+        public void ended(ColliderRef a, ColliderRef b) {
+            counts[1]++;
+        }
+
+        @Override
+        public void bodiesBegan(BodyRef a, BodyRef b) {
+            counts[2]++;
+        }
+
+        @Override
+        public void bodiesEnded(BodyRef a, BodyRef b) {
+            counts[3]++;
+        }
+
+        @Override
+        public void hit(Contacts.Hits hits, int hit) {
+            counts[4] += hits.approachSpeed(hit) > 0 ? 1 : 0;
+        }
+
+        @Override
+        public void bodiesHit(Contacts.Hits hits, int hit) {
+            counts[5] += hits.impulse(hit) > 0 ? 1 : 0;
+        }
+
+        @Override
+        public void entered(ColliderRef sensor, ColliderRef visitor) {
+            counts[6]++;
+        }
+
+        @Override
+        public void left(ColliderRef sensor, ColliderRef visitor) {
+            counts[7]++;
         }
     }
 

@@ -95,6 +95,52 @@ class ConveyorTest {
         }
     }
 
+    /** A belt on a cart that moves: what lies on it goes with the sum of the two. */
+    @ParameterizedTest
+    @ValueSource(doubles = {-.75, 0, .5})
+    void aBeltOnAMovingCartAddsItsSpeed(double cartSpeed) {
+        Vector3d along = new Vector3d(1.25, 0, 0).rotateY(.5).add(cartSpeed, 0, .25);
+        Set<Long> digests = new HashSet<>();
+        for (int lanes : new int[] {1, 4, 8}) {
+            for (boolean target : new boolean[] {false, true}) {
+                try (PhysicsWorld world =
+                        Scenes.awake()
+                                .settings(
+                                        PhysicsSettings.DEFAULT
+                                                .withSleeping(false)
+                                                .withLanes(lanes))
+                                .workers(1 + lanes / 4)
+                                .build()) {
+                    Quaterniond turn = new Quaterniond().rotateY(.5);
+                    BodyRef cart =
+                            world.add(
+                                    Body.kinematic()
+                                            .collider(belt(1.25))
+                                            .rotation(turn)
+                                            .velocity(cartSpeed, 0, .25));
+                    BodyRef box =
+                            world.add(
+                                    Body.dynamic()
+                                            .shape(Box.ofHalfExtents(.4, .2, .4))
+                                            .at(0, .2, 0));
+                    for (int tick = 1; tick <= 600; tick++) {
+                        if (target) {
+                            double t = tick * Scenes.STEP;
+                            cart.moveTo(cartSpeed * t, 0, .25 * t, turn);
+                        }
+                        world.step(Scenes.STEP);
+                    }
+                    assertEquals(0, box.velocity().sub(along).length(), 1e-9, "lanes " + lanes);
+                    assertEquals(10 * cartSpeed, cart.position().x, 1e-9, "it drives nobody");
+                    if (!target) {
+                        digests.add(world.digest());
+                    }
+                }
+            }
+        }
+        assertEquals(1, digests.size());
+    }
+
     @Test
     void aBeltThatStartsWakesWhoIsOnIt() {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {

@@ -18,17 +18,23 @@ import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.WorldFailedException;
 import dev.cairn.core.ecs.WorldSystem;
 import dev.cairn.core.snapshot.Pose;
+import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.component.Force;
 import dev.cairn.physics.component.Torque;
 import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.state.RigidBody;
 
 import org.junit.jupiter.api.Test;
 
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Consumer;
 
 /** Systems of users and the physics in one schedule. */
@@ -229,6 +235,135 @@ class EcsMeetsPhysicsTest {
                 }
                 assertEquals(world.digest(), fork.digest());
             }
+        }
+    }
+
+    /** Of blocks that run in parallel; two systems change the same bodies. */
+    @Test
+    void bodiesChangeByCommandsFromAnySystem() throws IOException {
+        Set<Long> digests = new HashSet<>();
+        for (int workers = 1; workers <= 2; workers++) {
+            List<Long> heavier = new ArrayList<>();
+            Material ice = new Material(0.01, 0, 500);
+            Weigher weigher = new Weigher();
+            Script other =
+                    new Script(
+                            "other",
+                            tick -> {
+                                for (long entity : heavier) {
+                                    tick.commands()
+                                            .spawn(
+                                                    new Body.Change(
+                                                            entity, b -> b.setMass(b.mass() * 3)));
+                                    tick.commands()
+                                            .spawn(
+                                                    new Body.Change(
+                                                            entity, b -> b.setMaterial(ice)));
+                                }
+                                heavier.clear();
+                            },
+                            PhysicsWorld.SYSTEM);
+            try (PhysicsWorld world =
+                    PhysicsWorld.builder().workers(workers).systems(weigher, other).build()) {
+                BodyRef ground =
+                        world.add(Body.fixed().shape(Box.ofHalfExtents(900, 1, 9)).at(0, -1, 0));
+                List<BodyRef> boxes = new ArrayList<>();
+                for (int i = 0; i < 600; i++) {
+                    boxes.add(
+                            world.add(
+                                    Body.dynamic()
+                                            .shape(Box.cubeOfHalfExtent(0.5))
+                                            .mass(1)
+                                            .at(i, 0.5, i % 7)));
+                }
+                world.step(STEP);
+                weigher.works = true;
+                heavier.add(boxes.get(4).entity());
+                heavier.add(boxes.get(599).entity());
+                int entities = world.ecs().entityCount();
+                world.step(STEP);
+                weigher.works = false;
+                assertEquals(entities, world.ecs().entityCount(), "who asked is gone");
+                for (int i = 0; i < 600; i++) {
+                    double mass = i == 4 || i == 599 ? 6 : 2;
+                    if (i % 100 != 0) {
+                        assertEquals(mass, boxes.get(i).mass(), 0.0, "box " + i);
+                    }
+                }
+                assertEquals(BodyType.FIXED, boxes.get(100).type());
+                assertEquals(ice, boxes.get(4).material());
+                assertEquals(BodyType.FIXED, ground.type());
+                world.step(STEP);
+                world.validate();
+                ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+                world.save().writeTo(bytes, PhysicsWorld.codecs());
+                assertTrue(bytes.size() > 0);
+                digests.add(world.digest());
+            }
+        }
+        assertEquals(1, digests.size());
+    }
+
+    /** Doubles all masses, and fixes each hundredth body. */
+    private static final class Weigher implements ChunkSystem {
+        boolean works;
+
+        @Override
+        public String name() {
+            return "weigher";
+        }
+
+        @Override
+        public void describe(Access access) {
+            access.in(RigidBody.COMPONENT, Velocity.COMPONENT).commands().before("other");
+        }
+
+        @Override
+        public void run(Chunk chunk, Tick tick) {
+            for (int row = 0; works && row < chunk.size(); row++) {
+                long entity = chunk.entity(row);
+                boolean fix = chunk.in(RigidBody.COMPONENT.intField("slot"))[row] % 100 == 1;
+                tick.commands()
+                        .spawn(
+                                new Body.Change(
+                                        entity,
+                                        fix
+                                                ? b -> b.setType(BodyType.FIXED)
+                                                : b -> b.setMass(2 * b.mass())));
+            }
+        }
+    }
+
+    @Test
+    void aChangeOfWhatIsGoneIsForgottenAndOneOfNoBodyIsRefused() {
+        List<Runnable> done = new ArrayList<>();
+        List<Consumer<Tick>> asked = new ArrayList<>();
+        Script script =
+                new Script(
+                        "script",
+                        tick -> {
+                            asked.forEach(each -> each.accept(tick));
+                            asked.clear();
+                        },
+                        PhysicsWorld.SYSTEM);
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).systems(script).build()) {
+            BodyRef ball = world.add(Body.dynamic().shape(Sphere.of(0.5)));
+            BodyRef stays = world.add(Body.dynamic().shape(Sphere.of(0.5)).at(5, 0, 0));
+            long plain = world.ecs().spawn(Pose.at(0, 0, 0));
+            asked.add(tick -> {
+                tick.commands().delete(ball.entity());
+                Body.Change change = new Body.Change(ball.entity(), b -> done.add(b::remove));
+                tick.commands().spawn(change);
+                tick.commands().spawn(new Body.Change(plain, b -> done.add(b::remove)));
+                tick.commands().spawn(new Body.Change(stays.entity(), b -> b.setMass(7)));
+            });
+            IllegalArgumentException refusal =
+                    assertThrows(IllegalArgumentException.class, () -> world.step(STEP));
+            assertTrue(refusal.getMessage().contains("no body"), refusal.getMessage());
+            assertTrue(done.isEmpty());
+            assertFalse(world.hasFailed());
+            world.step(STEP);
+            assertEquals(7, stays.mass(), 0.0, "what was behind it comes with the next step");
         }
     }
 

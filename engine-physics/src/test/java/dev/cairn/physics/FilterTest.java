@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.collider.Layers;
+import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.query.Hit;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.HalfSpace;
@@ -34,6 +35,20 @@ class FilterTest {
         for (int i = 0; i < ticks; i++) {
             world.step(Scenes.STEP);
             world.validate();
+        }
+    }
+
+    /** No pair is asked about, and no row has a column for what the scene does not use. */
+    @Test
+    void aSceneWithoutFiltersPaysNothing() {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
+            Scenes.stack(world, 3);
+            step(world, 10);
+            assertFalse(world.physics.table.roster.pairFilter.isActive());
+            ContactStore rows = world.physics.contacts;
+            assertFalse(rows.hooked || rows.belts || rows.compounds || rows.hits || rows.grouped);
+            world.bodies().get(1).setFilter(new Filter(1, 1));
+            assertTrue(world.physics.table.roster.pairFilter.isActive());
         }
     }
 

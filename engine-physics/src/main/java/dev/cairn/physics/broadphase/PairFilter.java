@@ -46,6 +46,15 @@ public final class PairFilter implements Stateful {
         this.colliders = colliders;
     }
 
+    /**
+     * Whether pairs are asked about.
+     *
+     * @return false while every pair of two bodies is one
+     */
+    public boolean isActive() {
+        return active;
+    }
+
     /** From now on filters are looked at; never ends. */
     public void begin() {
         active = true;

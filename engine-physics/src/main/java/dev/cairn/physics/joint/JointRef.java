@@ -547,8 +547,16 @@ public final class JointRef {
      */
     public void breakAt(double newtons, double newtonMetres) {
         int j = changed("breakAt");
-        joints.store.breakForce[j] = Checks.limit("newtons", newtons);
-        joints.store.breakTorque[j] = Checks.limit("newtonMetres", newtonMetres);
+        Checks.limit("newtons", newtons);
+        Checks.limit("newtonMetres", newtonMetres);
+        boolean isOther =
+                joints.store.breakForce[j] != newtons
+                        || joints.store.breakTorque[j] != newtonMetres;
+        joints.store.breakForce[j] = newtons;
+        joints.store.breakTorque[j] = newtonMetres;
+        if (isOther) {
+            joints.wake(j); // it may be too little for what the joint bears
+        }
     }
 
     @Override

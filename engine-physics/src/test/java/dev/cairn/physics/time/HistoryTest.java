@@ -86,22 +86,26 @@ class HistoryTest {
             History plain = new History(world, span, bound);
             List<Long> digests = new ArrayList<>();
             TreeMap<Long, WorldState> whole = new TreeMap<>();
+            long first = 0;
             for (int t = 0; t < 1200; t++) {
                 history.remember();
                 plain.remember();
                 digests.add(world.digest());
                 whole.put((long) t, world.save());
                 assertTrue(history.byteCount() <= bound, history.byteCount() + " bytes");
+                // Memory never costs the oldest one, only age does; behind it is the next of the
+                // grid, whose gaps are a twelfth of how long ago they are.
+                long oldest = history.oldestTick();
+                assertTrue(oldest == first || first <= t - span, first + " went at " + t);
+                assertTrue(oldest - first <= span / 12, "from " + first + " to " + oldest);
+                first = oldest;
                 if (t > 400 && random.nextInt(40) == 0) {
                     history.state(history.floorTick(random.nextInt(t - 200, t)));
                 }
                 world.step(STEP);
             }
             assertTrue(plain.oldestTick() > 600, "memory is short: " + plain.oldestTick());
-            // all of the span, but for the widest gap: a twelfth of how long ago it is
-            assertTrue(
-                    history.oldestTick() <= 1199 - span + span / 12,
-                    "from " + history.oldestTick());
+            assertTrue(first <= 1199 - span + span / 12, "from " + first);
             assertEquals(1199, history.latestTick());
             long widest = 0;
             long before = history.oldestTick();
