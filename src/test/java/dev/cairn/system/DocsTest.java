@@ -7,8 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
+import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.io.StringWriter;
 import java.lang.reflect.Method;
 import java.nio.charset.StandardCharsets;
@@ -29,6 +31,8 @@ final class DocsTest {
     private static final Pattern BLOCK = Pattern.compile("```java\\n(.*?)```", Pattern.DOTALL);
     private static final Pattern NAME = Pattern.compile("`(dev\\.cairn\\.[\\w.]+)(?:#(\\w+))?`");
     private static final Pattern EXPORT = Pattern.compile("exports (dev\\.cairn[\\w.]*);");
+    private static final Pattern MEMBER =
+            Pattern.compile("(?:public|static|final|record|class|interface|@Override)\\b");
     private static final Path ROOT = root();
 
     /** The repository: the nearest folder upwards with the pages. */
@@ -77,11 +81,141 @@ final class DocsTest {
         }
     }
 
+    /**
+     * Every other Java snippet of README and docs, as a member or as statements of a class that
+     * inherits what the page takes as given ({@link SnippetContexts}) and what its snippets before
+     * it declare.
+     */
+    @Test
+    void everySnippetCompiles(@TempDir Path folder) throws IOException {
+        List<Path> files = new ArrayList<>();
+        for (Path page : pages()) {
+            String name = page.getFileName().toString().replace(".md", "");
+            String text = Files.readString(page);
+            assertEquals(
+                    text.split("```java", -1).length,
+                    text.split("```java\n", -1).length,
+                    name + ": a fence is marked java and nothing else");
+            // These two are programs that run, and lines of a test.
+            if (!name.equals("quickstart") && !name.equals("tutorials")) {
+                files.addAll(snippets(name, blocks(text), folder));
+            }
+        }
+        assertTrue(files.size() > 20, "snippets: " + files.size());
+        compile(files, folder);
+    }
+
+    /** README and the pages below docs. */
+    private static List<Path> pages() throws IOException {
+        List<Path> pages = new ArrayList<>(List.of(ROOT.resolve("README.md")));
+        try (Stream<Path> files = Files.walk(ROOT.resolve("docs"))) {
+            files.filter(file -> file.toString().endsWith(".md")).sorted().forEach(pages::add);
+        }
+        return pages;
+    }
+
+    private static List<Path> snippets(String page, List<String> blocks, Path folder)
+            throws IOException {
+        String simple = Character.toUpperCase(page.charAt(0)) + page.substring(1).replace("-", "_");
+        String context =
+                Arrays.stream(SnippetContexts.class.getClasses())
+                        .map(Class::getSimpleName)
+                        .filter(simple::equals)
+                        .findFirst()
+                        .orElse("Common");
+        String above = "dev.cairn.system.SnippetContexts." + context;
+        List<Path> files = new ArrayList<>();
+        for (int i = 0; i < blocks.size(); i++) {
+            String name = "Snippet_" + simple + "_" + (i + 1);
+            Path file = folder.resolve(name + ".java");
+            String block = blocks.get(i);
+            Files.writeString(
+                    file,
+                    imports()
+                            + ("class " + name + " extends " + above + " {\n")
+                            + (MEMBER.matcher(block).lookingAt()
+                                    ? block
+                                    : "void snippet() throws Exception {\n" + block + "}\n")
+                            + "}\n");
+            above = name;
+            files.add(file);
+        }
+        return files;
+    }
+
+    private static String imports() throws IOException {
+        StringBuilder imports = new StringBuilder();
+        for (String exported : exports()) {
+            if (!exported.startsWith("dev.cairn.render")) {
+                imports.append("import ").append(exported).append(".*;\n");
+            }
+        }
+        return imports.append("import org.joml.*;\nimport java.util.List;\n")
+                .append("import java.nio.file.Path;\n")
+                .toString();
+    }
+
+    private static final String UNKNOWN = "--no-such-option";
+    private static final Pattern COMMAND =
+            Pattern.compile(
+                    "(?m)(?:java -jar samples/target/samples\\.jar|(?<=`|^ {4}|^)samples)"
+                            + "((?: (?! |#)[^`\\s#\\\\]+| \\\\\\n *[^`\\s#]+)+)");
+
+    /** Command lines of the samples, taken in by their own parser; scenes by the list. */
+    @Test
+    void everyCommandLineIsOne() throws IOException {
+        String scenes = samples(0, "--list");
+        int found = 0;
+        for (Path page : pages()) {
+            Matcher m = COMMAND.matcher(Files.readString(page));
+            for (; m.find(); found++) {
+                String line = m.group(1).replace("\\\n", " ").strip();
+                List<String> words =
+                        new ArrayList<>(
+                                Arrays.stream(line.split("\\s+", -1))
+                                        .filter(word -> !word.isEmpty())
+                                        .toList());
+                int scene = words.indexOf("--scene") + 1;
+                if (scene > 0) {
+                    for (String id : words.get(scene).split(",", -1)) {
+                        assertTrue(
+                                Pattern.compile("(?m)^\\s*" + id + "\\b").matcher(scenes).find(),
+                                page + ": there is no scene " + id);
+                    }
+                }
+                words.add(UNKNOWN); // must be the only word that the parser does not know
+                String said = samples(2, words.toArray(String[]::new));
+                assertTrue(
+                        said.startsWith("Unknown option: '" + UNKNOWN + "'"),
+                        page + ": samples " + line + ": " + said);
+            }
+        }
+        assertTrue(found > 20, "command lines: " + found);
+    }
+
+    private static String samples(int expected, String... words) {
+        ByteArrayOutputStream said = new ByteArrayOutputStream();
+        PrintStream out = new PrintStream(said, true, StandardCharsets.UTF_8);
+        int exit = dev.cairn.samples.Main.run(words, out, out, false);
+        String text = said.toString(StandardCharsets.UTF_8);
+        assertEquals(expected, exit, String.join(" ", words) + ": " + text);
+        return text;
+    }
+
     private static void compile(Path file, Path to) {
+        compile(List.of(file), to);
+    }
+
+    private static void compile(List<Path> sources, Path to) {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         StringWriter said = new StringWriter();
         List<String> options =
-                List.of("-d", to.toString(), "-cp", System.getProperty("java.class.path"));
+                List.of(
+                        "-proc:none",
+                        "-d",
+                        to.toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"));
         try (var files = compiler.getStandardFileManager(null, null, StandardCharsets.UTF_8)) {
             boolean good =
                     compiler.getTask(
@@ -90,9 +224,9 @@ final class DocsTest {
                                     null,
                                     options,
                                     null,
-                                    files.getJavaFileObjects(file))
+                                    files.getJavaFileObjectsFromPaths(sources))
                             .call();
-            assertTrue(good, file.getFileName() + ": " + said);
+            assertTrue(good, said::toString);
         } catch (IOException impossible) {
             throw new IllegalStateException(impossible);
         }

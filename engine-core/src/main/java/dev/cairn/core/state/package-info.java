@@ -20,6 +20,10 @@
  * that two can be compared, subtracted (a {@link dev.cairn.core.state.StateDelta} leads from one to
  * the other and back, and is as large as what has changed) and written; numbers have their place
  * and their least significant byte first, on every machine.
+ *
+ * <p>Objects are written by a {@link dev.cairn.core.state.StateCodec}. That of a record follows
+ * from its components; their names and types are written with it, once, so that a program whose
+ * record has others by then says which, instead of reading one number as another.
  */
 @NullMarked
 package dev.cairn.core.state;
