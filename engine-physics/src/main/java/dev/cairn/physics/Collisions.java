@@ -51,6 +51,15 @@ public final class Collisions {
     }
 
     /**
+     * Who looks at each contact before it is solved.
+     *
+     * @return the hook, or {@code null}
+     */
+    public @Nullable ContactHook hook() {
+        return world.physics.hooks.get();
+    }
+
+    /**
      * Lets two bodies pass through each other, whatever their filters say. Counted: each call is
      * taken back by one of {@link #include}. A contact of the two ends in the next step.
      *

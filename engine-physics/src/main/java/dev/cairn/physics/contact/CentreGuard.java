@@ -11,8 +11,8 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Poses;
-import dev.cairn.physics.narrowphase.NarrowPhase;
 import dev.cairn.physics.narrowphase.pair.Reach;
+import dev.cairn.physics.query.Closest;
 import dev.cairn.physics.query.Hit;
 import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.query.ShapeQueries;
@@ -63,10 +63,11 @@ final class CentreGuard {
     private final ContactStore contacts;
     private final BoundsStage bounds;
     private final EdgeSource[] edges;
-    private final NarrowPhase narrowPhase = new NarrowPhase();
     private final RayWalk walk = new RayWalk();
     private final ShapeQueries queries = new ShapeQueries();
+    private final Placement point = new Placement().setCentre(POINT, 0, 0, 0, 0, 0, 0, 1);
     private final Placement surface = new Placement();
+    private final Closest near = new Closest();
     private final Hit hit = new Hit();
     private final double[] box = new double[6];
 
@@ -321,18 +322,18 @@ final class CentreGuard {
                 break;
             }
             // the point sees the other one come
-            double nx = narrowPhase.axisX();
-            double ny = narrowPhase.axisY();
-            double nz = narrowPhase.axisZ();
+            double nx = near.normalX();
+            double ny = near.normalY();
+            double nz = near.normalZ();
             double closing = -(nx * wayX + ny * wayY + nz * wayZ);
             if (!(closing > 0) || t + d / closing >= 1) {
                 return;
             }
             t += d / closing;
         }
-        double nx = narrowPhase.axisX();
-        double ny = narrowPhase.axisY();
-        double nz = narrowPhase.axisZ();
+        double nx = near.normalX();
+        double ny = near.normalY();
+        double nz = near.normalZ();
         stop(body, (1 - t) * wayX, (1 - t) * wayY, (1 - t) * wayZ, nx, ny, nz);
     }
 
@@ -388,22 +389,12 @@ final class CentreGuard {
                         || s.angularVelocityZ[body] != 0);
     }
 
+    /**
+     * From the body's centre at the origin to a collider at a place; {@link #near} tells where to.
+     */
     private double distance(int other, double x, double y, double z) {
-        Poses p = colliders.poses;
-        return narrowPhase.distance(
-                POINT,
-                colliders.shape[other],
-                0,
-                0,
-                0,
-                1,
-                p.orientationX[other],
-                p.orientationY[other],
-                p.orientationZ[other],
-                p.orientationW[other],
-                x,
-                y,
-                z);
+        place(surface, other, x, y, z);
+        return queries.closest(point, surface, near);
     }
 
     /** Takes back the rest of its way from a body, and what goes in of its velocity. */

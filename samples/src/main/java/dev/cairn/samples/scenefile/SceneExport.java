@@ -46,12 +46,17 @@ import java.util.Objects;
 
 /**
  * Turns what a script has built into a scene file: the bodies as they are before the first tick.
- * What a script does from tick to tick (hooks, truths) is code and stays behind.
+ * What a script does from tick to tick (systems, hooks, truths) is code and stays behind, and so do
+ * objects that bodies carry; the description says so.
  */
 public final class SceneExport {
     /** Ends the description of a scene that a file holds only a part of. */
     public static final String LEFT_OUT =
             "(What the original does from tick to tick is code, and not in this file.)";
+
+    /** Ends the description of a scene whose bodies carry objects of a program. */
+    public static final String NO_DATA =
+            "(Objects that the original's bodies carry as user data are not in this file.)";
 
     private final Path folder;
 
@@ -85,9 +90,7 @@ public final class SceneExport {
             SceneBuilder.View view = built.view();
             return new SceneFile(
                     scene.title(),
-                    built.actsBeforeTicks()
-                            ? scene.description() + " " + LEFT_OUT
-                            : scene.description(),
+                    description(scene, options, built),
                     new Xyz(g.x, g.y, g.z),
                     new TickSpec(built.stepSeconds(), substeps, scene.ticks(), scene.pictureTick()),
                     new CameraSpec(
@@ -99,6 +102,24 @@ public final class SceneExport {
                     joints(world, built.bodies()),
                     List.of());
         }
+    }
+
+    /** What the scene tells of itself, and what of it the file does not hold. */
+    private static String description(SampleScene scene, SceneOptions options, SceneBuilder built) {
+        boolean acts =
+                built.actsBeforeTicks()
+                        || scene.systems(options).length > 0
+                        || built.world().collisions().hook() != null;
+        boolean carries = built.bodies().stream().anyMatch(SceneExport::carriesObjects);
+        return scene.description() + (acts ? " " + LEFT_OUT : "") + (carries ? " " + NO_DATA : "");
+    }
+
+    /** A collider's word is written; what else a body carries is not. */
+    private static boolean carriesObjects(BodyRef body) {
+        return body.userData() != null
+                || body.colliders().stream()
+                        .map(ColliderRef::userData)
+                        .anyMatch(data -> data != null && !(data instanceof String));
     }
 
     private static List<JointSpec> joints(PhysicsWorld world, List<BodyRef> bodies) {

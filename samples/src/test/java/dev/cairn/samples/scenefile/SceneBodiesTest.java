@@ -129,6 +129,41 @@ class SceneBodiesTest {
         return SceneLoader.sample(file, SceneReader.read(file));
     }
 
+    /** What a file can't hold (systems, hooks, objects of a program) is told in its description. */
+    @Test
+    void whatIsLeftOutIsTold(@TempDir Path folder) {
+        for (String id : List.of("one-way", "buoyancy")) {
+            String told = exported(SceneRegistry.get(id), folder);
+            assertTrue(told.contains(SceneExport.LEFT_OUT), id + ": " + told);
+        }
+        SampleScene plain = SceneRegistry.get("stack-4");
+        assertEquals(plain.description(), exported(plain, folder));
+        for (boolean onCollider : new boolean[] {false, true}) {
+            SampleScene carrying =
+                    new SampleScene(
+                            "carrying",
+                            "Carrying",
+                            "A ball with an object.",
+                            "collisions",
+                            List.of(),
+                            1,
+                            0,
+                            scene -> {
+                                BodyRef ball = scene.add(Sphere.of(1), 0xffffff, Body.dynamic());
+                                if (onCollider) {
+                                    ball.add(Collider.of(Sphere.of(1)).userData(List.of(1)));
+                                } else {
+                                    ball.setUserData(List.of(1));
+                                }
+                            });
+            assertTrue(exported(carrying, folder).contains(SceneExport.NO_DATA));
+        }
+    }
+
+    private static String exported(SampleScene scene, Path folder) {
+        return SceneExport.of(scene, SceneOptions.defaults(scene), 4, folder).description();
+    }
+
     @Test
     void whatIsWrittenAndReadGoesOnWithTheSameBits(@TempDir Path folder) {
         SampleScene read = again(SCENE, folder);
