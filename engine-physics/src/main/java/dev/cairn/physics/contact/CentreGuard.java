@@ -12,12 +12,9 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.pair.Reach;
-import dev.cairn.physics.query.Closest;
 import dev.cairn.physics.query.Hit;
 import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.query.ShapeQueries;
-import dev.cairn.physics.shape.Shape;
-import dev.cairn.physics.shape.Sphere;
 
 import java.util.Arrays;
 
@@ -52,10 +49,6 @@ final class CentreGuard {
     /** Of the inner radius: how far the centre stays away. */
     private static final double AWAY = 0.25;
 
-    private static final int MOST_STEPS = 64;
-
-    private static final Shape POINT = Sphere.of(1e-50);
-
     private final BlockJob bodiesJob = this::bodiesBlock;
     private final BlockJob rowsJob = this::rowsBlock;
 
@@ -65,9 +58,7 @@ final class CentreGuard {
     private final EdgeSource[] edges;
     private final RayWalk walk = new RayWalk();
     private final ShapeQueries queries = new ShapeQueries();
-    private final Placement point = new Placement().setCentre(POINT, 0, 0, 0, 0, 0, 0, 1);
     private final Placement surface = new Placement();
-    private final Closest near = new Closest();
     private final Hit hit = new Hit();
     private final double[] box = new double[6];
 
@@ -306,35 +297,8 @@ final class CentreGuard {
         if (!(square > FAST * FAST * inner * inner)) {
             return;
         }
-        if (!Reach.fits(colliders.shape[other])) {
-            place(surface, other, x, y, z);
-            keepBefore(body, wayX, wayY, wayZ, Math.sqrt(square));
-            return;
-        }
-        double away = Math.min(AWAY * inner, 0.5 * distance(other, x, y, z));
-        if (!(away > 0)) {
-            return;
-        }
-        double t = 0;
-        for (int i = 0; i < MOST_STEPS; i++) {
-            double d = distance(other, x + t * wayX, y + t * wayY, z + t * wayZ) - away;
-            if (d <= 0x1p-20 * inner) {
-                break;
-            }
-            // the point sees the other one come
-            double nx = near.normalX();
-            double ny = near.normalY();
-            double nz = near.normalZ();
-            double closing = -(nx * wayX + ny * wayY + nz * wayZ);
-            if (!(closing > 0) || t + d / closing >= 1) {
-                return;
-            }
-            t += d / closing;
-        }
-        double nx = near.normalX();
-        double ny = near.normalY();
-        double nz = near.normalZ();
-        stop(body, (1 - t) * wayX, (1 - t) * wayY, (1 - t) * wayZ, nx, ny, nz);
+        place(surface, other, x, y, z);
+        keepBefore(body, wayX, wayY, wayZ, Math.sqrt(square), Reach.fits(colliders.shape[other]));
     }
 
     private void place(Placement to, int other, double x, double y, double z) {
@@ -351,13 +315,18 @@ final class CentreGuard {
     }
 
     /**
-     * The same for a surface without an inside, {@link #surface}: there the way is a ray. What
-     * comes from the back of a one-sided triangle passes.
+     * Follows the way as a ray, against {@link #surface}. What comes from the back of a one-sided
+     * triangle passes.
+     *
+     * @param isSolid whether contacts push out what is in it but for its centre; a surface of
+     *     triangles has no inside, so the centre must not come too near either
      */
-    private void keepBefore(int body, double wayX, double wayY, double wayZ, double way) {
+    private void keepBefore(
+            int body, double wayX, double wayY, double wayZ, double way, boolean isSolid) {
         double inner = colliders.innerRadius[body];
-        // it may end before the surface, and yet too near
-        if (!queries.rayCast(surface, 0, 0, 0, -wayX, -wayY, -wayZ, way + inner, hit)) {
+        double most = isSolid ? way : way + inner;
+        if (!queries.rayCast(surface, 0, 0, 0, -wayX, -wayY, -wayZ, most, hit)
+                || hit.startsInside()) {
             return;
         }
         double closing = hit.normalX() * wayX + hit.normalY() * wayY + hit.normalZ() * wayZ;
@@ -387,14 +356,6 @@ final class CentreGuard {
                         || s.angularVelocityX[body] != 0
                         || s.angularVelocityY[body] != 0
                         || s.angularVelocityZ[body] != 0);
-    }
-
-    /**
-     * From the body's centre at the origin to a collider at a place; {@link #near} tells where to.
-     */
-    private double distance(int other, double x, double y, double z) {
-        place(surface, other, x, y, z);
-        return queries.closest(point, surface, near);
     }
 
     /** Takes back the rest of its way from a body, and what goes in of its velocity. */
