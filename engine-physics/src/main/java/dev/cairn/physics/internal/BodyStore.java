@@ -39,6 +39,16 @@ public final class BodyStore extends Poses implements Stateful {
      */
     public static final byte KINEMATIC = 4;
 
+    /** Numbers to a body of {@link #ramp}. */
+    public static final int RAMP = 4;
+
+    /**
+     * Of kinematic bodies, how their velocity changes within this tick, world, m/s, three numbers,
+     * and the share of their angular velocity that comes to it; others' is not defined. Read of
+     * bodies that are driven only.
+     */
+    public double[] ramp = {};
+
     /** How many kinematic bodies move in this tick. */
     public int driven;
 

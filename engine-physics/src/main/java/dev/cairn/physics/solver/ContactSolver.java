@@ -250,8 +250,10 @@ public final class ContactSolver {
                                 t.impulseScale / t.subStep,
                                 t.weight(),
                                 collector.isSame());
+        // what rides is put in balance, and keeps its place, also where nothing is on it
+        boolean weighs = stacked || collector.sides.count() > 0;
         start.found = false;
-        if (stacked
+        if (weighs
                 && settings.count(Tunable.START_SWEEPS) > 0
                 && t.weight() > 0
                 && !collector.isSame()) {
@@ -277,7 +279,7 @@ public final class ContactSolver {
                                 t.gravity,
                                 t.step,
                                 settings,
-                                stacked,
+                                weighs,
                                 collector.isSame(),
                                 jobs);
         if (settings.count(Tunable.DIRECT_FROM) > 0) {
@@ -364,6 +366,7 @@ public final class ContactSolver {
             p.limit(sub, head, tail);
         }
         for (int k = 0; k < sub.count; k++) {
+            p.paceSides(sub, k, b);
             if (balls || (bounces && p.isFast(head, tail))) {
                 p.impacts(sub, b, head, tail, from, to, own);
             }

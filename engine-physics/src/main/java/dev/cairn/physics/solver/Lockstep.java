@@ -145,6 +145,7 @@ final class Lockstep {
         colours(prepare, jobs);
         jobs.run(findRenewed, Blocks.count(endPlace(-1) - firstPlace(-1), ROWS_PER_BLOCK));
         substep = 0;
+        passes.paceSides(pace, substep, base);
         bounces = passes.bouncers.to(base) > passes.bouncers.from(base);
         balls = bounces && passes.hasBalls(base);
         if (bounces) {
@@ -184,6 +185,7 @@ final class Lockstep {
                 jobs.run(stopJoints, joined);
             }
             substep++;
+            passes.paceSides(pace, substep, base);
             look();
             jobs.run(within, parts);
         }
@@ -305,6 +307,7 @@ final class Lockstep {
             }
             p.finish(pace, head, tail, own);
         }
+        p.paceSides(pace, substep, b);
         if (substep == pace.count) {
             p.storeBodies(head, tail);
             p.storeRows(chosen, pace, renews, firstPlace(domain), endPlace(domain), own);

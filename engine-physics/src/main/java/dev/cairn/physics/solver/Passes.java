@@ -190,7 +190,8 @@ final class Passes {
     /** Corrects the warm start of rows that have lost a load, or know of none yet. */
     void settle(SubStep sub, int from, int to, Workbench bench) {
         if (start.found) {
-            starts.start(rows, body, sub, start, from, to, bench.scratch);
+            starts.start(rows, body, tick.contacts, sub, start, from, to, bench.scratch);
+            renewal.know(rows, tick.contacts, from, to);
         }
         one.settle(
                 rows,
@@ -245,6 +246,11 @@ final class Passes {
                 one.carry(rows, body, sub, rows.list.place[m], bench.scratch);
             }
         }
+    }
+
+    /** Gives the kinematic bodies that a batch touches their velocity of a sub-step. */
+    void paceSides(SubStep sub, int index, int batch) {
+        sides.pace(tick.bodies, body, batch, index, sub.count, rows.isSingle);
     }
 
     /** Moves the kinematic bodies that a batch touches. */

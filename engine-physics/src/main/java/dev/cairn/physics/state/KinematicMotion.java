@@ -28,6 +28,14 @@ public final class KinematicMotion {
     private byte[] state = {};
     private double[] target = {};
 
+    /** Numbers to a body of {@link #past}: velocities of the last tick and of the one before. */
+    private static final int PAST = 12;
+
+    private double[] past = {};
+
+    /** Lengths of the last tick and of the one before, s. */
+    private double last, beforeLast;
+
     /** By slot: whether the body moved in the last tick. */
     private boolean[] moved = {};
 
@@ -57,6 +65,15 @@ public final class KinematicMotion {
         }
         state = s.array("state", state, slots);
         moved = s.array("moved", moved, slots);
+        last = s.value("last", last);
+        beforeLast = s.value("beforeLast", beforeLast);
+        boolean knows = s.value("knows", past.length > 0);
+        if (knows) {
+            ensurePast();
+            past = s.array("past", past, PAST * slots);
+        } else if (s.isRestoring()) {
+            Arrays.fill(past, 0.0);
+        }
         if (aims) {
             target = s.array("target", target, STRIDE * slots);
         }
@@ -71,6 +88,19 @@ public final class KinematicMotion {
     public void born(int slot) {
         state[slot] = NONE;
         moved[slot] = false;
+        if (past.length > 0) {
+            Arrays.fill(past, PAST * slot, PAST * (slot + 1), 0.0);
+        }
+    }
+
+    /** Room for what was before, from the first kinematic body on. */
+    private void ensurePast() {
+        if (past.length < PAST * state.length) {
+            past = Arrays.copyOf(past, PAST * state.length);
+        }
+        if (bodies.ramp.length < BodyStore.RAMP * state.length) {
+            bodies.ramp = new double[BodyStore.RAMP * state.length];
+        }
     }
 
     /**
@@ -131,6 +161,9 @@ public final class KinematicMotion {
     public void begin(int[] slots, int count, double stepSeconds) {
         BodyStore b = bodies;
         b.driven = b.belts;
+        if (count > 0) {
+            ensurePast();
+        }
         for (int k = 0; k < count; k++) {
             int s = slots[k];
             if (state[s] == AIMED) {
@@ -149,7 +182,59 @@ public final class KinematicMotion {
             if (!b.isDriven(s)) {
                 b.driven--;
             }
+            ramp(s, stepSeconds);
         }
+        beforeLast = last;
+        last = stepSeconds;
+    }
+
+    /**
+     * How the velocity changes within the tick. What is known are the mean velocities of this tick
+     * and of those before; a line through them that does not go beyond any has the smaller of the
+     * two slopes, and none where they differ in sign (minmod; P. Roe 1986). So what speeds up
+     * evenly does so within the tick too, and a velocity that jumps, jumps.
+     */
+    private void ramp(int slot, double stepSeconds) {
+        BodyStore b = bodies;
+        int p = PAST * slot;
+        int r = BodyStore.RAMP * slot;
+        double first = last > 0 ? 2 * stepSeconds / (stepSeconds + last) : 0;
+        double second = beforeLast > 0 ? 2 * stepSeconds / (last + beforeLast) : 0;
+        double x = slope(p, b.velocityX[slot], first, second);
+        double y = slope(p + 1, b.velocityY[slot], first, second);
+        double z = slope(p + 2, b.velocityZ[slot], first, second);
+        double u = b.angularVelocityX[slot];
+        double v = b.angularVelocityY[slot];
+        double w = b.angularVelocityZ[slot];
+        // of a turn the change along the axis counts: dw.w/w²
+        double along =
+                u * slope(p + 3, u, first, second)
+                        + v * slope(p + 4, v, first, second)
+                        + w * slope(p + 5, w, first, second);
+        double square = u * u + v * v + w * w;
+        // what stands still in this tick is not moved to and fro
+        boolean moves =
+                square != 0
+                        || b.velocityX[slot] != 0
+                        || b.velocityY[slot] != 0
+                        || b.velocityZ[slot] != 0;
+        b.ramp[r] = moves ? x : 0;
+        b.ramp[r + 1] = moves ? y : 0;
+        b.ramp[r + 2] = moves ? z : 0;
+        b.ramp[r + 3] = square > 0 ? along / square : 0;
+    }
+
+    /** Slope by tick of one component; what is known moves on by a tick. */
+    private double slope(int p, double now, double first, double second) {
+        double before = past[p];
+        double a = (now - before) * first;
+        double c = (before - past[p + 6]) * second;
+        past[p + 6] = before;
+        past[p] = now;
+        if (!(a * c > 0)) {
+            return 0;
+        }
+        return Math.abs(a) < Math.abs(c) ? a : c;
     }
 
     /**

@@ -104,7 +104,10 @@ public final class Carried {
             stopped.raise(Math.abs(platform.position().x - x - vx * seconds));
             double way = platform.position().x - x;
             if (x + way + 2 < 3.9 || vx == 0) {
-                worst.raise(Math.abs(riders[1].position().x - start[1].x - way));
+                for (int i = 0; i < riders.length; i++) {
+                    Vector3d to = new Vector3d(way, vy * seconds, 0).add(start[i]);
+                    worst.raise(riders[i].position().distance(to));
+                }
             }
         });
         scene.error("platformMetres", stopped::get);

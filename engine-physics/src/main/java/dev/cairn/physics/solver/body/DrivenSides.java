@@ -16,12 +16,19 @@ import java.util.Arrays;
  * what an impulse adds to y is lost to rounding: then the speed of each point, {@code w.(r x n)},
  * is right to the last digit, and nothing stops the body.
  *
+ * <p>The velocity of a body that speeds up goes from sub-step to sub-step, by {@link
+ * BodyStore#ramp} over the tick, about that of the tick. So a rider is pulled along evenly, not at
+ * the start of each tick alone, where friction, bounded by the load of one sub-step, gives way.
+ *
  * <p>They lie behind the bodies of all slots. Simulation thread, but for {@link #move}, which any
  * worker calls for the batch that it has. Allocates only while their number grows.
  */
 public final class DrivenSides {
     /** Speeds times impulses up to 1e19 J are lost beside the square of its inverse. */
     private static final double LEVER = 0x1p-60;
+
+    /** Numbers to a body of {@link BodyStore#ramp}. */
+    private static final int RAMP = BodyStore.RAMP;
 
     private int firstSlot;
     private int count;
@@ -34,6 +41,12 @@ public final class DrivenSides {
 
     /** By side: velocity of the surface against its body, world, m/s, three numbers. */
     private double[] belt = {};
+
+    /** By side: velocity and y of the first column over the whole tick, four numbers. */
+    private double[] mean = {};
+
+    /** Whether the velocity of one changes within the tick. */
+    private boolean ramps;
 
     /** By batch: its first side; one more for the end of the last. */
     private int[] first = new int[2];
@@ -68,6 +81,7 @@ public final class DrivenSides {
             body = Arrays.copyOf(body, Math.max(16, 2 * count));
             edge = Arrays.copyOf(edge, body.length);
             belt = Arrays.copyOf(belt, 3 * body.length);
+            mean = new double[RAMP * body.length];
         }
         edge[count] = m;
         body[count] = slot;
@@ -105,6 +119,7 @@ public final class DrivenSides {
     public void load(
             BodyStore b, SolverBodies s, ContactColumns c, int[] source, int contactCount) {
         s.drivenFrom = count == 0 ? Integer.MAX_VALUE : SolverBodies.offset(firstSlot);
+        ramps = false;
         for (int k = 0; k < count; k++) {
             boolean has = c.belts && edge[k] < contactCount;
             for (int n = 0; n < 3; n++) {
@@ -137,12 +152,49 @@ public final class DrivenSides {
             s.root[r + 6] = LEVER * z;
         }
         double spin = SolverBodies.norm(x, y, z);
-        s.fastest[i] =
-                2 * (SolverBodies.norm(v[o], v[o + 1], v[o + 2]) + spin * b.outerRadius[slot]);
+        double most = SolverBodies.norm(v[o], v[o + 1], v[o + 2]) + spin * b.outerRadius[slot];
+        for (int n = 0; n < RAMP; n++) {
+            mean[RAMP * k + n] = v[o + n];
+            double ramp = ramp(b, slot, n);
+            ramps |= ramp != 0;
+            most += n < 3 ? Math.abs(ramp) : Math.abs(ramp) * spin * b.outerRadius[slot];
+        }
+        s.fastest[i] = 2 * most;
         s.impactTime[i] = 0;
         s.shifted[i] = false;
         s.round(i);
         s.roundRoot(i);
+    }
+
+    private static double ramp(BodyStore b, int slot, int n) {
+        return b.kind[slot] == BodyStore.KINEMATIC ? b.ramp[RAMP * slot + n] : 0;
+    }
+
+    /**
+     * Gives the sides of a batch the velocity of a sub-step: {@code v + ((k + 1/2)/n - 1/2) dv},
+     * {@code dv} the change over the tick. The mean is v, so the tick ends where it shall.
+     *
+     * @param k index of the sub-step
+     * @param substeps n
+     * @param single whether the batch's rows are floats
+     */
+    public void pace(BodyStore b, SolverBodies s, int batch, int k, int substeps, boolean single) {
+        if (!ramps || batch >= batches) {
+            return;
+        }
+        double at = (k + 0.5) / substeps - 0.5;
+        for (int side = first[batch]; side < first[batch + 1]; side++) {
+            int i = firstSlot + side;
+            int o = SolverBodies.offset(i);
+            for (int n = 0; n < RAMP; n++) {
+                double u = mean[RAMP * side + n];
+                double by = at * ramp(b, body[side], n);
+                s.state[o + n] = u + (n < 3 ? by : by * u) + 0.0;
+            }
+            if (single) {
+                s.roundVelocity(i);
+            }
+        }
     }
 
     /**

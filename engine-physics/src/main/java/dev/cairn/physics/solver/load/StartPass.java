@@ -1,5 +1,6 @@
 package dev.cairn.physics.solver.load;
 
+import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.row.ConstraintRows;
 import dev.cairn.physics.solver.row.Scratch;
@@ -14,6 +15,7 @@ public interface StartPass {
     void start(
             ConstraintRows rows,
             SolverBodies bodies,
+            ContactStore contacts,
             SubStep sub,
             StaticStart islands,
             int from,

@@ -20,6 +20,7 @@ public final class StartSweep implements StartPass {
     public void start(
             ConstraintRows rows,
             SolverBodies bodies,
+            ContactStore contacts,
             SubStep sub,
             StaticStart islands,
             int from,
@@ -46,8 +47,9 @@ public final class StartSweep implements StartPass {
         for (int j = from; j < to; j++) {
             if (rows.settleMark[j] == StaticStart.MARK) {
                 int l = j * LINK;
-                double speed = Math.max(speed(body, rows.link[l]), speed(body, rows.link[l + 1]));
-                islands.moves(root(rows, body, islands, j), speed);
+                int root = root(rows, body, islands, j);
+                islands.moves(root, speed(body, rows.link[l], islands, root));
+                islands.moves(root, speed(body, rows.link[l + 1], islands, root));
             }
         }
         for (int j = from; j < to; j++) {
@@ -56,7 +58,7 @@ public final class StartSweep implements StartPass {
             }
             rows.settleMark[j] = 0;
             if (islands.isBalanced(root(rows, body, islands, j))) {
-                preload(rows, sub, j);
+                preload(rows, body, contacts, sub, j);
             } else {
                 forget(rows, bodies, j);
             }
@@ -127,12 +129,15 @@ public final class StartSweep implements StartPass {
         }
     }
 
-    /** Square of the speed of a body that moves, its turn weighed in: {@code v² + w'²/m}. */
-    private static double speed(double[] body, int o) {
+    /** Square of the speed that a body has left, its turn weighed in: {@code v² + w'²/m}. */
+    private static double speed(double[] body, int o, StaticStart islands, int root) {
         if (body[o + MASS] == 0) {
             return 0;
         }
-        double v = body[o] * body[o] + body[o + 1] * body[o + 1] + body[o + 2] * body[o + 2];
+        double x = body[o] - /*(float)*/ islands.frame(root, 0);
+        double y = body[o + 1] - /*(float)*/ islands.frame(root, 1);
+        double z = body[o + 2] - /*(float)*/ islands.frame(root, 2);
+        double v = x * x + y * y + z * z;
         double w =
                 body[o + 3] * body[o + 3] + body[o + 4] * body[o + 4] + body[o + 5] * body[o + 5];
         return v + w * body[o + MASS];
@@ -198,16 +203,24 @@ public final class StartSweep implements StartPass {
     }
 
     /** The springs of the points hold what presses on them: {@code offset = impulse/k}. */
-    private static void preload(ConstraintRows rows, SubStep sub, int j) {
+    private static void preload(
+            ConstraintRows rows, double[] body, ContactStore contacts, SubStep sub, int j) {
         double[] d = rows.doubles;
         int lanes = rows.lanes;
         int l = j * LINK;
         int o = rows.base(j);
-        double stiffness = sub.stiffness(rows.link[l] == 0 || rows.link[l + 1] == 0);
+        double stiffness =
+                sub.stiffness(body[rows.link[l] + MASS] == 0 || body[rows.link[l + 1] + MASS] == 0);
         for (int p = 0; p < rows.link[l + ConstraintRows.COUNT]; p++) {
             int q = o + (ConstraintRows.POINT + p * ConstraintRows.POINT_FIELDS) * lanes;
             double k = d[q + ConstraintRows.MASS * lanes] * stiffness;
-            double offset = k > 0 ? d[q + ConstraintRows.IMPULSE * lanes] / k : 0;
+            double impulse = d[q + ConstraintRows.IMPULSE * lanes];
+            double offset = k > 0 ? impulse / k : 0;
+            if (k > 0 && sub.offsetGain > 0) {
+                // of the sub-step before, as all that contacts know
+                int point = ContactStore.POINTS * rows.link[l + ConstraintRows.SOURCE] + p;
+                contacts.preload[point] = impulse / sub.fillScale;
+            }
             d[o + (ConstraintRows.GAP + p) * lanes] -= offset;
             d[q + ConstraintRows.SEPARATION * lanes] -= offset;
         }

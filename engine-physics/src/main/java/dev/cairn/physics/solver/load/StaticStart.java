@@ -21,6 +21,9 @@ import java.util.Arrays;
  * from it what all further ones would do: every fourth sweep impulses and velocities leap there
  * together (Aitken's extrapolation). A house of five levels takes 1/8 of the sweeps for it.
  *
+ * <p>What is put up on a kinematic body, or on a belt, that moves evenly, and moves as that, is at
+ * rest beside it, and starts in the same way: laws are the same in both frames.
+ *
  * <p>If what is left moves, as in a scene that starts out of balance, or in one that is too large,
  * all is as if nothing had been done: half a balance is worse than none, since a tall column leans
  * on springs that are a little wrong. The number of sweeps follows from the islands that start
@@ -69,6 +72,12 @@ public final class StaticStart {
     private double[] change = {};
     private double[] largest = {};
     private double[] before = {};
+
+    /** By smallest slot of an island: velocity of all that carries it, and whether any does. */
+    private double[] frame = {};
+
+    private boolean[] framed = {};
+
     private double[] rate = {};
     private double[] reach = {};
 
@@ -106,11 +115,20 @@ public final class StaticStart {
         gather(b, list);
         Arrays.fill(sweepsLeft, 0, b.slotCount, 0);
         Arrays.fill(swept, 0, b.slotCount, false);
+        Arrays.fill(framed, 0, b.slotCount, false);
+        Arrays.fill(frame, 0, 3 * b.slotCount, 0.0);
         for (int m = 0; m < list.count; m++) {
             int root = island[list.mover(m)];
             sweepsLeft[root]++;
             // for now: whether the island is no start
-            swept[root] |= !starts(b, c, list, m, still);
+            swept[root] |= m >= list.contacts || !joinsFrame(b, c, list, m, root);
+        }
+        for (int m = 0; m < list.contacts; m++) {
+            int root = island[list.mover(m)];
+            int source = list.source[m];
+            swept[root] |=
+                    !starts(b, c.bodyA[source], root, still)
+                            || !starts(b, c.bodyB[source], root, still);
         }
         int all = 0;
         for (int m = 0; m < list.contacts; m++) {
@@ -165,27 +183,48 @@ public final class StaticStart {
         }
     }
 
-    /** Only contacts are swept before a start, and not with what moves of itself. */
-    private static boolean starts(BodyStore b, ContactStore c, EdgeList list, int m, double still) {
-        int source = list.source[m];
-        return m < list.contacts
-                && list.carrier[m] < 0
-                && starts(b, c.bodyA[source], still)
-                && starts(b, c.bodyB[source], still);
+    /** Notes how fast what carries moves; false if it turns, or moves unlike another one. */
+    private boolean joinsFrame(BodyStore b, ContactStore c, EdgeList list, int m, int root) {
+        if (list.isBetweenMovers(m)) {
+            return true;
+        }
+        int k = list.carrier[m];
+        double x = 0;
+        double y = 0;
+        double z = 0;
+        if (k >= 0) {
+            if (b.angularVelocityX[k] != 0
+                    || b.angularVelocityY[k] != 0
+                    || b.angularVelocityZ[k] != 0) {
+                return false;
+            }
+            int row = 3 * list.source[m];
+            x = b.velocityX[k] + (c.belts ? c.belt[row] : 0);
+            y = b.velocityY[k] + (c.belts ? c.belt[row + 1] : 0);
+            z = b.velocityZ[k] + (c.belts ? c.belt[row + 2] : 0);
+        }
+        int f = 3 * root;
+        if (!framed[root]) {
+            framed[root] = true;
+            frame[f] = x;
+            frame[f + 1] = y;
+            frame[f + 2] = z;
+        }
+        return frame[f] == x && frame[f + 1] == y && frame[f + 2] == z;
     }
 
-    private static boolean starts(BodyStore b, int i, double still) {
-        if (b.kind[i] == BodyStore.DYNAMIC && b.inertiaScale[i] > 0) {
-            return false;
+    private boolean starts(BodyStore b, int i, int root, double still) {
+        if (b.kind[i] != BodyStore.DYNAMIC) {
+            return true;
         }
-        double x = b.velocityX[i];
-        double y = b.velocityY[i];
-        double z = b.velocityZ[i];
-        double u = b.angularVelocityX[i];
-        double v = b.angularVelocityY[i];
-        double w = b.angularVelocityZ[i];
-        double turn = b.kind[i] == BodyStore.DYNAMIC ? b.outerRadius[i] : 1;
-        return Math.sqrt(x * x + y * y + z * z) + Math.sqrt(u * u + v * v + w * w) * turn < still;
+        double x = b.velocityX[i] - frame[3 * root];
+        double y = b.velocityY[i] - frame[3 * root + 1];
+        double z = b.velocityZ[i] - frame[3 * root + 2];
+        double turn =
+                SolverBodies.norm(
+                        b.angularVelocityX[i], b.angularVelocityY[i], b.angularVelocityZ[i]);
+        return !(b.inertiaScale[i] > 0)
+                && SolverBodies.norm(x, y, z) + turn * b.outerRadius[i] < still;
     }
 
     private void ensureCapacity(BodyStore b, ContactStore c) {
@@ -198,6 +237,8 @@ public final class StaticStart {
             largest = new double[n];
             swept = new boolean[n];
             before = new double[n];
+            frame = new double[3 * n];
+            framed = new boolean[n];
             rate = new double[n];
             reach = new double[n];
             taken = new int[n];
@@ -216,6 +257,11 @@ public final class StaticStart {
      */
     int islandOf(int offset) {
         return island[SolverBodies.slot(offset)];
+    }
+
+    /** Component of the velocity at which an island is at rest, m/s. */
+    double frame(int root, int k) {
+        return frame[3 * root + k];
     }
 
     boolean isOpen(int root) {

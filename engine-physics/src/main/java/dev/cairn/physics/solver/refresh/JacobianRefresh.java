@@ -449,6 +449,19 @@ public final class JacobianRefresh {
         }
     }
 
+    /** Contacts know of other loads than when their rows were found. */
+    public void know(ConstraintRows rows, ContactStore c, int from, int to) {
+        for (int j = from; j < to; j++) {
+            if (renewed[j] != 0) {
+                RefreshRow.know(
+                        c,
+                        rows.link[j * ConstraintRows.LINK + ConstraintRows.SOURCE],
+                        kept,
+                        KEPT * j);
+            }
+        }
+    }
+
     /** What the contacts know is of sub-steps of another length. */
     private void scale(ContactStore c, int source, int k, double scale) {
         int first = ContactStore.POINTS * source;

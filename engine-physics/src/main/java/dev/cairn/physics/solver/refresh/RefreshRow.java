@@ -57,6 +57,14 @@ public final class RefreshRow {
         }
     }
 
+    /** Writes the loads that a contact knows to its record. */
+    static void know(ContactStore c, int source, double[] record, int k) {
+        int first = ContactStore.POINTS * source;
+        for (int i = 0; i < c.pointCount[source]; i++) {
+            record[k + POINTS + NUMBERS * i + LOADS] = c.preload[first + i];
+        }
+    }
+
     /** Writes the normal of a contact to its record, and tangents. */
     static void aim(ContactStore c, int source, double[] record, int k) {
         double x = c.normalX(source);
