@@ -11,11 +11,9 @@ import dev.cairn.samples.scenefile.SceneReader;
 
 import org.jspecify.annotations.Nullable;
 
-import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -136,7 +134,7 @@ record Request(
         }
         Path sheet = path("--contact-sheet", typed.contactSheet);
         if (sheet != null) {
-            checkPng("--contact-sheet", sheet);
+            OutputFile.checkPng("--contact-sheet", sheet);
         }
         Path animation = path("--animation", typed.animation);
         if (animation != null) {
@@ -145,8 +143,8 @@ record Request(
         if (typed.json != null && !typed.json.equals("-")) {
             Path json = path("--json", typed.json);
             if (json != null) {
-                checkFolder("--json", json);
-                checkWritable("--json", json);
+                OutputFile.checkFolder("--json", json);
+                OutputFile.checkWritable("--json", json);
             }
         }
         return new Request(
@@ -225,8 +223,8 @@ record Request(
             throw new UsageException(
                     "--export-scene %s: the name must end in .json".formatted(export));
         }
-        checkFolder("--export-scene", export);
-        checkWritable("--export-scene", export);
+        OutputFile.checkFolder("--export-scene", export);
+        OutputFile.checkWritable("--export-scene", export);
     }
 
     boolean sleepingOr(boolean otherwise) {
@@ -332,7 +330,7 @@ record Request(
             throw new UsageException(
                     "--at %d: the run ends after %d ticks; add --ticks %d".formatted(at, last, at));
         }
-        checkPng("--picture", picture);
+        OutputFile.checkPng("--picture", picture);
     }
 
     private static void checkAnimation(
@@ -348,40 +346,7 @@ record Request(
                     "--animation %s: of %d ticks, want 1 to %d; add --ticks N"
                             .formatted(animation, length, LONGEST_FILM));
         }
-        checkPng("--animation", animation);
-    }
-
-    private static void checkPng(String option, Path file) {
-        if (!file.toString().endsWith(".png")) {
-            throw new UsageException("%s %s: the name must end in .png".formatted(option, file));
-        }
-        checkFolder(option, file);
-        checkWritable(option, file);
-    }
-
-    private static void checkFolder(String option, Path file) {
-        Path parent = file.toAbsolutePath().getParent();
-        if (parent == null || !Files.isDirectory(parent) || Files.isDirectory(file)) {
-            throw new UsageException(
-                    "%s %s: cannot write there; name a file in a folder that exists"
-                            .formatted(option, file));
-        }
-    }
-
-    /** Finds out before a long run, not after it, whether the results can be written. */
-    private static void checkWritable(String option, Path file) {
-        boolean isNew = Files.notExists(file);
-        try {
-            Files.newByteChannel(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE).close();
-            if (isNew) {
-                Files.deleteIfExists(file);
-            }
-        } catch (IOException refused) {
-            throw new UsageException(
-                    "%s %s: this file cannot be written (%s); name another"
-                            .formatted(option, file, refused.getClass().getSimpleName()),
-                    refused);
-        }
+        OutputFile.checkPng("--animation", animation);
     }
 
     private static List<SampleScene> scenes(List<String> typed, @Nullable Path obj) {

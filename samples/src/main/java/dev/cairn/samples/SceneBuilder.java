@@ -8,7 +8,6 @@ import dev.cairn.physics.Collider;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
-import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.Light;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.mesh.ModelGroup;
@@ -45,66 +44,12 @@ public final class SceneBuilder {
     private final List<String> remarksSeen = Collections.unmodifiableList(remarks);
     private final IdentityHashMap<Shape, Model> models = new IdentityHashMap<>();
     private final List<Long> visuals = new ArrayList<>();
-    private View view = new View(0, 4, 14, 0, 1, 0);
+    private SceneView view = new SceneView(0, 4, 14, 0, 1, 0);
     private Light light = Light.DAYLIGHT;
     private double stepSeconds = SampleScene.STEP_SECONDS;
     private double gravityTurn;
     private long tick;
     private boolean hasSystems;
-
-    /**
-     * Where a scene wants to be seen from. World frame, metres.
-     *
-     * @param eyeX camera, x
-     * @param eyeY camera, y
-     * @param eyeZ camera, z
-     * @param targetX what it looks at, x
-     * @param targetY what it looks at, y
-     * @param targetZ what it looks at, z
-     * @param fieldOfView angle between the upper and the lower edge of the picture, rad
-     */
-    public record View(
-            double eyeX,
-            double eyeY,
-            double eyeZ,
-            double targetX,
-            double targetY,
-            double targetZ,
-            double fieldOfView) {
-        /** Angle between the upper and the lower edge of the picture where none is named. */
-        private static final double FIELD_OF_VIEW = Math.toRadians(50);
-
-        /**
-         * A view through the usual lens.
-         *
-         * @param eyeX camera, x
-         * @param eyeY camera, y
-         * @param eyeZ camera, z
-         * @param targetX what it looks at, x
-         * @param targetY what it looks at, y
-         * @param targetZ what it looks at, z
-         */
-        public View(
-                double eyeX,
-                double eyeY,
-                double eyeZ,
-                double targetX,
-                double targetY,
-                double targetZ) {
-            this(eyeX, eyeY, eyeZ, targetX, targetY, targetZ, FIELD_OF_VIEW);
-        }
-
-        /**
-         * Places a camera.
-         *
-         * @param camera which one
-         * @return the same camera
-         */
-        public Camera place(Camera camera) {
-            return camera.lookAt(eyeX, eyeY, eyeZ, targetX, targetY, targetZ)
-                    .fieldOfView(fieldOfView);
-        }
-    }
 
     /**
      * A force that never changes.
@@ -209,19 +154,7 @@ public final class SceneBuilder {
      * @return the body in the world
      */
     public BodyRef add(Shape shape, Model model, Body body) {
-        return add(shape, new Visual(model), body);
-    }
-
-    /**
-     * Adds a body and the way it looks.
-     *
-     * @param shape its shape
-     * @param look a {@code Model} or a {@code ModelGroup}
-     * @param body all else
-     * @return the body in the world
-     */
-    public BodyRef add(Shape shape, Visual look, Body body) {
-        return remember(world.add(body.shape(shape).with(look)));
+        return add(body.shape(shape), new Visual(model));
     }
 
     /**
@@ -323,7 +256,7 @@ public final class SceneBuilder {
      *
      * @param value the camera's place and aim
      */
-    public void view(View value) {
+    public void view(SceneView value) {
         view = value;
     }
 
@@ -332,7 +265,7 @@ public final class SceneBuilder {
      *
      * @return the camera's place and aim
      */
-    public View view() {
+    public SceneView view() {
         return view;
     }
 

@@ -1,14 +1,11 @@
 package dev.cairn.samples.editor;
 
-import dev.cairn.samples.scenefile.BodyKind;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.SceneEdit;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFileException;
 import dev.cairn.samples.scenefile.SceneHistory;
-import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
-import dev.cairn.samples.scenefile.Turn;
 import dev.cairn.samples.scenefile.Xyz;
 
 import org.jspecify.annotations.Nullable;
@@ -265,18 +262,7 @@ public final class Editor {
             fail(String.valueOf(broken.getMessage()));
             return;
         }
-        String name = String.valueOf(Path.of(path.strip()).getFileName()).replace(".obj", "");
-        // Its lowest point goes to where that of the cube was which stood in for it.
-        double raised =
-                at.y()
-                        + Sizes.of(Supply.ANY_MESH).low().y()
-                        - Supply.lowest(document.folder().resolve(path.strip()));
-        place(
-                EntitySpec.of(
-                                name,
-                                BodyKind.DYNAMIC,
-                                new MeshShape(path.strip().replace('\\', '/')))
-                        .at(new Xyz(at.x(), raised, at.z()), Turn.NONE));
+        place(Supply.mesh(document.folder(), path.strip(), at));
     }
 
     /** Adds one more of what is selected, beside it, and selects that. */

@@ -74,7 +74,7 @@ final class Supply {
     private Supply() {}
 
     /** The least height in a mesh file, in its own frame, m; that of the cube if it is broken. */
-    static double lowest(Path file) {
+    private static double lowest(Path file) {
         double lowest = Double.POSITIVE_INFINITY;
         try {
             double[] points = ObjReader.read(file).points();
@@ -85,6 +85,14 @@ final class Supply {
             return Sizes.of(ANY_MESH).low().y(); // The loader says what is wrong with it.
         }
         return lowest;
+    }
+
+    /** A mesh file with its lowest point where that of the cube was which stood in for it. */
+    static EntitySpec mesh(Path folder, String path, Xyz at) {
+        String name = String.valueOf(Path.of(path).getFileName()).replace(".obj", "");
+        double raised = at.y() + Sizes.of(ANY_MESH).low().y() - lowest(folder.resolve(path));
+        return EntitySpec.of(name, BodyKind.DYNAMIC, new MeshShape(path.replace('\\', '/')))
+                .at(new Xyz(at.x(), raised, at.z()), Turn.NONE);
     }
 
     /** A fixed floor with one-metre squares, its upper side at y = 0. */

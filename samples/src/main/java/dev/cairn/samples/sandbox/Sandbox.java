@@ -7,7 +7,6 @@ import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.render.app.Application;
 import dev.cairn.render.app.Scene;
 import dev.cairn.render.app.View;
-import dev.cairn.render.camera.Camera;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Key;
 import dev.cairn.render.ui.Ui;
@@ -20,7 +19,6 @@ import dev.cairn.samples.editor.EditorPanels;
 import dev.cairn.samples.editor.LeaveQuestion;
 import dev.cairn.samples.replay.Act.What;
 import dev.cairn.samples.replay.Looks;
-import dev.cairn.samples.replay.Player;
 import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.scenefile.SceneExport;
 import dev.cairn.samples.scenefile.SceneFile;
@@ -30,9 +28,6 @@ import org.jspecify.annotations.Nullable;
 
 import java.io.PrintStream;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
@@ -46,21 +41,7 @@ import java.util.Map;
  * by snapshots.
  */
 public class Sandbox extends Application {
-    private static final Key[] NUMBERS = {
-        Key.DIGIT_1,
-        Key.DIGIT_2,
-        Key.DIGIT_3,
-        Key.DIGIT_4,
-        Key.DIGIT_5,
-        Key.DIGIT_6,
-        Key.DIGIT_7,
-        Key.DIGIT_8,
-        Key.DIGIT_9,
-        Key.DIGIT_0
-    };
-
     private final List<SampleScene> scenes;
-    private final PrintStream out;
     private final SandboxPanels panels;
     private final EditorStage stage = new EditorStage(this);
     private final Editor editor = new Editor(stage);
@@ -70,48 +51,22 @@ public class Sandbox extends Application {
     private final TripleBuffer<SandboxState> states = new TripleBuffer<>(SandboxState::new);
 
     // The simulation thread's own, from initScene on.
-    private final Map<String, SceneOptions> options;
+    private final SceneChoice choice;
+    private final BuiltScene built;
     private final PlotHistory history = new PlotHistory();
-    private final Timeline timeline = new Timeline();
     private final Diary diary = new Diary();
     private final MouseHand hand = new MouseHand(diary);
+    private final Thrower thrower = new Thrower(diary);
+    private final TimeTravel time = new TimeTravel(this, diary, hand);
+    private final StageNotes notes = new StageNotes();
     private double tickSeconds = SampleScene.STEP_SECONDS;
-    private int current;
     private int workers;
     private int substeps;
     private PhysicsSettings settings = PhysicsSettings.DEFAULT;
     private final boolean sleeping;
     private boolean bound;
-    private boolean keepCamera;
-
-    /** Whether the camera goes to where the scene wants it if that is not where it was before. */
-    private boolean refits;
-
-    private SceneBuilder.@Nullable View seenFrom;
-    private @Nullable SceneBuilder built;
-    private @Nullable RunFile from;
-    private @Nullable Looks looks;
-    private int remarksShown;
     private long stepStartNanos;
-    private String problem = "";
-    private Ball ball = Ball.DEFAULT;
-    private int thrown;
-
-    private EditorStage.@Nullable Shown notedFor;
-    private int notedSize;
-    private String noted = "";
     private @Nullable String noWindow;
-
-    /**
-     * What is thrown.
-     *
-     * @param radius m
-     * @param density kg/m³
-     * @param speed m/s
-     */
-    record Ball(double radius, double density, double speed) {
-        static final Ball DEFAULT = new Ball(0.25, 1000, 15);
-    }
 
     /**
      * A sandbox that is not open yet.
@@ -142,11 +97,11 @@ public class Sandbox extends Application {
             boolean sleeping,
             PrintStream out) {
         this.scenes = scenes;
-        this.options = new HashMap<>(options);
+        this.choice = new SceneChoice(scenes, options);
+        this.built = new BuiltScene(choice, stage, out);
         this.workers = workers;
         this.substeps = substeps;
         this.sleeping = sleeping;
-        this.out = out;
         this.panels = new SandboxPanels(this, scenes);
     }
 
@@ -169,7 +124,7 @@ public class Sandbox extends Application {
      * @param scene one of the list
      */
     public void beginWith(SampleScene scene) {
-        current = Math.max(0, scenes.indexOf(scene));
+        choice.show(scene);
     }
 
     /**
@@ -178,7 +133,7 @@ public class Sandbox extends Application {
      * @param file which one, null for the scene's own beginning
      */
     public void beginAt(@Nullable RunFile file) {
-        from = file;
+        built.beginAt(file);
     }
 
     /** The editor; window thread. For tests. */
@@ -224,252 +179,68 @@ public class Sandbox extends Application {
                         .settings(settings)
                         .substeps(edited == null ? substeps : edited.scene().tick().substeps())
                         .sleeping(sleeping)
-                        .seed(chosenOptions().seed())
-                        .systems(scenes.get(current).systems(chosenOptions()))
+                        .seed(choice.options().seed())
+                        .systems(choice.scene().systems(choice.options()))
                         .build();
         // The others are parked until the slider asks for them.
         world.ecs().jobs().limit(workers);
         return world;
     }
 
-    private SceneOptions chosenOptions() {
-        SampleScene chosen = scenes.get(current);
-        SceneOptions known = options.get(chosen.id());
-        if (known == null) {
-            known = SceneOptions.defaults(chosen);
-            options.put(chosen.id(), known);
-        }
-        return known;
-    }
-
     @Override
     protected void initScene(Scene scene) {
         if (!bound) {
-            bind(scene); // once, so that keys that were rebound stay so
+            // Once, so that keys that were rebound stay so.
+            SandboxKeys.bind(
+                    scene.bindings(), this, time, scenes, () -> built.lookFromStart(scene()));
+            scene.bindings()
+                    .onKey(Key.H, "hide panels", panels::toggleHidden)
+                    .onScroll("pull nearer, push away", hand::scroll)
+                    .onScroll("raise, lower in the editor", editorPanels::raise);
+            editorPanels.bind(scene.bindings());
             KeyRows.load(scene.bindings());
             bound = true;
         }
         scene.physics().profile().enable();
         hand.release();
         history.clear();
-        remarksShown = 0;
-        thrown = 0;
-        problem = "";
-        build(scene);
-        remember(scene);
-        keepCamera = false;
-        refits = false;
+        thrower.begin();
+        built.begin(scene, substeps);
+        time.begin(scene.physics(), stage.rests() ? null : built.now());
         publishState();
-    }
-
-    private void build(Scene scene) {
-        SampleScene chosen = scenes.get(current);
-        EditorStage.Shown edited = stage.shown();
-        scene.title("Cairn: " + (edited == null ? chosen.title() : edited.scene().name()));
-        problem = "";
-        built = null;
-        try {
-            SceneBuilder next = new SceneBuilder(scene.physics(), chosenOptions());
-            if (edited == null) {
-                chosen.build(next);
-                looks = new Looks(scene.physics());
-                built = next;
-                putBack(scene, next);
-            } else {
-                // Even if the world refuses an entity: what is there must be cleared some day.
-                built = next;
-                stage.build(edited, next);
-            }
-            scene.light(next.light());
-            scene.camera().release();
-            if (!keepCamera || (refits && !next.view().equals(seenFrom))) {
-                next.view().place(scene.camera());
-            }
-            seenFrom = next.view();
-        } catch (UsageException misuse) {
-            problem = String.valueOf(misuse.getMessage());
-            out.println(problem);
-        } catch (IllegalArgumentException refused) {
-            if (edited == null) {
-                throw refused;
-            }
-            problem = String.valueOf(refused.getMessage());
-        }
-    }
-
-    /** Only the first time; the scene begins as it does after that. */
-    private void putBack(Scene scene, SceneBuilder next) {
-        RunFile file = from;
-        from = null;
-        if (file != null) {
-            file.putBack(scene.physics(), next);
-            scene.physics().setSubsteps(substeps);
-        }
     }
 
     /** Starts the edited scene from its beginning. */
     void showEdited(boolean placesCamera) {
-        keepCamera = !placesCamera;
+        built.seen(!placesCamera, false);
         restart();
     }
 
     /** Puts the edited scene as it is now in place of what the world holds. */
     void rebuildEdited() {
-        timeline.begin(scene().physics(), null);
-        SceneBuilder old = built;
-        if (old != null) {
-            old.clear();
-        }
-        boolean kept = keepCamera;
-        keepCamera = true;
-        build(scene());
-        keepCamera = kept;
+        time.timeline().begin(scene().physics(), null);
+        built.rebuild(scene(), substeps);
         publishState();
     }
 
     /** Opens the editor with what the present scene begins with. */
     void editCopy() {
-        SampleScene chosen = scenes.get(current);
+        SampleScene chosen = choice.scene();
         Path folder = Path.of("").toAbsolutePath();
         try {
-            SceneFile copy = SceneExport.of(chosen, chosenOptions(), substeps, folder);
+            SceneFile copy = SceneExport.of(chosen, choice.options(), substeps, folder);
             editorPanels.ask(known -> known.openCopy(copy, folder));
         } catch (UsageException misuse) {
-            problem = String.valueOf(misuse.getMessage());
+            built.problem(misuse);
             publishState();
         }
-    }
-
-    private void bind(Scene scene) {
-        for (int i = 0; i < Math.min(NUMBERS.length, scenes.size()); i++) {
-            int index = i;
-            scene.bindings().onKey(NUMBERS[i], "scene " + scenes.get(i).id(), () -> show(index));
-        }
-        scene.bindings()
-                .onKey(Key.PAGE_DOWN, "next scene", () -> show(current + 1))
-                .onKey(Key.PAGE_UP, "previous scene", () -> show(current - 1))
-                .onKey(Key.R, "restart", this::startAgain)
-                .onKey(Key.B, "throw a ball", this::throwBall)
-                .onKey(
-                        Key.HOME,
-                        "look from the start",
-                        () -> {
-                            SceneBuilder now = built;
-                            if (now != null) {
-                                now.view().place(scene().camera());
-                            }
-                        })
-                .onKey(Key.COMMA, "back in time", this::back)
-                .onKey(Key.PERIOD, "forth in time", this::forth)
-                .onKey(Key.K, "keep moment", this::keepMoment)
-                .onKey(Key.L, "to kept moment", this::backToKept)
-                .onKey(Key.M, "save moment", this::saveMoment)
-                .onKey(Key.F9, "bug report", this::writeReport)
-                .onKey(Key.H, "hide panels", panels::toggleHidden)
-                .onScroll("pull nearer, push away", hand::scroll)
-                .onScroll("raise, lower in the editor", editorPanels::raise);
-        editorPanels.bind(scene.bindings());
-    }
-
-    private void remember(Scene scene) {
-        diary.begin(builtTick());
-        timeline.begin(scene.physics(), stage.rests() ? null : built);
-    }
-
-    // Time; simulation thread ------------------------------------------------------------------
-
-    /** Whoever comes to a moment has an empty hand there. */
-    private void cameBack() {
-        diary.came(builtTick());
-    }
-
-    /** Goes to a moment of the past, or forth again. */
-    void goTo(long tick) {
-        hand.release();
-        timeline.goTo(tick);
-        cameBack();
-        publishState();
-    }
-
-    /** Pauses, and goes back by a moment. */
-    void back() {
-        setPaused(true);
-        hand.release();
-        timeline.back();
-        cameBack();
-        publishState();
-    }
-
-    /** Pauses, and goes forth by a moment; beyond the last one by a tick that is computed. */
-    void forth() {
-        if (!isPaused()) {
-            setPaused(true);
-            return;
-        }
-        hand.release();
-        if (timeline.forth()) {
-            cameBack();
-            publishState();
-        } else {
-            singleStep();
-        }
-    }
-
-    /** Keeps this moment, to come back to it and compare. */
-    void keepMoment() {
-        hand.release();
-        timeline.keep();
-        publishState();
-    }
-
-    /** Goes back to the moment that was kept. */
-    void backToKept() {
-        hand.release();
-        if (timeline.backToKept()) {
-            cameBack();
-            setPaused(true);
-        }
-        publishState();
-    }
-
-    /** Writes this moment to a file. */
-    void saveMoment() {
-        MomentWriter writer = writer();
-        if (writer != null) {
-            hand.release();
-            notice(writer.save(scene().physics(), builtTick()));
-            publishState();
-        }
-    }
-
-    /** Writes the last seconds to a file that can be played again. */
-    void writeReport() {
-        MomentWriter writer = writer();
-        if (writer != null) {
-            notice(writer.report(timeline, diary, this::createPhysics, builtTick(), tickSeconds));
-        }
-    }
-
-    private @Nullable MomentWriter writer() {
-        Looks known = looks;
-        if (built == null || known == null || stage.shown() != null) {
-            notice("Of an edited scene there are scene files (Ctrl S), no moments and reports");
-            return null;
-        }
-        return new MomentWriter(
-                scenes.get(current), chosenOptions(), substeps, settings, sleeping, known);
-    }
-
-    void forgetFutures() {
-        timeline.forgetFutures();
-        publishState();
     }
 
     // What panels and keys ask for; simulation thread ------------------------------------------
 
     /** Shows a scene; the index wraps around. */
     void show(int index) {
-        current = Math.floorMod(index, scenes.size());
+        choice.show(index);
         if (stage.shown() != null) {
             stage.forget();
             editorPanels.ask(Editor::left);
@@ -480,29 +251,27 @@ public class Sandbox extends Application {
 
     /** Starts the scene again, seen from where the user is. */
     void startAgain() {
-        keepCamera = true;
+        built.seen(true, false);
         restart();
+    }
+
+    /** Shows the scene so many places further down the list. */
+    void step(int places) {
+        show(choice.index() + places);
     }
 
     /** Changes a parameter and starts again. */
     void set(String parameter, double value) {
-        SceneOptions old = chosenOptions();
-        Map<String, Double> values = new LinkedHashMap<>(old.values());
-        values.put(parameter, value);
-        options.put(scenes.get(current).id(), new SceneOptions(values, old.seed(), old.obj()));
-        refits = true;
-        startAgain();
+        choice.set(parameter, value);
+        built.seen(true, true);
+        restart();
     }
 
     /** Puts all parameters of the scene back. */
     void setDefaults() {
-        SampleScene chosen = scenes.get(current);
-        SceneOptions old = chosenOptions();
-        options.put(
-                chosen.id(),
-                new SceneOptions(SceneOptions.defaults(chosen).values(), old.seed(), old.obj()));
-        refits = true;
-        startAgain();
+        choice.setDefaults();
+        built.seen(true, true);
+        restart();
     }
 
     /** Changes the solver or the workers while the scene runs. */
@@ -518,10 +287,14 @@ public class Sandbox extends Application {
         publishState();
     }
 
+    /** The present world; simulation thread. */
+    PhysicsWorld physics() {
+        return scene().physics();
+    }
+
     /** Number of the last tick; simulation thread. For tests. */
     long builtTick() {
-        SceneBuilder now = built;
-        return now == null ? -1 : now.tick();
+        return built.tick();
     }
 
     /** What keys do; any thread may read, the simulation thread binds. */
@@ -529,32 +302,46 @@ public class Sandbox extends Application {
         return scene().bindings();
     }
 
-    void ball(Ball value) {
-        ball = value;
+    void ball(Thrower.Ball value) {
+        thrower.ball(value);
     }
 
     void throwBall() {
-        if (stage.rests()) {
-            return; // What is edited is the file's contents and nothing else.
+        if (!stage.rests()) { // What is edited is the file's contents and nothing else.
+            thrower.throwBall(scene().physics(), scene().camera());
+            publishState(); // also in a pause
         }
-        Camera camera = scene().camera();
-        Vector3d eye = camera.position(new Vector3d());
-        Vector3d ahead = camera.forward(new Vector3d());
-        double start = ball.radius + camera.near() + 0.3;
-        List<Double> thrownBall =
-                List.of(
-                        eye.x + start * ahead.x,
-                        eye.y + start * ahead.y,
-                        eye.z + start * ahead.z,
-                        ball.speed * ahead.x,
-                        ball.speed * ahead.y,
-                        ball.speed * ahead.z,
-                        ball.radius,
-                        ball.density,
-                        (double) ++thrown);
-        Player.throwBall(scene().physics(), thrownBall);
-        diary.add(What.THROW, thrownBall);
-        publishState(); // also in a pause
+    }
+
+    /** Goes back and forth, and keeps moments. */
+    TimeTravel time() {
+        return time;
+    }
+
+    /** Writes this moment to a file. */
+    void saveMoment() {
+        MomentWriter writer = writer();
+        if (writer != null) {
+            time.save(writer);
+        }
+    }
+
+    /** Writes the last seconds to a file that can be played again. */
+    void writeReport() {
+        MomentWriter writer = writer();
+        if (writer != null) {
+            time.report(writer, this::createPhysics, tickSeconds);
+        }
+    }
+
+    private @Nullable MomentWriter writer() {
+        Looks known = built.looks();
+        if (built.now() == null || known == null || stage.shown() != null) {
+            notice("Of an edited scene there are scene files (Ctrl S), no moments and reports");
+            return null;
+        }
+        return new MomentWriter(
+                choice.scene(), choice.options(), substeps, settings, sleeping, known);
     }
 
     void grab(long entity, double distance, Vector3d localPoint) {
@@ -577,11 +364,9 @@ public class Sandbox extends Application {
 
     @Override
     protected void update(double seconds) {
-        timeline.goingOn();
+        time.timeline().goingOn();
         tickSeconds = seconds;
-        SceneBuilder now = built;
-        if (now != null) {
-            now.beforeTick();
+        if (built.beforeTick()) {
             diary.add(What.BEFORE);
         }
         hand.apply();
@@ -595,72 +380,33 @@ public class Sandbox extends Application {
             editorPanels.ask(Editor::play);
         }
         double millis = (System.nanoTime() - stepStartNanos) / 1e6;
-        SceneBuilder now = built;
-        if (now != null) {
-            now.afterTick();
-            for (; remarksShown < now.remarks().size(); remarksShown++) {
-                out.println(now.remarks().get(remarksShown));
-            }
-        }
-        timeline.remember();
-        diary.ticked(builtTick());
-        diary.forgetUpTo(timeline.oldest());
-        history.add(scene().physics(), now, millis);
+        built.afterTick();
+        time.ticked();
+        history.add(scene().physics(), built.now(), millis);
         publishState();
     }
 
-    private void publishState() {
+    /** Tells the panels how things are. */
+    void publishState() {
         SandboxState state = states.writing();
-        SampleScene chosen = scenes.get(current);
-        SceneBuilder now = built;
-        state.scene = current;
-        state.options = chosenOptions();
+        SampleScene chosen = choice.scene();
+        SceneBuilder now = built.now();
+        state.scene = choice.index();
+        state.options = choice.options();
         state.tick = now == null ? 0 : now.tick();
         state.seconds = now == null ? 0 : now.tick() * now.stepSeconds();
         state.workers = workers;
         state.substeps = substeps;
         state.bodies = scene().physics().bodyCount();
-        state.problem = problem;
+        state.problem = built.problem();
         state.id = chosen.id();
-        state.ball = ball;
+        state.ball = thrower.ball();
         state.entities = stage.entities();
-        state.notes = notes();
+        state.notes = notes.of(stage.shown(), now, built.problem(), windowStepSeconds);
         hand.describe(state);
-        timeline.describe(state);
+        time.timeline().describe(state);
         state.history.copy(history);
         states.publish();
-    }
-
-    /** What is said of an edited scene; made anew only after it has something more to say. */
-    @SuppressWarnings("ReferenceEquality")
-    private String notes() {
-        EditorStage.Shown edited = stage.shown();
-        SceneBuilder now = built;
-        if (edited == null || now == null) {
-            return "";
-        }
-        int said = now.remarks().size() + problem.length();
-        if (edited == notedFor && said == notedSize) {
-            return noted;
-        }
-        notedFor = edited;
-        notedSize = said;
-        noted = notes(edited, now);
-        return noted;
-    }
-
-    private String notes(EditorStage.Shown edited, SceneBuilder now) {
-        List<String> lines = new ArrayList<>(now.remarks());
-        if (!problem.isEmpty()) {
-            lines.add(problem);
-        }
-        double tick = edited.scene().tick().seconds();
-        if (tick != windowStepSeconds) {
-            lines.add(
-                    "ticks are %s s here and %s s in the scene; open it by --scene-file"
-                            .formatted(windowStepSeconds, tick));
-        }
-        return String.join("; ", lines);
     }
 
     // Window thread ----------------------------------------------------------------------------

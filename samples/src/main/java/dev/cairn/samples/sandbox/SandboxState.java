@@ -31,7 +31,7 @@ final class SandboxState {
     int substeps = 1;
     int bodies;
     String problem = "";
-    Sandbox.Ball ball = Sandbox.Ball.DEFAULT;
+    Thrower.Ball ball = Thrower.Ball.DEFAULT;
 
     /** The world's entity for each of the edited scene's, and what the world said about it. */
     long[] entities = {};

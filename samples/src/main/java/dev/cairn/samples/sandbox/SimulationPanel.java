@@ -177,12 +177,12 @@ final class SimulationPanel {
     }
 
     private void ball(Ui ui, SandboxState state) {
-        Sandbox.Ball ball = state.ball;
+        Thrower.Ball ball = state.ball;
         double radius = ui.slider("radius", ball.radius(), 0.05, 1, 0.05, "m");
         double density = ui.slider("density", ball.density(), 10, 20_000, 0, "kg/m³");
         double speed = ui.slider("throw", ball.speed(), 0, 60, 1, "m/s");
         if (radius != ball.radius() || density != ball.density() || speed != ball.speed()) {
-            Sandbox.Ball wanted = new Sandbox.Ball(radius, density, speed);
+            Thrower.Ball wanted = new Thrower.Ball(radius, density, speed);
             sandbox.post(() -> sandbox.ball(wanted));
         }
         ui.columns(1);

@@ -62,7 +62,7 @@ final class TimePanel {
         if (moved != shown) {
             long tick = Math.round(moved);
             asked = tick;
-            sandbox.post(() -> sandbox.goTo(tick));
+            sandbox.post(() -> sandbox.time().goTo(tick));
         }
         if (!held && holding) {
             asked = -1;
@@ -76,22 +76,22 @@ final class TimePanel {
     private void buttons(Ui ui, SandboxState state) {
         ui.columns(3);
         if (ui.button("Back (,)")) {
-            sandbox.post(sandbox::back);
+            sandbox.post(sandbox.time()::back);
         }
         if (ui.button("Forth (.)")) {
-            sandbox.post(sandbox::forth);
+            sandbox.post(sandbox.time()::forth);
         }
         if (ui.button(KEEP)) {
-            sandbox.post(sandbox::keepMoment);
+            sandbox.post(sandbox.time()::keepMoment);
         }
         if (state.keptTick < 0) {
             return;
         }
         if (ui.button(RETURN)) {
-            sandbox.post(sandbox::backToKept);
+            sandbox.post(sandbox.time()::backToKept);
         }
         if (ui.button(FORGET)) {
-            sandbox.post(sandbox::forgetFutures);
+            sandbox.post(sandbox.time()::forgetFutures);
         }
         text.clear().put("tick ").put(state.keptTick);
         if (state.future != null && !Double.isNaN(state.apart)) {

@@ -95,7 +95,7 @@ final class BodyJson {
     private static PartSpec part(JsonNode node, List<String> layers) {
         Map<String, JsonNode> in = node.fields("a collider", COLLIDER);
         return new PartSpec(
-                SceneReader.shape(node.required(in, "shape")),
+                ShapeJson.read(node.required(in, "shape")),
                 in.containsKey("position") ? in.get("position").xyz("a place") : Xyz.ZERO,
                 in.containsKey("rotation") ? SceneReader.rotation(in.get("rotation")) : Turn.NONE,
                 in.containsKey("material") ? material(in.get("material")) : null,

@@ -25,6 +25,7 @@ import dev.cairn.render.mesh.ModelGroup;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
+import dev.cairn.samples.SceneView;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFile.TickSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
@@ -87,7 +88,7 @@ public final class SceneExport {
             for (BodyRef body : built.bodies()) {
                 entities.add(export.entity(world, body));
             }
-            SceneBuilder.View view = built.view();
+            SceneView view = built.view();
             return new SceneFile(
                     scene.title(),
                     description(scene, options, built),

@@ -24,6 +24,7 @@ import dev.cairn.render.mesh.Texture;
 import dev.cairn.samples.Palette;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 import dev.cairn.samples.UsageException;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
@@ -166,7 +167,7 @@ public final class SceneLoader {
         into.light(scene.light());
         CameraSpec camera = scene.camera();
         into.view(
-                new SceneBuilder.View(
+                new SceneView(
                         camera.eye().x(),
                         camera.eye().y(),
                         camera.eye().z(),
@@ -258,8 +259,7 @@ public final class SceneLoader {
             return drive(into.add(body, visual).entity(), entity);
         }
         Shape collider = shape == null ? placeholderShape(entity) : shape;
-        BodyRef made =
-                visual == null ? into.addUnseen(collider, body) : into.add(collider, visual, body);
+        BodyRef made = into.add(body.shape(collider), visual);
         return drive(made.entity(), entity);
     }
 

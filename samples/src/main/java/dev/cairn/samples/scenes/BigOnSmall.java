@@ -7,6 +7,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.List;
 
@@ -49,7 +50,7 @@ public final class BigOnSmall {
                         Box.cubeOfHalfExtent(0.5 * size),
                         Palette.STONE,
                         Body.dynamic().at(0, 1 + 0.5 * size + scene.get("drop"), 0));
-        scene.view(new SceneBuilder.View(0.35 * size, 0.05 * size, 2.2 * size, 0, 0.42 * size, 0));
+        scene.view(new SceneView(0.35 * size, 0.05 * size, 2.2 * size, 0, 0.42 * size, 0));
         Ramp.Metric deepest = new Ramp.Metric();
         scene.afterTick((tick, seconds) -> deepest.raise(1 + 0.5 * size - big.position().y));
         scene.error("sagMetres", () -> 1 + 0.5 * size - big.position().y);

@@ -7,6 +7,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -57,7 +58,7 @@ public final class BouncingBall {
                                 .mass(1)
                                 .material(Palette.material(0, e))
                                 .name("ball"));
-        scene.view(new SceneBuilder.View(0, 0.8 * height, 2.5 * height + 1, 0, 0.5 * height, 0));
+        scene.view(new SceneView(0, 0.8 * height, 2.5 * height + 1, 0, 0.5 * height, 0));
         Vector3d at = new Vector3d();
         double[] sums = new double[2];
         scene.afterTick((tick, seconds) -> {

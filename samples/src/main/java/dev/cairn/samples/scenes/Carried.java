@@ -9,6 +9,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -96,7 +97,7 @@ public final class Carried {
                                     .material(material)
                                     .name("rider " + (i + 1)));
         }
-        scene.view(new SceneBuilder.View(4.5, 3, 6, 1.5, 1, 0));
+        scene.view(new SceneView(4.5, 3, 6, 1.5, 1, 0));
         double x = platform.position().x;
         Ramp.Metric worst = new Ramp.Metric();
         Ramp.Metric stopped = new Ramp.Metric();
@@ -158,7 +159,7 @@ public final class Carried {
                                 .angularVelocity((rate - slow) * radius / ball, 0, 0)
                                 .material(material)
                                 .name("ball"));
-        scene.view(new SceneBuilder.View(0, 5, 5, 0, 0, 0));
+        scene.view(new SceneView(0, 5, 5, 0, 0, 0));
         double[] angle = new double[2];
         Ramp.Metric off = new Ramp.Metric();
         scene.afterTick((tick, seconds) -> {

@@ -8,6 +8,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -80,7 +81,7 @@ public final class Conveyor {
                 belt.colliders().get(0).replace(belt(-speed));
             }
         });
-        scene.view(new SceneBuilder.View(3, 3.5, 8, 0, 1, 0));
+        scene.view(new SceneView(3, 3.5, 8, 0, 1, 0));
         scene.error(
                 "speedRelative",
                 () -> {

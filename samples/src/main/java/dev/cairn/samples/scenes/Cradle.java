@@ -7,6 +7,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -68,7 +69,7 @@ public final class Cradle {
                                     .material(Palette.material(0, 1))
                                     .name("ball " + i)));
         }
-        scene.view(new SceneBuilder.View(1.2, 2.4, 5.2, 0.2, 0.2, 0));
+        scene.view(new SceneView(1.2, 2.4, 5.2, 0.2, 0.2, 0));
         double after = (RUN + 4 * GAP * count) / speed + SampleScene.STEP_SECONDS;
         Ramp.Metric worst = new Ramp.Metric();
         Vector3d v = new Vector3d();

@@ -7,6 +7,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -74,7 +75,7 @@ public final class CubesOnPlane {
             }
         }
         double reach = SIDE * spacing;
-        scene.view(new SceneBuilder.View(0.9 * reach, 0.9 * reach, 1.5 * reach, 0, 0.6, 0));
+        scene.view(new SceneView(0.9 * reach, 0.9 * reach, 1.5 * reach, 0, 0.6, 0));
 
         double calm = StrictMath.sqrt(2 * LAYERS * drop / SampleScene.GRAVITY) + CALM;
         List<Vector3d> rest = new ArrayList<>();

@@ -7,6 +7,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -67,7 +68,7 @@ public final class Dzhanibekov {
             bodies.add(body);
             starts.add(momentum(body));
         }
-        scene.view(new SceneBuilder.View(1.5, 3.2, 7.5, 0, 1.5, 0));
+        scene.view(new SceneView(1.5, 3.2, 7.5, 0, 1.5, 0));
         scene.error(
                 "momentumRelative",
                 () -> {

@@ -9,6 +9,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -66,7 +67,7 @@ public final class FreeFall {
                                     .name("body " + i));
             flights.add(new Flight(body, x, height, vx, vy));
         }
-        scene.view(new SceneBuilder.View(0, 3.2, 13.5, 0, 2.6, 0));
+        scene.view(new SceneView(0, 3.2, 13.5, 0, 2.6, 0));
 
         Ramp.Metric worst = new Ramp.Metric();
         scene.afterTick((tick, seconds) -> {

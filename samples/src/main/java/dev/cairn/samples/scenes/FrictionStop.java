@@ -7,6 +7,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -69,7 +70,7 @@ public final class FrictionStop {
                                     .name("block " + i)));
         }
         double far = 1.5 * distance + 3;
-        scene.view(new SceneBuilder.View(0, 0.9 * far, far, 0, 0, 0));
+        scene.view(new SceneView(0, 0.9 * far, far, 0, 0, 0));
         double stopped = speed / (friction * SampleScene.GRAVITY) + 0.1;
         Ramp.Metric worst = new Ramp.Metric();
         Vector3d at = new Vector3d();

@@ -8,6 +8,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -77,7 +78,7 @@ public final class LargeWorld {
             }
         }
         double reach = PITCH * side;
-        scene.view(new SceneBuilder.View(0.2 * reach, 0.1 * reach + 4, 0.3 * reach + 4, 0, 0, 0));
+        scene.view(new SceneView(0.2 * reach, 0.1 * reach + 4, 0.3 * reach + 4, 0, 0, 0));
         double[] worst = {0};
         scene.afterTick((tick, seconds) -> {
             for (int i = 0; seconds > RESTS_SECONDS && i < balls.size(); i++) {

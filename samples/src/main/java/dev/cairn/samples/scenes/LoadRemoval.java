@@ -7,6 +7,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -71,7 +72,7 @@ public final class LoadRemoval {
                         Body.dynamic().at(0, boxes + HALF, 0).mass(scene.get("load")).name("load"));
         double distance = 5 + 1.4 * boxes;
         scene.view(
-                new SceneBuilder.View(
+                new SceneView(
                         0.5 * distance, 0.3 * distance + 1, 0.8 * distance, 0, 0.5 * boxes, 0));
 
         double seconds = scene.get("seconds");

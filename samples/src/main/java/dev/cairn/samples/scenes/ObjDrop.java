@@ -11,6 +11,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 import dev.cairn.samples.UsageException;
 
 import org.joml.Quaterniond;
@@ -86,7 +87,7 @@ public final class ObjDrop {
                             .material(Palette.material(friction, restitution))
                             .name("copy " + i));
         }
-        scene.view(new SceneBuilder.View(1.9 * size, 2.1 * size, 4.7 * size, 0, 0.5 * size, 0));
+        scene.view(new SceneView(1.9 * size, 2.1 * size, 4.7 * size, 0, 0.5 * size, 0));
     }
 
     private static Mesh read(Path file) {

@@ -10,6 +10,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -90,7 +91,7 @@ public final class OneWay {
                 balls.forEach(ball -> ball.setVelocity(0, speed, 0));
             }
         });
-        scene.view(new SceneBuilder.View(2, 3.4, 8, 0, 1.6, 0));
+        scene.view(new SceneView(2, 3.4, 8, 0, 1.6, 0));
         scene.error(
                 "heightMetres",
                 () -> {

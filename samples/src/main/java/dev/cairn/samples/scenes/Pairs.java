@@ -10,6 +10,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -80,7 +81,7 @@ public final class Pairs {
                             .rotationAbout(0, 0, 1, Math.PI / 4)),
         };
         scene.floor(12, 8, 0.6, 0);
-        scene.view(new SceneBuilder.View(-0.1, 2.4, 8, -0.1, 1.9, 0));
+        scene.view(new SceneView(-0.1, 2.4, 8, -0.1, 1.9, 0));
 
         scene.beforeTick((tick, seconds) -> {
             for (BodyRef body : bodies) {

@@ -6,6 +6,7 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.samples.Palette;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -99,8 +100,7 @@ final class Ramp {
         double x = x(along, 0);
         double y = y(along, 0);
         scene.view(
-                new SceneBuilder.View(
-                        x + 0.25 * distance, y + 0.35 * distance, 0.9 * distance, x, y, 0));
+                new SceneView(x + 0.25 * distance, y + 0.35 * distance, 0.9 * distance, x, y, 0));
     }
 
     /** A metric that is only known while its scene is within the reach of its closed form. */

@@ -9,6 +9,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -92,7 +93,7 @@ public final class RollingLoad {
             }
         }
         scene.constantForce(plate, force * dx, 0, force * dz);
-        scene.view(new SceneBuilder.View(8, 12, 22, 0, 0, 0));
+        scene.view(new SceneView(8, 12, 22, 0, 0, 0));
 
         int n = SIDE * SIDE;
         double pull = force - GROUND_FRICTION * SampleScene.GRAVITY * (PLATE_MASS + n * BALL_MASS);

@@ -9,6 +9,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -68,7 +69,7 @@ public final class RollingResistance {
                                     .material(Palette.material(friction, 0).withRollingArm(arm))
                                     .name(i == 0 ? "ball" : i == 1 ? "roller" : "larger ball")));
         }
-        scene.view(new SceneBuilder.View(3.0, 2.4, 3.0, 1.5, 0, 0));
+        scene.view(new SceneView(3.0, 2.4, 3.0, 1.5, 0, 0));
         Ramp.Metric worst = new Ramp.Metric();
         Ramp.Metric distance = new Ramp.Metric();
         scene.afterTick((tick, seconds) -> {

@@ -16,6 +16,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -86,7 +87,7 @@ public final class Shapes {
                                     .material(material)
                                     .name("body " + i));
         }
-        scene.view(new SceneBuilder.View(2.2, 4.6, 7.6, 0, 0.3, -0.2));
+        scene.view(new SceneView(2.2, 4.6, 7.6, 0, 0.3, -0.2));
         scene.error("escapedBodies", () -> escaped(bodies));
     }
 

@@ -7,6 +7,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -70,7 +71,7 @@ public final class SlipToRoll {
                                     .material(Palette.material(friction, 0))
                                     .name("ball " + i)));
         }
-        scene.view(new SceneBuilder.View(2.6, 1.8, 4.6, 1.6, 0.1, 0));
+        scene.view(new SceneView(2.6, 1.8, 4.6, 1.6, 0.1, 0));
         double from = latest + 0.1;
         Ramp.Metric worst = new Ramp.Metric();
         scene.afterTick((tick, seconds) -> {

@@ -7,6 +7,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -114,7 +115,7 @@ public final class SphereGrid {
                                     .material(Palette.material(0, e))));
         }
         double reach = side * pitch;
-        scene.view(new SceneBuilder.View(0.6 * reach, 2 + 0.4 * reach, 1.2 * reach + 4, 0, 0.5, 0));
+        scene.view(new SceneView(0.6 * reach, 2 + 0.4 * reach, 1.2 * reach + 4, 0, 0.5, 0));
         if (e == 1) {
             Energy energy = new Energy(balls);
             scene.afterTick(energy::note);

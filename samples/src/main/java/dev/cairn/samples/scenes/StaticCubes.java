@@ -7,6 +7,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -57,8 +58,7 @@ public final class StaticCubes {
             starts.add(new Vector3d(x, 0.5, z));
         }
         double reach = spacing * SIDE;
-        scene.view(
-                new SceneBuilder.View(0.5 * reach, 0.75 * reach, 1.1 * reach, 0, 0, 0.1 * reach));
+        scene.view(new SceneView(0.5 * reach, 0.75 * reach, 1.1 * reach, 0, 0, 0.1 * reach));
         scene.error(
                 "movedMetres",
                 () -> {

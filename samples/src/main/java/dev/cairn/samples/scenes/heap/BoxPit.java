@@ -6,6 +6,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.List;
 
@@ -86,7 +87,7 @@ public final class BoxPit {
                             .material(Palette.material(friction, 0)));
         }
         double distance = 2.2 * inside + 7;
-        scene.view(new SceneBuilder.View(0.45 * distance, 0.9 * distance, 0.7 * distance, 0, 1, 0));
+        scene.view(new SceneView(0.45 * distance, 0.9 * distance, 0.7 * distance, 0, 1, 0));
         scene.error("kineticJoulesPerBox", () -> scene.world().kineticEnergy() / count);
         scene.error("overlapMetres", () -> overlap(scene));
     }

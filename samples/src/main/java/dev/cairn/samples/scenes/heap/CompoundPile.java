@@ -10,6 +10,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Quaterniond;
 
@@ -83,7 +84,7 @@ public final class CompoundPile {
             }
         });
         double far = 3 + 1.6 * side;
-        scene.view(new SceneBuilder.View(0.6 * far, 0.8 * far, far, 0, 0.6, 0));
+        scene.view(new SceneView(0.6 * far, 0.8 * far, far, 0, 0.6, 0));
     }
 
     private static List<Collider> parts(int kind) {

@@ -11,6 +11,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -146,9 +147,7 @@ public final class Pile {
         // The near corner of a wide heap and the upper layers of a high one just fit the picture.
         double middle = 0.4 * layers * pitch;
         double reach = 1.5 * pit + layers * pitch;
-        scene.view(
-                new SceneBuilder.View(
-                        0.45 * reach, middle + 0.55 * reach, 0.7 * reach, 0, middle, 0));
+        scene.view(new SceneView(0.45 * reach, middle + 0.55 * reach, 0.7 * reach, 0, middle, 0));
     }
 
     /** A floor and four walls, inner half width `half`; only the floor is drawn. */

@@ -11,6 +11,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -102,7 +103,7 @@ public final class Room {
                             .material(material)
                             .name("dropped box")),
         };
-        scene.view(new SceneBuilder.View(2.5, 6.5, 11, 0, 0.4, 0));
+        scene.view(new SceneView(2.5, 6.5, 11, 0, 0.4, 0));
         scene.error("escapedBodies", () -> escaped(thrown));
     }
 

@@ -8,6 +8,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
@@ -60,7 +61,7 @@ public final class Tumble {
                                 .angularVelocity(0.1, 0.1, -scene.get("spin"))
                                 .with(new CameraMount(0, 0.7, 2.8, true))
                                 .name("box"));
-        scene.view(new SceneBuilder.View(0, HEIGHT + 0.7, 2.8, 0, HEIGHT, 0));
+        scene.view(new SceneView(0, HEIGHT + 0.7, 2.8, 0, HEIGHT, 0));
         Watch watch = new Watch(box);
         scene.afterTick(watch::note);
         scene.error("momentumRelative", () -> watch.momentum);

@@ -6,6 +6,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.List;
 
@@ -88,7 +89,7 @@ public final class Washer {
                                     pitch * (layer - (side - 1) / 2.0))
                             .material(Palette.material(friction, 0)));
         }
-        scene.view(new SceneBuilder.View(0, 0, 3.2 * radius, 0, 0, 0));
+        scene.view(new SceneView(0, 0, 3.2 * radius, 0, 0, 0));
         scene.gravityTurn(Math.toRadians(scene.get("speed")));
     }
 }

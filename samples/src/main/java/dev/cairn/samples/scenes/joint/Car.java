@@ -12,6 +12,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.List;
 
@@ -78,7 +79,7 @@ public final class Car {
             front[0].target(JointAxis.SWING_Y, steer);
             front[1].target(JointAxis.SWING_Y, steer);
         });
-        scene.view(new SceneBuilder.View(2, 5, 12, 2, 0.5, 0));
+        scene.view(new SceneView(2, 5, 12, 2, 0.5, 0));
         Gaps.watch(scene, "gapMetres", 1);
     }
 }

@@ -9,6 +9,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.List;
 
@@ -93,7 +94,7 @@ public final class Chains {
                         Palette.body(4),
                         Body.dynamic().mass(scene.get("ratio")).at(r * s, top - r * c, 0));
         scene.world().add(Joint.ball(last, ball).at(length * s, top - length * c, 0));
-        scene.view(new SceneBuilder.View(0, 0.6 * length, 1.6 * length + 2, 0, 0.55 * length, 0));
+        scene.view(new SceneView(0, 0.6 * length, 1.6 * length + 2, 0, 0.55 * length, 0));
         Gaps.watch(scene, "stretchRelative", LINK);
     }
 }

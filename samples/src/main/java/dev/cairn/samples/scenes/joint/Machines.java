@@ -14,6 +14,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -104,7 +105,7 @@ public final class Machines {
                 Joint.pulley(
                         load, weight, new Vector3d(-1.5, 3.2, 0), new Vector3d(-0.8, 3.2, 0), 1));
         world.add(Joint.rope(base, weight).anchors(-0.8, 2.1, -0.5, -0.8, 1.8, 0).length(1.6));
-        scene.view(new SceneBuilder.View(0.4, 2.2, 5, 0.4, 1.9, 0));
+        scene.view(new SceneView(0.4, 2.2, 5, 0.4, 1.9, 0));
         double speed = scene.get("speed");
         scene.beforeTick((tick, seconds) ->
                 pin[0].motor(
@@ -175,7 +176,7 @@ public final class Machines {
             }
             balls.add(ball);
         }
-        scene.view(new SceneBuilder.View(1.2, 1.8, 5, 0, 1.4, 0));
+        scene.view(new SceneView(1.2, 1.8, 5, 0, 1.4, 0));
         double wanted = length * (1 - StrictMath.cos(angle));
         double swing = 2 * Math.PI * Math.sqrt(length / G) * (1 + angle * angle / 16);
         double[] highest = {0, 0};
@@ -233,7 +234,7 @@ public final class Machines {
         // the hinge's own axis, so that the inertia about it is what the world has
         double inertia = 1 / rod.inverseInertia(new org.joml.Matrix3d()).m22() + 0.25;
         JointRef hinge = scene.world().add(Joint.hinge(base, rod).at(0, foot, 0).axis(0, 0, -1));
-        scene.view(new SceneBuilder.View(0.3, 1.6, 3, 0.3, 1.2, 0));
+        scene.view(new SceneView(0.3, 1.6, 3, 0.3, 1.2, 0));
         double[] y = {angle, 0};
         double[] worst = {0};
         double start = scene.world().potentialEnergy();

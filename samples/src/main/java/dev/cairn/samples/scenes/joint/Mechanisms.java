@@ -12,6 +12,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -87,7 +88,7 @@ public final class Mechanisms {
         world.add(Joint.hinge(crank, rod).at(0, 2.5, 0.1).axis(0, 0, 1));
         world.add(Joint.hinge(rod, slider).at(x, 2, 0.3).axis(0, 0, 1));
         world.add(Joint.slider(base, slider).at(x, 2, 0.4).axis(1, 0, 0));
-        scene.view(new SceneBuilder.View(0.8, 2.2, 4, 0.8, 2, 0));
+        scene.view(new SceneView(0.8, 2.2, 4, 0.8, 2, 0));
         Vector3d p = new Vector3d();
         double[] worst = {0};
         scene.afterTick((tick, seconds) -> {
@@ -142,7 +143,7 @@ public final class Mechanisms {
         world.add(Joint.hinge(right, two).at(span, 2, 0).axis(0, 0, 1));
         world.add(Joint.hinge(one, rod).at(0, 2 + crank, 0.1).axis(0, 0, 1));
         world.add(Joint.hinge(two, rod).at(end[0], 2 + end[1], 0.1).axis(0, 0, 1));
-        scene.view(new SceneBuilder.View(1, 2.2, 4, 1, 2, 0));
+        scene.view(new SceneView(1, 2.2, 4, 1, 2, 0));
         Vector3d p = new Vector3d();
         double[] worst = {0};
         scene.afterTick((tick, seconds) -> {
@@ -228,7 +229,7 @@ public final class Mechanisms {
                                         .at(2.1, 1.5, 0)
                                         .axis(0, 0, 1)
                                         .motor(0, Double.POSITIVE_INFINITY));
-        scene.view(new SceneBuilder.View(2.5, 2.6, 5, 0.7, 1, 0));
+        scene.view(new SceneView(2.5, 2.6, 5, 0.7, 1, 0));
         double[] worst = {0, 0};
         Vector3d t = new Vector3d();
         scene.afterTick((tick, seconds) -> {
@@ -285,7 +286,7 @@ public final class Mechanisms {
                                             .springMost(JointAxis.TWIST, 500));
             last = link;
         }
-        scene.view(new SceneBuilder.View(2, 2.5, 5, 0, 1.4, 0));
+        scene.view(new SceneView(2, 2.5, 5, 0, 1.4, 0));
         scene.beforeTick((tick, seconds) -> {
             for (int k = 0; k < 6; k++) {
                 double wave = StrictMath.sin(1.5 * seconds + 0.6 * k);

@@ -9,6 +9,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.jspecify.annotations.Nullable;
 
@@ -95,7 +96,7 @@ public final class Nets {
                                     top + 1 + k,
                                     0.1));
         }
-        scene.view(new SceneBuilder.View(0, top + 2, 2 * span + 3, 0, top - 0.5, 0));
+        scene.view(new SceneView(0, top + 2, 2 * span + 3, 0, top - 0.5, 0));
         Gaps.watchPoints(scene);
     }
 
@@ -152,7 +153,7 @@ public final class Nets {
                 left = knot;
             }
         }
-        scene.view(new SceneBuilder.View(n, top, 1.5 * n + 6, 0, 0.6 * top, 0));
+        scene.view(new SceneView(n, top, 1.5 * n + 6, 0, 0.6 * top, 0));
         Gaps.watchPoints(scene);
     }
 }

@@ -9,6 +9,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -73,7 +74,7 @@ public final class Pendulums {
         BodyRef bob = ball(scene, StrictMath.sin(amplitude), 2 - StrictMath.cos(amplitude), 0);
         PhysicsWorld world = scene.world();
         world.add(Joint.rod(peg, bob));
-        scene.view(new SceneBuilder.View(0, 2, 4, 0, 1.6, 0));
+        scene.view(new SceneView(0, 2, 4, 0, 1.6, 0));
         double a = 1;
         double b = StrictMath.cos(amplitude / 2);
         for (int k = 0; k < 10; k++) {
@@ -134,7 +135,7 @@ public final class Pendulums {
         world.add(Joint.rod(peg, one));
         world.add(Joint.rod(one, two));
         world.collisions().exclude(peg, two);
-        scene.view(new SceneBuilder.View(0, 2.5, 6, 0, 2.3, 0));
+        scene.view(new SceneView(0, 2.5, 6, 0, 2.3, 0));
         double start = world.potentialEnergy();
         double[] truth = {angle, angle, 0, 0};
         // loss, worst angle

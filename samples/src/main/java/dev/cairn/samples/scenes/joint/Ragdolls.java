@@ -11,6 +11,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.List;
 
@@ -54,7 +55,7 @@ public final class Ragdolls {
             int row = k / 5;
             figure(scene, -2.5 + 0.6 * (k % 3), 4.2 + 1.1 * row, -3 + 1.5 * (k % 5), k);
         }
-        scene.view(new SceneBuilder.View(6, 5, 9, -1, 1.2, 0));
+        scene.view(new SceneView(6, 5, 9, -1, 1.2, 0));
         Gaps.watchPoints(scene);
     }
 

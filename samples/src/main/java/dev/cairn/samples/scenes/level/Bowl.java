@@ -8,6 +8,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.List;
 
@@ -126,7 +127,7 @@ public final class Bowl {
             }
             passed[1] = x;
         });
-        scene.view(new SceneBuilder.View(2.5, 3.2, 3.5, 0, 0.6, 0));
+        scene.view(new SceneView(2.5, 3.2, 3.5, 0, 0.6, 0));
         scene.error(
                 "periodRelative",
                 () -> passed[0] < 3 ? Double.NaN : Math.abs(passed[2] / period(length, angle) - 1));

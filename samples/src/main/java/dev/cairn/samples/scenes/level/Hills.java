@@ -12,6 +12,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Quaterniond;
 
@@ -113,7 +114,7 @@ public final class Hills {
                                     .rotation(turn)
                                     .material(Palette.material(0.6, 0))));
         }
-        scene.view(new SceneBuilder.View(.75 * half, .7 * half, 1.05 * half, 0, 0, 0));
+        scene.view(new SceneView(.75 * half, .7 * half, 1.05 * half, 0, 0, 0));
         scene.error(
                 "belowGroundMetres",
                 () -> {

@@ -11,6 +11,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -102,7 +103,7 @@ public final class House {
                                     .velocity(3 + scene.random(0, 1), 0, 0)
                                     .material(Palette.material(0.3, 0))));
         }
-        scene.view(new SceneBuilder.View(9, 9, 12, -1, 1, -1));
+        scene.view(new SceneView(9, 9, 12, -1, 1, -1));
         scene.error(
                 "belowFloorMetres",
                 () -> {

@@ -10,6 +10,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -87,7 +88,7 @@ public final class Bullets {
                                             scene.random(-spin / 2, spin / 2))
                                     .velocity(speed, 0, 0)));
         }
-        scene.view(new SceneBuilder.View(-8, high / 2, wide, 0, high / 2, 0));
+        scene.view(new SceneView(-8, high / 2, wide, 0, high / 2, 0));
         scene.error(
                 "passed",
                 () -> {

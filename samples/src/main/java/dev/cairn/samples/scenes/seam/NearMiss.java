@@ -8,6 +8,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -63,7 +64,7 @@ public final class NearMiss {
                 worst[0] = Math.max(worst[0], v.length());
             }
         });
-        scene.view(new SceneBuilder.View(-6, 5, 14, 0, 2, 6));
+        scene.view(new SceneView(-6, 5, 14, 0, 2, 6));
         scene.error("deflectionMetresPerSecond", () -> worst[0]);
     }
 }

@@ -12,6 +12,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
@@ -98,7 +99,7 @@ public final class Tiles {
                 worst[1] = Math.max(worst[1], v.length() / speed);
             }
         });
-        scene.view(new SceneBuilder.View(-3, 4, 0, 4, 0, 0));
+        scene.view(new SceneView(-3, 4, 0, 4, 0, 0));
         scene.error("kickMetresPerSecond", () -> worst[0]);
         scene.error("speedRelative", () -> worst[1]);
     }

@@ -8,6 +8,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -87,7 +88,7 @@ public final class Arch {
             ring.add(stone);
             starts.add(stone.centreOfMass(new Vector3d()));
         }
-        scene.view(new SceneBuilder.View(3, 4.5, 13, 0, 3, 0));
+        scene.view(new SceneView(3, 4.5, 13, 0, 3, 0));
         Vector3d at = new Vector3d();
         scene.error(
                 "movedMetres",

@@ -7,6 +7,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -102,7 +103,7 @@ public final class Cards {
             starts.add(body.position());
         }
         scene.view(
-                new SceneBuilder.View(
+                new SceneView(
                         0.25 * levels, 0.28 * levels, 0.5 * levels + 0.4, 0, 0.17 * levels, 0));
         towers(scene, friction);
         Vector3d at = new Vector3d();

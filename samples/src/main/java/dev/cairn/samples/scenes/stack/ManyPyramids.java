@@ -8,6 +8,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -79,7 +80,7 @@ public final class ManyPyramids {
                 }
             }
         }
-        scene.view(new SceneBuilder.View(0.3 * reach, 0.4 * reach + 8, 0.7 * reach + 8, 0, 2, 0));
+        scene.view(new SceneView(0.3 * reach, 0.4 * reach + 8, 0.7 * reach + 8, 0, 2, 0));
         scene.error(
                 "driftMetres",
                 () -> {

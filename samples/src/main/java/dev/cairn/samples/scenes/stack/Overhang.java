@@ -7,6 +7,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -71,7 +72,7 @@ public final class Overhang {
                                     .at(x, TABLE + HALF_HEIGHT * (2 * k + 1), 0)
                                     .name("plank " + k)));
         }
-        scene.view(new SceneBuilder.View(3.2, 3.4, 7, 0.4, 1.9, 0));
+        scene.view(new SceneView(3.2, 3.4, 7, 0.4, 1.9, 0));
         Vector3d at = new Vector3d();
         scene.error(
                 "movedMetres",

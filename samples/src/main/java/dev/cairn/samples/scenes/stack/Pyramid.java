@@ -8,6 +8,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -66,9 +67,7 @@ public final class Pyramid {
                 starts.add(new Vector3d(x, y, 0));
             }
         }
-        scene.view(
-                new SceneBuilder.View(
-                        0.48 * base, 0.55 * base + 1, 1.3 * base + 3, 0, 0.45 * base, 0));
+        scene.view(new SceneView(0.48 * base, 0.55 * base + 1, 1.3 * base + 3, 0, 0.45 * base, 0));
         scene.error(
                 "driftMetres",
                 () -> {

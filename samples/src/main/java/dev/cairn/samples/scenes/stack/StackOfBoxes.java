@@ -8,6 +8,7 @@ import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneView;
 
 import org.joml.Vector3d;
 
@@ -160,7 +161,7 @@ public final class StackOfBoxes {
         }
         double distance = 4 + 1.4 * boxes;
         scene.view(
-                new SceneBuilder.View(
+                new SceneView(
                         0.5 * distance, 0.35 * distance + 1, 0.9 * distance, 0, 0.5 * boxes, 0));
 
         if (restitution == 0) {

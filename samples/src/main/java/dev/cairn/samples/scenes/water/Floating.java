@@ -12,6 +12,7 @@ import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
+import dev.cairn.samples.SceneView;
 import dev.cairn.samples.weather.Buoyancy;
 import dev.cairn.samples.weather.Hull;
 import dev.cairn.samples.weather.Wind;
@@ -83,7 +84,7 @@ public final class Floating {
         BodyRef heaver = cube(scene, cubes.length, HEAVER, rest + LIFTED);
         Box surface = Box.ofHalfExtents(30, 0.005, 10);
         scene.addVisual(Pose.at(0, -0.005, 0), new Visual(Model.of(surface).color(WATER_RGB)));
-        scene.view(new SceneBuilder.View(3, 4.5, 11, 3, 0, 0));
+        scene.view(new SceneView(3, 4.5, 11, 3, 0, 0));
         truths(scene, cubes, depths, new Heaving(heaver, rest, water));
     }
 
