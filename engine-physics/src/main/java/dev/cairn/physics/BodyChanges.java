@@ -56,6 +56,9 @@ final class BodyChanges {
                     table.refs[s]
                             + " has several colliders; choose one of colliders() and replace that");
         }
+        if (table.collision.edit(c, table.collision.now(c).reshaped(shape))) {
+            return;
+        }
         wakeAround(s);
         table.collision.replace(c, Collider.of(shape));
         table.contacts.forget(s);

@@ -367,6 +367,10 @@ public final class BodyRef extends BodyState {
      * follow the shape but for what was stated. Contacts begin without impulses. Wakes the body and
      * what it touches.
      *
+     * <p>A {@link dev.cairn.physics.shape.HeightField} that differs from the present one in its
+     * samples and cells only is an edit: it stays where it is placed, contacts keep their impulses,
+     * and only who sleeps where it differs wakes.
+     *
      * @param shape the new one; shared, not copied
      * @throws IllegalArgumentException if a dynamic body cannot have it
      * @throws IllegalStateException if the body has several colliders: replace one of these

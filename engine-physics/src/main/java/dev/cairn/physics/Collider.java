@@ -15,6 +15,9 @@ import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
+import java.util.Arrays;
+import java.util.Objects;
+
 /**
  * The description of a shape on a body, for {@link Body#collider} and {@link BodyRef#add}. What is
  * not said, material and filter, is the body's. Immutable: each call returns another description;
@@ -210,6 +213,20 @@ public final class Collider {
 
     private double[] pose() {
         return new double[] {x, y, z, qx, qy, qz, qw, beltX, beltY, beltZ};
+    }
+
+    /** The same with another shape. */
+    Collider reshaped(Shape other) {
+        return new Collider(other, pose(), material, filter, userData, sensor);
+    }
+
+    /** Whether another one differs in its shape at most. */
+    boolean isLike(Collider other) {
+        return Arrays.equals(pose(), other.pose())
+                && material().equals(other.material())
+                && filter().equals(other.filter())
+                && Objects.equals(userData, other.userData)
+                && sensor == other.sensor;
     }
 
     /** With a material and a filter, if none was said. */

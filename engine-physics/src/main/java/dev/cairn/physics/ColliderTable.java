@@ -11,10 +11,12 @@ import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
-import dev.cairn.physics.shape.TriangleMesh;
+import dev.cairn.physics.shape.mesh.Meshed;
+import dev.cairn.physics.state.GroundEdit;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -386,6 +388,9 @@ final class ColliderTable implements Stateful {
     void replace(int collider, Collider part) {
         int body = colliders.body[collider];
         Collider whole = part.orElse(specs[collider].material(), colliders.filter[collider]);
+        if (edit(collider, whole)) {
+            return;
+        }
         if (whole.sensor != specs[collider].sensor) {
             throw new IllegalArgumentException(
                     ref(collider)
@@ -417,8 +422,28 @@ final class ColliderTable implements Stateful {
         table.changes.wakeAround(body);
     }
 
+    /**
+     * Replaces ground by the same ground with other heights; what is elsewhere is not touched.
+     *
+     * @return false if it is anything else
+     */
+    boolean edit(int collider, Collider whole) {
+        Collider old = now(collider);
+        HeightField after = GroundEdit.edited(old.placed, whole.placed);
+        if (after == null || !old.isLike(whole)) {
+            return false;
+        }
+        int body = colliders.body[collider];
+        GroundEdit.wake(colliders, table.sleepers, collider, after);
+        colliders.replace(collider, collider == body ? whole.placed : solid(whole));
+        specs[collider] = whole;
+        measure(body);
+        table.roster.changed(body);
+        return true;
+    }
+
     private static boolean isSurface(Shape shape) {
-        return (shape instanceof Moved m ? m.inner() : shape) instanceof TriangleMesh;
+        return (shape instanceof Moved m ? m.inner() : shape) instanceof Meshed;
     }
 
     private List<Collider> parts(int body) {

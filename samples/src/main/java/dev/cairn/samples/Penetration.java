@@ -2,6 +2,7 @@ package dev.cairn.samples;
 
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.ColliderRef;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.TriangleMesh;
@@ -56,8 +57,8 @@ public final class Penetration {
     private static void add(BodyRef body, List<Entry> entries) {
         for (ColliderRef part : body.colliders()) {
             Shape shape = part.description().placed();
-            boolean isSurface =
-                    (shape instanceof Moved m ? m.inner() : shape) instanceof TriangleMesh;
+            Shape inner = shape instanceof Moved m ? m.inner() : shape;
+            boolean isSurface = inner instanceof TriangleMesh || inner instanceof HeightField;
             if (!part.isSensor() && !isSurface) {
                 Solid solid = Solid.of(shape, body.position(), body.orientation());
                 entries.add(new Entry(solid, body.isFixed(), body));

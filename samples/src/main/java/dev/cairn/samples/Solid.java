@@ -6,6 +6,7 @@ import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
@@ -91,6 +92,8 @@ final class Solid {
             case HalfSpace ground -> below(position, rotation);
             case TriangleMesh mesh ->
                     throw new IllegalArgumentException(mesh + " has no inside; leave it out");
+            case HeightField field ->
+                    throw new IllegalArgumentException(field + " is no solid; leave it out");
             case Moved moved ->
                     of(
                             moved.inner(),

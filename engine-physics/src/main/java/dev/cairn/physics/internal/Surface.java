@@ -4,6 +4,7 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
@@ -50,6 +51,7 @@ public final class Surface {
             case Cone cone -> TIPPED;
             case HalfSpace plane -> PLANE;
             case TriangleMesh mesh -> CORNERED;
+            case HeightField field -> CORNERED;
             default -> ROUND;
         };
     }

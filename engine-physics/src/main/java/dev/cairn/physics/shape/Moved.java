@@ -35,6 +35,16 @@ public final class Moved implements Shape {
         comZ = com.z;
     }
 
+    /**
+     * Whether another one is at the same place, turned alike.
+     *
+     * @param other whatever it moves
+     * @return whether all numbers are the same
+     */
+    public boolean isPlacedAs(Moved other) {
+        return java.util.Arrays.equals(numbers(), other.numbers());
+    }
+
     /** Place and turn, as the constructor takes them. */
     double[] numbers() {
         return new double[] {x, y, z, qx, qy, qz, qw};

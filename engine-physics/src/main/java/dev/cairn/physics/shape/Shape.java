@@ -9,7 +9,16 @@ import org.joml.Vector3d;
  * engine collides is relative to the centre of mass ({@link #centreOfMass}).
  */
 public sealed interface Shape
-        permits Sphere, Box, Capsule, Cylinder, Cone, ConvexHull, HalfSpace, TriangleMesh, Moved {
+        permits Sphere,
+                Box,
+                Capsule,
+                Cylinder,
+                Cone,
+                ConvexHull,
+                HalfSpace,
+                TriangleMesh,
+                HeightField,
+                Moved {
     /**
      * The volume.
      *

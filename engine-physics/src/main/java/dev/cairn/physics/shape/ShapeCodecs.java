@@ -59,6 +59,7 @@ public final class ShapeCodecs {
                 codec(HalfSpace.class, (s, out) -> {}, in -> HalfSpace.of()),
                 codec(ConvexHull.class, ShapeCodecs::write, ShapeCodecs::readHull),
                 codec(TriangleMesh.class, TriangleMesh::write, TriangleMesh::read),
+                codec(HeightField.class, HeightField::write, HeightField::read),
                 codec(Moved.class, ShapeCodecs::write, ShapeCodecs::readMoved));
     }
 

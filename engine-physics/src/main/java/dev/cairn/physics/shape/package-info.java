@@ -12,7 +12,9 @@
  * point or a segment with a radius; {@link dev.cairn.physics.shape.Cylinder} and {@link
  * dev.cairn.physics.shape.Cone} are two discs, one of them a point for the cone, with all between
  * them; {@link dev.cairn.physics.shape.HalfSpace} is the ground without end. {@link
- * dev.cairn.physics.shape.Moved} places any of them in a body's frame.
+ * dev.cairn.physics.shape.Moved} places any of them in a body's frame. Levels are surfaces: {@link
+ * dev.cairn.physics.shape.TriangleMesh}, and {@link dev.cairn.physics.shape.HeightField}, whose
+ * triangles are computed from samples.
  *
  * <pre>
  *   user points ─▶ quickhull ─▶ merge coplanar faces ─▶ integrate mass ─▶ shift by the centre of mass ─▶ Polyhedron

@@ -13,6 +13,8 @@ import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HeightField;
+import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.TriangleMesh;
@@ -35,16 +37,40 @@ class FloorOfTrianglesTest {
         REGULAR,
         IRREGULAR,
         SLIVERS,
-        T_JOINTS;
+        T_JOINTS,
+        HEIGHTS,
+        COARSE_HEIGHTS;
 
-        TriangleMesh mesh() {
+        Shape shape() {
             return switch (this) {
                 case REGULAR -> Grounds.regular(HALF, 40);
                 case IRREGULAR -> Grounds.irregular(HALF, 40, 7);
                 case SLIVERS -> Grounds.slivers(HALF);
                 case T_JOINTS -> Grounds.tJoints(HALF, 30);
+                case HEIGHTS -> heights(41);
+                case COARSE_HEIGHTS -> heights(4);
             };
         }
+    }
+
+    private static Shape heights(int samples) {
+        double step = 2 * HALF / (samples - 1);
+        double[] zero = new double[samples * samples];
+        return atItsCorner(HeightField.of(samples, samples, step, step, zero));
+    }
+
+    private static Shape atItsCorner(Shape shape) {
+        return shape.moved(-HALF, 0, -HALF, new Quaterniond());
+    }
+
+    /**
+     * A slab of two triangles whose frame begins at a corner, as that of heights does. Where the
+     * frame of a ground is decides last bits of single precision, of a box too: 2e-6 m here.
+     */
+    private static Shape slabAtItsCorner() {
+        double w = 2 * HALF;
+        double[] corners = {0, 0, 0, 0, 0, w, w, 0, w, w, 0, 0};
+        return atItsCorner(TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3}));
     }
 
     /** What moves over them: a shape, how it lies, how high its origin is. */
@@ -81,7 +107,7 @@ class FloorOfTrianglesTest {
 
     private record Path(Vector3d end, Vector3d velocity, double mostUp) {}
 
-    private static Path run(Mover mover, TriangleMesh mesh, int workers, int lanes) {
+    private static Path run(Mover mover, Shape mesh, int workers, int lanes) {
         Material material = new Material(.2, 0, 500);
         try (PhysicsWorld world =
                 PhysicsWorld.builder()
@@ -123,9 +149,13 @@ class FloorOfTrianglesTest {
     @ParameterizedTest
     @EnumSource(Ground.class)
     void whatSlidesAndRollsGoesAsOnASlab(Ground ground) {
-        TriangleMesh mesh = ground.mesh();
+        Shape mesh = ground.shape();
         for (Mover mover : movers()) {
-            Path slab = SLABS.computeIfAbsent(mover.name, name -> run(mover, null, 1, 4));
+            boolean atCorner = mesh instanceof Moved;
+            Path slab =
+                    SLABS.computeIfAbsent(
+                            mover.name + atCorner,
+                            name -> run(mover, atCorner ? slabAtItsCorner() : null, 1, 4));
             Path floor = run(mover, mesh, 1, 4);
             String what = mover.name + " over " + ground;
             assertTrue(floor.mostUp <= slab.mostUp + 1e-6, what);

@@ -9,6 +9,7 @@ import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.TriangleMesh;
@@ -87,6 +88,15 @@ public final class Grounds {
         return TriangleMesh.of(xyz, flat.indices());
     }
 
+    /** The same ground as heights. */
+    public static Shape hillyField() {
+        double[] heights = new double[33 * 33];
+        for (int k = 0; k < heights.length; k++) {
+            heights[k] = hills(k % 33 * .5 - 8, k / 33 * .5 - 8);
+        }
+        return HeightField.of(33, 33, .5, .5, heights).moved(-8, 0, -8, new Quaterniond());
+    }
+
     /** One shape of each kind, about a foot wide. */
     public static Shape[] kinds() {
         return new Shape[] {
@@ -129,8 +139,13 @@ public final class Grounds {
 
     /** Drops so many bodies of all kinds over the ground of {@link #hills}. */
     public static List<BodyRef> drop(PhysicsWorld world, int count, long seed) {
+        return drop(world, hilly(), count, seed);
+    }
+
+    /** The same over a ground that is made of something else. */
+    public static List<BodyRef> drop(PhysicsWorld world, Shape ground, int count, long seed) {
         Random random = new Random(seed);
-        world.add(Body.fixed().shape(hilly()).name("hills"));
+        world.add(Body.fixed().shape(ground).name("hills"));
         Shape[] kinds = kinds();
         List<BodyRef> bodies = new ArrayList<>();
         for (int i = 0; i < count; i++) {

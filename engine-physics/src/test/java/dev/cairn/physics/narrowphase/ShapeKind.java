@@ -6,6 +6,7 @@ import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
@@ -117,6 +118,7 @@ enum ShapeKind {
             }
             case HalfSpace h -> h;
             case TriangleMesh mesh -> throw new IllegalArgumentException("no solid: " + mesh);
+            case HeightField field -> throw new IllegalArgumentException("no solid: " + field);
             case Moved m -> {
                 Vector3d at = m.position(new Vector3d()).mul(f);
                 yield scaled(m.inner(), f).moved(at.x, at.y, at.z, m.rotation(new Quaterniond()));

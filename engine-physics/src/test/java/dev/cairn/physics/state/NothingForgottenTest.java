@@ -16,6 +16,7 @@ import dev.cairn.physics.component.Force;
 import dev.cairn.physics.joint.Joint;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.TriangleMesh;
@@ -136,6 +137,9 @@ class NothingForgottenTest {
         TriangleMesh ground = TriangleMesh.of(corners, new int[] {0, 1, 2, 0, 2, 3});
         world.add(Body.fixed().shape(ground));
         world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(40, 2, 0));
+        HeightField field = HeightField.of(3, 3, 5, 5, new double[9]).withHole(0, 0, 1, 1, true);
+        BodyRef hill = world.add(Body.fixed().shape(field).at(30, 0, 20));
+        world.add(Body.dynamic().shape(Box.cubeOfHalfExtent(0.5)).at(37, 1, 27));
         BodyRef lift = world.add(Body.kinematic().shape(Box.cubeOfHalfExtent(1)).at(-4, 2, 0));
         BodyRef last = null;
         for (int i = 0; i < 12; i++) {
@@ -165,6 +169,7 @@ class NothingForgottenTest {
         world.add(Body.dynamic().shape(Sphere.of(0.4)).at(0, 1.2, 40).angularVelocity(0, 5, 0));
         for (int tick = 0; tick < 60; tick++) {
             lift.moveTo(-4, 2 + 0.01 * tick, 0);
+            hill.setShape(field.withHeights(1, 1, 1, new double[] {0.01 * tick}));
             world.step(tick < 30 ? 1.0 / 60 : 1.0 / 90);
         }
         return world;

@@ -6,6 +6,7 @@ import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
@@ -44,7 +45,7 @@ public final class Meshes {
     private static final Map<ConvexHull, Mesh> HULLS =
             Collections.synchronizedMap(new WeakHashMap<>());
 
-    private static final Map<TriangleMesh, Mesh> SURFACES =
+    private static final Map<Shape, Mesh> SURFACES =
             Collections.synchronizedMap(new WeakHashMap<>());
 
     private Meshes() {}
@@ -65,6 +66,7 @@ public final class Meshes {
             case Cone c -> RoundMeshes.scaled(CONE, c.radius(), c.halfHeight());
             case HalfSpace ground -> GROUND;
             case TriangleMesh mesh -> triangles(mesh);
+            case HeightField field -> ground(field);
             case Moved moved ->
                     RoundMeshes.placed(
                             of(moved.inner()),
@@ -147,7 +149,17 @@ public final class Meshes {
      * @return the mesh; the same object each time
      */
     public static Mesh triangles(TriangleMesh surface) {
-        return SURFACES.computeIfAbsent(surface, Meshes::flat);
+        return SURFACES.computeIfAbsent(surface, s -> flat(surface));
+    }
+
+    /**
+     * The triangles of a height field, each flat; without its holes.
+     *
+     * @param field which one
+     * @return the mesh; the same object each time
+     */
+    public static Mesh ground(HeightField field) {
+        return SURFACES.computeIfAbsent(field, f -> flat(field.toMesh()));
     }
 
     private static Mesh flat(TriangleMesh surface) {

@@ -6,6 +6,7 @@ import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
@@ -93,6 +94,8 @@ public record Model(
             case HalfSpace ground -> of(Meshes.GROUND).texture(Texture.grid().tiledEvery(2));
             case TriangleMesh mesh ->
                     of(Meshes.triangles(mesh)).texture(Texture.grid().tiledEvery(2));
+            case HeightField field ->
+                    of(Meshes.ground(field)).texture(Texture.grid().tiledEvery(2));
             case Moved moved -> of(Meshes.of(moved));
         };
     }

@@ -8,7 +8,6 @@ import dev.cairn.samples.scenefile.LookSpec;
 import dev.cairn.samples.scenefile.PartSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
-import dev.cairn.samples.scenefile.ShapeSpec.SurfaceShape;
 import dev.cairn.samples.scenefile.Turn;
 import dev.cairn.samples.scenefile.Xyz;
 
@@ -248,7 +247,7 @@ final class EntityPanel {
     private static double massOf(EntitySpec entity) {
         double sum = 0;
         for (PartSpec part : entity.parts()) {
-            if (part.shape() instanceof MeshShape || part.shape() instanceof SurfaceShape) {
+            if (part.shape() instanceof MeshShape || part.shape().isSurface()) {
                 return entity.material().density();
             }
             Material own = part.material();

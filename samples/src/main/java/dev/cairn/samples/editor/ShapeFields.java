@@ -5,6 +5,7 @@ import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.ShapeSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
+import dev.cairn.samples.scenefile.ShapeSpec.FieldShape;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
@@ -50,6 +51,7 @@ final class ShapeFields {
                     case MeshShape mesh -> mesh(ui, mesh);
                     case GroundShape ground -> ground;
                     case SurfaceShape surface -> surface;
+                    case FieldShape field -> field;
                     case MovedShape moved -> moved;
                 };
         if (wanted != entity.shape()) {

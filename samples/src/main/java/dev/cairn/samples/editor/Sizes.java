@@ -4,6 +4,7 @@ import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.PartSpec;
 import dev.cairn.samples.scenefile.ShapeSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
+import dev.cairn.samples.scenefile.ShapeSpec.FieldShape;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
@@ -18,6 +19,7 @@ import org.joml.Quaterniond;
 import org.joml.Vector3d;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 
 /**
@@ -63,7 +65,20 @@ record Sizes(Xyz low, Xyz high) {
             case MeshShape mesh -> around(0.5 * s.x(), 0.5 * s.y(), 0.5 * s.z());
             case HullShape(List<Xyz> points) -> around(scaled(points, s));
             case SurfaceShape surface -> around(scaled(surface.points(), s));
+            case FieldShape field -> around(scaled(corners(field), s));
         };
+    }
+
+    /** The lowest and the highest point, in opposite corners. */
+    private static List<Xyz> corners(FieldShape field) {
+        List<Double> heights = field.heights();
+        int rows = heights.size() / field.samplesX();
+        return List.of(
+                new Xyz(0, Collections.min(heights), 0),
+                new Xyz(
+                        (field.samplesX() - 1) * field.stepX(),
+                        Collections.max(heights),
+                        (rows - 1) * field.stepZ()));
     }
 
     private static List<Vector3d> scaled(List<Xyz> points, Xyz s) {

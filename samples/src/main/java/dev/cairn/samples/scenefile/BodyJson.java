@@ -264,7 +264,7 @@ final class BodyJson {
 
     private static JsonObject collider(PartSpec part, List<String> layers) {
         JsonObject out = new JsonObject();
-        out.add("shape", SceneWriter.shape(part.shape()));
+        out.add("shape", ShapeJson.write(part.shape()));
         if (!part.position().equals(Xyz.ZERO)) {
             out.add("position", SceneWriter.xyz(part.position()));
         }

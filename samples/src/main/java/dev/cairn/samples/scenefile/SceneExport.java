@@ -15,6 +15,7 @@ import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
@@ -29,6 +30,7 @@ import dev.cairn.samples.SceneView;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFile.TickSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
+import dev.cairn.samples.scenefile.ShapeSpec.FieldShape;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MovedShape;
@@ -218,6 +220,7 @@ public final class SceneExport {
                             points(mesh.vertices()),
                             Arrays.stream(mesh.indices()).boxed().toList(),
                             mesh.isTwoSided());
+            case HeightField field -> heights(field);
             case Moved moved -> {
                 Vector3d at = moved.position(new Vector3d());
                 yield new MovedShape(
@@ -230,6 +233,28 @@ public final class SceneExport {
                                 moved.rotationW()));
             }
         };
+    }
+
+    private static FieldShape heights(HeightField field) {
+        List<FieldShape.Cells> holes = new ArrayList<>();
+        for (int j = 0; j + 1 < field.samplesZ(); j++) {
+            for (int i = 0; i + 1 < field.samplesX(); i++) {
+                int first = i;
+                while (i + 1 < field.samplesX() && field.isHole(i, j)) {
+                    i++;
+                }
+                if (i > first) {
+                    holes.add(new FieldShape.Cells(first, j, i - first, 1));
+                }
+            }
+        }
+        return new FieldShape(
+                field.samplesX(),
+                field.stepX(),
+                field.stepZ(),
+                field.thickness(),
+                Arrays.stream(field.heights()).boxed().toList(),
+                holes);
     }
 
     private static List<Xyz> points(double[] xyz) {

@@ -4,7 +4,6 @@ import dev.cairn.render.camera.Light;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFile.TickSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
-import dev.cairn.samples.scenefile.ShapeSpec.SurfaceShape;
 
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
@@ -298,8 +297,7 @@ public final class SceneReader {
                         .withPhysics(physics);
         if (made.body() == BodyKind.DYNAMIC) {
             for (PartSpec part : made.parts()) {
-                if (part.shape() instanceof SurfaceShape
-                        || (part.shape() instanceof MeshShape mesh && mesh.isLevel())) {
+                if (part.shape().isSurface()) {
                     throw node.required(in, in.containsKey("shape") ? "shape" : "colliders")
                             .wrong(
                                     "a solid shape for a dynamic body (a surface of triangles has"

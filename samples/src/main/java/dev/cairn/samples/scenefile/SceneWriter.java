@@ -7,14 +7,6 @@ import com.google.gson.JsonPrimitive;
 
 import dev.cairn.physics.Material;
 import dev.cairn.render.camera.Light;
-import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
-import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
-import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
-import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
-import dev.cairn.samples.scenefile.ShapeSpec.MovedShape;
-import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
-import dev.cairn.samples.scenefile.ShapeSpec.SurfaceShape;
-import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -119,7 +111,7 @@ public final class SceneWriter {
         }
         out.addProperty("body", entity.body().word());
         if (entity.physics().parts().isEmpty()) {
-            out.add("shape", shape(entity.shape()));
+            out.add("shape", ShapeJson.write(entity.shape()));
         } else {
             out.add("colliders", BodyJson.colliders(entity.physics().parts(), layers));
         }
@@ -150,48 +142,6 @@ public final class SceneWriter {
             out.add("look", look(entity.look()));
         }
         DrivenJson.write(entity.driven(), out);
-        return out;
-    }
-
-    static JsonObject shape(ShapeSpec shape) {
-        JsonObject out = new JsonObject();
-        out.addProperty("type", shape.type());
-        switch (shape) {
-            case BoxShape(Xyz half) -> out.add("halfExtents", xyz(half));
-            case SphereShape(double radius) -> out.add("radius", number(radius));
-            case HullShape hull -> {
-                JsonArray points = new JsonArray();
-                hull.points().forEach(point -> points.add(xyz(point)));
-                out.add("points", points);
-            }
-            case TurnedShape(String type, double radius, double half) -> {
-                out.add("radius", number(radius));
-                out.add("halfHeight", number(half));
-            }
-            case GroundShape() -> {}
-            case MovedShape(ShapeSpec inner, Xyz at, Turn turn) -> {
-                out.add("shape", shape(inner));
-                out.add("position", xyz(at));
-                out.add("rotation", turn(turn));
-            }
-            case MeshShape(String file, boolean isLevel) -> {
-                out.addProperty("file", file);
-                if (isLevel) {
-                    out.addProperty("as", "level");
-                }
-            }
-            case SurfaceShape surface -> {
-                JsonArray points = new JsonArray();
-                surface.points().forEach(point -> points.add(xyz(point)));
-                out.add("points", points);
-                JsonArray triangles = new JsonArray();
-                surface.triangles().forEach(corner -> triangles.add(corner));
-                out.add("triangles", triangles);
-                if (surface.twoSided()) {
-                    out.addProperty("twoSided", true);
-                }
-            }
-        }
         return out;
     }
 

@@ -1,6 +1,10 @@
 package dev.cairn.samples.scenefile;
 
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
+import dev.cairn.samples.scenefile.ShapeSpec.FieldShape;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
 import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
@@ -13,7 +17,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
-/** Shapes in a scene file. Stateless; any thread. */
+/** Reads and writes what an entity is shaped like. Stateless; any thread. */
 final class ShapeJson {
     static final List<String> SHAPES =
             List.of(
@@ -26,7 +30,11 @@ final class ShapeJson {
                     "hull",
                     "mesh",
                     "triangles",
+                    "heights",
                     "moved");
+
+    private static final List<String> HEIGHTS =
+            List.of("type", "samplesX", "stepX", "stepZ", "thickness", "heights", "holes");
 
     private ShapeJson() {}
 
@@ -44,6 +52,12 @@ final class ShapeJson {
                                 "as",
                                 "triangles",
                                 "twoSided",
+                                "samplesX",
+                                "stepX",
+                                "stepZ",
+                                "heights",
+                                "holes",
+                                "thickness",
                                 "shape",
                                 "position",
                                 "rotation"));
@@ -114,6 +128,7 @@ final class ShapeJson {
                 yield new SurfaceShape(
                         points, corners, in.containsKey("twoSided") && in.get("twoSided").truth());
             }
+            case "heights" -> heights(node);
             default -> {
                 String near = type.nearestOf(SHAPES);
                 throw type.wrong(
@@ -132,5 +147,111 @@ final class ShapeJson {
             case "level" -> true;
             default -> throw node.wrong(what, node.shown());
         };
+    }
+
+    private static FieldShape heights(JsonNode node) {
+        Map<String, JsonNode> in = node.fields("a height field", HEIGHTS);
+        JsonNode list = node.required(in, "heights");
+        String what = "a list of heights in metres, by rows along x";
+        List<Double> heights = new ArrayList<>();
+        for (JsonNode height : list.items(what)) {
+            heights.add(height.number("a height in metres"));
+        }
+        int samplesX = node.required(in, "samplesX").whole(2, 1 << 20);
+        if (heights.isEmpty() || heights.size() % samplesX != 0) {
+            throw list.wrong("rows of " + samplesX + " heights", heights.size() + " heights");
+        }
+        double stepX = node.required(in, "stepX").positive("a step in metres");
+        double stepZ = node.required(in, "stepZ").positive("a step in metres");
+        List<FieldShape.Cells> holes = new ArrayList<>();
+        if (in.containsKey("holes")) {
+            for (JsonNode hole : in.get("holes").items("a list of holes")) {
+                String cells = "[x, z, wide, deep] in cells";
+                List<JsonNode> four = hole.items(cells);
+                if (four.size() != 4) {
+                    throw hole.wrong(cells, hole.shown());
+                }
+                holes.add(
+                        new FieldShape.Cells(
+                                four.get(0).whole(0, 1 << 29),
+                                four.get(1).whole(0, 1 << 29),
+                                four.get(2).whole(1, 1 << 29),
+                                four.get(3).whole(1, 1 << 29)));
+            }
+        }
+        double thickness =
+                in.containsKey("thickness")
+                        ? in.get("thickness").atLeastZero("a thickness in metres")
+                        : Math.max(stepX, stepZ);
+        return new FieldShape(samplesX, stepX, stepZ, thickness, heights, holes);
+    }
+
+    static JsonObject write(ShapeSpec shape) {
+        JsonObject out = new JsonObject();
+        out.addProperty("type", shape.type());
+        switch (shape) {
+            case BoxShape(Xyz half) -> out.add("halfExtents", SceneWriter.xyz(half));
+            case SphereShape(double radius) -> out.add("radius", SceneWriter.number(radius));
+            case HullShape hull -> {
+                JsonArray points = new JsonArray();
+                hull.points().forEach(point -> points.add(SceneWriter.xyz(point)));
+                out.add("points", points);
+            }
+            case TurnedShape(String type, double radius, double half) -> {
+                out.add("radius", SceneWriter.number(radius));
+                out.add("halfHeight", SceneWriter.number(half));
+            }
+            case GroundShape() -> {}
+            case MovedShape(ShapeSpec inner, Xyz at, Turn turn) -> {
+                out.add("shape", write(inner));
+                out.add("position", SceneWriter.xyz(at));
+                out.add("rotation", SceneWriter.turn(turn));
+            }
+            case MeshShape(String file, boolean isLevel) -> {
+                out.addProperty("file", file);
+                if (isLevel) {
+                    out.addProperty("as", "level");
+                }
+            }
+            case SurfaceShape surface -> {
+                JsonArray points = new JsonArray();
+                surface.points().forEach(point -> points.add(SceneWriter.xyz(point)));
+                out.add("points", points);
+                JsonArray triangles = new JsonArray();
+                surface.triangles().forEach(corner -> triangles.add(corner));
+                out.add("triangles", triangles);
+                if (surface.twoSided()) {
+                    out.addProperty("twoSided", true);
+                }
+            }
+            case FieldShape field -> {
+                out.addProperty("samplesX", field.samplesX());
+                out.add("stepX", SceneWriter.number(field.stepX()));
+                out.add("stepZ", SceneWriter.number(field.stepZ()));
+                if (field.thickness() != Math.max(field.stepX(), field.stepZ())) {
+                    out.add("thickness", SceneWriter.number(field.thickness()));
+                }
+                JsonArray heights = new JsonArray();
+                field.heights().forEach(height -> heights.add(SceneWriter.number(height)));
+                out.add("heights", heights);
+                if (!field.holes().isEmpty()) {
+                    out.add("holes", holes(field.holes()));
+                }
+            }
+        }
+        return out;
+    }
+
+    private static JsonArray holes(List<FieldShape.Cells> holes) {
+        JsonArray out = new JsonArray();
+        for (FieldShape.Cells hole : holes) {
+            JsonArray four = new JsonArray();
+            four.add(hole.x());
+            four.add(hole.z());
+            four.add(hole.wide());
+            four.add(hole.deep());
+            out.add(four);
+        }
+        return out;
     }
 }

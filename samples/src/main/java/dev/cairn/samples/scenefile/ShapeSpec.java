@@ -6,6 +6,7 @@ import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.TriangleMesh;
@@ -141,6 +142,80 @@ public sealed interface ShapeSpec {
     }
 
     /**
+     * Ground by heights on a regular grid, for bodies that are not dynamic.
+     *
+     * @param samplesX samples along x
+     * @param stepX between samples along x, m
+     * @param stepZ between samples along z, m
+     * @param thickness how far below its surface bodies are pushed out, m
+     * @param heights by rows along x, m
+     * @param holes cells that are not there
+     */
+    record FieldShape(
+            int samplesX,
+            double stepX,
+            double stepZ,
+            double thickness,
+            List<Double> heights,
+            List<Cells> holes)
+            implements ShapeSpec {
+        /**
+         * A rectangle of cells.
+         *
+         * @param x the first along x
+         * @param z the first along z
+         * @param wide how many along x
+         * @param deep how many along z
+         */
+        public record Cells(int x, int z, int wide, int deep) {}
+
+        /** Copies the lists. */
+        public FieldShape {
+            heights = List.copyOf(heights);
+            holes = List.copyOf(holes);
+        }
+
+        @Override
+        public String type() {
+            return "heights";
+        }
+
+        private HeightField at(Xyz scale) {
+            double[] scaled = new double[heights.size()];
+            for (int i = 0; i < scaled.length; i++) {
+                scaled[i] = heights.get(i) * scale.y();
+            }
+            HeightField field =
+                    HeightField.of(
+                                    samplesX,
+                                    scaled.length / samplesX,
+                                    stepX * scale.x(),
+                                    stepZ * scale.z(),
+                                    scaled)
+                            .withThickness(thickness * scale.y());
+            for (Cells hole : holes) {
+                field = field.withHole(hole.x, hole.z, hole.wide, hole.deep, true);
+            }
+            return field;
+        }
+    }
+
+    /**
+     * Whether only bodies that are not dynamic can have it.
+     *
+     * @return true for levels: surfaces of triangles and heights
+     */
+    default boolean isSurface() {
+        return switch (this) {
+            case MovedShape moved -> moved.shape().isSurface();
+            case MeshShape mesh -> mesh.isLevel();
+            case SurfaceShape surface -> true;
+            case FieldShape field -> true;
+            default -> false;
+        };
+    }
+
+    /**
      * The collision shape. A mesh has none before its file is read.
      *
      * @param scale factors along the shape's axes, &gt; 0; a round shape wants three equal ones
@@ -163,6 +238,7 @@ public sealed interface ShapeSpec {
                                 triangles.stream().mapToInt(Integer::intValue).toArray());
                 yield twoSided ? mesh.twoSided() : mesh;
             }
+            case FieldShape field -> field.at(scale);
             case TurnedShape(String type, double radius, double half) -> {
                 double r = radius * scale.x();
                 double h = half * scale.y();

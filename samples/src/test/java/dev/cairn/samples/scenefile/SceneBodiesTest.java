@@ -18,6 +18,7 @@ import dev.cairn.physics.collider.Layers;
 import dev.cairn.physics.collider.Mix;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
@@ -77,6 +78,16 @@ class SceneBodiesTest {
                     0x993333,
                     Body.dynamic().at(-4 + 3.1 * i, .8, .1 * i).filter(layers.filter("crate")));
         }
+        double[] heights = {0, .3, .1, .2, 0, .4, .1, .2, .3, .7, .1, 0};
+        scene.add(
+                HeightField.of(4, 3, 1.5, 2, heights)
+                        .withThickness(.7)
+                        .withHole(1, 1, 2, 1, true)
+                        .withHole(0, 0, 1, 1, true),
+                7,
+                Body.fixed().at(20, 0, 0));
+        scene.add(Sphere.of(.4), 8, Body.dynamic().at(22, .9, .6));
+        scene.add(Sphere.of(.4), 9, Body.dynamic().at(22.3, .9, 3.1));
         Box box = Box.cubeOfHalfExtent(.25);
         scene.add(box, 1, Body.dynamic().at(3, .4, 2).mass(3).inertia(.3, .2, .25).material(icy));
         scene.add(box, 2, Body.dynamic().at(3, .9, 2).gravityScale(.25).damping(.1, .7));

@@ -52,6 +52,9 @@ public final class MeshContact {
     /** The triangle at hand: its unit normal towards the shape, and 1, or -1 from the back. */
     private double nx, ny, nz, front;
 
+    /** Whether the centre is inside: the way out is through the triangle above, however far. */
+    private boolean isInside;
+
     private int flags;
     private TriangleSet set = MeshBuilder.nothing();
 
@@ -141,7 +144,13 @@ public final class MeshContact {
             box[axis] += c - margin;
             box[axis + 3] += c + margin;
         }
-        set.find(box, found);
+        int cover = set.above(cx, cy, cz);
+        isInside = cover >= 0;
+        if (isInside) {
+            found.only(cover);
+        } else {
+            set.find(box, found);
+        }
         if (found.count > 0) {
             pair.set(shape, shape, qx, qy, qz, qw, qx, qy, qz, qw, 0, 0, 0);
             tolerance = ContactTolerances.ON_PLANE * pair.inner;
@@ -205,6 +214,10 @@ public final class MeshContact {
         // above the plane is the centre
         double height = -(nx * corner[0] + ny * corner[1] + nz * corner[2]);
         front = 1;
+        if (isInside) {
+            faces.add(t, corner, nx, ny, nz, 0, twiceArea, tolerance);
+            return;
+        }
         if (height < 0) {
             if (!set.isTwoSided) {
                 return;
@@ -466,7 +479,7 @@ public final class MeshContact {
             double x = tx;
             double y = ty;
             double z = tz;
-            boolean over = faces.isOver(g, x, y, z, tolerance, under);
+            boolean over = isInside || faces.isOver(g, x, y, z, tolerance, under);
             if (!over && separation > 0 && fall > 0) {
                 double time = Math.min(1, separation / fall);
                 over =

@@ -14,9 +14,6 @@ public final class MeshBuilder {
     /** Of the squared longest side: twice the area of a triangle that is none. */
     private static final double NO_AREA = 1e-12;
 
-    /** Sine of the angle between faces that count as one plane. */
-    private static final double FLAT = 1e-6;
-
     private double[] vertex;
     private int[] index;
     private int[] source;
@@ -151,8 +148,16 @@ public final class MeshBuilder {
         int b = 3 * index[3 * t + 1];
         int c = 3 * index[3 * t + 2];
         double longest = Math.max(square(a, b), Math.max(square(b, c), square(c, a)));
-        double[] n = normal(a, b, c);
-        return Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) > NO_AREA * longest;
+        double ux = vertex[b] - vertex[a];
+        double uy = vertex[b + 1] - vertex[a + 1];
+        double uz = vertex[b + 2] - vertex[a + 2];
+        double vx = vertex[c] - vertex[a];
+        double vy = vertex[c + 1] - vertex[a + 1];
+        double vz = vertex[c + 2] - vertex[a + 2];
+        double nx = uy * vz - uz * vy;
+        double ny = uz * vx - ux * vz;
+        double nz = ux * vy - uy * vx;
+        return Math.sqrt(nx * nx + ny * ny + nz * nz) > NO_AREA * longest;
     }
 
     private double square(int a, int b) {
@@ -160,17 +165,6 @@ public final class MeshBuilder {
         double y = vertex[b + 1] - vertex[a + 1];
         double z = vertex[b + 2] - vertex[a + 2];
         return x * x + y * y + z * z;
-    }
-
-    /** Twice the area, along the normal. */
-    private double[] normal(int a, int b, int c) {
-        double ux = vertex[b] - vertex[a];
-        double uy = vertex[b + 1] - vertex[a + 1];
-        double uz = vertex[b + 2] - vertex[a + 2];
-        double vx = vertex[c] - vertex[a];
-        double vy = vertex[c + 1] - vertex[a + 1];
-        double vz = vertex[c + 2] - vertex[a + 2];
-        return new double[] {uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx};
     }
 
     private double[] ends() {
@@ -258,25 +252,21 @@ public final class MeshBuilder {
             flippedEdges += isFirst ? 1 : 0;
             return TriangleSet.OPEN;
         }
-        int apex = 3 * index[next(next(twin))];
-        double[] n = normal(3 * a, 3 * b, 3 * index[next(next(h))]);
-        double[] m = normal(3 * a, apex, 3 * b);
-        double height =
-                n[0] * (vertex[apex] - vertex[3 * a])
-                        + n[1] * (vertex[apex + 1] - vertex[3 * a + 1])
-                        + n[2] * (vertex[apex + 2] - vertex[3 * a + 2]);
-        double edge = Math.sqrt(square(3 * a, 3 * b));
-        // the neighbour's altitude over the edge is |m| / |edge|
-        double sine = height * edge / (length(n) * length(m));
-        boolean folded = n[0] * m[0] + n[1] * m[1] + n[2] * m[2] < 0;
-        if (!folded && Math.abs(sine) <= FLAT) {
-            return 0;
-        }
-        return sine < 0 ? TriangleSet.CONVEX : sine > 0 ? TriangleSet.HOLLOW : TriangleSet.OPEN;
-    }
-
-    private static double length(double[] n) {
-        return Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        int c = 3 * index[next(next(h))];
+        int d = 3 * index[next(next(twin))];
+        return Edge.kind(
+                vertex[3 * a],
+                vertex[3 * a + 1],
+                vertex[3 * a + 2],
+                vertex[3 * b],
+                vertex[3 * b + 1],
+                vertex[3 * b + 2],
+                vertex[c],
+                vertex[c + 1],
+                vertex[c + 2],
+                vertex[d],
+                vertex[d + 1],
+                vertex[d + 2]);
     }
 
     /** Orders triangles by halves along the longest side of their middles, and boxes them. */

@@ -106,25 +106,17 @@ final class MeshTables extends TriangleSet {
 
     private void along(
             int node, int from, int to, double[] ray, double limit, double[] pad, Found out) {
-        double enter = 0;
-        double leave = limit;
-        for (int axis = 0; axis < 3; axis++) {
-            double low = box[BOX * node + axis] - pad[axis] - ray[axis];
-            double high = box[BOX * node + axis + 3] + pad[axis] - ray[axis];
-            double d = ray[3 + axis];
-            if (d == 0) {
-                if (low > 0 || high < 0) {
-                    return;
-                }
-            } else {
-                double a = low / d;
-                double c = high / d;
-                // with room for the rounding of the division
-                enter = Math.max(enter, Math.min(a, c) * (1 - 0x1p-50));
-                leave = Math.min(leave, Math.max(a, c) * (1 + 0x1p-50));
-            }
-        }
-        if (enter > leave) {
+        int at = BOX * node;
+        if (!Boxes.meets(
+                box[at],
+                box[at + 1],
+                box[at + 2],
+                box[at + 3],
+                box[at + 4],
+                box[at + 5],
+                ray,
+                limit,
+                pad)) {
             return;
         }
         if (to - from <= LEAF) {

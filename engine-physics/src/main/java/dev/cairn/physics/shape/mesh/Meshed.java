@@ -12,4 +12,39 @@ public abstract class Meshed {
     protected Meshed(TriangleSet triangles) {
         this.triangles = triangles;
     }
+
+    /** The box around the turned box of all triangles, relative to the frame's origin. */
+    protected final void boundsOfEnds(
+            double qx, double qy, double qz, double qw, double[] dest, int offset) {
+        row(
+                dest,
+                offset,
+                1 - 2 * (qy * qy + qz * qz),
+                2 * (qx * qy - qz * qw),
+                2 * (qx * qz + qy * qw));
+        row(
+                dest,
+                offset + 1,
+                2 * (qx * qy + qz * qw),
+                1 - 2 * (qx * qx + qz * qz),
+                2 * (qy * qz - qx * qw));
+        row(
+                dest,
+                offset + 2,
+                2 * (qx * qz - qy * qw),
+                2 * (qy * qz + qx * qw),
+                1 - 2 * (qx * qx + qy * qy));
+    }
+
+    private void row(double[] dest, int at, double dx, double dy, double dz) {
+        double low = 0;
+        double high = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double d = axis == 0 ? dx : axis == 1 ? dy : dz;
+            low += d * triangles.end(axis, d < 0);
+            high += d * triangles.end(axis, d >= 0);
+        }
+        dest[at] = low;
+        dest[at + 3] = high;
+    }
 }

@@ -75,6 +75,15 @@ public abstract class TriangleSet {
     /** The number by which the user knows a triangle. */
     public abstract int source(int triangle);
 
+    /**
+     * The triangle above a place that is inside, for surfaces that have one.
+     *
+     * @return -1 if it is outside, or deeper than bodies are pushed out from
+     */
+    public int above(double x, double y, double z) {
+        return -1;
+    }
+
     /** The lower or upper end of the surface along an axis, m. */
     public abstract double end(int axis, boolean upper);
 
@@ -90,6 +99,12 @@ public abstract class TriangleSet {
 
         /** Nothing yet. */
         public Found() {}
+
+        /** One triangle and nothing else. */
+        public void only(int number) {
+            triangle[0] = number;
+            count = 1;
+        }
 
         void add(int number) {
             if (count == triangle.length) {

@@ -11,9 +11,13 @@
  *                                                              ({@link dev.cairn.physics.shape.mesh.MeshBuilder})
  * </pre>
  *
- * <p>Invariants: immutable after it is built; triangles are numbered in the order of the tree, and
- * a box query tells them ascending; a box in the tree, rounded outwards to float, holds its
- * triangles.
+ * <p>A height field is such a surface too ({@link dev.cairn.physics.shape.mesh.FieldTriangles}),
+ * with nothing stored but the samples and a pyramid of bounds ({@link
+ * dev.cairn.physics.shape.mesh.SampleGrid}).
+ *
+ * <p>Invariants: immutable after it is built; triangles are numbered in the order of the tree, or
+ * of the cells, and a box query tells them ascending; a box in the tree, rounded outwards to float,
+ * holds its triangles.
  */
 @NullMarked
 package dev.cairn.physics.shape.mesh;
