@@ -195,8 +195,8 @@ public final class Collider {
 
     /**
      * Lets the surface run along, as that of a conveyor belt, while the body stays: what touches it
-     * is dragged, by friction, up to this velocity. It counts on fixed and kinematic bodies. Of it
-     * only what is along a contact acts. 0 by default.
+     * is dragged, by friction, up to this velocity against the body. A dynamic body is pushed the
+     * other way. Of the velocity only what is along a contact acts. 0 by default.
      *
      * @param bodyX body axes, m/s, finite
      * @param bodyY body axes, m/s, finite

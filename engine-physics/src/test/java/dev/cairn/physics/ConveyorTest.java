@@ -4,14 +4,17 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.tuning.Precision;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.HashSet;
@@ -141,6 +144,123 @@ class ConveyorTest {
         assertEquals(1, digests.size());
     }
 
+    /**
+     * A dynamic conveyor on ice: what lies on it comes to the belt's speed against it, both keep
+     * their common momentum, so the conveyor has -m u/(m + M) and the crate M u/(m + M).
+     */
+    @ParameterizedTest
+    @CsvSource({"1, false", "1, true", "4, false", "8, false"})
+    void aDynamicBeltKeepsTheMomentumOfBoth(int lanes, boolean single) {
+        Set<Long> digests = new HashSet<>();
+        for (int workers = 1; workers <= 2; workers++) {
+            PhysicsSettings settings =
+                    PhysicsSettings.DEFAULT
+                            .withSleeping(false)
+                            .withLanes(lanes)
+                            .withPrecision(single ? Precision.SINGLE : Precision.AUTO);
+            try (PhysicsWorld world = Scenes.awake().settings(settings).workers(workers).build()) {
+                Material ice = Material.DEFAULT.withFriction(0);
+                world.add(Body.fixed().shape(Box.ofHalfExtents(50, .5, 50)).material(ice));
+                Collider running =
+                        Collider.of(Box.ofHalfExtents(9, .25, 1))
+                                .surfaceVelocity(.5, 0, 0)
+                                .material(Material.DEFAULT);
+                Collider skid =
+                        Collider.of(Box.ofHalfExtents(9, .05, 1)).at(0, -.3, 0).material(ice);
+                Body cart = Body.dynamic().collider(running).collider(skid).mass(300);
+                // crates that move on would tilt it a little, by w r = 1e-5 m/s
+                cart.lock(Lock.TURN_X, Lock.TURN_Y, Lock.TURN_Z);
+                BodyRef conveyor = world.add(cart.at(0, .85, 0));
+                Body crate = Body.dynamic().shape(Box.cubeOfHalfExtent(.25)).mass(50);
+                BodyRef[] crates = new BodyRef[3];
+                for (int i = 0; i < crates.length; i++) {
+                    crates[i] = world.add(crate.at(i - 4, 1.35, 0));
+                }
+                for (int tick = 0; tick < 900; tick++) {
+                    world.step(Scenes.STEP);
+                    Kinetics k = world.kinetics();
+                    double scale = single ? 3e-3 : 1e-10;
+                    assertEquals(0, k.momentumX(), scale, "tick " + tick);
+                    assertEquals(0, k.momentumZ(), scale);
+                }
+                world.validate();
+                double precision = single ? 1e-5 : 1e-9;
+                double mine = -150 * .5 / 450;
+                assertEquals(mine, conveyor.velocity().x, precision);
+                for (BodyRef one : crates) {
+                    assertEquals(mine + .5, one.velocity().x, precision);
+                    assertEquals(0, one.velocity().z, precision);
+                }
+                digests.add(world.digest());
+            }
+        }
+        assertEquals(1, digests.size());
+    }
+
+    /** On a floor that holds it a body drives: its tracks run back at u, it runs on at -u. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 8})
+    void tracksDriveABodyOverTheFloor(int lanes) {
+        PhysicsSettings settings = PhysicsSettings.DEFAULT.withLanes(lanes);
+        try (PhysicsWorld world = Scenes.awake().settings(settings).workers(1).build()) {
+            world.add(Body.fixed().shape(Box.ofHalfExtents(50, .5, 50)).at(0, -.5, 0));
+            Body hull = Body.dynamic();
+            for (int side = -1; side <= 1; side += 2) {
+                hull.collider(
+                        Collider.of(Box.ofHalfExtents(1, .2, .2))
+                                .at(0, 0, .6 * side)
+                                .surfaceVelocity(-2, 0, 0));
+            }
+            BodyRef tank = world.add(hull.at(0, .2, 0).velocity(0, 0, 0));
+            step(world, 840);
+            // one side may have slipped longer than the other: it has turned a little
+            Vector3d ahead = tank.orientation().transform(new Vector3d(2, 0, 0));
+            assertEquals(0, tank.velocity().distance(ahead), 1e-8);
+            assertEquals(2, ahead.x, 1e-4);
+            assertFalse(tank.isAsleep());
+        }
+    }
+
+    /** Two tracks of opposite speeds turn it on the spot: w b = u, less what their spin rubs. */
+    @Test
+    void tracksThatRunApartTurnIt() {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
+            world.add(Body.fixed().shape(Box.ofHalfExtents(50, .5, 50)).at(0, -.5, 0));
+            Body hull = Body.dynamic();
+            for (int side = -1; side <= 1; side += 2) {
+                hull.collider(
+                        Collider.of(Box.cubeOfHalfExtent(.05))
+                                .at(0, 0, .6 * side)
+                                .surfaceVelocity(-.6 * side, 0, 0));
+            }
+            BodyRef tank = world.add(hull.at(0, .05, 0));
+            step(world, 300);
+            // the surface at z runs at v_x = w z, against -u of the track
+            assertEquals(.975, tank.angularVelocity().y, .025);
+            assertEquals(0, tank.velocity().length(), 1e-3);
+        }
+    }
+
+    /** A ball dragged by a loose belt keeps the momentum of both and is not let go of. */
+    @Test
+    void whatBouncesOnADynamicBeltKeepsTheMomentum() {
+        try (PhysicsWorld world = Scenes.awake().gravity(0, 0, 0).workers(1).build()) {
+            Material rubber = Material.RUBBER.withRestitution(.5);
+            Collider running = Collider.of(Box.ofHalfExtents(2, .25, 1)).surfaceVelocity(3, 0, 0);
+            world.add(Body.dynamic().collider(running).material(rubber));
+            Body ball = Body.dynamic().shape(Sphere.of(.2)).material(rubber);
+            world.add(ball.at(0, 1, 0).velocity(0, -4, 0));
+            Kinetics start = world.kinetics();
+            for (int tick = 0; tick < 120; tick++) {
+                world.step(Scenes.STEP);
+                Kinetics k = world.kinetics();
+                assertEquals(start.momentumX(), k.momentumX(), 1e-9);
+                assertEquals(start.momentumY(), k.momentumY(), 1e-9);
+            }
+            world.validate();
+        }
+    }
+
     @Test
     void aBeltThatStartsWakesWhoIsOnIt() {
         try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
@@ -175,9 +295,12 @@ class ConveyorTest {
                     world.add(Body.fixed().collider(belt(2)));
                     for (int i = 0; i < 60; i++) {
                         Shape shape = i % 3 == 0 ? Sphere.of(.3) : Box.ofHalfExtents(.3, .2, .4);
+                        // some of them run along themselves
+                        Collider piece =
+                                Collider.of(shape).surfaceVelocity(i % 7 == 3 ? 1 : 0, 0, 0);
                         world.add(
                                 Body.dynamic()
-                                        .shape(shape)
+                                        .collider(piece)
                                         .at(.5 * (i % 12) - 3, .4 + .7 * (i / 12), .2 * (i % 5)));
                     }
                     step(world, 180);

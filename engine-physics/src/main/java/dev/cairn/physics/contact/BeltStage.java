@@ -9,8 +9,9 @@ import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Rotations;
 
 /**
- * Surfaces that move while their bodies do not: with what velocity the surface of a contact runs
- * along. Of the belt's velocity u what is along the contact counts, {@code u - (u . n) n}: a belt
+ * Surfaces that move along while their bodies do not: by how much, at each contact, B's surface
+ * runs faster than A's, {@code u = u_B - u_A}; where only one of the two bodies moves by itself, by
+ * how much the other's does. Of u what is along the contact counts, {@code u - (u . n) n}: a belt
  * drags, and pushes nothing away.
  *
  * <p>Between points and solve, in blocks of active rows, only while some collider has such a
@@ -50,18 +51,19 @@ public final class BeltStage {
             c.belt[3 * row + 1] = 0;
             c.belt[3 * row + 2] = 0;
             if (c.isSolved(row)) {
-                add(row, c.colliderA[row], c.bodyA[row], scratch[worker]);
-                add(row, c.colliderB[row], c.bodyB[row], scratch[worker]);
+                boolean isFloorA = colliders.bodies.kind[c.bodyA[row]] != BodyStore.DYNAMIC;
+                add(row, c.colliderA[row], c.bodyA[row], isFloorA ? 1 : -1, scratch[worker]);
+                add(row, c.colliderB[row], c.bodyB[row], isFloorA ? -1 : 1, scratch[worker]);
+                flatten(row);
             }
         }
     }
 
-    private void add(int row, int collider, int body, double[] u) {
+    private void add(int row, int collider, int body, double sign, double[] u) {
         double[] belt = colliders.belt;
         BodyStore b = colliders.bodies;
         int at = 3 * collider;
         if ((belt[at] == 0 && belt[at + 1] == 0 && belt[at + 2] == 0)
-                || b.kind[body] == BodyStore.DYNAMIC
                 || b.kind[body] == BodyStore.ASLEEP) {
             return;
         }
@@ -74,13 +76,23 @@ public final class BeltStage {
                 belt[at + 1],
                 belt[at + 2],
                 u);
+        contacts.belt[3 * row] += sign * u[0];
+        contacts.belt[3 * row + 1] += sign * u[1];
+        contacts.belt[3 * row + 2] += sign * u[2];
+    }
+
+    /** What is along the contact. */
+    private void flatten(int row) {
         ContactStore c = contacts;
         double nx = c.normalX(row);
         double ny = c.normalY(row);
         double nz = c.normalZ(row);
-        double away = u[0] * nx + u[1] * ny + u[2] * nz;
-        c.belt[3 * row] = u[0] - away * nx;
-        c.belt[3 * row + 1] = u[1] - away * ny;
-        c.belt[3 * row + 2] = u[2] - away * nz;
+        double x = c.belt[3 * row];
+        double y = c.belt[3 * row + 1];
+        double z = c.belt[3 * row + 2];
+        double away = x * nx + y * ny + z * nz;
+        c.belt[3 * row] = x - away * nx;
+        c.belt[3 * row + 1] = y - away * ny;
+        c.belt[3 * row + 2] = z - away * nz;
     }
 }

@@ -175,12 +175,17 @@ final class RestingIslands {
                 continue;
             }
             int b = source.edgeB(i);
-            if (kind[a] == BodyStore.DYNAMIC && bodies.isDriven(b)) {
+            if (kind[a] == BodyStore.DYNAMIC && (bodies.isDriven(b) || runs(a) || runs(b))) {
                 restless[islands.root(a)] = true;
-            } else if (kind[b] == BodyStore.DYNAMIC && bodies.isDriven(a)) {
+            } else if (kind[b] == BodyStore.DYNAMIC && (bodies.isDriven(a) || runs(b))) {
                 restless[islands.root(b)] = true;
             }
         }
+    }
+
+    /** Whether a surface of the body runs along, if the body is one that moves. */
+    private boolean runs(int s) {
+        return bodies.belts > 0 && bodies.hasBelt[s];
     }
 
     private boolean still(int s) {

@@ -324,6 +324,12 @@ public final class ContactSolver {
         for (int k = 0; k < collector.sides.count(); k++) {
             energy.exempt(list.mover(collector.sides.edge(k)));
         }
+        for (int m = 0; tick.bodies.belts > 0 && m < list.contacts; m++) {
+            if (tick.bodies.hasBelt[list.mover(m)]
+                    || (list.isBetweenMovers(m) && tick.bodies.hasBelt[list.slotB[m]])) {
+                energy.exempt(list.mover(m));
+            }
+        }
     }
 
     private boolean turns(int slot) {

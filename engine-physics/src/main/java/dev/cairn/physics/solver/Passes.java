@@ -90,6 +90,7 @@ final class Passes {
             renewal.keep(sides.slot(k));
         }
         rows.rolling.begin(tick.contacts.rolls, rows.settleMark.length);
+        rows.drags.begin(tick.contacts.belts, rows.settleMark.length);
     }
 
     /** Loads a body that has contacts. */
@@ -129,6 +130,9 @@ final class Passes {
         }
         if (tick.softScale != 1 && learns) {
             Rescaling.carryOver(rows, tick.contacts, tick.softScale, from, to);
+        }
+        if (rows.drags.isUsed) {
+            rows.drags.fill(rows, body, tick.contacts, from, to);
         }
     }
 
@@ -268,6 +272,9 @@ final class Passes {
     }
 
     void takeOut(int from, int to, Workbench bench) {
+        if (rows.drags.isUsed) {
+            rows.drags.show(rows, from, to);
+        }
         renewal.unload(rows, body.warm, from, to, bench.renew);
     }
 
@@ -287,6 +294,9 @@ final class Passes {
      */
     void renewRows(SubStep sub, int index, int from, int to, Workbench bench) {
         renewal.rows(rows, body, tick.contacts, sub, index, from, to, bench.renew);
+        if (rows.drags.isUsed) {
+            rows.drags.hide(rows, from, to);
+        }
     }
 
     void relax(int kind, Sweeps sweeps, SubStep sub, int from, int to, Workbench bench) {
@@ -300,6 +310,11 @@ final class Passes {
             sweeps.relax(rows, body, sub, j, last, bench.scratch);
             if (rows.rolling.isUsed) {
                 one.roll(rows, body, j, last);
+            }
+            if (rows.drags.isUsed) {
+                rows.drags.show(rows, j, last);
+                one.drag(rows, body, j, last);
+                rows.drags.hide(rows, j, last);
             }
         }
     }
@@ -501,6 +516,9 @@ final class Passes {
             int last = Math.min(to, j + ConstraintRows.CHUNK);
             bench.scratch.doubles[Scratch.PACKED] =
                     RowPrefetch.results(rows, tick.contacts, j, last);
+            if (rows.drags.isUsed) {
+                rows.drags.showImpulses(rows, j, last);
+            }
             sweeps.store(rows, body, tick.contacts, sub, j, last, bench.scratch);
             if (rows.rolling.isUsed) {
                 rows.rolling.store(rows, tick.contacts, j, last);

@@ -223,7 +223,7 @@ public final class DirectIslands implements Stateful {
             tally[islands.root(list.mover(m))] = MOST_ROWS + 1;
         }
         for (int m = 0; b.driven > 0 && m < list.contacts; m++) {
-            if (list.carrier[m] >= 0) {
+            if (list.carrier[m] >= 0 || isDragged(b, list, m)) {
                 tally[islands.root(list.mover(m))] = MOST_ROWS + 1;
             }
         }
@@ -443,5 +443,12 @@ public final class DirectIslands implements Stateful {
     /** One of these islands. */
     public int open(int batch, int index) {
         return open[firstOpen[batch] + index];
+    }
+
+    /** Whether a surface of two bodies that move runs along: friction then does not hold them. */
+    private static boolean isDragged(BodyStore b, EdgeList list, int m) {
+        return b.belts > 0
+                && list.isBetweenMovers(m)
+                && (b.hasBelt[list.slotA[m]] || b.hasBelt[list.slotB[m]]);
     }
 }

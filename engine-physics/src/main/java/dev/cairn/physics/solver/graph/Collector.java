@@ -198,7 +198,7 @@ public final class Collector implements Stateful {
                                 ? slotA >= 0 || slotB >= 0
                                 : list.slotA[m] != slotA
                                         || list.slotB[m] != slotB
-                                        || list.carrier[m] != carrier(a, edges.edgeB(i)))) {
+                                        || list.carrier[m] != carrier(a, edges.edgeB(i), false))) {
                     return false;
                 }
             }
@@ -211,9 +211,22 @@ public final class Collector implements Stateful {
         return bodies.kind[slot] == BodyStore.DYNAMIC ? slot : -1;
     }
 
-    /** Which of two bodies is kinematic and moves: its slot, or -1. */
-    private int carrier(int a, int b) {
-        return bodies.isDriven(a) ? a : bodies.isDriven(b) ? b : -1;
+    /**
+     * Which of two bodies is kinematic and moves, or has a surface that moves along the other's:
+     * its slot, or -1. A surface that runs along a floor is, to the solver, a floor that runs.
+     */
+    private int carrier(int a, int b, boolean isContact) {
+        if (bodies.isDriven(a)) {
+            return a;
+        }
+        if (bodies.isDriven(b)) {
+            return b;
+        }
+        boolean runs = isContact && bodies.belts > 0 && (mover(a) < 0) != (mover(b) < 0);
+        if (runs && bodies.hasBelt[mover(a) < 0 ? b : a]) {
+            return mover(a) < 0 ? a : b;
+        }
+        return -1;
     }
 
     /** Compares a range of contacts with the list; what differs is told by whoever finds it. */
@@ -233,7 +246,7 @@ public final class Collector implements Stateful {
             int b = mover(contacts.bodyB[c]);
             if (list.slotA[n] != a
                     || list.slotB[n] != b
-                    || list.carrier[n] != carrier(contacts.bodyA[c], contacts.bodyB[c])
+                    || list.carrier[n] != carrier(contacts.bodyA[c], contacts.bodyB[c], true)
                     || bounces[n] != contacts.restitution[c] > 0) {
                 sameList = false;
                 return;
@@ -286,7 +299,7 @@ public final class Collector implements Stateful {
         boolean isContact = kind == 0;
         int points = isContact ? contacts.pointCount[row] : 1;
         boolean isCold = isContact && (a | b) >= 0 && isCold(contacts, row, points);
-        int carrier = carrier(bodyA, bodyB);
+        int carrier = carrier(bodyA, bodyB, isContact);
         boolean same = list.source[n] == row && list.slotA[n] == a && list.slotB[n] == b;
         same &= list.carrier[n] == carrier;
         list.carrier[n] = carrier;

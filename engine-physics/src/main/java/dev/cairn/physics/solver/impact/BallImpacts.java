@@ -381,6 +381,7 @@ public final class BallImpacts {
         int o = look.base(place);
         int lanes = look.lanes;
         double[] d = look.doubles;
+        rows.drags.give(look, place, rows.list.place[row]);
         WarmStart.addNormals(look, bodies.warm, place, o, -1);
         WarmStart.addFriction(look, bodies.warm, place, o, -1);
         d[o + (POINT + IMPULSE) * lanes] = 0;
@@ -406,6 +407,7 @@ public final class BallImpacts {
             turned.turnFriction(d, o, lanes);
         }
         window.close(rows, rows.list.place[row]);
+        rows.drags.hide(rows, rows.list.place[row], rows.list.place[row] + 1);
         rows.rolling.aim(rows, bodies, contacts, rows.list.place[row]);
     }
 

@@ -86,6 +86,10 @@ public final class Impacts {
     private BodyStore store = new BodyStore();
     private double[] d = {};
     private double[] body = {};
+
+    /** Of the row in work, in the rows that were opened. */
+    private int rowPlace;
+
     private int place;
     private int o;
     private int lanes;
@@ -209,6 +213,7 @@ public final class Impacts {
 
     private void open(int row) {
         look = window.open(rows, rows.list.place[row]);
+        rowPlace = rows.list.place[row];
         place = window.place();
         d = look.doubles;
         lanes = look.lanes;
@@ -297,6 +302,7 @@ public final class Impacts {
     private void strike(double time, double early) {
         System.arraycopy(body, a, before, 0, 6);
         System.arraycopy(body, b, before, 6, 6);
+        rows.drags.give(look, place, rowPlace);
         WarmStart.addNormals(look, bodies.warm, place, o, -1);
         WarmStart.addFriction(look, bodies.warm, place, o, -1);
         for (int p = 0; p < points; p++) {

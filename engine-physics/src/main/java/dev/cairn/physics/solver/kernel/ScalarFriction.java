@@ -14,6 +14,25 @@ public final class ScalarFriction {
      */
     public static double rub(
             double[] d, int o, int lanes, double[] body, int a, int b, int points) {
+        return rub(d, o, lanes, body, a, b, points, 0, 0);
+    }
+
+    /**
+     * The same of surfaces that run along: it would stop {@code vt + u}.
+     *
+     * @param u1 by how much B's surface runs faster than A's, first tangent, m/s
+     * @param u2 the same, second tangent
+     */
+    static double rub(
+            double[] d,
+            int o,
+            int lanes,
+            double[] body,
+            int a,
+            int b,
+            int points,
+            double u1,
+            double u2) {
         double mu = d[o + FRICTION * lanes];
         double bound = 0;
         double normal = 0;
@@ -35,7 +54,7 @@ public final class ScalarFriction {
         double held = Math.max(-bound, Math.min(next, bound));
         turn(d, t, lanes, body, a, old - held);
         turn(d, t + three, lanes, body, b, held - old);
-        slide(d, o, lanes, body, a, b, mu * normal, bound, next, held);
+        slide(d, o, lanes, body, a, b, mu * normal, bound, next, held, u1, u2);
         return normal;
     }
 
@@ -57,7 +76,9 @@ public final class ScalarFriction {
             double limit,
             double bound,
             double twist,
-            double held) {
+            double held,
+            double u1,
+            double u2) {
         int three = 3 * lanes;
         int t1 = o + TANGENT1 * lanes;
         int t2 = t1 + three;
@@ -73,13 +94,15 @@ public final class ScalarFriction {
                         + dy * d[t1 + lanes]
                         + dz * d[t1 + 2 * lanes]
                         + RowArithmetic.dot(d, lever + 2 * three, lanes, body, b + 3)
-                        - RowArithmetic.dot(d, lever, lanes, body, a + 3);
+                        - RowArithmetic.dot(d, lever, lanes, body, a + 3)
+                        + u1;
         double v2 =
                 dx * d[t2]
                         + dy * d[t2 + lanes]
                         + dz * d[t2 + 2 * lanes]
                         + RowArithmetic.dot(d, lever + 3 * three, lanes, body, b + 3)
-                        - RowArithmetic.dot(d, lever + three, lanes, body, a + 3);
+                        - RowArithmetic.dot(d, lever + three, lanes, body, a + 3)
+                        + u2;
         double f1 = d[l] - (d[k] * v1 + d[k + lanes] * v2);
         double f2 = d[l + lanes] - (d[k + lanes] * v1 + d[k + 2 * lanes] * v2);
         double size = f1 * f1 + f2 * f2;

@@ -32,6 +32,9 @@ public interface ScalarPasses extends Sweep {
     /** Rolling friction of a range of rows of one colour, after their relax pass. */
     void roll(ConstraintRows rows, SolverBodies bodies, int from, int to);
 
+    /** Friction of the rows of a range whose surfaces run along, after their relax pass. */
+    void drag(ConstraintRows rows, SolverBodies bodies, int from, int to);
+
     /** Brings the separations of a range of rows up to date whose bodies an impact has shifted. */
     void separate(ConstraintRows rows, SolverBodies bodies, int from, int to);
 }

@@ -203,6 +203,35 @@ public final class ScalarSweep implements ScalarPasses {
     }
 
     @Override
+    public void drag(ConstraintRows rows, SolverBodies bodies, int from, int to) {
+        double[] d = rows.doubles;
+        int lanes = rows.lanes;
+        for (int j = from; j < to; j++) {
+            if (!rows.drags.has(j)) {
+                continue;
+            }
+            int o = rows.base(j);
+            int l = j * LINK;
+            double u1 = /*(float)*/ rows.drags.speed(rows, j, 0);
+            double u2 = /*(float)*/ rows.drags.speed(rows, j, 1);
+            ScalarFriction.rub(
+                    d,
+                    o,
+                    lanes,
+                    bodies.state,
+                    rows.link[l],
+                    rows.link[l + 1],
+                    rows.link[l + ConstraintRows.COUNT],
+                    u1,
+                    u2);
+            for (int k = 0; k < 3; k++) {
+                d[o + (ConstraintRows.TOTAL + k) * lanes] +=
+                        d[o + (ConstraintRows.LAMBDA + k) * lanes];
+            }
+        }
+    }
+
+    @Override
     public void separate(ConstraintRows rows, SolverBodies bodies, int from, int to) {
         double[] body = bodies.state;
         int[] link = rows.link;

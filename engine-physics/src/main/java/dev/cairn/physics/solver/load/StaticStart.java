@@ -224,6 +224,7 @@ public final class StaticStart {
                 SolverBodies.norm(
                         b.angularVelocityX[i], b.angularVelocityY[i], b.angularVelocityZ[i]);
         return !(b.inertiaScale[i] > 0)
+                && !(b.belts > 0 && b.hasBelt[i])
                 && SolverBodies.norm(x, y, z) + turn * b.outerRadius[i] < still;
     }
 

@@ -254,9 +254,13 @@ public final class JacobianRefresh {
             how |= isCorneredA == isCorneredB ? BETWEEN : isCorneredA ? OF_B : OF_A;
         }
         if (movesA && movesB && b.driven > 0) {
-            // what stands or rolls on a kinematic body meets it at its own point
-            how = b.isDriven(i) ? (how & ~BETWEEN) | OF_B : how;
-            how = b.isDriven(k) ? (how & ~BETWEEN) | OF_A : how;
+            // what stands or rolls on what only moves of itself meets it at its own point
+            how = b.kind[i] != BodyStore.DYNAMIC ? (how & ~BETWEEN) | OF_B : how;
+            how = b.kind[k] != BodyStore.DYNAMIC ? (how & ~BETWEEN) | OF_A : how;
+        }
+        if (rows.drags.has(place) && b.hasBelt[i] != b.hasBelt[k]) {
+            // what lies on a belt runs over it for long, and its own points carry it
+            how = (how & ~BETWEEN) | (b.hasBelt[i] ? OF_B : OF_A);
         }
         return how;
     }

@@ -112,6 +112,9 @@ public final class ConstraintRows implements EdgePlaces {
     /** Rolling friction of the rows; of windows there is none. */
     public final RollingRows rolling = new RollingRows();
 
+    /** Friction of rows between bodies whose surfaces run along; of windows there is none. */
+    public final DragRows drags = new DragRows();
+
     /** Places in use, padding included. */
     public int places;
 
