@@ -17,6 +17,7 @@ import dev.cairn.physics.contact.ComposeStage;
 import dev.cairn.physics.contact.ContactRows;
 import dev.cairn.physics.contact.HookStage;
 import dev.cairn.physics.contact.ManifoldStage;
+import dev.cairn.physics.contact.PatchStage;
 import dev.cairn.physics.contact.SeamStage;
 import dev.cairn.physics.contact.SensorStage;
 import dev.cairn.physics.contact.SweepStage;
@@ -85,6 +86,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
     private final ManifoldStage manifolds;
     private final SweepStage sweeps;
     private final SeamStage seams;
+    private final PatchStage patches;
     final ContactSolver solver;
     private final ForceReader forces;
     private final Publisher publisher;
@@ -110,6 +112,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         manifolds = new ManifoldStage(table.colliders, table.bounds, rows);
         sweeps = new SweepStage(table.colliders, contacts, table.bounds, edges);
         seams = new SeamStage(table.colliders, contacts, table.bounds);
+        patches = new PatchStage(table.colliders, contacts);
         solver = new ContactSolver(settings.tuning(), kinds);
         forces = new ForceReader(table.roster);
         publisher = new Publisher(table.roster);
@@ -186,6 +189,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
         table.roster.refreshLists();
         if (table.roster.dynamicCount > 0) {
             seams.join(tick.stepSeconds(), tick.jobs());
+            patches.join(tick.jobs());
             solver.step(
                     table.bodies,
                     contacts,
@@ -194,6 +198,7 @@ final class PhysicsSystem implements WorldSystem, Stateful {
                     gravityZ,
                     tick.stepSeconds(),
                     tick.jobs());
+            patches.part(tick.jobs());
             seams.part(tick.jobs());
             sweeps.finish(
                     table.roster.dynamic,

@@ -1,14 +1,17 @@
 package dev.cairn.physics.contact;
 
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 
 /**
  * The order of a contact's points, in which they are swept and added up: the deepest last, whose
- * speed a sweep then leaves right; of points as deep as each other the nearer to A's centre first.
- * It is chosen when the names of the points change, so that depths that change by rounding do not
- * change it. It follows from depths and distances alone, so a contact in a mirror has the mirrored
- * order; a mirror turns the order of names round.
+ * speed a sweep then leaves right; of points as deep as each other the nearer to the centre first,
+ * that of a body that moves; of those the one farthest from the point before it, since opposite
+ * corners undo each other's turn; of those the one farther along the body's x, y or z axis. What
+ * differs by rounding is the same. So it follows from where the points are on the body, and not
+ * from the shapes that make it, or where it is. It is chosen when the names of the points change,
+ * so depths that change do not change it.
  *
  * <p>One instance per worker.
  */
@@ -16,30 +19,97 @@ final class PointOrder {
     /** Each place has the point of its number. */
     private static final int ASCENDING = 0b11_10_01_00;
 
+    /** Of the distance from the centre: lengths that are rounding. */
+    private static final double ROUNDING = 0x1p-36;
+
     private final double[] number = new double[ContactStore.POINTS];
     private final int[] name = new int[ContactStore.POINTS];
+    private final double[] separation = new double[ContactStore.POINTS];
+    private final double[] square = new double[ContactStore.POINTS];
+
+    /** From the centre, in the axes of the body. */
+    private final double[] local = new double[3 * ContactStore.POINTS];
+
+    private double qx, qy, qz, qw;
+
+    /** Chooses the axes: a body's. */
+    void of(Poses s, int body) {
+        qx = s.orientationX[body];
+        qy = s.orientationY[body];
+        qz = s.orientationZ[body];
+        qw = s.orientationW[body];
+    }
 
     /**
-     * The order of a contact's points.
+     * Tells of a point.
      *
-     * @param m the points in order of names
+     * @param x from the body's centre, world axes, m; likewise y and z
+     */
+    void put(int point, double depth, double x, double y, double z) {
+        separation[point] = depth;
+        square[point] = x * x + y * y + z * z;
+        // v' = v + 2 w (v x q) + 2 (v x q) x q, the turn back
+        double tx = 2 * (y * qz - z * qy);
+        double ty = 2 * (z * qx - x * qz);
+        double tz = 2 * (x * qy - y * qx);
+        local[3 * point] = x + qw * tx + ty * qz - tz * qy;
+        local[3 * point + 1] = y + qw * ty + tz * qx - tx * qz;
+        local[3 * point + 2] = z + qw * tz + tx * qy - ty * qx;
+    }
+
+    /**
+     * The order of points that were told of.
+     *
+     * @param points how many
      * @return for each place the number of a point, two bits each, the first one lowest
      */
-    static int of(Manifold m) {
-        int points = m.pointCount;
+    int order(int points) {
         int order = 0;
         int places = 0;
+        int before = -1;
         for (int left = (1 << points) - 1; left != 0; places++) {
             int first = Integer.numberOfTrailingZeros(left);
             for (int p = first + 1; p < points; p++) {
-                if ((left >> p & 1) != 0 && isBefore(m, p, first)) {
+                if ((left >> p & 1) != 0 && isBefore(p, first, before)) {
                     first = p;
                 }
             }
             order |= first << (2 * places);
             left &= ~(1 << first);
+            before = first;
         }
         return order | (ASCENDING & (-1 << (2 * places)));
+    }
+
+    /** Whether p comes before q, behind a point, or as the first one if that is -1. */
+    private boolean isBefore(int p, int q, int before) {
+        double higher = separation[p] - separation[q];
+        if (higher * higher > ROUNDING * ROUNDING * square[p]) {
+            return higher > 0;
+        }
+        double nearer = square[q] - square[p];
+        if (Math.abs(nearer) > ROUNDING * square[p]) {
+            return nearer > 0;
+        }
+        double farther = before < 0 ? 0 : apart(p, before) - apart(q, before);
+        if (Math.abs(farther) > ROUNDING * square[p]) {
+            return farther > 0;
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            double along = local[3 * p + axis] - local[3 * q + axis];
+            if (along * along > ROUNDING * ROUNDING * square[p]) {
+                return along > 0;
+            }
+        }
+        return false;
+    }
+
+    /** Square of the distance of two points, m². */
+    private double apart(int p, int q) {
+        double x = local[3 * p] - local[3 * q];
+        double y = local[3 * p + 1] - local[3 * q + 1];
+        double z = local[3 * p + 2] - local[3 * q + 2];
+        return x * x + y * y + z * z;
     }
 
     /**
@@ -58,15 +128,6 @@ final class PointOrder {
             order |= rank << (2 * p);
         }
         return order;
-    }
-
-    private static boolean isBefore(Manifold m, int p, int q) {
-        double higher = m.separation[p] - m.separation[q];
-        return higher > 0 || (higher == 0 && square(m, p) < square(m, q));
-    }
-
-    private static double square(Manifold m, int p) {
-        return m.pointX[p] * m.pointX[p] + m.pointY[p] * m.pointY[p] + m.pointZ[p] * m.pointZ[p];
     }
 
     /** Puts the points, which are in order of names, into an order. */

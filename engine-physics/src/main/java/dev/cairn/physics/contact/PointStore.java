@@ -1,5 +1,6 @@
 package dev.cairn.physics.contact;
 
+import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;
@@ -34,18 +35,42 @@ final class PointStore {
     /** Writes one row, and orders the manifold as it; no other worker may touch it. */
     void store(int row, Manifold m, Scratch own) {
         ContactStore c = contacts;
-        int points = m.pointCount;
-        int before = c.pointCount[row];
-        c.setNormal(row, m.normalX, m.normalY, m.normalZ);
-        if (points == before && sameNames(row, m)) {
+        if (m.pointCount == c.pointCount[row] && sameNames(row, m)) {
+            c.setNormal(row, m.normalX, m.normalY, m.normalZ);
             own.order.arrange(m, c.order[row]);
+            place(row, m);
         } else {
-            int order = PointOrder.of(m);
-            c.order[row] = (byte) order;
-            own.order.arrange(m, order);
-            match(row, m, own);
+            storeAnew(row, m, own);
         }
+    }
+
+    /** Writes one row whose points have no order yet. */
+    void storeAnew(int row, Manifold m, Scratch own) {
+        ContactStore c = contacts;
+        c.setNormal(row, m.normalX, m.normalY, m.normalZ);
+        int order = order(row, m, own.order);
+        c.order[row] = (byte) order;
+        own.order.arrange(m, order);
+        match(row, m, own);
         place(row, m);
+    }
+
+    /** The order of a row's points on its first body that moves. */
+    private int order(int row, Manifold m, PointOrder order) {
+        Poses s = colliders.poses;
+        int a = contacts.colliderA[row];
+        int body = contacts.bodyA[row];
+        if (colliders.bodies.kind[body] != BodyStore.DYNAMIC) {
+            body = contacts.bodyB[row];
+        }
+        double x = s.apartX(a, body);
+        double y = s.apartY(a, body);
+        double z = s.apartZ(a, body);
+        order.of(s, body);
+        for (int p = 0; p < m.pointCount; p++) {
+            order.put(p, m.separation[p], m.pointX[p] - x, m.pointY[p] - y, m.pointZ[p] - z);
+        }
+        return order.order(m.pointCount);
     }
 
     /**
@@ -134,6 +159,9 @@ final class PointStore {
         int points = m.pointCount;
         own.take(c, row, before);
         c.pointCount[row] = points;
+        if (c.compounds) {
+            c.rank[row] = 0;
+        }
         boolean persists = false;
         for (int p = 0; p < points; p++) {
             int at = first + p;
@@ -170,6 +198,9 @@ final class PointStore {
     private void inherit(Scratch own, int first, int p, int q) {
         contacts.normalImpulse[first + p] = own.impulse[q];
         contacts.preload[first + p] = own.preload[q];
+        if (contacts.compounds) {
+            contacts.setRank(first + p, own.rank[q]);
+        }
         own.unmatched[p] = false;
         own.x[q] = Double.NaN;
     }
@@ -204,6 +235,7 @@ final class PointStore {
         final int[] feature = new int[ContactStore.POINTS];
         final double[] impulse = new double[ContactStore.POINTS];
         final double[] preload = new double[ContactStore.POINTS];
+        final int[] rank = new int[ContactStore.POINTS];
         final double[] x = new double[ContactStore.POINTS];
         final double[] y = new double[ContactStore.POINTS];
         final double[] z = new double[ContactStore.POINTS];
@@ -220,6 +252,7 @@ final class PointStore {
                 y[p] = c.anchorAY(first + p);
                 z[p] = c.anchorAZ(first + p);
                 if (c.compounds) {
+                    rank[p] = c.rank(first + p);
                     x[p] -= c.lever[6 * row];
                     y[p] -= c.lever[6 * row + 1];
                     z[p] -= c.lever[6 * row + 2];

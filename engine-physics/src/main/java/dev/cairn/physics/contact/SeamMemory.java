@@ -27,6 +27,7 @@ final class SeamMemory {
 
     private int[] points = {};
     private byte[] order = {};
+    private int[] rank = {};
     private boolean[] second = {};
     private long[] key = {};
 
@@ -58,6 +59,7 @@ final class SeamMemory {
     private void columns(Columns c) {
         points = c.column("points", points);
         order = c.column("order", order);
+        rank = c.column("rank", rank);
         second = c.column("second", second);
         key = c.column("key", key);
         normal = c.column("normal", normal, 3);
@@ -88,7 +90,7 @@ final class SeamMemory {
         first = s.array("first", first, known);
         count = s.array("count", count, known);
         stamp = s.array("stamp", stamp, known);
-        records = s.value("records", known > 0 ? records : 0);
+        records = s.count("records", known > 0 ? records : 0);
         if (records > points.length) {
             columns(new Columns.Growth(records));
         }
@@ -145,6 +147,7 @@ final class SeamMemory {
         normal[3 * r + 2] = sign * c.normalZ(row);
         points[r] = c.pointCount[row];
         order[r] = c.order[row];
+        rank[r] = c.compounds ? c.rank[row] : 0;
         second[r] = isSecond;
         key[r] = c.cache[row];
         int side = isSecond ? 3 : 0;
@@ -174,6 +177,9 @@ final class SeamMemory {
     void load(int r, ContactStore c, int row, boolean isSecond, Poses s) {
         c.pointCount[row] = points[r];
         c.order[row] = order[r];
+        if (c.compounds) {
+            c.rank[row] = rank[r];
+        }
         int a = c.colliderA[row];
         int b = c.colliderB[row];
         double x = isSecond ? s.apartX(a, b) : 0;
@@ -240,6 +246,9 @@ final class SeamMemory {
             c.normalImpulse[p] += impulse[q];
             c.preload[p] += preload[q];
             c.totalNormalImpulse[p] += total[q];
+            if (c.compounds && c.rank(p) == 0) {
+                c.setRank(p, rank[r] >> (4 * k) & 15);
+            }
             if (c.normalImpulse[p] > pressed) {
                 pressed = c.normalImpulse[p];
                 most = members[best >> 2];

@@ -11,8 +11,6 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.Reach;
 import dev.cairn.physics.shape.HalfSpace;
 
-import java.util.Arrays;
-
 /**
  * The contacts of one collider M with neighbours that do not move against each other.
  *
@@ -335,26 +333,7 @@ final class SeamPlanes {
     }
 
     private boolean movesTogether(int j, int k) {
-        int a = colliders.body[j];
-        int b = colliders.body[k];
-        if (a == b) {
-            return true;
-        }
-        BodyStore s = colliders.bodies;
-        if (s.kind[a] == BodyStore.DYNAMIC || s.kind[b] == BodyStore.DYNAMIC) {
-            return false;
-        }
-        boolean turns =
-                s.angularVelocityX[a] != 0
-                        || s.angularVelocityY[a] != 0
-                        || s.angularVelocityZ[a] != 0
-                        || s.angularVelocityX[b] != 0
-                        || s.angularVelocityY[b] != 0
-                        || s.angularVelocityZ[b] != 0;
-        return !turns
-                && s.velocityX[a] == s.velocityX[b]
-                && s.velocityY[a] == s.velocityY[b]
-                && s.velocityZ[a] == s.velocityZ[b];
+        return colliders.bodies.movesWith(colliders.body[j], colliders.body[k]);
     }
 
     /** Whether two members have the same normal. */
@@ -363,17 +342,6 @@ final class SeamPlanes {
         double y = normal[3 * i + 1] - normal[3 * j + 1];
         double z = normal[3 * i + 2] - normal[3 * j + 2];
         return x * x + y * y + z * z <= SAME;
-    }
-
-    /** Whether the surfaces of two members rub and bounce alike. */
-    private boolean isAlike(int i, int j) {
-        ContactStore c = contacts;
-        int a = row(i);
-        int b = row(j);
-        return c.friction(a) == c.friction(b)
-                && c.restitution[a] == c.restitution[b]
-                && (!c.rolls || c.rollingArm[a] == c.rollingArm[b])
-                && (!c.belts || Arrays.equals(c.belt, 3 * a, 3 * a + 3, c.belt, 3 * b, 3 * b + 3));
     }
 
     /** Makes the row of a plane, if M stands on it with nothing but what is over its members. */
@@ -396,22 +364,20 @@ final class SeamPlanes {
         ContactStore c = contacts;
         int like = row(leader);
         c.join(row, colliders, isSecond ? base : m, isSecond ? m : base);
-        c.setFriction(row, c.friction(like));
-        c.restitution[row] = c.restitution[like];
+        c.rubLike(row, like);
         c.cache[row] = key;
-        if (c.rolls) {
-            c.rollingArm[row] = c.rollingArm[like];
-        }
-        if (c.belts) {
-            System.arraycopy(c.belt, 3 * like, c.belt, 3 * row, 3);
-        }
-        if (record >= 0) {
+        boolean isKnown = record >= 0;
+        if (isKnown) {
             memory.load(record, c, row, isSecond, colliders.poses);
             recordsLeft &= ~(1 << (record - firstRecord));
         } else {
-            loadMembers(row, leader, end);
+            isKnown = loadMembers(row, leader, end);
         }
-        points.store(row, manifold, scratch);
+        if (isKnown) {
+            points.store(row, manifold, scratch);
+        } else {
+            points.storeAnew(row, manifold, scratch);
+        }
         one[0] = row;
         points.fromBodies(one, 0, 1);
         return true;
@@ -518,7 +484,7 @@ final class SeamPlanes {
                             y - apart[3 * k + 1],
                             z - apart[3 * k + 2],
                             2 * slack(k));
-            if (holds && isAlike(k, leader)) {
+            if (holds && contacts.isAlike(row(k), row(leader))) {
                 return true;
             }
         }
@@ -547,20 +513,28 @@ final class SeamPlanes {
         return u[r] * normal[3 * i] + u[r + 1] * normal[3 * i + 1] + u[r + 2] * normal[3 * i + 2];
     }
 
-    /** Makes a row what its members are: each vertex of M once, then other points of theirs. */
-    private void loadMembers(int row, int leader, int end) {
+    /**
+     * Makes a row what its members are: each vertex of M once, then other points of theirs.
+     *
+     * @return whether all are of one member, whose order the row then has
+     */
+    private boolean loadMembers(int row, int leader, int end) {
         ContactStore c = contacts;
         c.pointCount[row] = 0;
         c.forgetFriction(row);
+        int sources = 0;
         for (int pass = 0; pass < 2; pass++) {
             for (int k = leader; k < end; k++) {
+                int before = c.pointCount[row];
                 if (isSame(k, leader)) {
                     loadMember(row, k, pass == 0);
+                    sources += c.pointCount[row] > before ? 1 : 0;
                 }
             }
         }
         int first = ContactStore.POINTS * row;
         c.order[row] = (byte) PointOrder.of(c.feature, first, c.pointCount[row]);
+        return sources == 1;
     }
 
     private void loadMember(int row, int k, boolean vertices) {
@@ -594,9 +568,12 @@ final class SeamPlanes {
             }
             c.normalImpulse[to] += c.normalImpulse[p];
             c.preload[to] += c.preload[p];
+            if (c.compounds && c.rank(to) == 0) {
+                c.setRank(to, c.rank(p));
+            }
         }
         if (vertices) {
-            addFriction(row, like, flips ? -1 : 1);
+            c.addFriction(row, like, flips ? -1 : 1);
         }
     }
 
@@ -613,27 +590,6 @@ final class SeamPlanes {
             c.setAnchors(to, x - baseX, y - baseY, z - baseZ, x, y, z);
         } else {
             c.setAnchors(to, x, y, z, x - baseX, y - baseY, z - baseZ);
-        }
-    }
-
-    private void addFriction(int row, int like, double sign) {
-        ContactStore c = contacts;
-        c.setFrictionImpulse(
-                row,
-                c.frictionImpulseX(row) + sign * c.frictionImpulseX(like),
-                c.frictionImpulseY(row) + sign * c.frictionImpulseY(like),
-                c.frictionImpulseZ(row) + sign * c.frictionImpulseZ(like),
-                c.twistImpulse(row) + c.twistImpulse(like));
-        for (int axis = 0; axis < 3; axis++) {
-            if (c.rolls) {
-                c.rollingImpulse[3 * row + axis] += sign * c.rollingImpulse[3 * like + axis];
-            }
-            if (c.uneven) {
-                c.frictionLoad[4 * row + axis] += sign * c.frictionLoad[4 * like + axis];
-            }
-        }
-        if (c.uneven) {
-            c.frictionLoad[4 * row + 3] += c.frictionLoad[4 * like + 3];
         }
     }
 

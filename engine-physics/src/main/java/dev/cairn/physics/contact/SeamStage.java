@@ -95,6 +95,7 @@ public final class SeamStage implements Stateful {
     public void join(double stepSeconds, Jobs jobs) {
         tick++;
         groups = 0;
+        contacts.endLoans();
         activeBefore = contacts.activeCount;
         int blocks = Blocks.count(contacts.activeCount, ROWS_PER_BLOCK);
         if (found.length < contacts.activeCount) {
@@ -198,6 +199,10 @@ public final class SeamStage implements Stateful {
         return (entry & 1) == 0 ? contacts.colliderA[entry >> 1] : contacts.colliderB[entry >> 1];
     }
 
+    private int other(int entry) {
+        return (entry & 1) == 0 ? contacts.colliderB[entry >> 1] : contacts.colliderA[entry >> 1];
+    }
+
     /** Lists the colliders with two neighbours, or that had them in the last tick. */
     private void list(int blocks) {
         if (groupOf.length < colliders.slotCount) {
@@ -240,12 +245,8 @@ public final class SeamStage implements Stateful {
         member[firstMember[g] + size[g]++] = entry;
         if (colliders.isChild(m)) {
             // parts of one body say the same
-            int other =
-                    (entry & 1) == 0
-                            ? contacts.colliderB[entry >> 1]
-                            : contacts.colliderA[entry >> 1];
             int part = firstPart[g];
-            base[part] = Math.min(base[part], other);
+            base[part] = Math.min(base[part], other(entry));
         }
     }
 
@@ -286,7 +287,7 @@ public final class SeamStage implements Stateful {
         if (room > 0) {
             next.ensure(colliders.slotCount, held.length);
             next.begin(room);
-            contacts.reserve(room);
+            contacts.lend(room);
         }
     }
 

@@ -385,4 +385,32 @@ public final class BodyStore extends Poses implements Stateful {
         double ofB = kind[b] == DYNAMIC ? innerRadius[b] : Double.MAX_VALUE;
         return Math.min(ofA, ofB);
     }
+
+    /**
+     * Whether two bodies stand still against each other: they are one, or neither is dynamic and
+     * they move at one velocity without turning.
+     *
+     * @param a slot
+     * @param b slot
+     * @return whether they do
+     */
+    public boolean movesWith(int a, int b) {
+        if (a == b) {
+            return true;
+        }
+        if (kind[a] == DYNAMIC || kind[b] == DYNAMIC) {
+            return false;
+        }
+        boolean turns =
+                angularVelocityX[a] != 0
+                        || angularVelocityY[a] != 0
+                        || angularVelocityZ[a] != 0
+                        || angularVelocityX[b] != 0
+                        || angularVelocityY[b] != 0
+                        || angularVelocityZ[b] != 0;
+        return !turns
+                && velocityX[a] == velocityX[b]
+                && velocityY[a] == velocityY[b]
+                && velocityZ[a] == velocityZ[b];
+    }
 }

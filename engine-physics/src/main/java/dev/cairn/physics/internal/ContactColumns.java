@@ -139,6 +139,13 @@ public class ContactColumns {
      */
     public double[] lever = {};
 
+    /**
+     * Of each of a row's points, four bits, the first one lowest: 1 more than its place among the
+     * corners of the patch that {@code PatchStage} made of several rows in the last tick; 0 if it
+     * was none of them.
+     */
+    public int[] rank = {};
+
     /** Whether a surface of triangles has been here; until then {@link #group} is empty. */
     public boolean grouped;
 

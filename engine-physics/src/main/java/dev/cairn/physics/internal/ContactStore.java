@@ -32,6 +32,10 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     private static final int[] NO_INTS = {};
 
     private int remembered;
+
+    /** Rows behind {@link #count} that last for a tick. */
+    private int lent;
+
     private final Columns.Move move = new Columns.Move();
     private final Columns.Clear clear = new Columns.Clear();
     private final Columns.Kept rows = new Columns.Kept();
@@ -253,6 +257,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         }
         if (compounds) {
             lever = c.column("lever", lever, 6);
+            rank = c.column("rank", rank);
         }
         if (uneven) {
             frictionLoad = c.column("frictionLoad", frictionLoad, 4);
@@ -284,6 +289,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         lean = leans ? lean : NO_DOUBLES;
         hookMemory = hooked ? hookMemory : NO_INTS;
         lever = compounds ? lever : NO_DOUBLES;
+        rank = compounds ? rank : NO_INTS;
         frictionLoad = uneven ? frictionLoad : NO_DOUBLES;
         memory = remembered > 0 ? memory : NO_LONGS;
     }
@@ -334,13 +340,103 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     }
 
     /**
-     * Makes room for rows behind the last one that last for a tick, empty; between phases only.
+     * Makes room for rows behind all others that last for a tick, empty; between phases only.
      *
      * @param number how many
+     * @return the first of them
      */
-    public void reserve(int number) {
-        ensureCapacity(count + number);
-        columns(clear.rows(count, count + number));
+    public int lend(int number) {
+        int first = count + lent;
+        ensureCapacity(first + number);
+        columns(clear.rows(first, first + number));
+        lent += number;
+        return first;
+    }
+
+    /** The rows of {@link #lend} are free again. */
+    public void endLoans() {
+        lent = 0;
+    }
+
+    /**
+     * The rank of a point among the corners of its patch.
+     *
+     * @param point place of a point
+     * @return 0 if it is none; see {@link #rank}
+     */
+    public int rank(int point) {
+        return rank[point / POINTS] >> (4 * (point % POINTS)) & 15;
+    }
+
+    /** Sets what {@link #rank(int)} tells; it was 0. */
+    public void setRank(int point, int number) {
+        rank[point / POINTS] |= number << (4 * (point % POINTS));
+    }
+
+    /**
+     * Makes a row of the same colliders and surfaces as another one, with the same normal.
+     *
+     * @param row empty
+     * @param like the other one
+     * @param colliders whose bodies are found
+     */
+    public void joinLike(int row, int like, ColliderStore colliders) {
+        join(row, colliders, colliderA[like], colliderB[like]);
+        rubLike(row, like);
+        setNormal(row, normalX(like), normalY(like), normalZ(like));
+    }
+
+    /** Gives a row the friction, the restitution and the belt of another one. */
+    public void rubLike(int row, int like) {
+        setFriction(row, friction(like));
+        restitution[row] = restitution[like];
+        if (rolls) {
+            rollingArm[row] = rollingArm[like];
+        }
+        if (belts) {
+            System.arraycopy(belt, 3 * like, belt, 3 * row, 3);
+        }
+    }
+
+    /**
+     * Whether two contacts rub and bounce alike.
+     *
+     * @return whether one row may stand for both
+     */
+    public boolean isAlike(int row, int other) {
+        return friction(row) == friction(other)
+                && restitution[row] == restitution[other]
+                && (!rolls || rollingArm[row] == rollingArm[other])
+                && (!belts
+                        || Arrays.equals(
+                                belt, 3 * row, 3 * row + 3, belt, 3 * other, 3 * other + 3));
+    }
+
+    /**
+     * Adds what a row rubbed and rolled with to what another one did.
+     *
+     * @param row to add to
+     * @param like to take from
+     * @param sign -1 if the two have their bodies the other way round
+     */
+    public void addFriction(int row, int like, double sign) {
+        setFrictionImpulse(
+                row,
+                frictionImpulseX(row) + sign * frictionImpulseX(like),
+                frictionImpulseY(row) + sign * frictionImpulseY(like),
+                frictionImpulseZ(row) + sign * frictionImpulseZ(like),
+                twistImpulse(row) + twistImpulse(like));
+        for (int axis = 0; axis < 3; axis++) {
+            if (rolls) {
+                rollingImpulse[3 * row + axis] += sign * rollingImpulse[3 * like + axis];
+            }
+            if (uneven) {
+                frictionLoad[4 * row + axis] += sign * frictionLoad[4 * like + axis];
+            }
+        }
+        if (uneven) {
+            frictionLoad[4 * row + 3] += frictionLoad[4 * like + 3];
+        }
     }
 
     /**
@@ -379,6 +475,9 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
      */
     public void rest(int row) {
         forgetFriction(row);
+        if (compounds) {
+            rank[row] = 0;
+        }
         Arrays.fill(normalImpulse, POINTS * row, POINTS * row + POINTS, 0);
         Arrays.fill(preload, POINTS * row, POINTS * row + POINTS, 0);
         Arrays.fill(totalNormalImpulse, POINTS * row, POINTS * row + POINTS, 0);
