@@ -3,6 +3,7 @@ package dev.cairn.samples;
 import dev.cairn.samples.accuracy.AccuracyCommand;
 import dev.cairn.samples.fuzz.FuzzCommand;
 import dev.cairn.samples.replay.RunFile;
+import dev.cairn.samples.scenefile.SceneFile;
 
 import org.jspecify.annotations.Nullable;
 
@@ -14,6 +15,7 @@ import picocli.CommandLine.Option;
 import java.io.Console;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -202,6 +204,11 @@ public final class Main {
                     "Begin with a saved moment, or with the beginning of a recorded run, instead of"
                             + " the scene's own; the file says which scene it is.")
     @Nullable String from;
+
+    /** The scene that a recorded run or a moment holds, and the file that it would be. */
+    @Nullable SceneFile held;
+
+    @Nullable Path heldFile;
 
     @Option(
             names = "--contact-sheet",

@@ -116,8 +116,9 @@ record Request(
                                             ? "this is a folder"
                                             : "there is no such file"));
         }
-        Path file = path("--scene-file", typed.sceneFile);
-        SceneFile described = file == null ? null : read(file);
+        SceneFile held = typed.held;
+        Path file = held == null ? path("--scene-file", typed.sceneFile) : typed.heldFile;
+        SceneFile described = held != null || file == null ? held : read(file);
         List<SampleScene> scenes =
                 file == null || described == null
                         ? scenes(typed.scenes, obj)

@@ -9,6 +9,8 @@ import dev.cairn.samples.replay.Act;
 import dev.cairn.samples.replay.Looks;
 import dev.cairn.samples.replay.Player;
 import dev.cairn.samples.replay.RunFile;
+import dev.cairn.samples.scenefile.SceneFileException;
+import dev.cairn.samples.scenefile.SceneReader;
 
 import org.jspecify.annotations.Nullable;
 
@@ -75,7 +77,7 @@ final class RunCommand {
                 recorder.input(Act.BEFORE);
                 recorder.step(built.stepSeconds());
             }
-            RunFile.write(file, deciding(typed), 0, recorder.recording(), looks);
+            RunFile.write(file, deciding(typed), "", 0, recorder.recording(), looks);
             out.printf(
                     "Recorded %s, digest %016x, in %s%n",
                     typed.scenes, world.digest(), file.toAbsolutePath());
@@ -98,6 +100,7 @@ final class RunCommand {
         Main recorded = new Main(file.arguments());
         recorded.workers = typed.workers;
         recorded.lanes = typed.lanes;
+        takeScene(file, Path.of(String.valueOf(typed.replay)), recorded);
         Request request = Request.of(recorded);
         SampleScene scene = only(request, "--replay " + typed.replay);
         try (PhysicsWorld world = prepared(request, scene, 0).world()) {
@@ -138,11 +141,25 @@ final class RunCommand {
         typed.scenes = recorded.scenes;
         typed.settings = recorded.settings;
         typed.seed = recorded.seed;
+        takeScene(file, Path.of(from), typed);
         typed.substeps = typed.substeps == null ? recorded.substeps : typed.substeps;
         typed.directFrom = typed.directFrom == null ? recorded.directFrom : typed.directFrom;
         typed.sleeping = typed.sleeping == null ? recorded.sleeping : typed.sleeping;
         typed.precision = typed.precision == null ? recorded.precision : typed.precision;
         return file;
+    }
+
+    /** A scene that is none of the list is in the file; what it names is beside that. */
+    private static void takeScene(RunFile file, Path path, Main into) {
+        if (!file.sceneText().isEmpty()) {
+            String name = String.valueOf(path.getFileName()).replaceAll("\\.cairn$", "");
+            into.heldFile = path.toAbsolutePath().resolveSibling(name + ".json");
+            try {
+                into.held = SceneReader.parse("the scene in " + path, file.sceneText());
+            } catch (SceneFileException broken) {
+                throw new UsageException(String.valueOf(broken.getMessage()), broken);
+            }
+        }
     }
 
     private static RunFile open(String option, String name) {

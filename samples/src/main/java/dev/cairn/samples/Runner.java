@@ -132,7 +132,7 @@ final class Runner {
         window.beginAt(from);
         Path file = request.sceneFile();
         SceneFile described = request.described();
-        if (file != null && described != null) {
+        if (file != null && described != null && from == null) {
             window.edit(file, described);
         }
         try {

@@ -76,13 +76,31 @@ public final class Recorder<I> {
      */
     public void step(double stepSeconds) {
         world.step(stepSeconds);
+        write(stepSeconds, world.digest());
+    }
+
+    /**
+     * Steps the world, and writes down the digest that another run of the same had after this tick:
+     * so a replay tells at which tick the two part.
+     *
+     * @param stepSeconds length of the tick, s
+     * @param digest {@link PhysicsWorld#digest} as it was seen
+     * @return whether this world has the same
+     */
+    public boolean step(double stepSeconds, long digest) {
+        world.step(stepSeconds);
+        write(stepSeconds, digest);
+        return world.digest() == digest;
+    }
+
+    private void write(double stepSeconds, long digest) {
         StateDelta delta = null;
         if ((ticks.size() + 1) % keyframeTicks == 0) {
             world.save(next);
             delta = StateDelta.between(key, next);
             key.set(next);
         }
-        ticks.add(new Recording.Tick<>(stepSeconds, List.copyOf(now), world.digest(), delta));
+        ticks.add(new Recording.Tick<>(stepSeconds, List.copyOf(now), digest, delta));
         now.clear();
     }
 

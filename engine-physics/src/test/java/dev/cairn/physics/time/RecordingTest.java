@@ -213,6 +213,31 @@ class RecordingTest {
         assertTrue(found > 3, found + " impulses were tried");
     }
 
+    /**
+     * What was seen elsewhere is written down, and a replay tells from where on it was otherwise.
+     */
+    @Test
+    void digestsThatAnotherRunHadAreToldWhereTheyPart() {
+        try (PhysicsWorld world = world(1, 1)) {
+            build(world);
+            Recorder<Act> recorder = new Recorder<>(world, acts(world), 3);
+            try (PhysicsWorld seen = world.fork()) {
+                BodyRef last = seen.bodies().getLast();
+                for (int t = 1; t <= 9; t++) {
+                    if (t == 5) {
+                        last.applyImpulse(0, 1e-9, 0); // nobody writes this down
+                    }
+                    seen.step(STEP);
+                    assertEquals(t < 5, recorder.step(STEP, seen.digest()), "tick " + t);
+                }
+            }
+            Replay.Mismatch told = new Replay<>(recorder.recording(), world, acts(world)).run();
+            assertNotNull(told);
+            assertEquals(5, told.tick());
+            assertTrue(told.toString().contains("of another run"), told.toString());
+        }
+    }
+
     /** Bodies that touch nobody: the one that was pushed is told. */
     @Test
     void theBodyIsToldThatWasPushedOtherwise() {

@@ -10,9 +10,9 @@ import dev.cairn.render.camera.Camera;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Control;
 import dev.cairn.render.input.Controllable;
+import dev.cairn.render.input.Drive;
 import dev.cairn.render.input.Key;
 
-import org.joml.Matrix3d;
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -31,13 +31,20 @@ final class Controls {
     private final Vector3d vector = new Vector3d();
     private final Vector3d forward = new Vector3d();
     private final Quaterniond turn = new Quaterniond();
-    private final Matrix3d inertia = new Matrix3d();
+    private final Drive drive;
+    private Drive.@Nullable Listener listener;
 
     Controls(PhysicsWorld physics, Camera camera, Bindings bindings) {
         this.physics = physics;
         this.camera = camera;
         this.bindings = bindings;
+        this.drive = new Drive(physics);
         this.controllable = physics.ecs().query(Controllable.COMPONENT);
+    }
+
+    /** Tells somebody of all that is done. */
+    void listener(Drive.Listener value) {
+        listener = value;
     }
 
     /** Before a tick of so many seconds. */
@@ -97,10 +104,9 @@ final class Controls {
                 vector.rotateY(-Math.atan2(forward.x, -forward.z));
             }
         }
-        if (body == null) {
-            move(entity, control.effect(), seconds);
-        } else if (!body.isFixed()) {
-            push(body, control.effect());
+        drive.apply(entity, control.effect(), vector.x, vector.y, vector.z, seconds);
+        if (listener != null) {
+            listener.driven(entity, control.effect(), vector.x, vector.y, vector.z, seconds);
         }
     }
 
@@ -114,54 +120,5 @@ final class Controls {
         }
         Pose pose = ecs.get(entity, Pose.COMPONENT);
         return turn.set(pose.qx(), pose.qy(), pose.qz(), pose.qw());
-    }
-
-    private void push(BodyRef body, Control.Effect effect) {
-        switch (effect) {
-            case PUSH -> {
-                vector.mul(body.mass());
-                body.applyForce(vector.x, vector.y, vector.z);
-            }
-            case TURN -> {
-                // T = I a
-                body.inverseInertia(inertia).invert().transform(vector);
-                body.applyTorque(vector.x, vector.y, vector.z);
-            }
-            case KICK -> {
-                vector.mul(body.mass());
-                body.applyImpulse(vector.x, vector.y, vector.z);
-            }
-        }
-    }
-
-    private void move(long entity, Control.Effect effect, double seconds) {
-        World ecs = physics.ecs();
-        if (!ecs.has(entity, Pose.COMPONENT)) {
-            return; // It is nowhere, so it cannot go anywhere.
-        }
-        Pose at = ecs.get(entity, Pose.COMPONENT);
-        turn.set(at.qx(), at.qy(), at.qz(), at.qw());
-        double share = effect == Control.Effect.KICK ? 1 : seconds;
-        vector.mul(share);
-        if (effect == Control.Effect.TURN) {
-            double angle = vector.length();
-            if (angle > 0) {
-                vector.div(angle);
-                turn.premul(new Quaterniond().fromAxisAngleRad(vector.x, vector.y, vector.z, angle))
-                        .normalize();
-            }
-            vector.zero();
-        }
-        ecs.set(
-                entity,
-                new Pose(
-                        at.x() + vector.x,
-                        at.y() + vector.y,
-                        at.z() + vector.z,
-                        turn.x,
-                        turn.y,
-                        turn.z,
-                        turn.w,
-                        at.jumps()));
     }
 }

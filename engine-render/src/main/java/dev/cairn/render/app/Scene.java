@@ -9,6 +9,7 @@ import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.CameraMount;
 import dev.cairn.render.camera.Light;
 import dev.cairn.render.input.Bindings;
+import dev.cairn.render.input.Drive;
 import dev.cairn.render.mesh.Model;
 
 import java.util.Objects;
@@ -48,6 +49,18 @@ public final class Scene {
     /** Lets the user drive what is {@code Controllable}, before a tick. */
     void drive(double seconds) {
         controls.drive(seconds);
+    }
+
+    /**
+     * Has somebody told of all that keys and buttons do to what is {@code Controllable}, say to
+     * write it down.
+     *
+     * @param listener called before a tick for each thing done, on the simulation thread
+     * @return this
+     */
+    public Scene onDrive(Drive.Listener listener) {
+        controls.listener(Objects.requireNonNull(listener, "listener"));
+        return this;
     }
 
     /**

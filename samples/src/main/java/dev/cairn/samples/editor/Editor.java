@@ -320,20 +320,7 @@ public final class Editor {
      * @param camera the camera at its beginning
      */
     public void camera(CameraSpec camera) {
-        edit(
-                "camera",
-                scene ->
-                        new SceneFile(
-                                scene.name(),
-                                scene.description(),
-                                scene.gravity(),
-                                scene.tick(),
-                                camera,
-                                scene.light(),
-                                scene.entities(),
-                                scene.joints(),
-                                scene.layers()),
-                false);
+        edit("camera", scene -> scene.withCamera(camera), false);
     }
 
     /**

@@ -11,7 +11,7 @@ import java.util.List;
  * What is done to the world of a scene before a tick, as it is written down.
  *
  * @param what what it is
- * @param entity of the body that is taken; else 0
+ * @param entity what is taken or driven; else 0
  * @param numbers as {@link What} tells
  */
 public record Act(What what, long entity, List<Double> numbers) {
@@ -38,6 +38,16 @@ public record Act(What what, long entity, List<Double> numbers) {
         RELEASE(0),
         /** A ball is thrown: place, m, velocity, m/s, radius, m, density, kg/m³, its number. */
         THROW(9),
+        /**
+         * A key or a button pushes: along the world's axes x, y, z, m/s²; length of the tick, s.
+         */
+        PUSH(4),
+        /**
+         * A key or a button turns: about the world's axes x, y, z, rad/s²; length of the tick, s.
+         */
+        TURN(4),
+        /** A key or a button kicks: along the world's axes x, y, z, m/s; length of the tick, s. */
+        KICK(4),
         /** The number of sub-steps changes. */
         SUBSTEPS(1);
 

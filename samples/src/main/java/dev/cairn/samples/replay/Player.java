@@ -7,6 +7,8 @@ import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.hand.Hand;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.render.input.Control;
+import dev.cairn.render.input.Drive;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.samples.Palette;
 import dev.cairn.samples.SceneBuilder;
@@ -18,8 +20,8 @@ import java.util.List;
 import java.util.function.BiConsumer;
 
 /**
- * Does to the world of a scene what was done to it: its hooks run, a hand pulls, balls fly.
- * Simulation thread, between steps.
+ * Does to the world of a scene what was done to it: its hooks run, a hand pulls, balls fly, keys
+ * drive. Simulation thread, between steps.
  */
 public final class Player implements BiConsumer<PhysicsWorld, Act> {
     private final SceneBuilder scene;
@@ -44,7 +46,22 @@ public final class Player implements BiConsumer<PhysicsWorld, Act> {
             case PULL -> pull(n.get(0), n.get(1), n.get(2));
             case RELEASE -> release();
             case THROW -> throwBall(world, n);
+            case PUSH, TURN, KICK -> drive(world, act);
             case SUBSTEPS -> world.setSubsteps((int) (double) n.get(0));
+        }
+    }
+
+    private void drive(PhysicsWorld world, Act act) {
+        List<Double> n = act.numbers();
+        if (world.ecs().isAlive(act.entity())) {
+            new Drive(world)
+                    .apply(
+                            act.entity(),
+                            Control.Effect.valueOf(act.what().name()),
+                            n.get(0),
+                            n.get(1),
+                            n.get(2),
+                            n.get(3));
         }
     }
 

@@ -25,22 +25,26 @@ import java.util.List;
  * version and a sum:
  *
  * <pre>
- *   scene      arguments that lead to it (how many, texts), number of the tick it begins with
+ *   scene      arguments that lead to it (how many, texts), number of the tick it begins with, the
+ *              text of its scene file, empty for a scene of the list
  *   recording  as {@link Recording#writeTo} writes it
  * </pre>
  */
 public final class RunFile {
-    private static final Frame FRAME = new Frame("CAIRNRN2", "recorded run");
+    private static final Frame FRAME = new Frame("CAIRNRN3", "recorded run");
 
     private final Path file;
     private final List<String> arguments;
     private final long tick;
+    private final String sceneText;
     private final byte[] recording;
 
-    private RunFile(Path file, List<String> arguments, long tick, byte[] recording) {
+    private RunFile(
+            Path file, List<String> arguments, long tick, String sceneText, byte[] recording) {
         this.file = file;
         this.arguments = arguments;
         this.tick = tick;
+        this.sceneText = sceneText;
         this.recording = recording;
     }
 
@@ -49,6 +53,7 @@ public final class RunFile {
      *
      * @param file where to
      * @param arguments options that lead to the scene
+     * @param sceneText the scene as a scene file; empty if it is one of the list
      * @param tick number of the tick that the recording begins with
      * @param recording what was written down
      * @param looks those of the scene
@@ -56,18 +61,26 @@ public final class RunFile {
      * @throws StateException if the world holds objects that have no codec
      */
     public static void write(
-            Path file, List<String> arguments, long tick, Recording<Act> recording, Looks looks)
+            Path file,
+            List<String> arguments,
+            String sceneText,
+            long tick,
+            Recording<Act> recording,
+            Looks looks)
             throws IOException {
         try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
-            FRAME.write(out, StateCodecs.STANDARD, head -> writeHead(arguments, tick, head));
+            FRAME.write(
+                    out, StateCodecs.STANDARD, head -> writeHead(arguments, tick, sceneText, head));
             recording.writeTo(out, looks.codecs());
         }
     }
 
-    private static void writeHead(List<String> arguments, long tick, StateOutput out) {
+    private static void writeHead(
+            List<String> arguments, long tick, String sceneText, StateOutput out) {
         out.writeInt(arguments.size());
         arguments.forEach(out::writeString);
         out.writeLong(tick);
+        out.writeString(sceneText);
     }
 
     /**
@@ -97,7 +110,8 @@ public final class RunFile {
         if (tick < 0) {
             throw new StateException("it begins with tick " + tick + "; ticks begin with 0");
         }
-        return new RunFile(file, List.copyOf(arguments), tick, in.readAllBytes());
+        String sceneText = head.readString();
+        return new RunFile(file, List.copyOf(arguments), tick, sceneText, in.readAllBytes());
     }
 
     private static StateException about(Path file, StateException told) {
@@ -111,6 +125,15 @@ public final class RunFile {
      */
     public List<String> arguments() {
         return arguments;
+    }
+
+    /**
+     * The scene, if it is none of the list.
+     *
+     * @return the text of a scene file, or nothing
+     */
+    public String sceneText() {
+        return sceneText;
     }
 
     /**
@@ -153,12 +176,23 @@ public final class RunFile {
      */
     public void putBack(PhysicsWorld world, SceneBuilder scene) {
         try {
-            world.restore(recording(new Looks(world)).state(0));
+            restore(world, scene);
         } catch (StateException told) {
             String reason = String.valueOf(told.getMessage());
             String prefix = reason.startsWith(file.toString()) ? "" : file + ": ";
             throw new UsageException("--from " + prefix + reason, told);
         }
+    }
+
+    /**
+     * The same, as the library tells of mistakes.
+     *
+     * @param world in which the same scene was just built
+     * @param scene the same
+     * @throws StateException if the file is damaged, or of another scene; the world is as it was
+     */
+    public void restore(PhysicsWorld world, SceneBuilder scene) {
+        world.restore(recording(new Looks(world)).state(0));
         scene.returnTo(tick);
     }
 }

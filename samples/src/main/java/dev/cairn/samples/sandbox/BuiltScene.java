@@ -37,7 +37,7 @@ final class BuiltScene {
         return built;
     }
 
-    /** Looks that a scene of the list began with. */
+    /** Looks that the scene began with; none of one that is edited and rests. */
     @Nullable Looks looks() {
         return looks;
     }
@@ -109,6 +109,10 @@ final class BuiltScene {
                 // Even if the world refuses an entity: what is there must be cleared some day.
                 built = next;
                 stage.build(edited, next);
+                if (edited.playing()) {
+                    looks = new Looks(scene.physics());
+                    stage.begin(edited, next);
+                }
             }
             scene.light(next.light());
             scene.camera().release();

@@ -1,5 +1,6 @@
 package dev.cairn.samples.sandbox;
 
+import dev.cairn.render.input.Control;
 import dev.cairn.samples.replay.Act;
 import dev.cairn.samples.replay.Act.What;
 
@@ -14,10 +15,16 @@ import java.util.List;
 final class Diary {
     private static final int STRIDE = 9;
 
+    /** Ticks whose digests are known, a power of two. */
+    private static final int SEEN = 1024;
+
     private long[] ticks = new long[256];
     private What[] whats = new What[256];
     private long[] entities = new long[256];
     private double[] numbers = new double[256 * STRIDE];
+
+    private final long[] seenTicks = new long[SEEN];
+    private final long[] digests = new long[SEEN];
 
     /** Those before are forgotten. */
     private int first;
@@ -32,11 +39,25 @@ final class Diary {
         count = 0;
         next = tick + 1;
         isPast = false;
+        Arrays.fill(seenTicks, -1);
     }
 
-    /** A tick is done. */
-    void ticked(long tick) {
+    /** A tick is done, and the world has that digest. */
+    void ticked(long tick, long digest) {
         next = tick + 1;
+        int at = (int) (tick & (SEEN - 1));
+        seenTicks[at] = tick;
+        digests[at] = digest;
+    }
+
+    /** Whether the digest after a tick was seen, not too long ago. */
+    boolean hasSeen(long tick) {
+        return tick >= 0 && seenTicks[(int) (tick & (SEEN - 1))] == tick;
+    }
+
+    /** The digest of the world as it was seen after a tick. */
+    long digest(long tick) {
+        return digests[(int) (tick & (SEEN - 1))];
     }
 
     /** The world is at a tick of the past, with an empty hand; what came after may come again. */
@@ -96,6 +117,18 @@ final class Diary {
         numbers[at] = x;
         numbers[at + 1] = y;
         numbers[at + 2] = z;
+    }
+
+    /** A key or a button drives something. */
+    void drive(long entity, Control.Effect effect, double x, double y, double z, double seconds) {
+        What what =
+                switch (effect) {
+                    case PUSH -> What.PUSH;
+                    case TURN -> What.TURN;
+                    case KICK -> What.KICK;
+                };
+        add(what, entity, x, y, z);
+        numbers[(count - 1) * STRIDE + 3] = seconds;
     }
 
     /** Something with many numbers. */

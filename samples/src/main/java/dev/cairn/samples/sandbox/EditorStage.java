@@ -108,6 +108,11 @@ final class EditorStage implements Stage {
         SceneLoader.build(what.scene(), what.folder(), into, assets, entities);
     }
 
+    /** Puts it to the moment that it begins with, if it has one. Throws the same. */
+    void begin(Shown what, SceneBuilder built) {
+        SceneLoader.begin(what.scene(), what.folder(), built, entities);
+    }
+
     /** The world's entity for each of the scene's. */
     long[] entities() {
         return entities;

@@ -1,7 +1,6 @@
 package dev.cairn.samples.sandbox;
 
 import dev.cairn.core.state.StateException;
-import dev.cairn.core.state.WorldState;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.time.Recorder;
@@ -23,10 +22,12 @@ import java.util.Locale;
 import java.util.function.Supplier;
 
 /**
- * Writes moments of a scene, and what was done in the last seconds, to files in the present folder.
- * Simulation thread, between steps.
+ * Writes moments of a scene, and what was done in the last seconds, to files. Simulation thread,
+ * between steps.
  *
- * @param scene of the list
+ * @param folder of the files: the present one, or that of an edited scene
+ * @param scene of the list, or as it was edited
+ * @param sceneText the edited scene as a scene file; empty for one of the list
  * @param options its parameters
  * @param substeps of the solver now
  * @param settings of the world
@@ -34,7 +35,9 @@ import java.util.function.Supplier;
  * @param looks those of the scene as it began
  */
 record MomentWriter(
+        Path folder,
         SampleScene scene,
+        String sceneText,
         SceneOptions options,
         int substeps,
         PhysicsSettings settings,
@@ -50,9 +53,9 @@ record MomentWriter(
     /** What to tell the user. */
     String save(PhysicsWorld world, long tick) {
         Recorder<Act> moment = new Recorder<>(world, (any, act) -> {}, 1);
-        Path file = Path.of("moment-" + scene.id() + "-" + tick + ".cairn").toAbsolutePath();
+        Path file = folder.resolve("moment-" + scene.id() + "-" + tick + ".cairn");
         try {
-            RunFile.write(file, arguments(), tick, moment.recording(), looks);
+            RunFile.write(file, arguments(), sceneText, tick, moment.recording(), looks);
         } catch (IOException | StateException failure) {
             return "This moment is not saved: " + failure.getMessage();
         }
@@ -61,7 +64,7 @@ record MomentWriter(
 
     /**
      * Writes the last seconds as they come again from a moment of the past, with what was done
-     * since; so nothing is to be written down while nobody asks for it.
+     * since and the digests that were seen; so little is to be written down while nobody asks.
      *
      * @param timeline knows the moments
      * @param diary knows what was done
@@ -81,7 +84,8 @@ record MomentWriter(
             return "No report: no moment of the last seconds had an empty hand";
         }
         long begin = timeline.tick(key);
-        Path file = Path.of("report-" + scene.id() + "-" + tick + ".cairn").toAbsolutePath();
+        Path file = folder.resolve("report-" + scene.id() + "-" + tick + ".cairn");
+        long parts = -1;
         try (PhysicsWorld world = worlds.get()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options));
             world.restore(timeline.state(key));
@@ -92,17 +96,17 @@ record MomentWriter(
                     recorder.input(Act.AFTER);
                 }
                 diary.before(t).forEach(recorder::input);
-                recorder.step(stepSeconds);
-            }
-            RunFile.write(file, arguments(), begin, recorder.recording(), looks);
-            long digest = world.digest();
-            WorldState present = timeline.present(tick);
-            if (present != null) {
-                world.restore(present);
-                if (world.digest() != digest) {
-                    return "The report is in %s, but it comes out otherwise than here: not all that was done is in it"
-                            .formatted(file);
+                // The digests are those that were seen, where they are still known.
+                if (!diary.hasSeen(t)) {
+                    recorder.step(stepSeconds);
+                } else if (!recorder.step(stepSeconds, diary.digest(t)) && parts < 0) {
+                    parts = t;
                 }
+            }
+            RunFile.write(file, arguments(), sceneText, begin, recorder.recording(), looks);
+            if (parts >= 0) {
+                return "The report is in %s, but from tick %d on it comes out otherwise than here: not all that was done is in it"
+                        .formatted(file, parts);
             }
         } catch (IOException | StateException failure) {
             return "No report: " + failure.getMessage();
@@ -113,7 +117,10 @@ record MomentWriter(
 
     /** Options that lead to this scene. */
     private List<String> arguments() {
-        List<String> arguments = new ArrayList<>(List.of("--scene", scene.id()));
+        List<String> arguments = new ArrayList<>();
+        if (sceneText.isEmpty()) {
+            Collections.addAll(arguments, "--scene", scene.id());
+        }
         options.values()
                 .forEach((name, value) ->
                         Collections.addAll(arguments, "--set", name + "=" + value));

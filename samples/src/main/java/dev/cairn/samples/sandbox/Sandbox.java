@@ -1,5 +1,6 @@
 package dev.cairn.samples.sandbox;
 
+import dev.cairn.core.ecs.EcsSystem;
 import dev.cairn.core.snapshot.TripleBuffer;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsSettings;
@@ -22,6 +23,8 @@ import dev.cairn.samples.replay.Looks;
 import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.scenefile.SceneExport;
 import dev.cairn.samples.scenefile.SceneFile;
+import dev.cairn.samples.scenefile.SceneLoader;
+import dev.cairn.samples.scenefile.SceneWriter;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -180,7 +183,10 @@ public class Sandbox extends Application {
                         .substeps(edited == null ? substeps : edited.scene().tick().substeps())
                         .sleeping(sleeping)
                         .seed(choice.options().seed())
-                        .systems(choice.scene().systems(choice.options()))
+                        .systems(
+                                edited == null
+                                        ? choice.scene().systems(choice.options())
+                                        : new EcsSystem[0])
                         .build();
         // The others are parked until the slider asks for them.
         world.ecs().jobs().limit(workers);
@@ -202,6 +208,7 @@ public class Sandbox extends Application {
             bound = true;
         }
         scene.physics().profile().enable();
+        scene.onDrive(diary::drive);
         hand.release();
         history.clear();
         thrower.begin();
@@ -336,12 +343,32 @@ public class Sandbox extends Application {
 
     private @Nullable MomentWriter writer() {
         Looks known = built.looks();
-        if (built.now() == null || known == null || stage.shown() != null) {
-            notice("Of an edited scene there are scene files (Ctrl S), no moments and reports");
+        if (built.now() == null || known == null || stage.rests()) {
+            notice("Play the scene first: moments and reports are of a scene that runs");
             return null;
         }
+        EditorStage.Shown edited = stage.shown();
+        if (edited == null) {
+            return new MomentWriter(
+                    Path.of("").toAbsolutePath(),
+                    choice.scene(),
+                    "",
+                    choice.options(),
+                    substeps,
+                    settings,
+                    sleeping,
+                    known);
+        }
+        SceneFile scene = edited.scene().withState(null); // the file has a state of its own
         return new MomentWriter(
-                choice.scene(), choice.options(), substeps, settings, sleeping, known);
+                edited.folder(),
+                SceneLoader.sample(scene.name(), scene.name(), edited.folder(), scene),
+                SceneWriter.text(scene),
+                new SceneOptions(Map.of(), choice.options().seed(), null),
+                substeps,
+                settings,
+                sleeping,
+                known);
     }
 
     void grab(long entity, double distance, Vector3d localPoint) {

@@ -44,6 +44,10 @@ final class StageNotes {
         if (!problem.isEmpty()) {
             lines.add(problem);
         }
+        String state = edited.scene().state();
+        if (state != null && !edited.playing()) {
+            lines.add("begins with the moment in %s when it is played".formatted(state));
+        }
         double tick = edited.scene().tick().seconds();
         if (tick != windowStepSeconds) {
             lines.add(

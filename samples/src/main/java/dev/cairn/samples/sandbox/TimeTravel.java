@@ -36,7 +36,7 @@ final class TimeTravel {
     /** After a tick. */
     void ticked() {
         timeline.remember();
-        diary.ticked(sandbox.builtTick());
+        diary.ticked(sandbox.builtTick(), sandbox.physics().digest());
         diary.forgetUpTo(timeline.oldest());
     }
 

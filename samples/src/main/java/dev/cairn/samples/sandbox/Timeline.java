@@ -179,11 +179,6 @@ final class Timeline {
         return moments.count() == 0 ? Long.MAX_VALUE : moments.tick(0);
     }
 
-    /** The state at the present tick, if it is remembered. */
-    @Nullable WorldState present(long tick) {
-        return moments.count() > 0 && moments.tick(at) == tick ? moments.state(at) : null;
-    }
-
     /** Tells the window. */
     void describe(SandboxState state) {
         SceneBuilder now = scene;

@@ -6,13 +6,15 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Which files a scene may name: meshes and pictures by their ending, in the scene's folder or in
- * the one that the program was started in, or below. A scene comes from anywhere; what it names is
- * read, and told of when it is wrong.
+ * Which files a scene may name: meshes, pictures and moments by their ending, in the scene's folder
+ * or in the one that the program was started in, or below. A scene comes from anywhere; what it
+ * names is read, and told of when it is wrong.
  */
 final class AssetPath {
     static final List<String> MESHES = List.of(".obj");
     static final List<String> PICTURES = List.of(".png", ".jpg", ".jpeg", ".bmp", ".tga");
+
+    static final List<String> MOMENTS = List.of(".cairn");
 
     private AssetPath() {}
 

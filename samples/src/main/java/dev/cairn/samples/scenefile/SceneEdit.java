@@ -146,7 +146,7 @@ public final class SceneEdit {
             }
             entities.add(moved);
         }
-        return scene.withEntities(entities);
+        return scene.withEntities(entities).withState(rebase(scene.state(), source, target));
     }
 
     private static ShapeSpec rebase(ShapeSpec shape, Path source, Path target) {

@@ -103,7 +103,8 @@ public final class SceneExport {
                     built.light(),
                     entities,
                     joints(world, built.bodies()),
-                    List.of());
+                    List.of(),
+                    null);
         }
     }
 

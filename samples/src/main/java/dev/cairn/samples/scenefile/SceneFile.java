@@ -3,6 +3,8 @@ package dev.cairn.samples.scenefile;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.render.camera.Light;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.List;
 import java.util.Set;
 
@@ -18,6 +20,8 @@ import java.util.Set;
  * @param entities what is there, in the order of creation
  * @param joints what holds entities together, in the order of creation
  * @param layers names of the bits of filters, from the lowest on, at most 64
+ * @param state file of a saved moment of this scene, with which it begins; null for what the
+ *     entities say
  */
 public record SceneFile(
         String name,
@@ -28,7 +32,8 @@ public record SceneFile(
         Light light,
         List<EntitySpec> entities,
         List<JointSpec> joints,
-        List<String> layers) {
+        List<String> layers,
+        @Nullable String state) {
     /** The value of {@code format} in every file. */
     public static final String FORMAT = "cairn-scene";
 
@@ -65,7 +70,7 @@ public record SceneFile(
             CameraSpec camera,
             Light light,
             List<EntitySpec> entities) {
-        this(name, description, gravity, tick, camera, light, entities, List.of(), List.of());
+        this(name, description, gravity, tick, camera, light, entities, List.of(), List.of(), null);
     }
 
     /**
@@ -93,7 +98,7 @@ public record SceneFile(
      */
     public SceneFile withEntities(List<EntitySpec> value) {
         return new SceneFile(
-                name, description, gravity, tick, camera, light, value, joints, layers);
+                name, description, gravity, tick, camera, light, value, joints, layers, state);
     }
 
     /**
@@ -104,7 +109,7 @@ public record SceneFile(
      */
     public SceneFile withJoints(List<JointSpec> value) {
         return new SceneFile(
-                name, description, gravity, tick, camera, light, entities, value, layers);
+                name, description, gravity, tick, camera, light, entities, value, layers, state);
     }
 
     /**
@@ -115,7 +120,29 @@ public record SceneFile(
      */
     public SceneFile withLayers(List<String> value) {
         return new SceneFile(
-                name, description, gravity, tick, camera, light, entities, joints, value);
+                name, description, gravity, tick, camera, light, entities, joints, value, state);
+    }
+
+    /**
+     * The same seen from elsewhere.
+     *
+     * @param value the camera
+     * @return a copy
+     */
+    public SceneFile withCamera(CameraSpec value) {
+        return new SceneFile(
+                name, description, gravity, tick, value, light, entities, joints, layers, state);
+    }
+
+    /**
+     * The same with another beginning.
+     *
+     * @param value file of a saved moment, or null for what the entities say
+     * @return a copy
+     */
+    public SceneFile withState(@Nullable String value) {
+        return new SceneFile(
+                name, description, gravity, tick, camera, light, entities, joints, layers, value);
     }
 
     /**

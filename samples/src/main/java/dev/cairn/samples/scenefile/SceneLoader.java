@@ -2,6 +2,7 @@ package dev.cairn.samples.scenefile;
 
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.Visual;
+import dev.cairn.core.state.StateException;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Collider;
@@ -26,12 +27,14 @@ import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneView;
 import dev.cairn.samples.UsageException;
+import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 
 import org.joml.Quaterniond;
 import org.jspecify.annotations.Nullable;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -105,6 +108,19 @@ public final class SceneLoader {
         Path parent = whole.getParent();
         Path folder = parent == null ? whole : parent;
         String name = String.valueOf(whole.getFileName()).replaceAll("\\.json$", "");
+        return sample(name, "--scene-file " + file, folder, scene);
+    }
+
+    /**
+     * A scene as one among the others.
+     *
+     * @param name from which its id follows
+     * @param told how messages name it
+     * @param folder what its paths are relative to
+     * @param scene what is in it
+     * @return the scene
+     */
+    public static SampleScene sample(String name, String told, Path folder, SceneFile scene) {
         return new SampleScene(
                 id(name),
                 scene.name().isEmpty() ? name : scene.name(),
@@ -115,11 +131,11 @@ public final class SceneLoader {
                 scene.tick().pictureTick(),
                 builder -> {
                     try {
-                        build(scene, folder, builder);
+                        long[] made = new long[scene.entities().size()];
+                        build(scene, folder, builder, new Assets(), made);
+                        begin(scene, folder, builder, made);
                     } catch (IllegalArgumentException refused) {
-                        throw new UsageException(
-                                "--scene-file %s: %s".formatted(file, refused.getMessage()),
-                                refused);
+                        throw new UsageException(told + ": " + refused.getMessage(), refused);
                     }
                 });
     }
@@ -194,6 +210,55 @@ public final class SceneLoader {
                 throw new IllegalArgumentException(
                         "$.joints[%d] \"%s\": %s".formatted(i, joint.name(), refused.getMessage()),
                         refused);
+            }
+        }
+    }
+
+    /**
+     * Puts a scene that was just built to the moment that its {@code state} names, if it names one.
+     * What the moment lacks of the scene, and the scene of the moment, is noted as a remark.
+     *
+     * @param scene what was built
+     * @param folder what its path is relative to
+     * @param into the builder, at tick 0; it counts on from the tick of the moment
+     * @param made the world's entity for each of the scene's
+     * @throws IllegalArgumentException if the file is no moment of a scene file, damaged, or
+     *     outside; the world is as it was built
+     */
+    public static void begin(SceneFile scene, Path folder, SceneBuilder into, long[] made) {
+        String name = scene.state();
+        if (name == null) {
+            return;
+        }
+        try {
+            Path path = AssetPath.of(folder, name, AssetPath.MOMENTS);
+            RunFile file = RunFile.open(path);
+            if (file.sceneText().isEmpty()) {
+                throw new IllegalArgumentException(
+                        "%s is a moment of %s, expected one of this scene: play it, and press M"
+                                .formatted(path, String.join(" ", file.arguments())));
+            }
+            SceneFile then = SceneReader.parse("the scene in " + path, file.sceneText());
+            file.restore(into.world(), into);
+            if (!then.entities().equals(scene.entities())
+                    || !then.joints().equals(scene.joints())) {
+                into.remark(
+                        "the scene was edited since %s was saved: it begins as it was then"
+                                .formatted(name));
+            }
+        } catch (IOException unreadable) {
+            throw new IllegalArgumentException(
+                    "$.state: \"%s\" cannot be read (%s); save a moment there, or leave it out"
+                            .formatted(name, unreadable.getClass().getSimpleName()),
+                    unreadable);
+        } catch (IllegalArgumentException | StateException refused) {
+            throw new IllegalArgumentException("$.state: " + refused.getMessage(), refused);
+        }
+        for (int i = 0; i < made.length; i++) {
+            if (made[i] != NOTHING && !into.world().ecs().isAlive(made[i])) {
+                into.remark(
+                        "$.entities[%d] \"%s\" is not there in %s"
+                                .formatted(i, scene.entities().get(i).name(), name));
             }
         }
     }

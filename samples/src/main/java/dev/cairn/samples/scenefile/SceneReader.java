@@ -30,6 +30,7 @@ public final class SceneReader {
                     "tick",
                     "camera",
                     "light",
+                    "state",
                     "layers",
                     "entities",
                     "joints");
@@ -148,7 +149,8 @@ public final class SceneReader {
                 in.containsKey("light") ? light(in.get("light")) : empty.light(),
                 entities,
                 joints,
-                layers);
+                layers,
+                in.containsKey("state") ? state(in.get("state")) : null);
     }
 
     private static List<String> layers(JsonNode node) {
@@ -163,6 +165,15 @@ public final class SceneReader {
             throw node.wrong("at most 64 layers", String.valueOf(names.size()));
         }
         return names;
+    }
+
+    private static String state(JsonNode node) {
+        String what = "the path of a saved moment of this scene, which ends in .cairn";
+        String path = node.text(what);
+        if (!path.endsWith(".cairn")) {
+            throw node.wrong(what, node.shown());
+        }
+        return path;
     }
 
     private static TickSpec tick(JsonNode node) {

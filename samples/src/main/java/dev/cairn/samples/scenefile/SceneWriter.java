@@ -73,6 +73,9 @@ public final class SceneWriter {
         camera.add("fieldOfViewDegrees", number(scene.camera().fieldOfViewDegrees()));
         out.add("camera", camera);
         out.add("light", light(scene.light()));
+        if (scene.state() != null) {
+            out.addProperty("state", scene.state());
+        }
         if (!scene.layers().isEmpty()) {
             JsonArray layers = new JsonArray();
             scene.layers().forEach(layers::add);

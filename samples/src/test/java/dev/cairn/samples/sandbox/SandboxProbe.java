@@ -1,16 +1,22 @@
 package dev.cairn.samples.sandbox;
 
 import dev.cairn.render.app.DebugLayer;
+import dev.cairn.render.app.Scene;
 import dev.cairn.render.app.View;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.SampleScene;
+import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.scenes.stack.StackOfBoxes;
 
 import org.joml.Vector3d;
 
+import java.io.IOException;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -49,9 +55,22 @@ final class SandboxProbe extends Sandbox {
         this.out = out;
     }
 
+    /** Where the test leaves a moment to begin with, if it wants one. */
+    static final String MOMENT = "begin.cairn";
+
     /** Runs until the window is closed. */
-    public static void main(String[] arguments) {
-        new SandboxProbe(List.of(StackOfBoxes.scene()), System.out).size(1024, 640).start();
+    public static void main(String[] arguments) throws IOException {
+        SandboxProbe probe = new SandboxProbe(List.of(StackOfBoxes.scene()), System.out);
+        if (Files.exists(Path.of(MOMENT))) {
+            probe.beginAt(RunFile.open(Path.of(MOMENT)));
+        }
+        probe.size(1024, 640).start();
+    }
+
+    @Override
+    protected void initScene(Scene scene) {
+        Arrays.fill(digests, 0); // another run
+        super.initScene(scene);
     }
 
     private int layers() {

@@ -168,7 +168,8 @@ class SceneFileTest {
                         .shadows(random.nextBoolean()),
                 entities,
                 joints(random, entities.size()),
-                layers);
+                layers,
+                random.nextBoolean() ? null : "states/" + random.nextInt() + ".cairn");
     }
 
     private static Filter filter(SplittableRandom random) {

@@ -88,7 +88,7 @@ class ReplayTest {
                 recorder.step(built.stepSeconds());
             }
             List<String> arguments = List.of("--scene", "stack-4", "--sleeping", "off");
-            RunFile.write(file, arguments, 0, recorder.recording(), looks);
+            RunFile.write(file, arguments, "", 0, recorder.recording(), looks);
         }
         assertEquals(1, run("--replay", file.toString()));
         String told = err.toString();
@@ -131,7 +131,7 @@ class ReplayTest {
                 recorder.step(built.stepSeconds());
             }
             List<String> arguments = List.of("--scene", "stack-4", "--sleeping", "off");
-            RunFile.write(file, arguments, 50, recorder.recording(), looks);
+            RunFile.write(file, arguments, "", 50, recorder.recording(), looks);
             for (String workers : new String[] {"1", "2"}) {
                 String[] again = {"--replay", file.toString(), "--workers", workers};
                 assertEquals(0, run(again), err::toString);
@@ -151,7 +151,7 @@ class ReplayTest {
         assertTrue(err.toString().contains("no bytes of a recorded run"), err.toString());
         run("--scene", "stack-4", "--ticks", "5", "--record", file.toString());
         byte[] whole = Files.readAllBytes(file);
-        for (int at = 12; at < whole.length; at += 1 + whole.length / 60) {
+        for (int at = 12; at < whole.length; at += 1 + whole.length / 25) {
             byte[] bad = whole.clone();
             bad[at] ^= 4;
             Files.write(file, bad);
@@ -160,7 +160,7 @@ class ReplayTest {
         }
         try (PhysicsWorld world = PhysicsWorld.builder().build()) {
             Recording<Act> none = new Recorder<Act>(world, (any, act) -> {}, 1).recording();
-            RunFile.write(file, List.of("--picture", "x.png"), 0, none, new Looks(world));
+            RunFile.write(file, List.of("--picture", "x.png"), "", 0, none, new Looks(world));
         }
         assertEquals(2, run("--replay", file.toString()));
         assertTrue(err.toString().contains("--picture"), err.toString());
