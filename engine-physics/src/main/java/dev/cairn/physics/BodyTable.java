@@ -145,10 +145,23 @@ final class BodyTable implements Stateful {
         int slot = roster.nextSlot();
         ensureSlots();
         Record[] records = records(body, slot);
-        long entity = given == NONE ? world().spawn(records) : given;
-        if (given != NONE) {
-            give(entity, records);
+        if (given == NONE) {
+            // An observer of what the body is made of may throw or delete it: it is whole by then.
+            BodyRef[] made = new BodyRef[1];
+            world().spawn(entity -> made[0] = begin(slot, entity, body, parts, mass, com), records);
+            return made[0];
         }
+        give(given, records);
+        return begin(slot, given, body, parts, mass, com);
+    }
+
+    private BodyRef begin(
+            int slot,
+            long entity,
+            Body body,
+            List<Collider> parts,
+            MassProperties mass,
+            double[] com) {
         roster.take();
         BodyRef ref = new BodyRef(this, slot, entity, body.name);
         refs[slot] = ref;

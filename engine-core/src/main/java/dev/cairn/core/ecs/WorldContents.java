@@ -5,6 +5,7 @@ import org.jspecify.annotations.Nullable;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.LongConsumer;
 
 /**
  * What a world holds, and the immediate changes of it: entities, their components, resources. The
@@ -35,6 +36,24 @@ abstract sealed class WorldContents permits World {
         requireChangeable("spawn");
         requireParts(components);
         return settled(components.length == 0 ? store.spawn() : store.spawn(components));
+    }
+
+    /**
+     * Makes an entity that belongs to something else too: that takes it before what observers asked
+     * for is made, and before what one of them threw is thrown.
+     *
+     * @param owner takes the entity
+     * @param components its components, each at most once
+     * @return the entity
+     * @throws IllegalStateException during a step, and if an observer throws; then the entity is
+     *     there and was taken
+     */
+    public final long spawn(LongConsumer owner, Record... components) {
+        requireChangeable("spawn");
+        requireParts(components);
+        long entity = store.spawn(components);
+        owner.accept(entity);
+        return settled(entity);
     }
 
     /**

@@ -11,6 +11,7 @@ import dev.cairn.render.camera.Light;
 import dev.cairn.render.input.Bindings;
 import dev.cairn.render.input.Drive;
 import dev.cairn.render.mesh.Model;
+import dev.cairn.render.mesh.ModelGroup;
 
 import java.util.Objects;
 import java.util.Set;
@@ -87,6 +88,20 @@ public final class Scene {
     }
 
     /**
+     * Adds a body that is drawn in several parts.
+     *
+     * @param body what it is like; may be used again
+     * @param look how it looks, in the frame of the body's shape
+     * @return the body
+     */
+    public BodyRef add(Body body, ModelGroup look) {
+        Objects.requireNonNull(look, "look");
+        BodyRef added = physics.add(body);
+        physics.ecs().add(added.entity(), new Visual(look));
+        return added;
+    }
+
+    /**
      * Adds a body that is drawn as its shape.
      *
      * @param body what it is like
@@ -108,6 +123,17 @@ public final class Scene {
      */
     public long addVisual(Pose pose, Model model) {
         return physics.ecs().spawn(pose, new Visual(Objects.requireNonNull(model, "model")));
+    }
+
+    /**
+     * Adds something of several parts that is drawn but has no part in the physics.
+     *
+     * @param pose where
+     * @param look how it looks
+     * @return its entity
+     */
+    public long addVisual(Pose pose, ModelGroup look) {
+        return physics.ecs().spawn(pose, new Visual(Objects.requireNonNull(look, "look")));
     }
 
     /**
