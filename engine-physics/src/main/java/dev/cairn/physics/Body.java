@@ -6,6 +6,7 @@ import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.internal.GivenMass;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.Shape;
 
@@ -34,10 +35,7 @@ public final class Body {
     double qw = 1;
     Material material = Material.DEFAULT;
     Filter filter = Filter.ALL;
-    double mass = Double.NaN;
-    double inertiaXX = Double.NaN;
-    double inertiaYY;
-    double inertiaZZ;
+    GivenMass given = GivenMass.NONE;
     double vx;
     double vy;
     double vz;
@@ -246,7 +244,7 @@ public final class Body {
                             + " kg; it must be finite and greater than 0. For a body that nothing"
                             + " moves use Body.fixed()");
         }
-        mass = kilograms;
+        given = given.withMass(kilograms);
         return this;
     }
 
@@ -263,9 +261,26 @@ public final class Body {
      */
     public Body inertia(double xx, double yy, double zz) {
         checkInertia(xx, yy, zz);
-        inertiaXX = xx;
-        inertiaYY = yy;
-        inertiaZZ = zz;
+        given = given.withInertia(xx, yy, zz);
+        return this;
+    }
+
+    /**
+     * States the centre of mass, instead of that of the shapes filled evenly: a tumbler, a keel, a
+     * loaded die. The inertia is about it: the one that is stated, or that of the shapes about
+     * their own centre.
+     *
+     * @param bodyX in the body's frame, m, finite
+     * @param bodyY in the body's frame, m, finite
+     * @param bodyZ in the body's frame, m, finite
+     * @return this
+     */
+    public Body centreOfMass(double bodyX, double bodyY, double bodyZ) {
+        given =
+                given.withCentre(
+                        Checks.finite("centre x", bodyX),
+                        Checks.finite("centre y", bodyY),
+                        Checks.finite("centre z", bodyZ));
         return this;
     }
 

@@ -88,6 +88,23 @@ final class BodyChanges {
         learn(s);
     }
 
+    void setCentreOfMass(int s, double x, double y, double z) {
+        Checks.finite("centre x", x);
+        Checks.finite("centre y", y);
+        Checks.finite("centre z", z);
+        wakeIfItFalls(s);
+        table.collision.stateCentre(s, x, y, z);
+        learn(s);
+    }
+
+    void setCanSleep(int s, boolean may) {
+        table.staysAwake[s] = !may;
+        table.sleepers.allow(s, may);
+        if (!may) {
+            table.sleepers.wake(s);
+        }
+    }
+
     /** The mass of what nothing moves concerns nobody. */
     private void wakeIfItFalls(int s) {
         if (table.access.type(s) == BodyType.DYNAMIC) {

@@ -412,6 +412,27 @@ public final class BodyRef extends BodyState {
     }
 
     /**
+     * States the centre of mass, see {@link Body#centreOfMass}. The frame stays where it is, and
+     * each point of the body keeps its velocity. Wakes the body and what it touches. Allocates.
+     *
+     * @param bodyX in the body's frame, m, finite
+     * @param bodyY in the body's frame, m, finite
+     * @param bodyZ in the body's frame, m, finite
+     */
+    public void setCentreOfMass(double bodyX, double bodyY, double bodyZ) {
+        table.changes.setCentreOfMass(changed("setCentreOfMass"), bodyX, bodyY, bodyZ);
+    }
+
+    /**
+     * Says whether the body may fall asleep, see {@link Body#canSleep}; one that may not wakes.
+     *
+     * @param value false to keep it awake
+     */
+    public void setCanSleep(boolean value) {
+        table.changes.setCanSleep(changed("setCanSleep"), value);
+    }
+
+    /**
      * Hangs any object of the user on the body.
      *
      * @param value anything, or {@code null}
@@ -490,7 +511,7 @@ public final class BodyRef extends BodyState {
      * @param filter the new one
      */
     public void setFilter(Filter filter) {
-        table.collision.setFilters(changed("setFilter"), filter);
+        table.collision.rules.setFilters(changed("setFilter"), filter);
     }
 
     /**

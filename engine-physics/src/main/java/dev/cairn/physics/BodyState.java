@@ -118,6 +118,25 @@ public abstract sealed class BodyState implements Jointed permits BodyRef {
     }
 
     /**
+     * The centre of mass that was stated, instead of that of the shapes.
+     *
+     * @param destination receives m, in the body's frame; NaN if it follows from the shapes
+     * @return destination
+     */
+    public Vector3d statedCentreOfMass(Vector3d destination) {
+        return table.collision.statedCentre(alive(), Checks.notNull("destination", destination));
+    }
+
+    /**
+     * Whether the body may fall asleep, see {@link Body#canSleep}.
+     *
+     * @return true for most
+     */
+    public boolean canSleep() {
+        return !table.staysAwake[alive()];
+    }
+
+    /**
      * The inverse of the inertia about the centre of mass, in world axes.
      *
      * @param destination receives 1/(kg m²); all 0 for a fixed body

@@ -60,6 +60,10 @@ final class BodyTable implements Stateful {
     private BodyRef[] savedRefs = {};
 
     @Nullable Object[] userData = {};
+
+    /** By slot: whether the body may not sleep. */
+    boolean[] staysAwake = {};
+
     private final List<BodyRef> quarantined = new ArrayList<>();
     private boolean closed;
     private @Nullable ContactView view;
@@ -166,6 +170,7 @@ final class BodyTable implements Stateful {
         BodyRef ref = new BodyRef(this, slot, entity, body.name);
         refs[slot] = ref;
         userData[slot] = body.userData;
+        staysAwake[slot] = !body.maySleep;
         roster.comX[slot] = mass.comX();
         roster.comY[slot] = mass.comY();
         roster.comZ[slot] = mass.comZ();
@@ -365,6 +370,7 @@ final class BodyTable implements Stateful {
         if (n > refs.length) {
             refs = Arrays.copyOf(refs, n);
             userData = Arrays.copyOf(userData, n);
+            staysAwake = Arrays.copyOf(staysAwake, n);
         }
     }
 
@@ -385,6 +391,7 @@ final class BodyTable implements Stateful {
         BodyRef[] saved = s.array("refs", s.isRestoring() ? savedRefs : refs, slots);
         savedRefs = s.isRestoring() ? saved : savedRefs;
         userData = s.array("userData", userData, slots);
+        staysAwake = s.array("staysAwake", staysAwake, slots);
         int count = s.value("quarantined", quarantined.size());
         BodyRef[] stopped = s.array("stopped", quarantined.toArray(NO_BODIES), count);
         if (s.isRestoring()) {

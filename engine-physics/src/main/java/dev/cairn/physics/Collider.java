@@ -5,17 +5,24 @@ import dev.cairn.core.state.StateInput;
 import dev.cairn.core.state.StateOutput;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.collider.Mix;
+import dev.cairn.physics.internal.BodyMass;
 import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.internal.GivenMass;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.MassProperties;
+import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
+import dev.cairn.physics.shape.mesh.Meshed;
 
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Objects;
 
 /**
@@ -286,6 +293,58 @@ public final class Collider {
      */
     public Vector3d surfaceVelocity(Vector3d destination) {
         return destination.set(beltX, beltY, beltZ);
+    }
+
+    /** The shape, neither moved nor turned. */
+    Shape solid() {
+        return placed instanceof Moved m ? m.inner() : placed;
+    }
+
+    /** The pose of its centre in the body, from a centre of mass: m, unit quaternion. */
+    double[] from(double centreX, double centreY, double centreZ) {
+        MassProperties p = placed.massProperties(1);
+        double[] pose = {p.comX() - centreX, p.comY() - centreY, p.comZ() - centreZ, 0, 0, 0, 1};
+        if (placed instanceof Moved m) {
+            pose[3] = m.rotationX();
+            pose[4] = m.rotationY();
+            pose[5] = m.rotationZ();
+            pose[6] = m.rotationW();
+        }
+        return pose;
+    }
+
+    /** Mass, centre and inertia of the parts of a body, or what the user gave instead. */
+    static MassProperties mass(List<Collider> parts, boolean fixed, GivenMass given) {
+        for (Collider part : parts) {
+            if (!fixed && isSurface(part.shape())) {
+                throw new IllegalArgumentException(
+                        part.shape()
+                                + " is a surface without an inside, so its body cannot be dynamic;"
+                                + " make the body fixed or kinematic, or take ConvexHull.of its"
+                                + " vertices, or several hulls as colliders of one body");
+            }
+        }
+        if (parts.size() == 1) {
+            Collider only = parts.get(0);
+            MassProperties own = only.placed.massProperties(only.material().density());
+            return BodyMass.of(only.placed, own, fixed, given);
+        }
+        List<MassProperties> all = new ArrayList<>();
+        boolean solid = false;
+        for (Collider part : parts) {
+            solid |= !part.sensor;
+        }
+        for (Collider part : parts) {
+            if (!part.sensor || !solid) {
+                all.add(part.placed.massProperties(part.material().density()));
+            }
+        }
+        return BodyMass.of(parts, BodyMass.sum(all), fixed, given);
+    }
+
+    /** Whether a shape has no inside. */
+    static boolean isSurface(Shape shape) {
+        return (shape instanceof Moved m ? m.inner() : shape) instanceof Meshed;
     }
 
     Material material() {

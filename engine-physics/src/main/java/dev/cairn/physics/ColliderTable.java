@@ -5,18 +5,16 @@ import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.broadphase.BroadPhase;
 import dev.cairn.physics.broadphase.PairFilter;
-import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.BodyMass;
-import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
+import dev.cairn.physics.internal.GivenMass;
+import dev.cairn.physics.internal.GivenMasses;
 import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.MassProperties;
-import dev.cairn.physics.shape.Moved;
-import dev.cairn.physics.shape.Shape;
-import dev.cairn.physics.shape.mesh.Meshed;
 import dev.cairn.physics.state.GroundEdit;
+import dev.cairn.physics.state.PairRules;
 
 import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
@@ -33,6 +31,10 @@ import java.util.function.BiPredicate;
 final class ColliderTable implements Stateful {
     final ColliderStore colliders;
     final PairFilter pairFilter;
+
+    /** Who meets whom. */
+    final PairRules rules;
+
     private final BodyTable table;
     private final BroadPhase broadPhase;
 
@@ -50,14 +52,15 @@ final class ColliderTable implements Stateful {
     /** Where the references say that their colliders are; room to save them. */
     private int[] places = {};
 
-    /** By body: mass and inertia that the user gave instead, or NaN. */
-    private double[] kilograms = {}, inertiaXX = {}, inertiaYY = {}, inertiaZZ = {};
+    /** By body: what the user gave instead. */
+    private final GivenMasses given = new GivenMasses();
 
     ColliderTable(BodyTable table) {
         this.table = table;
         colliders = table.colliders;
         broadPhase = table.broadPhase;
         pairFilter = table.roster.pairFilter;
+        rules = new PairRules(colliders, pairFilter, broadPhase);
     }
 
     /** The reference to a collider, or to the last one in its slot. */
@@ -75,11 +78,13 @@ final class ColliderTable implements Stateful {
         return specs[collider].filter(colliders.filter[collider]);
     }
 
+    private int first(int body) {
+        return colliders.bodies.collider[body];
+    }
+
     List<ColliderRef> list(int body) {
         List<ColliderRef> list = new ArrayList<>();
-        for (int c = colliders.bodies.collider[body];
-                c != ColliderStore.NONE;
-                c = colliders.next[c]) {
+        for (int c = first(body); c != ColliderStore.NONE; c = colliders.next[c]) {
             list.add(ref(c));
         }
         return list;
@@ -103,10 +108,7 @@ final class ColliderTable implements Stateful {
         savedRefs = s.isRestoring() ? saved : savedRefs;
         places = s.array("places", places, slots);
         specs = s.array("specs", specs, slots);
-        kilograms = s.array("kilograms", kilograms, slots);
-        inertiaXX = s.array("inertiaXX", inertiaXX, slots);
-        inertiaYY = s.array("inertiaYY", inertiaYY, slots);
-        inertiaZZ = s.array("inertiaZZ", inertiaZZ, slots);
+        given.state(s, slots);
         if (s.isRestoring()) {
             own(saved);
         }
@@ -143,64 +145,24 @@ final class ColliderTable implements Stateful {
         }
     }
 
-    // What a body is made of ---------------------------------------------------------------------
-
     /** Mass, centre and inertia of parts, or what the user gave instead. */
     static MassProperties mass(List<Collider> parts, Body body) {
-        return mass(
-                parts,
-                body.type != BodyType.DYNAMIC,
-                body.mass,
-                body.inertiaXX,
-                body.inertiaYY,
-                body.inertiaZZ);
-    }
-
-    private static MassProperties mass(
-            List<Collider> parts, boolean fixed, double mass, double xx, double yy, double zz) {
-        for (Collider part : parts) {
-            if (!fixed && isSurface(part.shape())) {
-                throw new IllegalArgumentException(
-                        part.shape()
-                                + " is a surface without an inside, so its body cannot be dynamic;"
-                                + " make the body fixed or kinematic, or take ConvexHull.of its"
-                                + " vertices, or several hulls as colliders of one body");
-            }
-        }
-        if (parts.size() == 1) {
-            Collider only = parts.get(0);
-            double density = only.material().density();
-            return BodyMass.of(only.placed, density, fixed, mass, xx, yy, zz);
-        }
-        List<MassProperties> all = new ArrayList<>();
-        boolean solid = false;
-        for (Collider part : parts) {
-            solid |= !part.sensor;
-        }
-        for (Collider part : parts) {
-            if (!part.sensor || !solid) {
-                all.add(part.placed.massProperties(part.material().density()));
-            }
-        }
-        return BodyMass.of(parts, BodyMass.sum(all), fixed, mass, xx, yy, zz);
+        return Collider.mass(parts, body.type != BodyType.DYNAMIC, body.given);
     }
 
     /** Gives a body that has none its colliders; its slot and pose are set. */
-    void attach(int body, List<Collider> parts, Body given) {
+    void attach(int body, List<Collider> parts, Body description) {
         ensureSlots();
-        kilograms[body] = given.mass;
-        inertiaXX[body] = given.inertiaXX;
-        inertiaYY[body] = given.inertiaYY;
-        inertiaZZ[body] = given.inertiaZZ;
+        given.set(body, description.given);
         colliders.bodies.collider[body] = ColliderStore.NONE;
-        if (parts.size() == 1) {
+        if (parts.size() == 1 && !description.given.hasCentre()) {
             only(body, parts.get(0));
         } else {
             for (Collider part : parts) {
                 child(body, part);
             }
         }
-        measure(body);
+        colliders.measure(body);
     }
 
     private void only(int body, Collider part) {
@@ -213,34 +175,14 @@ final class ColliderTable implements Stateful {
         ensureSlots();
         contacts().beginCompounds();
         pairFilter.begin(); // parts of a body do not meet
-        colliders.append(body, c, solid(part), local(body, part));
+        colliders.append(body, c, part.solid(), local(body, part));
         begin(c, part);
         return c;
     }
 
-    private static Shape solid(Collider part) {
-        return part.placed instanceof Moved m ? m.inner() : part.placed;
-    }
-
     /** Where a part is, from the body's centre of mass. */
     private double[] local(int body, Collider part) {
-        MassProperties p = part.placed.massProperties(1);
-        double[] pose = {
-            p.comX() - table.roster.comX[body],
-            p.comY() - table.roster.comY[body],
-            p.comZ() - table.roster.comZ[body],
-            0,
-            0,
-            0,
-            1
-        };
-        if (part.placed instanceof Moved m) {
-            pose[3] = m.rotationX();
-            pose[4] = m.rotationY();
-            pose[5] = m.rotationZ();
-            pose[6] = m.rotationW();
-        }
-        return pose;
+        return part.from(table.roster.comX[body], table.roster.comY[body], table.roster.comZ[body]);
     }
 
     /** A collider that is new in its slot. */
@@ -272,7 +214,7 @@ final class ColliderTable implements Stateful {
         if (material.rollingArm() > 0) {
             contacts().beginRolling();
         }
-        setFilter(c, part.filter());
+        rules.setFilter(c, part.filter());
     }
 
     /** Another surface; contacts have it from the next step on. */
@@ -286,57 +228,12 @@ final class ColliderTable implements Stateful {
         table.changes.wakeAround(colliders.body[c]);
     }
 
-    /**
-     * The balls about a body. A body of several parts may be hollow where its centre is: then the
-     * smallest ball in a part says how small it is.
-     */
-    private void measure(int body) {
-        BodyStore b = colliders.bodies;
-        int first = b.collider[body];
-        b.hasBelt[body] = false;
-        for (int c = first; colliders.belts && c != ColliderStore.NONE; c = colliders.next[c]) {
-            int u = 3 * c;
-            b.hasBelt[body] |=
-                    colliders.belt[u] != 0
-                            || colliders.belt[u + 1] != 0
-                            || colliders.belt[u + 2] != 0;
-        }
-        if (b.hasBelt[body] && b.belts == 0) {
-            b.belts = 1;
-            b.driven++;
-        }
-        if (first == body) {
-            b.innerRadius[body] = colliders.innerRadius[body];
-            b.outerRadius[body] = colliders.outerRadius[body];
-            return;
-        }
-        double inner = 0;
-        double least = Double.POSITIVE_INFINITY;
-        double outer = 0;
-        for (int c = first; c != ColliderStore.NONE; c = colliders.next[c]) {
-            int l = ColliderStore.LOCAL * c;
-            double x = colliders.local[l];
-            double y = colliders.local[l + 1];
-            double z = colliders.local[l + 2];
-            double arm = Math.sqrt(x * x + y * y + z * z);
-            inner = Math.max(inner, colliders.innerRadius[c] - arm);
-            least = Math.min(least, colliders.innerRadius[c]);
-            outer = Math.max(outer, colliders.outerRadius[c] + arm);
-        }
-        b.innerRadius[body] = Math.max(inner, least);
-        b.outerRadius[body] = outer;
-        colliders.compose(body);
-    }
-
     private void ensureSlots() {
         int n = colliders.body.length;
         if (specs.length < n) {
             specs = Arrays.copyOf(specs, n);
             refs = Arrays.copyOf(refs, n);
-            kilograms = Arrays.copyOf(kilograms, n);
-            inertiaXX = Arrays.copyOf(inertiaXX, n);
-            inertiaYY = Arrays.copyOf(inertiaYY, n);
-            inertiaZZ = Arrays.copyOf(inertiaZZ, n);
+            given.ensureSlots(n);
         }
     }
 
@@ -344,14 +241,9 @@ final class ColliderTable implements Stateful {
         return table.contacts;
     }
 
-    // Live changes -------------------------------------------------------------------------------
-
     /** One more collider on a body. */
     ColliderRef add(int body, Collider part) {
-        Collider whole =
-                part.orElse(
-                        specs[colliders.bodies.collider[body]].material(),
-                        colliders.filter[colliders.bodies.collider[body]]);
+        Collider whole = part.orElse(specs[first(body)].material(), colliders.filter[first(body)]);
         List<Collider> parts = parts(body);
         parts.add(whole);
         MassProperties mass = massNow(body, parts);
@@ -367,7 +259,7 @@ final class ColliderTable implements Stateful {
         int body = colliders.body[collider];
         List<Collider> parts = parts(body);
         int at = 0;
-        for (int c = colliders.bodies.collider[body]; c != collider; c = colliders.next[c]) {
+        for (int c = first(body); c != collider; c = colliders.next[c]) {
             at++;
         }
         parts.remove(at);
@@ -397,7 +289,7 @@ final class ColliderTable implements Stateful {
                             + (whole.sensor ? " is no sensor" : " is a sensor")
                             + ", and stays so; remove it and add another one");
         }
-        if (isSurface(whole.shape()) != isSurface(specs[collider].shape())) {
+        if (Collider.isSurface(whole.shape()) != Collider.isSurface(specs[collider].shape())) {
             throw new IllegalArgumentException(
                     ref(collider)
                             + " is "
@@ -409,13 +301,13 @@ final class ColliderTable implements Stateful {
         }
         List<Collider> parts = parts(body);
         int at = 0;
-        for (int c = colliders.bodies.collider[body]; c != collider; c = colliders.next[c]) {
+        for (int c = first(body); c != collider; c = colliders.next[c]) {
             at++;
         }
         parts.set(at, whole);
         MassProperties mass = massNow(body, parts);
         boolean isOnly = collider == body;
-        colliders.replace(collider, isOnly ? whole.placed : solid(whole));
+        colliders.replace(collider, isOnly ? whole.placed : whole.solid());
         surface(collider, whole);
         contacts().renew(collider, colliders);
         settle(body, mass);
@@ -435,22 +327,16 @@ final class ColliderTable implements Stateful {
         }
         int body = colliders.body[collider];
         GroundEdit.wake(colliders, table.sleepers, collider, after);
-        colliders.replace(collider, collider == body ? whole.placed : solid(whole));
+        colliders.replace(collider, collider == body ? whole.placed : whole.solid());
         specs[collider] = whole;
-        measure(body);
+        colliders.measure(body);
         table.roster.changed(body);
         return true;
     }
 
-    private static boolean isSurface(Shape shape) {
-        return (shape instanceof Moved m ? m.inner() : shape) instanceof Meshed;
-    }
-
     private List<Collider> parts(int body) {
         List<Collider> parts = new ArrayList<>();
-        for (int c = colliders.bodies.collider[body];
-                c != ColliderStore.NONE;
-                c = colliders.next[c]) {
+        for (int c = first(body); c != ColliderStore.NONE; c = colliders.next[c]) {
             parts.add(specs[c]);
         }
         return parts;
@@ -463,14 +349,7 @@ final class ColliderTable implements Stateful {
 
     /** The same for a body that nothing moves, or that is moved. */
     private MassProperties mass(int body, List<Collider> parts, boolean fixed) {
-        MassProperties p =
-                mass(
-                        parts,
-                        fixed,
-                        kilograms[body],
-                        inertiaXX[body],
-                        inertiaYY[body],
-                        inertiaZZ[body]);
+        MassProperties p = Collider.mass(parts, fixed, given.get(body));
         if (!fixed) {
             BodyMass.inverseInertia(p);
         }
@@ -479,7 +358,7 @@ final class ColliderTable implements Stateful {
 
     /** The only collider of a body becomes a child. */
     private void split(int body) {
-        if (colliders.bodies.collider[body] != body) {
+        if (first(body) != body) {
             return;
         }
         ColliderRef ref = ref(body);
@@ -488,10 +367,13 @@ final class ColliderTable implements Stateful {
         move(ref, child(body, now(body)));
     }
 
-    /** The only child of a body becomes its only collider. */
+    /**
+     * The only child of a body becomes its only collider, with the body's pose, unless the body's
+     * centre is not that of its shape.
+     */
     private void join(int body) {
-        int c = colliders.bodies.collider[body];
-        if (colliders.next[c] != ColliderStore.NONE) {
+        int c = first(body);
+        if (colliders.next[c] != ColliderStore.NONE || given.get(body).hasCentre()) {
             return;
         }
         ColliderRef ref = ref(c);
@@ -518,12 +400,10 @@ final class ColliderTable implements Stateful {
      */
     private void settle(int body, MassProperties p) {
         table.access.setMass(body, p);
-        for (int c = colliders.bodies.collider[body];
-                c != ColliderStore.NONE && c != body;
-                c = colliders.next[c]) {
+        for (int c = first(body); c != ColliderStore.NONE && c != body; c = colliders.next[c]) {
             System.arraycopy(local(body, specs[c]), 0, colliders.local, ColliderStore.LOCAL * c, 7);
         }
-        measure(body);
+        colliders.measure(body);
         table.roster.changed(body);
     }
 
@@ -532,53 +412,57 @@ final class ColliderTable implements Stateful {
         return mass(body, parts(body), fixed);
     }
 
-    /** States mass and inertia; what is NaN follows from the parts. */
-    private void state(int body, double mass, double xx, double yy, double zz) {
-        double[] old = {kilograms[body], inertiaXX[body], inertiaYY[body], inertiaZZ[body]};
-        set(body, mass, xx, yy, zz);
+    /** States something of the mass, the rest follows from the parts. */
+    private void state(int body, GivenMass wanted) {
+        GivenMass old = given.get(body);
+        given.set(body, wanted);
         MassProperties p;
         try {
             p = massNow(body, parts(body));
         } catch (IllegalArgumentException refusal) {
-            set(body, old[0], old[1], old[2], old[3]);
+            given.set(body, old);
             throw refusal;
         }
-        if (canMove(body)) {
+        if (wanted.hasCentre()) {
+            split(body);
+        }
+        if (rules.canMove(body) || wanted.hasCentre()) {
             settle(body, p);
         } else {
             table.access.setMass(body, p);
         }
     }
 
-    private void set(int body, double mass, double xx, double yy, double zz) {
-        kilograms[body] = mass;
-        inertiaXX[body] = xx;
-        inertiaYY[body] = yy;
-        inertiaZZ[body] = zz;
-    }
-
     double statedMass(int body) {
-        return kilograms[body];
+        return given.get(body).kilograms();
     }
 
     Vector3d statedInertia(int body, Vector3d d) {
-        return d.set(inertiaXX[body], inertiaYY[body], inertiaZZ[body]);
+        GivenMass m = given.get(body);
+        return d.set(m.xx(), m.yy(), m.zz());
+    }
+
+    Vector3d statedCentre(int body, Vector3d d) {
+        GivenMass m = given.get(body);
+        return d.set(m.x(), m.y(), m.z());
     }
 
     void stateMass(int body, double mass) {
-        state(body, mass, inertiaXX[body], inertiaYY[body], inertiaZZ[body]);
+        state(body, given.get(body).withMass(mass));
     }
 
     void stateInertia(int body, double xx, double yy, double zz) {
-        state(body, kilograms[body], xx, yy, zz);
+        state(body, given.get(body).withInertia(xx, yy, zz));
+    }
+
+    void stateCentre(int body, double x, double y, double z) {
+        state(body, given.get(body).withCentre(x, y, z));
     }
 
     /** Whether all colliders of a body are of a material already. */
     boolean isMadeOf(int body, Material material) {
         boolean all = true;
-        for (int c = colliders.bodies.collider[body];
-                c != ColliderStore.NONE;
-                c = colliders.next[c]) {
+        for (int c = first(body); c != ColliderStore.NONE; c = colliders.next[c]) {
             all &= material.equals(specs[c].material());
         }
         return all;
@@ -591,32 +475,10 @@ final class ColliderTable implements Stateful {
             parts.add(part.material(material));
         }
         MassProperties p = massNow(body, parts);
-        for (int c = colliders.bodies.collider[body];
-                c != ColliderStore.NONE;
-                c = colliders.next[c]) {
+        for (int c = first(body); c != ColliderStore.NONE; c = colliders.next[c]) {
             setMaterial(c, material);
         }
         settle(body, p);
-    }
-
-    // Whom to collide with -----------------------------------------------------------------------
-
-    void setFilter(int collider, Filter filter) {
-        Checks.notNull("filter", filter);
-        if (filter.equals(colliders.filter[collider])) {
-            return;
-        }
-        colliders.filter[collider] = filter;
-        pairFilter.begin();
-        broadPhase.refilter(collider);
-    }
-
-    void setFilters(int body, Filter filter) {
-        for (int c = colliders.bodies.collider[body];
-                c != ColliderStore.NONE;
-                c = colliders.next[c]) {
-            setFilter(c, filter);
-        }
     }
 
     /** As another world: its pairs are what they are, and are not asked anew. */
@@ -631,41 +493,6 @@ final class ColliderTable implements Stateful {
 
     void ask(@Nullable BiPredicate<ColliderRef, ColliderRef> test) {
         choose(test);
-        for (int c = 0; c < colliders.slotCount; c++) {
-            broadPhase.refilter(c);
-        }
-    }
-
-    /** The seam of joints: counted, since several may bind the same two bodies. */
-    void apart(int bodyA, int bodyB) {
-        if (pairFilter.apart(bodyA, bodyB)) {
-            refilter(canMove(bodyA) ? bodyA : bodyB);
-        }
-    }
-
-    /** Takes back one {@link #apart}; also for a body that is leaving. */
-    void together(int bodyA, int bodyB) {
-        if (pairFilter.together(bodyA, bodyB)) {
-            if (canMove(bodyA) || !canMove(bodyB)) {
-                refilter(bodyA);
-            }
-            if (canMove(bodyB) || !canMove(bodyA)) {
-                refilter(bodyB);
-            }
-        }
-    }
-
-    /** Asking a floor anew would wake all that lies on it. */
-    private boolean canMove(int body) {
-        byte kind = colliders.bodies.kind[body];
-        return kind == BodyStore.DYNAMIC || kind == BodyStore.ASLEEP;
-    }
-
-    private void refilter(int body) {
-        for (int c = colliders.bodies.collider[body];
-                c != ColliderStore.NONE;
-                c = colliders.next[c]) {
-            broadPhase.refilter(c);
-        }
+        rules.renew();
     }
 }

@@ -70,7 +70,7 @@ public final class Collisions {
     public void exclude(BodyRef a, BodyRef b) {
         world.requireBetweenSteps("exclude");
         two(a, b);
-        table.apart(a.alive(), b.alive());
+        table.rules.apart(a.alive(), b.alive());
     }
 
     /**
@@ -82,7 +82,7 @@ public final class Collisions {
     public void include(BodyRef a, BodyRef b) {
         world.requireBetweenSteps("include");
         two(a, b);
-        table.together(a.alive(), b.alive());
+        table.rules.together(a.alive(), b.alive());
     }
 
     private static void two(BodyRef a, BodyRef b) {

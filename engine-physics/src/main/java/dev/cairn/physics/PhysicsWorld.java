@@ -18,7 +18,6 @@ import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.component.Force;
 import dev.cairn.physics.component.Torque;
 import dev.cairn.physics.component.Velocity;
-import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.joint.Joint;
 import dev.cairn.physics.joint.JointRef;
@@ -26,12 +25,7 @@ import dev.cairn.physics.joint.Jointed;
 import dev.cairn.physics.joint.Joints;
 import dev.cairn.physics.profile.StepProfile;
 import dev.cairn.physics.shape.ShapeCodecs;
-import dev.cairn.physics.state.Crush;
-import dev.cairn.physics.state.Digest;
 import dev.cairn.physics.state.RigidBody;
-
-import org.joml.Vector3d;
-import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -42,34 +36,26 @@ import java.util.List;
  * <p>SI units, right-handed, y up. One simulation thread calls everything here; the world's helpers
  * work inside {@link #step}. Steps allocate nothing once the arrays have grown.
  */
-public final class PhysicsWorld implements AutoCloseable {
-    final PhysicsSystem physics;
-
+public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
     /** The name of the physics in the schedule, for {@code Access.before} and {@code after}. */
     public static final String SYSTEM = PhysicsSystem.NAME;
 
-    private final World ecs;
     private final Query newcomers;
     private final Query changes;
-    private final Query bodies;
     private final Collisions collisions;
-    private boolean stepping;
-    private boolean closed;
 
     private final Joints joints;
     private final EcsSystem[] systems;
     private final Stateful whole = this::state;
 
     PhysicsWorld(PhysicsSystem physics, World ecs, EcsSystem... systems) {
+        super(physics, ecs);
         this.systems = systems;
-        this.physics = physics;
-        this.ecs = ecs;
         physics.table.roster.bind(ecs);
         physics.profile.watch(ecs.profile());
         ecs.watch(Pose.COMPONENT);
         newcomers = ecs.query(NewBody.COMPONENT);
         changes = ecs.query(Body.Change.COMPONENT);
-        bodies = ecs.query(RigidBody.COMPONENT);
         collisions = new Collisions(this);
         joints = new Joints(physics.joints, physics.table.bodies, new JointHost());
         physics.jointList = joints;
@@ -153,12 +139,12 @@ public final class PhysicsWorld implements AutoCloseable {
 
         @Override
         public void apart(int a, int b) {
-            physics.table.collision.apart(a, b);
+            physics.table.collision.rules.apart(a, b);
         }
 
         @Override
         public void together(int a, int b) {
-            physics.table.collision.together(a, b);
+            physics.table.collision.rules.together(a, b);
         }
 
         @Override
@@ -221,15 +207,6 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
-     * Contacts that the solver takes at once. Any thread.
-     *
-     * @return 1 if it is scalar, else 4, 8 or 16
-     */
-    public int lanes() {
-        return physics.lanes();
-    }
-
-    /**
      * The clock of the physics step's stages and of all systems; off until it is enabled.
      *
      * @return the same object each time
@@ -255,87 +232,6 @@ public final class PhysicsWorld implements AutoCloseable {
      */
     public SleepEvents sleepEvents() {
         return physics.sleepView;
-    }
-
-    /**
-     * The bodies that were quarantined so far and are still there, in the order that it happened. A
-     * body whose force, velocity or position is no longer a number that can be computed with is
-     * stopped where it last was valid, and fixed there, so that its neighbours stay finite.
-     *
-     * @return a new list
-     */
-    public List<BodyRef> quarantined() {
-        return physics.table.quarantined();
-    }
-
-    /**
-     * The bodies that a kinematic one presses against a body that gives no way: what holds them on
-     * both sides comes nearer. Their contacts overlap more and more, with impulses that stay
-     * bounded, until they slip out or the user does something. Between steps; allocates.
-     *
-     * @return those of the last step, in the order of their contacts, each once
-     */
-    public List<BodyRef> crushed() {
-        requireBetweenSteps("crushed");
-        Crush crush = new Crush(physics.table.bodies, physics.contacts);
-        List<BodyRef> found = new ArrayList<>();
-        boolean any = physics.table.roster.kinematicCount > 0;
-        for (int row = 0; any && row < physics.contacts.count; row++) {
-            int slot = crush.crushed(row);
-            if (slot >= 0 && !found.contains(physics.table.refs[slot])) {
-                found.add(physics.table.refs[slot]);
-            }
-        }
-        return found;
-    }
-
-    /**
-     * The body of an entity.
-     *
-     * @param entity an entity
-     * @return its body, or {@code null} if it has none
-     */
-    public @Nullable BodyRef bodyOf(long entity) {
-        return closed || !ecs.isAlive(entity) ? null : physics.table.of(entity);
-    }
-
-    /**
-     * All bodies, in slot order. Allocates.
-     *
-     * @return a new list
-     */
-    public List<BodyRef> bodies() {
-        List<BodyRef> alive = new ArrayList<>();
-        for (int slot = 0; slot < physics.table.bodies.slotCount; slot++) {
-            if (physics.table.bodies.kind[slot] == BodyStore.FREE) {
-                continue; // a free slot, or one of a collider
-            }
-            BodyRef ref = physics.table.refs[slot];
-            if (ref.isAlive()) {
-                alive.add(ref);
-            }
-        }
-        return alive;
-    }
-
-    /**
-     * How many bodies there are, fixed ones included.
-     *
-     * @return the number
-     */
-    public int bodyCount() {
-        return bodies.entityCount();
-    }
-
-    /**
-     * A hash of the state: poses, velocities, impulses of contacts and joints, and sleep, bit by
-     * bit. Equal for any number of workers.
-     *
-     * @return 64 bits
-     */
-    public long digest() {
-        return Digest.of(
-                physics.table.bodies, physics.contacts, physics.table.sleepers, physics.joints);
     }
 
     /**
@@ -452,68 +348,6 @@ public final class PhysicsWorld implements AutoCloseable {
     }
 
     /**
-     * Checks the state that the next step starts from, for a report of a fault: motions, boxes,
-     * contacts, impulses and islands. Between steps; costs about as much as a step, and allocates.
-     *
-     * @throws IllegalStateException telling what is wrong and where, the value, its bound and what
-     *     to do; or if the world is closed or a step runs
-     */
-    public void validate() {
-        requireBetweenSteps("validate");
-        physics.table.validate();
-    }
-
-    /**
-     * The kinetic energy of all dynamic bodies.
-     *
-     * @return J
-     */
-    public double kineticEnergy() {
-        return kinetics().kineticEnergy();
-    }
-
-    /**
-     * Energy and momenta of all dynamic bodies. Allocates the result.
-     *
-     * @return the sums
-     */
-    public Kinetics kinetics() {
-        return Kinetics.of(physics.table.bodies);
-    }
-
-    /**
-     * The same sums without garbage.
-     *
-     * @param sums receives the seven numbers in the order of {@link Kinetics}
-     */
-    public void kinetics(double[] sums) {
-        Kinetics.sum(physics.table.bodies, sums);
-    }
-
-    /**
-     * The potential energy of all dynamic bodies in the world's gravity, zero at the origin.
-     * Between steps; does not allocate.
-     *
-     * @return J
-     */
-    public double potentialEnergy() {
-        return Kinetics.potentialEnergy(
-                physics.table.bodies, physics.gravityX, physics.gravityY, physics.gravityZ);
-    }
-
-    /**
-     * Copies contacts and bodies for another thread to look at. Between steps; allocates only while
-     * their numbers grow.
-     *
-     * @param into what to fill
-     * @return {@code into}
-     */
-    public DebugData capture(DebugData into) {
-        Checks.notNull("into", into).fill(physics);
-        return into;
-    }
-
-    /**
      * Stops or resumes the physics system; the other systems run on. Forces that were applied
      * meanwhile are forgotten.
      *
@@ -525,33 +359,6 @@ public final class PhysicsWorld implements AutoCloseable {
             physics.table.roster.clearAllForces();
         }
         ecs.schedule().setEnabled(PhysicsSystem.NAME, !paused);
-    }
-
-    /**
-     * Whether the physics system is stopped.
-     *
-     * @return true between setPaused(true) and setPaused(false)
-     */
-    public boolean isPaused() {
-        return !ecs.schedule().isEnabled(PhysicsSystem.NAME);
-    }
-
-    /**
-     * Whether a system has thrown, so that no further step is possible.
-     *
-     * @return true after a failed step
-     */
-    public boolean hasFailed() {
-        return ecs.hasFailed();
-    }
-
-    /**
-     * The settings of the step.
-     *
-     * @return the settings
-     */
-    public PhysicsSettings settings() {
-        return physics.settings;
     }
 
     /**
@@ -596,31 +403,5 @@ public final class PhysicsWorld implements AutoCloseable {
         physics.gravityX = x;
         physics.gravityY = y;
         physics.gravityZ = z;
-    }
-
-    /**
-     * The gravity in force.
-     *
-     * @param destination receives m/s²
-     * @return destination
-     */
-    public Vector3d gravity(Vector3d destination) {
-        Checks.notNull("destination", destination);
-        return destination.set(physics.gravityX, physics.gravityY, physics.gravityZ);
-    }
-
-    void requireBetweenSteps(String call) {
-        requireOpen(call);
-        if (stepping || physics.isRunning()) {
-            throw new IllegalStateException(
-                    call + " was called during a step; call it between steps, when nobody moves");
-        }
-    }
-
-    private void requireOpen(String call) {
-        if (closed) {
-            throw new IllegalStateException(
-                    call + " was called on a world that is closed; build another one");
-        }
     }
 }

@@ -2,6 +2,7 @@ package dev.cairn.physics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.cairn.physics.body.Kinetics;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Sphere;
 

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.physics.body.Kinetics;
 import dev.cairn.physics.body.Lock;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;

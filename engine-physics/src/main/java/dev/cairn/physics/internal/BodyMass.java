@@ -1,7 +1,6 @@
 package dev.cairn.physics.internal;
 
 import dev.cairn.physics.shape.MassProperties;
-import dev.cairn.physics.shape.Shape;
 
 import java.util.List;
 
@@ -10,40 +9,24 @@ public final class BodyMass {
     private BodyMass() {}
 
     /**
-     * Mass, centre and inertia: the shape's, or what the user gave instead.
-     *
-     * @param density kg/m³
-     * @param isFixed whether it never moves
-     * @param kilograms mass instead of the shape's, or NaN
-     * @return with finite numbers and inverses, unless it is fixed
-     */
-    public static MassProperties of(
-            Shape shape,
-            double density,
-            boolean isFixed,
-            double kilograms,
-            double ixx,
-            double iyy,
-            double izz) {
-        return of(shape, shape.massProperties(density), isFixed, kilograms, ixx, iyy, izz);
-    }
-
-    /**
-     * The same, of what the parts of a body sum up to.
+     * Mass, centre and inertia: what the parts of a body sum up to, or what the user gave instead.
      *
      * @param shape what a message names
      * @param own mass, centre and inertia if the user gives none
+     * @param isFixed whether it never moves
+     * @param given what the user gave
+     * @return with finite numbers and inverses, unless it is fixed
      */
     public static MassProperties of(
-            Object shape,
-            MassProperties own,
-            boolean isFixed,
-            double kilograms,
-            double ixx,
-            double iyy,
-            double izz) {
+            Object shape, MassProperties own, boolean isFixed, GivenMass given) {
         MassProperties p = own;
         if (p.mass() == Double.POSITIVE_INFINITY) {
+            if (given.hasCentre()) {
+                throw new IllegalArgumentException(
+                        shape
+                                + " has no end and so no centre of mass, and is given one; give"
+                                + " none, or take a large box");
+            }
             if (!isFixed) {
                 throw new IllegalArgumentException(
                         shape
@@ -52,11 +35,11 @@ public final class BodyMass {
             }
             return new MassProperties(1, p.comX(), p.comY(), p.comZ(), 1, 1, 1, 0, 0, 0);
         }
-        if (!Double.isNaN(kilograms)) {
-            double factor = kilograms / p.mass();
+        if (given.hasMass()) {
+            double factor = given.kilograms() / p.mass();
             p =
                     new MassProperties(
-                            kilograms,
+                            given.kilograms(),
                             p.comX(),
                             p.comY(),
                             p.comZ(),
@@ -67,8 +50,25 @@ public final class BodyMass {
                             p.ixz() * factor,
                             p.iyz() * factor);
         }
-        if (!Double.isNaN(ixx)) {
-            p = new MassProperties(p.mass(), p.comX(), p.comY(), p.comZ(), ixx, iyy, izz, 0, 0, 0);
+        if (given.hasInertia()) {
+            p =
+                    new MassProperties(
+                            p.mass(),
+                            p.comX(),
+                            p.comY(),
+                            p.comZ(),
+                            given.xx(),
+                            given.yy(),
+                            given.zz(),
+                            0,
+                            0,
+                            0);
+        }
+        if (given.hasCentre()) {
+            p =
+                    new MassProperties(
+                            p.mass(), given.x(), given.y(), given.z(), p.ixx(), p.iyy(), p.izz(),
+                            p.ixy(), p.ixz(), p.iyz());
         }
         boolean usable =
                 p.mass() > 0

@@ -325,6 +325,48 @@ public final class ColliderStore implements Stateful {
     }
 
     /**
+     * Finds the balls about a body, and whether a surface of it runs along. A body of several parts
+     * may be hollow where its centre is: then the smallest ball in a part says how small it is.
+     * Between steps.
+     *
+     * @param slot of the body, which has colliders
+     */
+    public void measure(int slot) {
+        BodyStore b = bodies;
+        int first = b.collider[slot];
+        b.hasBelt[slot] = false;
+        for (int c = first; belts && c != NONE; c = next[c]) {
+            int u = 3 * c;
+            b.hasBelt[slot] |= belt[u] != 0 || belt[u + 1] != 0 || belt[u + 2] != 0;
+        }
+        if (b.hasBelt[slot] && b.belts == 0) {
+            b.belts = 1;
+            b.driven++;
+        }
+        if (first == slot) {
+            b.innerRadius[slot] = innerRadius[slot];
+            b.outerRadius[slot] = outerRadius[slot];
+            return;
+        }
+        double inner = 0;
+        double least = Double.POSITIVE_INFINITY;
+        double outer = 0;
+        for (int c = first; c != NONE; c = next[c]) {
+            int l = LOCAL * c;
+            double x = local[l];
+            double y = local[l + 1];
+            double z = local[l + 2];
+            double arm = Math.sqrt(x * x + y * y + z * z);
+            inner = Math.max(inner, innerRadius[c] - arm);
+            least = Math.min(least, innerRadius[c]);
+            outer = Math.max(outer, outerRadius[c] + arm);
+        }
+        b.innerRadius[slot] = Math.max(inner, least);
+        b.outerRadius[slot] = outer;
+        compose(slot);
+    }
+
+    /**
      * Puts the children of a body where they are now. Simulation thread.
      *
      * @param slot of the body

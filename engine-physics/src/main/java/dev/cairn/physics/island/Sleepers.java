@@ -141,6 +141,18 @@ public final class Sleepers {
         }
     }
 
+    /**
+     * Whether a body may fall asleep from now on.
+     *
+     * @param slot of the body
+     * @param maySleep false to keep it awake
+     */
+    public void allow(int slot, boolean maySleep) {
+        if (enabled) {
+            quiet.maySleep[slot] = maySleep;
+        }
+    }
+
     /** A body, awake, begins to be quiet anew. */
     public void renew(int slot) {
         if (enabled) {

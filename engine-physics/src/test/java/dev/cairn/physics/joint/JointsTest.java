@@ -7,9 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
-import dev.cairn.physics.Kinetics;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.PhysicsWorldBuilder;
+import dev.cairn.physics.body.Kinetics;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Sphere;

@@ -4,9 +4,9 @@ import static dev.cairn.samples.accuracy.AccuracyCase.metric;
 
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
-import dev.cairn.physics.Kinetics;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.body.Kinetics;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.samples.accuracy.AccuracyCase.Effort;

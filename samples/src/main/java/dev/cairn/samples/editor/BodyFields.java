@@ -22,9 +22,6 @@ import java.util.List;
  */
 @SuppressWarnings("ReferenceEquality") // what nobody typed into is the same object
 final class BodyFields {
-    /** Colliders that have fields; more would be a list without an end. */
-    private static final int MOST = 12;
-
     private static final List<String> MIXES =
             List.of("as usual", "average", "minimum", "multiply", "maximum");
     private static final Lock[] LOCKS = Lock.values();
@@ -36,13 +33,10 @@ final class BodyFields {
         "no turn about y",
         "no turn about z"
     };
-    private static final String[] PART = names("collider");
-    private static final String[] AT = names("at");
-    private static final String[] SENSOR = names("sensor");
-    private static final String[] RUN = names("runs");
 
     private final Editor editor;
     private final Fields fields;
+    private final PartFields partFields;
 
     /** Labels of the layers that were shown last. */
     private List<String> known = List.of();
@@ -59,14 +53,7 @@ final class BodyFields {
     BodyFields(Editor editor, Fields fields) {
         this.editor = editor;
         this.fields = fields;
-    }
-
-    private static String[] names(String word) {
-        String[] names = new String[MOST];
-        for (int i = 0; i < MOST; i++) {
-            names[i] = word + " " + i;
-        }
-        return names;
+        partFields = new PartFields(fields);
     }
 
     void draw(Ui ui, EntitySpec entity) {
@@ -122,9 +109,11 @@ final class BodyFields {
                                     .withPhysics(e.physics().withParts(changed)));
             return;
         }
-        for (int i = 0; i < Math.min(parts.size(), MOST); i++) {
+        partFields.show(parts, editor.scene().layers());
+        Filter filter = entity.physics().filter();
+        for (int i = 0; i < Math.min(parts.size(), PartFields.MOST); i++) {
             PartSpec old = parts.get(i);
-            PartSpec typed = part(ui, old, i);
+            PartSpec typed = partFields.draw(ui, old, i, entity.material(), filter);
             if (typed != old) {
                 List<PartSpec> changed = new ArrayList<>(parts);
                 changed.set(i, typed);
@@ -132,16 +121,6 @@ final class BodyFields {
                 return;
             }
         }
-    }
-
-    private PartSpec part(Ui ui, PartSpec old, int i) {
-        ui.value(PART[i], old.shape().type());
-        Xyz at = fields.xyz(ui, AT[i], old.position());
-        boolean sensor = ui.checkbox(SENSOR[i], old.sensor());
-        Xyz run = fields.xyz(ui, RUN[i], old.surfaceVelocity());
-        PartSpec part = at == old.position() ? old : old.at(at);
-        part = sensor == old.sensor() ? part : part.withSensor(sensor);
-        return run == old.surfaceVelocity() ? part : part.withSurfaceVelocity(run);
     }
 
     private void layers(Ui ui, BodySpec body) {
@@ -171,19 +150,14 @@ final class BodyFields {
         long category = filter.category();
         long mask = filter.mask();
         for (int i = 0; i < inLayer.length; i++) {
-            category = bit(category, i, ui.checkbox(inLayer[i], (category >>> i & 1) != 0));
-            mask = bit(mask, i, ui.checkbox(meetsLayer[i], (mask >>> i & 1) != 0));
+            category =
+                    PartFields.bit(category, i, ui.checkbox(inLayer[i], (category >>> i & 1) != 0));
+            mask = PartFields.bit(mask, i, ui.checkbox(meetsLayer[i], (mask >>> i & 1) != 0));
         }
-        double group = fields.number(ui, "group", filter.group());
-        boolean isGroup = group == Math.rint(group) && Math.abs(group) < Integer.MAX_VALUE;
-        int number = isGroup ? (int) group : filter.group();
+        int number = PartFields.group(fields.number(ui, "group", filter.group()), filter.group());
         if (category != filter.category() || mask != filter.mask() || number != filter.group()) {
             change("layers of", body.withFilter(new Filter(category, mask, number)));
         }
-    }
-
-    private static long bit(long bits, int bit, boolean on) {
-        return on ? bits | 1L << bit : bits & ~(1L << bit);
     }
 
     private void mixing(Ui ui, Material old) {
@@ -227,6 +201,9 @@ final class BodyFields {
                 return;
             }
         }
+        if (heart(ui, body)) {
+            return;
+        }
         for (int i = 0; i < LOCKS.length; i++) {
             boolean is = body.locks().contains(LOCKS[i]);
             if (ui.checkbox(LOCK_NAMES[i], is) != is) {
@@ -240,5 +217,26 @@ final class BodyFields {
                 return;
             }
         }
+    }
+
+    /** Centre of mass and sleep; whether one was changed. */
+    private boolean heart(Ui ui, BodySpec body) {
+        Xyz centre = body.centre();
+        boolean own = ui.checkbox("a centre of mass of its own", centre != null);
+        if (own != (centre != null)) {
+            change("centre of", body.withCentre(own ? Xyz.ZERO : null));
+            return true;
+        }
+        Xyz wanted = centre == null ? null : fields.xyz(ui, "centre", centre);
+        if (wanted != centre) {
+            change("centre of", body.withCentre(wanted));
+            return true;
+        }
+        boolean sleeps = ui.checkbox("may fall asleep", body.canSleep());
+        if (sleeps != body.canSleep()) {
+            change("sleep of", body.withSleep(sleeps));
+            return true;
+        }
+        return false;
     }
 }

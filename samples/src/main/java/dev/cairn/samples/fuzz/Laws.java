@@ -1,9 +1,9 @@
 package dev.cairn.samples.fuzz;
 
 import dev.cairn.physics.BodyRef;
-import dev.cairn.physics.Kinetics;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.body.Kinetics;
 import dev.cairn.samples.Penetration;
 
 import org.joml.Matrix3d;

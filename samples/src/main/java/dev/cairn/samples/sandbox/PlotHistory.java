@@ -50,7 +50,7 @@ final class PlotHistory {
     private final double[] stageMicros = new double[STAGES.length];
     private long ticks;
 
-    /** Energy and momenta, in the order of {@link dev.cairn.physics.Kinetics}. */
+    /** Energy and momenta, in the order of {@link dev.cairn.physics.body.Kinetics}. */
     private final double[] sums = new double[7];
 
     void clear() {

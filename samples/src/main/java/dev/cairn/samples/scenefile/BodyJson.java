@@ -70,6 +70,7 @@ final class BodyJson {
                 parts,
                 in.containsKey("filter") ? filter(in.get("filter"), layers) : base.filter(),
                 in.containsKey("inertia") ? in.get("inertia").xyz("an inertia in kg m2") : null,
+                in.containsKey("centreOfMass") ? in.get("centreOfMass").xyz("a place") : null,
                 in.containsKey("gravityScale")
                         ? in.get("gravityScale").number("a factor")
                         : base.gravityScale(),
@@ -78,7 +79,22 @@ final class BodyJson {
                 in.containsKey("speedLimit")
                         ? in.get("speedLimit").positive("a speed in m/s")
                         : base.speedLimit(),
-                in.containsKey("locks") ? locks(in.get("locks")) : base.locks());
+                in.containsKey("locks") ? locks(in.get("locks")) : base.locks(),
+                !in.containsKey("canSleep") || in.get("canSleep").truth(),
+                userData(in.get("userData")));
+    }
+
+    private static @Nullable Object userData(@Nullable JsonNode node) {
+        if (node == null) {
+            return null;
+        }
+        return node.isText() ? node.text("a word") : (Object) node.number("a word or a number");
+    }
+
+    private static JsonPrimitive userData(Object data) {
+        return data instanceof String word
+                ? new JsonPrimitive(word)
+                : SceneWriter.number((Double) data);
     }
 
     private static double rate(@Nullable JsonNode node) {
@@ -104,7 +120,7 @@ final class BodyJson {
                 in.containsKey("surfaceVelocity")
                         ? in.get("surfaceVelocity").xyz("a velocity")
                         : Xyz.ZERO,
-                in.containsKey("userData") ? in.get("userData").text("a word") : "");
+                userData(in.get("userData")));
     }
 
     /** Refuses what no world would take, where it stands. */
@@ -237,6 +253,15 @@ final class BodyJson {
         if (body.inertia() != null) {
             out.add("inertia", SceneWriter.xyz(body.inertia()));
         }
+        if (body.centre() != null) {
+            out.add("centreOfMass", SceneWriter.xyz(body.centre()));
+        }
+        if (!body.canSleep()) {
+            out.addProperty("canSleep", false);
+        }
+        if (body.userData() != null) {
+            out.add("userData", userData(body.userData()));
+        }
         if (body.gravityScale() != base.gravityScale()) {
             out.add("gravityScale", SceneWriter.number(body.gravityScale()));
         }
@@ -283,8 +308,8 @@ final class BodyJson {
         if (!part.surfaceVelocity().equals(Xyz.ZERO)) {
             out.add("surfaceVelocity", SceneWriter.xyz(part.surfaceVelocity()));
         }
-        if (!part.userData().isEmpty()) {
-            out.addProperty("userData", part.userData());
+        if (part.userData() != null) {
+            out.add("userData", userData(part.userData()));
         }
         return out;
     }

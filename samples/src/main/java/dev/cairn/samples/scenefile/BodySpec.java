@@ -15,24 +15,41 @@ import java.util.List;
  *     said of it
  * @param filter whom it meets
  * @param inertia about the shape's axes, kg m², or null for that of the shapes
+ * @param centre of mass in the body's frame, m, or null for that of the shapes
  * @param gravityScale how much of the gravity acts on it
  * @param linearDamping rate at which velocity decays, 1/s
  * @param angularDamping rate at which angular momentum decays, 1/s
  * @param speedLimit m/s; infinite for none
  * @param locks degrees of freedom that it does not have, in the order of {@link Lock}
+ * @param canSleep whether it may fall asleep
+ * @param userData a word or a number ({@code Double}) for the program; null for none
  */
 public record BodySpec(
         List<PartSpec> parts,
         Filter filter,
         @Nullable Xyz inertia,
+        @Nullable Xyz centre,
         double gravityScale,
         double linearDamping,
         double angularDamping,
         double speedLimit,
-        List<Lock> locks) {
+        List<Lock> locks,
+        boolean canSleep,
+        @Nullable Object userData) {
     /** One shape that meets all, under all of the gravity. */
     public static final BodySpec DEFAULT =
-            new BodySpec(List.of(), Filter.ALL, null, 1, 0, 0, Double.POSITIVE_INFINITY, List.of());
+            new BodySpec(
+                    List.of(),
+                    Filter.ALL,
+                    null,
+                    null,
+                    1,
+                    0,
+                    0,
+                    Double.POSITIVE_INFINITY,
+                    List.of(),
+                    true,
+                    null);
 
     /** Copies the lists. */
     public BodySpec {
@@ -51,11 +68,14 @@ public record BodySpec(
                 value,
                 filter,
                 inertia,
+                centre,
                 gravityScale,
                 linearDamping,
                 angularDamping,
                 speedLimit,
-                locks);
+                locks,
+                canSleep,
+                userData);
     }
 
     /**
@@ -69,11 +89,14 @@ public record BodySpec(
                 parts,
                 value,
                 inertia,
+                centre,
                 gravityScale,
                 linearDamping,
                 angularDamping,
                 speedLimit,
-                locks);
+                locks,
+                canSleep,
+                userData);
     }
 
     /**
@@ -87,11 +110,14 @@ public record BodySpec(
                 parts,
                 filter,
                 value,
+                centre,
                 gravityScale,
                 linearDamping,
                 angularDamping,
                 speedLimit,
-                locks);
+                locks,
+                canSleep,
+                userData);
     }
 
     /**
@@ -104,7 +130,9 @@ public record BodySpec(
      * @return a copy
      */
     public BodySpec moving(double gravity, double linear, double angular, double limit) {
-        return new BodySpec(parts, filter, inertia, gravity, linear, angular, limit, locks);
+        return new BodySpec(
+                parts, filter, inertia, centre, gravity, linear, angular, limit, locks, canSleep,
+                userData);
     }
 
     /**
@@ -118,10 +146,76 @@ public record BodySpec(
                 parts,
                 filter,
                 inertia,
+                centre,
                 gravityScale,
                 linearDamping,
                 angularDamping,
                 speedLimit,
+                value,
+                canSleep,
+                userData);
+    }
+
+    /**
+     * The same with another centre of mass.
+     *
+     * @param value in the body's frame, m, or null for that of the shapes
+     * @return a copy
+     */
+    public BodySpec withCentre(@Nullable Xyz value) {
+        return new BodySpec(
+                parts,
+                filter,
+                inertia,
+                value,
+                gravityScale,
+                linearDamping,
+                angularDamping,
+                speedLimit,
+                locks,
+                canSleep,
+                userData);
+    }
+
+    /**
+     * The same, sleeping or not.
+     *
+     * @param value whether it may fall asleep
+     * @return a copy
+     */
+    public BodySpec withSleep(boolean value) {
+        return new BodySpec(
+                parts,
+                filter,
+                inertia,
+                centre,
+                gravityScale,
+                linearDamping,
+                angularDamping,
+                speedLimit,
+                locks,
+                value,
+                userData);
+    }
+
+    /**
+     * The same with other user data.
+     *
+     * @param value a word or a {@code Double}, or null for none
+     * @return a copy
+     */
+    public BodySpec withUserData(@Nullable Object value) {
+        return new BodySpec(
+                parts,
+                filter,
+                inertia,
+                centre,
+                gravityScale,
+                linearDamping,
+                angularDamping,
+                speedLimit,
+                locks,
+                canSleep,
                 value);
     }
 
@@ -136,9 +230,14 @@ public record BodySpec(
                 .gravityScale(gravityScale)
                 .damping(linearDamping, angularDamping)
                 .speedLimit(speedLimit)
-                .lock(locks.toArray(new Lock[0]));
+                .lock(locks.toArray(new Lock[0]))
+                .canSleep(canSleep)
+                .userData(userData);
         if (inertia != null) {
             body.inertia(inertia.x(), inertia.y(), inertia.z());
+        }
+        if (centre != null) {
+            body.centreOfMass(centre.x(), centre.y(), centre.z());
         }
     }
 }

@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * @param filter whom it meets, or null for the entity's
  * @param sensor whether it only tells who is in it
  * @param surfaceVelocity at which the surface runs along, entity's axes, m/s
- * @param userData a word for the program; empty for none
+ * @param userData a word or a number ({@code Double}) for the program; null for none
  */
 public record PartSpec(
         ShapeSpec shape,
@@ -28,7 +28,7 @@ public record PartSpec(
         @Nullable Filter filter,
         boolean sensor,
         Xyz surfaceVelocity,
-        String userData) {
+        @Nullable Object userData) {
     /**
      * A shape at the entity's origin.
      *
@@ -36,7 +36,7 @@ public record PartSpec(
      * @return a part with defaults for all else
      */
     public static PartSpec of(ShapeSpec shape) {
-        return new PartSpec(shape, Xyz.ZERO, Turn.NONE, null, null, false, Xyz.ZERO, "");
+        return new PartSpec(shape, Xyz.ZERO, Turn.NONE, null, null, false, Xyz.ZERO, null);
     }
 
     /**
@@ -94,6 +94,28 @@ public record PartSpec(
     }
 
     /**
+     * The same, turned otherwise in the entity.
+     *
+     * @param value of the shape's frame
+     * @return a copy
+     */
+    public PartSpec turned(Turn value) {
+        return new PartSpec(
+                shape, position, value, material, filter, sensor, surfaceVelocity, userData);
+    }
+
+    /**
+     * The same, meeting others.
+     *
+     * @param value the filter, or null for the entity's
+     * @return a copy
+     */
+    public PartSpec withFilter(@Nullable Filter value) {
+        return new PartSpec(
+                shape, position, rotation, material, value, sensor, surfaceVelocity, userData);
+    }
+
+    /**
      * As a collider of a body.
      *
      * @param made its shape at its size
@@ -117,6 +139,6 @@ public record PartSpec(
         if (filter != null) {
             collider = collider.filter(filter);
         }
-        return userData.isEmpty() ? collider : collider.userData(userData);
+        return userData == null ? collider : collider.userData(userData);
     }
 }

@@ -40,6 +40,7 @@ import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;
+import org.jspecify.annotations.Nullable;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -118,12 +119,24 @@ public final class SceneExport {
         return scene.description() + (acts ? " " + LEFT_OUT : "") + (carries ? " " + NO_DATA : "");
     }
 
-    /** A collider's word is written; what else a body carries is not. */
+    /** Words and numbers are written; what else a body carries is not. */
     private static boolean carriesObjects(BodyRef body) {
-        return body.userData() != null
+        return (body.userData() != null && written(body.userData()) == null)
                 || body.colliders().stream()
                         .map(ColliderRef::userData)
-                        .anyMatch(data -> data != null && !(data instanceof String));
+                        .anyMatch(data -> data != null && written(data) == null);
+    }
+
+    /** What a file holds of user data: words, and numbers that a double holds; else null. */
+    private static @Nullable Object written(@Nullable Object data) {
+        if (data instanceof Number number
+                && (number instanceof Integer
+                        || number instanceof Float
+                        || number instanceof Double)
+                && Double.isFinite(number.doubleValue())) {
+            return number.doubleValue();
+        }
+        return data instanceof String ? data : null;
     }
 
     private static List<JointSpec> joints(PhysicsWorld world, List<BodyRef> bodies) {
@@ -172,15 +185,19 @@ public final class SceneExport {
         boolean isPlain =
                 parts.size() == 1 && parts.get(0).equals(PartSpec.of(parts.get(0).shape()));
         Vector3d inertia = body.statedInertia(new Vector3d());
+        Vector3d centre = body.statedCentreOfMass(new Vector3d());
         return new BodySpec(
                 isPlain ? List.of() : parts,
                 filter,
                 Double.isNaN(inertia.x) ? null : new Xyz(inertia.x, inertia.y, inertia.z),
+                Double.isNaN(centre.x) ? null : new Xyz(centre.x, centre.y, centre.z),
                 body.gravityScale(),
                 body.linearDamping(),
                 body.angularDamping(),
                 body.speedLimit(),
-                List.of(body.locks()));
+                List.of(body.locks()),
+                body.canSleep(),
+                written(body.userData()));
     }
 
     private static PartSpec part(ColliderRef ref, Material material, Filter filter) {
@@ -196,7 +213,7 @@ public final class SceneExport {
                 ref.filter().equals(filter) ? null : ref.filter(),
                 ref.isSensor(),
                 new Xyz(belt.x, belt.y, belt.z),
-                ref.userData() instanceof String word ? word : "");
+                written(ref.userData()));
     }
 
     private static BodyKind kind(BodyRef body) {

@@ -61,10 +61,13 @@ public final class SceneReader {
                     "angularVelocity",
                     "filter",
                     "inertia",
+                    "centreOfMass",
                     "gravityScale",
                     "damping",
                     "speedLimit",
                     "locks",
+                    "canSleep",
+                    "userData",
                     "look",
                     "controls",
                     "camera");

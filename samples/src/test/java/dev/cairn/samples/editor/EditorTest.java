@@ -150,11 +150,14 @@ class EditorTest {
                         List.of(gate, PartSpec.of(new SphereShape(0.5))),
                         new Filter(2, ~4L, 7),
                         new Xyz(1, 2, 2),
+                        new Xyz(0, -0.1, 0),
                         0.5,
                         0.1,
                         0.2,
                         9,
-                        List.of(Lock.MOVE_X, Lock.TURN_Z));
+                        List.of(Lock.MOVE_X, Lock.TURN_Z),
+                        false,
+                        7.5);
         editor.place(box("all").withPhysics(all));
         editor.layers(List.of("ground", "crate"));
         editor.change("rename", e -> e.withName("other"));

@@ -1,6 +1,7 @@
 package dev.cairn.samples.scenefile;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -101,6 +102,7 @@ class SceneBodiesTest {
                         .lock(Lock.MOVE_Z, Lock.TURN_X, Lock.TURN_Y));
         scene.add(box, 5, Body.dynamic().at(0, 3, 0).filter(Filter.ALL.neverWith(3)));
         scene.add(box, 6, Body.dynamic().at(.1, 3.2, 0).filter(Filter.ALL.neverWith(3)));
+        scene.add(box, 7, Body.dynamic().at(-6, .5, 2).centreOfMass(.1, -.05, 0).userData("die"));
     }
 
     private static final SampleScene SCENE =
@@ -173,6 +175,41 @@ class SceneBodiesTest {
 
     private static String exported(SampleScene scene, Path folder) {
         return SceneExport.of(scene, SceneOptions.defaults(scene), 4, folder).description();
+    }
+
+    /** Words and numbers go through a file, on bodies and on colliders, and who may sleep. */
+    @Test
+    void wordsNumbersAndWakefulnessComeBack(@TempDir Path folder) {
+        SampleScene scene =
+                new SampleScene(
+                        "data",
+                        "Data",
+                        "Two balls.",
+                        "test",
+                        List.of(),
+                        1,
+                        0,
+                        built -> {
+                            Collider ball = Collider.of(Sphere.of(1)).userData(-2.5);
+                            built.addParts(
+                                    List.of(ball, ball.at(2, 0, 0).userData("right")),
+                                    1,
+                                    Body.dynamic().userData(7).canSleep(false));
+                            built.add(Sphere.of(1), 2, Body.dynamic().userData("loose"));
+                        });
+        SampleScene read = again(scene, folder);
+        assertEquals(scene.description(), read.description());
+        try (PhysicsWorld world = PhysicsWorld.builder().build()) {
+            read.build(new SceneBuilder(world, SceneOptions.defaults(read)));
+            BodyRef pair = world.bodies().get(0);
+            assertEquals(7.0, pair.userData());
+            assertEquals(-2.5, pair.colliders().get(0).userData());
+            assertEquals("right", pair.colliders().get(1).userData());
+            assertFalse(pair.canSleep());
+            BodyRef single = world.bodies().get(1);
+            assertEquals("loose", single.userData());
+            assertTrue(single.canSleep());
+        }
     }
 
     @Test

@@ -191,18 +191,23 @@ class SceneFileTest {
                             random.nextBoolean() ? null : filter(random),
                             random.nextBoolean(),
                             xyz(random),
-                            random.nextBoolean() ? "" : "ünï \"code\""));
+                            random.nextBoolean() ? null : "ünï \"code\""));
         }
         double most = random.nextDouble(1, 2);
         return new BodySpec(
                 parts,
                 random.nextBoolean() ? Filter.ALL : filter(random),
                 random.nextBoolean() ? null : new Xyz(1, most, most),
+                random.nextBoolean() ? null : xyz(random),
                 random.nextBoolean() ? 1 : any(random),
                 random.nextBoolean() ? 0 : random.nextDouble(1e6),
                 random.nextBoolean() ? 0 : random.nextDouble(1e6),
                 random.nextBoolean() ? Double.POSITIVE_INFINITY : random.nextDouble(1, 9),
-                random.nextBoolean() ? List.of() : List.of(Lock.MOVE_X, Lock.TURN_Z));
+                random.nextBoolean() ? List.of() : List.of(Lock.MOVE_X, Lock.TURN_Z),
+                random.nextBoolean(),
+                random.nextBoolean()
+                        ? null
+                        : random.nextBoolean() ? "a word" : (Object) any(random));
     }
 
     private static List<JointSpec> joints(SplittableRandom random, int entities) {

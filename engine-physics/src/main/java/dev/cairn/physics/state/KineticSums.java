@@ -1,40 +1,18 @@
-package dev.cairn.physics;
+package dev.cairn.physics.state;
 
+import dev.cairn.physics.body.Kinetics;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Rotations;
 
-/**
- * What all dynamic bodies of a world have in motion, summed in slot order (so the same bits for any
- * number of workers).
- *
- * @param kineticEnergy of translation and rotation, J
- * @param momentumX linear momentum, world x, kg m/s
- * @param momentumY linear momentum, world y, kg m/s
- * @param momentumZ linear momentum, world z, kg m/s
- * @param angularMomentumX angular momentum about the world's origin, world x, kg m²/s
- * @param angularMomentumY angular momentum about the world's origin, world y, kg m²/s
- * @param angularMomentumZ angular momentum about the world's origin, world z, kg m²/s
- */
-public record Kinetics(
-        double kineticEnergy,
-        double momentumX,
-        double momentumY,
-        double momentumZ,
-        double angularMomentumX,
-        double angularMomentumY,
-        double angularMomentumZ) {
+/** Energy and momenta of all dynamic bodies, see {@link Kinetics}. Between steps. */
+public final class KineticSums {
     /** How many sums there are. */
-    private static final int ROOM = 7;
+    public static final int ROOM = 7;
 
-    /** Sums in slot order. */
-    static Kinetics of(BodyStore b) {
-        double[] sums = new double[ROOM];
-        sum(b, sums);
-        return new Kinetics(sums[0], sums[1], sums[2], sums[3], sums[4], sums[5], sums[6]);
-    }
+    private KineticSums() {}
 
     /** Sums in slot order, into an array whose first places also hold the spin of one body. */
-    static void sum(BodyStore b, double[] sums) {
+    public static void sum(BodyStore b, double[] sums) {
         if (sums.length < ROOM) {
             throw new IllegalArgumentException(
                     "sums has room for " + sums.length + " numbers, expected at least " + ROOM);
@@ -81,7 +59,7 @@ public record Kinetics(
     }
 
     /** In gravity (x, y, z), zero at the origin, J. */
-    static double potentialEnergy(BodyStore b, double x, double y, double z) {
+    public static double potentialEnergy(BodyStore b, double x, double y, double z) {
         double sum = 0;
         for (int s = 0; s < b.slotCount; s++) {
             if (b.kind[s] == BodyStore.DYNAMIC || b.kind[s] == BodyStore.ASLEEP) {

@@ -1,0 +1,66 @@
+package dev.cairn.physics.internal;
+
+import dev.cairn.core.state.StateVisitor;
+
+import java.util.Arrays;
+
+/** {@link GivenMass} by body. Simulation thread; allocates when it grows. */
+public final class GivenMasses {
+    private static final int STRIDE = 7;
+
+    private double[] numbers = {};
+
+    /** Of no body. */
+    public GivenMasses() {}
+
+    /**
+     * Makes room.
+     *
+     * @param wanted slots of bodies
+     */
+    public void ensureSlots(int wanted) {
+        if (numbers.length < STRIDE * wanted) {
+            numbers = Arrays.copyOf(numbers, STRIDE * wanted);
+        }
+    }
+
+    /**
+     * What was given of a body.
+     *
+     * @param body its slot
+     * @return what was {@link #set}
+     */
+    public GivenMass get(int body) {
+        double[] n = numbers;
+        int k = STRIDE * body;
+        return new GivenMass(n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6]);
+    }
+
+    /**
+     * Gives a body something else.
+     *
+     * @param body its slot
+     * @param m all of it
+     */
+    public void set(int body, GivenMass m) {
+        int k = STRIDE * body;
+        numbers[k] = m.kilograms();
+        numbers[k + 1] = m.xx();
+        numbers[k + 2] = m.yy();
+        numbers[k + 3] = m.zz();
+        numbers[k + 4] = m.x();
+        numbers[k + 5] = m.y();
+        numbers[k + 6] = m.z();
+    }
+
+    /**
+     * Saves or restores all.
+     *
+     * @param s saves or restores
+     * @param slots in use
+     */
+    public void state(StateVisitor s, int slots) {
+        s.section("givenMasses", this);
+        numbers = s.array("numbers", numbers, STRIDE * slots);
+    }
+}
