@@ -363,8 +363,10 @@ final class Passes {
             if (index == 0) {
                 bench.joints.begin(sub);
             }
+            bench.joints.account(sub);
             bench.joints.warm(index == 0 ? sub.fillScale : 1);
             show(assemblies.at(a));
+            bench.joints.sweeps(false);
         }
     }
 
@@ -373,6 +375,7 @@ final class Passes {
         for (int a = from; a < to; a++) {
             takeOver(assemblies.at(a));
             open(sub, a, bench);
+            bench.joints.sweeps(true);
             if (assemblies.at(a).isTaut()) {
                 bench.swing.cross(tick, sub, assemblies.store, assemblies.at(a));
             } else {
@@ -398,6 +401,7 @@ final class Passes {
             boolean counts = !assemblies.at(a).isTaut();
             bench.joints.beginVelocity(counts, counts);
             show(assemblies.at(a));
+            bench.joints.sweeps(false);
         }
     }
 
@@ -406,7 +410,9 @@ final class Passes {
         for (int a = from; a < to; a++) {
             takeOver(assemblies.at(a));
             open(sub, a, bench);
+            bench.joints.sweeps(true);
             bench.joints.velocity(sub.seconds, !assemblies.at(a).isTaut());
+            bench.joints.settle();
             show(assemblies.at(a));
         }
     }

@@ -37,10 +37,10 @@ public final class Assemblies implements Stateful {
 
     private int seenCount;
 
-    /** Frequencies of all bodies of all assemblies in a state, rad/s. */
-    private double[] quick = {};
+    /** What assemblies remember, one after the other, in a state; see {@link Assembly#remember}. */
+    private double[] memory = {};
 
-    private int quickCount;
+    private int memoryCount;
     private long revision = -1;
 
     /** Whether another state was restored since they were found. */
@@ -120,31 +120,31 @@ public final class Assemblies implements Stateful {
         if (!s.isRestoring() && !renewed) {
             gather();
         }
-        quickCount = s.value("quickCount", quickCount);
-        quick = s.array("quick", quick, quickCount);
+        memoryCount = s.value("memoryCount", memoryCount);
+        memory = s.array("memory", memory, memoryCount);
         renewed |= s.isRestoring();
     }
 
-    /** What is known of the bodies' frequencies under tension fades over ticks, see Tension. */
     private void gather() {
-        quickCount = 0;
+        memoryCount = 0;
         for (int i = 0; i < all.size(); i++) { // an iterator would be garbage
             Assembly assembly = all.get(i);
-            int n = assembly.quick.length;
-            if (quickCount + n > quick.length) {
-                quick = Arrays.copyOf(quick, 2 * (quickCount + n));
+            int n = assembly.memories();
+            if (memoryCount + n > memory.length) {
+                memory = Arrays.copyOf(memory, 2 * (memoryCount + n));
             }
-            System.arraycopy(assembly.quick, 0, quick, quickCount, n);
-            quickCount += n;
+            assembly.remember(memory, memoryCount);
+            memoryCount += n;
         }
     }
 
     private void spread() {
         int from = 0;
         for (Assembly assembly : all) {
-            int n = Math.min(assembly.quick.length, quickCount - from);
-            System.arraycopy(quick, from, assembly.quick, 0, n);
-            from += n;
+            if (from + assembly.memories() <= memoryCount) {
+                assembly.recall(memory, from);
+            }
+            from += assembly.memories();
         }
     }
 

@@ -6,6 +6,9 @@ package dev.cairn.physics.solver.joint;
  * <p>Made by {@link Assemblies} when joints come, go, sleep or wake.
  */
 public final class Assembly {
+    /** Patience beyond which it is taken to fail always. */
+    private static final int ROUGH = 16;
+
     /** Slots of its bodies that move, ascending. */
     public final int[] body;
 
@@ -57,6 +60,23 @@ public final class Assembly {
 
     int parts = 1;
 
+    /** Sub-steps that it is still solved roughly, as Newton's method has failed. */
+    int rough;
+
+    /** For how many it will be if that fails again. */
+    int patience = 1;
+
+    /** Whether it has an account; that, and what it is measured by, J; see {@link JointEnergy}. */
+    boolean keeps;
+
+    double account;
+    double level;
+
+    /** Energy at the sub-step's begin, and what contacts have added in it, J. */
+    double energy;
+
+    double pushed;
+
     /** Where bodies are at the end of a sub-step that was cut, and room beside it. */
     final double[] carried;
 
@@ -72,6 +92,9 @@ public final class Assembly {
     /** Whether joints close loops, by what does not move too: rows may depend on each other. */
     final boolean isLooped;
 
+    /** Whether a joint ties it to what does not move. */
+    final boolean isGrounded;
+
     /** By row: impulse in work. */
     final double[] impulse;
 
@@ -79,6 +102,40 @@ public final class Assembly {
     final double[] speed;
 
     final double[] noted;
+
+    /** Whether Newton's method fails again and again. */
+    boolean isRough() {
+        return rough > 0 && patience > ROUGH;
+    }
+
+    /** A step begins. */
+    void calm() {
+        rough = Math.max(0, rough - 1);
+        patience = rough == 0 ? Math.max(1, patience / 2) : patience;
+    }
+
+    /** How many numbers it remembers from tick to tick. */
+    int memories() {
+        return quick.length + 4;
+    }
+
+    /** Writes them: what is known of frequencies under tension fades, see {@link Tension}. */
+    void remember(double[] into, int at) {
+        into[at] = rough;
+        into[at + 1] = account;
+        into[at + 2] = level;
+        into[at + 3] = patience;
+        System.arraycopy(quick, 0, into, at + 4, quick.length);
+    }
+
+    /** Reads them. */
+    void recall(double[] from, int at) {
+        rough = (int) from[at];
+        account = from[at + 1];
+        level = from[at + 2];
+        patience = (int) from[at + 3];
+        System.arraycopy(from, at + 4, quick, 0, quick.length);
+    }
 
     /** Whether its sub-steps are cut into more. */
     public boolean isTaut() {
@@ -94,10 +151,11 @@ public final class Assembly {
             firstRow[k + 1] = firstRow[k] + rows[k];
         }
         int n = firstRow[joint.length];
-        boolean isGrounded = false;
+        boolean grounded = false;
         for (int i : end) {
-            isGrounded |= i < 0;
+            grounded |= i < 0;
         }
+        isGrounded = grounded;
         // a tree has as many edges as nodes less one; what does not move is one node
         isLooped = joint.length > body.length - (isGrounded ? 0 : 1);
         Elimination order = new Elimination(body.length, rows, end);

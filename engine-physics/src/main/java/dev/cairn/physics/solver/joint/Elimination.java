@@ -17,7 +17,7 @@ import java.util.PriorityQueue;
  */
 final class Elimination {
     /** More blocks than so many to a node do not pay. */
-    private static final int DENSE = 40;
+    private static final int DENSE = 100;
 
     /** A joint that is held comes after all that are not. */
     private static final int HELD = 1 << 24;

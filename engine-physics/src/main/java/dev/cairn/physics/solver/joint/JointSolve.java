@@ -3,6 +3,7 @@ package dev.cairn.physics.solver.joint;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.solver.body.Motion;
+import dev.cairn.physics.solver.body.Rotation;
 import dev.cairn.physics.solver.body.SolverBodies;
 import dev.cairn.physics.solver.body.SolverContext;
 import dev.cairn.physics.solver.refresh.JacobianRefresh;
@@ -42,6 +43,17 @@ public final class JointSolve {
     static final int KEPT = 22;
 
     private static final double SLACK = 1e-10;
+
+    /** The same where Newton's method fails, see {@link #project}. */
+    private static final double SOFT = 2e-6;
+
+    /** Most sub-steps until Newton's method is tried again where it has failed. */
+    static final int ROUGH = 128;
+
+    /** Rounds in which gaps are closed aside, and down to which share of a body's size. */
+    private static final int CLOSINGS = 4;
+
+    private static final double CLOSELY = 1e-4;
     private static final int ROUNDS = 12;
 
     /** Changes of who holds in one half. */
@@ -60,29 +72,24 @@ public final class JointSolve {
      */
     private static final double GAIN = 1.05;
 
-    /** The same where nothing is touched: joints that cannot close. */
-    private static final double GAIN_ALONE = 1.05;
-
-    /**
-     * A gap beyond this share of the bodies' size may be closed with whatever energy that takes.
-     */
-    private static final double OPEN = 1e-3;
+    /** Gap, m or rad, that is closed by the movement itself; larger ones are closed aside. */
+    private static final double TINY = 1e-7;
 
     /** Turning speed at which a joint that is out of place is turned back, rad/s. */
     private static final double TURN_BACK = 10;
 
+    private final JointEnergy energy = new JointEnergy();
     private final Tension tension = new Tension();
     private final JointMath math = new JointMath();
     private SolverContext tick = NONE;
     private Assembly s = EMPTY;
     private JointStore store = new JointStore();
     private double h;
+    private final double[] turn = new double[3];
     private double push;
     private double turnBack;
     private int changes;
-
-    /** Whether gaps are closed, and not only kept. */
-    private boolean closes = true;
+    private boolean isClosing;
 
     private static final SolverContext NONE = new SolverContext(Tuning.DEFAULT);
     private static final Assembly EMPTY =
@@ -202,7 +209,7 @@ public final class JointSolve {
         boolean same = s.isFactored;
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                double p = s.isActive[r] ? -give(k, r, moves) - SLACK * s.compliance[r] : -1;
+                double p = s.isActive[r] ? -give(k, r, moves) - slack(k, r) * s.compliance[r] : -1;
                 same &= s.pivot[r] == p;
                 s.pivot[r] = p;
             }
@@ -227,6 +234,12 @@ public final class JointSolve {
         }
         f.factor();
         s.isFactored = true;
+    }
+
+    /** A motor that is not at its most keeps its speed. */
+    private double slack(int k, int r) {
+        boolean isHard = s.rough == 0 && !isClosing;
+        return isHard || store.role[row(k, r)] >= JointStore.MOTOR ? SLACK : SOFT;
     }
 
     /** {@code 1/(h (h k/4 + d/2))} of a spring. */
@@ -308,8 +321,10 @@ public final class JointSolve {
     private void relieve(boolean moves) {
         for (int round = 0; round < 2 && s.isLooped; round++) {
             factor(moves);
-            for (int r = 0; r < s.impulse.length; r++) {
-                s.now[r] = SLACK * s.compliance[r] * s.impulse[r];
+            for (int k = 0; k < s.joint.length; k++) {
+                for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                    s.now[r] = slack(k, r) * s.compliance[r] * s.impulse[r];
+                }
             }
             solve();
             for (int k = 0; k < s.joint.length; k++) {
@@ -329,7 +344,9 @@ public final class JointSolve {
      * @param scale of the impulses that were kept
      */
     public void warm(double scale) {
+        s.calm();
         derive();
+        double most = GAIN * kinetic();
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 int row = row(k, r);
@@ -338,12 +355,38 @@ public final class JointSolve {
                 push(k, r, s.impulse[r]);
             }
         }
+        if (s.keeps && !(kinetic() <= most)) {
+            release();
+        }
+    }
+
+    /** A sub-step with contacts begins: bodies have got their weight. */
+    public void account(SubStep sub) {
+        if (s.keeps) {
+            JointEnergy.begin(tick, s, sub.seconds);
+        }
+    }
+
+    /** Sweeps of contacts begin, or end. */
+    public void sweeps(boolean end) {
+        if (s.keeps) {
+            JointEnergy.sweeps(tick, s, end);
+        }
+    }
+
+    /** A sub-step with contacts ends. */
+    public void settle() {
+        if (s.keeps) {
+            energy.settle(tick, s, true);
+        }
     }
 
     /** Begin of a tick: bodies may be elsewhere, and weigh otherwise. */
     public void begin(SubStep sub) {
         s.isFresh = false;
-        s.parts = Swing.parts(sub.seconds * tension.quickest(tick, store, s));
+        s.keeps = JointEnergy.keeps(tick, store, s);
+        double quick = sub.seconds * tension.quickest(tick, store, s);
+        s.parts = s.isRough() ? 1 : Swing.parts(quick);
     }
 
     /**
@@ -370,6 +413,7 @@ public final class JointSolve {
 
     /** Without a first guess. */
     void cold() {
+        s.calm();
         derive();
         Arrays.fill(s.impulse, 0.0);
     }
@@ -384,10 +428,14 @@ public final class JointSolve {
         h = seconds;
         changes = 0;
         activate(true);
-        double most = (stay ? GAIN_ALONE : GAIN) * kinetic() + closing();
+        double most = GAIN * kinetic();
         note();
         double last = Double.POSITIVE_INFINITY;
         for (int round = 0; round < ROUNDS; round++) {
+            if (s.rough > 0) {
+                project(most);
+                break;
+            }
             keep();
             move();
             measure();
@@ -405,39 +453,21 @@ public final class JointSolve {
                 end(stay && !s.isRigid);
                 return;
             }
-            boolean fails = round > 1 && !(worst <= 4 * Math.max(last, NEARLY));
+            boolean fails = round > 1 && !changed && !(worst <= 4 * Math.max(last, NEARLY));
             if (ends || fails || round == ROUNDS - 1) {
+                if (ends && s.isRigid && stay) {
+                    restore();
+                }
+                s.rough = s.patience;
+                s.patience = Math.min(4 * s.patience, ROUGH);
                 project(most);
                 break;
             }
-            last = worst;
+            last = changed ? Double.POSITIVE_INFINITY : worst;
             factor(true);
             correct();
         }
         end(stay);
-    }
-
-    /** Energy that it takes to draw together what is far apart, J. */
-    private double closing() {
-        double sum = 0;
-        for (int k = 0; k < s.joint.length; k++) {
-            double least = OPEN * size(k);
-            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
-                int row = row(k, r);
-                byte role = store.role[row];
-                boolean isAngle = JointMath.isAngle(store.law[row]);
-                double gap = role == JointStore.LOCK ? s.start[r] - store.target[row] : 0;
-                if (role == JointStore.LIMIT) {
-                    gap = Math.max(store.lower[row] - s.start[r], s.start[r] - store.upper[row]);
-                    gap = Math.max(0, gap);
-                }
-                if (Math.abs(gap) > (isAngle ? OPEN : least) && s.compliance[r] > 0) {
-                    double speed = within(gap, reach(isAngle)) / h;
-                    sum += 0.5 * speed * speed / s.compliance[r];
-                }
-            }
-        }
-        return sum;
     }
 
     /** Notes speeds and impulses of motors and springs, for {@link #work}. */
@@ -466,18 +496,8 @@ public final class JointSolve {
         return GAIN * Math.max(0, sum);
     }
 
-    /** Energy of motion of the bodies, J. */
     private double kinetic() {
-        double[] v = tick.body.state;
-        double sum = 0;
-        for (int i : s.body) {
-            int o = SolverBodies.offset(i);
-            double linear = v[o] * v[o] + v[o + 1] * v[o + 1] + v[o + 2] * v[o + 2];
-            double mass = v[o + SolverBodies.MASS];
-            sum += mass > 0 ? linear / mass : 0;
-            sum += v[o + 3] * v[o + 3] + v[o + 4] * v[o + 4] + v[o + 5] * v[o + 5];
-        }
-        return 0.5 * sum;
+        return JointEnergy.kinetic(tick, s);
     }
 
     /** Keeps the impulses; moves the bodies if that is still to be done. */
@@ -631,7 +651,11 @@ public final class JointSolve {
         if (s.compliance[r] == 0) {
             return false;
         }
-        int side = s.now[r] < store.lower[row] ? -1 : s.now[r] > store.upper[row] ? 1 : 0;
+        double tiny = tiny(JointMath.isAngle(store.law[row]));
+        double start = s.start[r];
+        double low = store.lower[row] - start > tiny ? start : store.lower[row];
+        double high = start - store.upper[row] > tiny ? start : store.upper[row];
+        int side = s.now[r] < low ? -1 : s.now[r] > high ? 1 : 0;
         if (!s.isActive[r]) {
             if (side == 0) {
                 return false;
@@ -737,13 +761,13 @@ public final class JointSolve {
         boolean isAngle = JointMath.isAngle(store.law[row]);
         double c0 = s.start[r];
         double c1 = s.now[r];
-        double most = closes ? reach(isAngle) : 0;
+        double most = tiny(isAngle);
         return switch (store.role[row]) {
             case JointStore.LIMIT -> {
                 double edge = store.held[row] < 0 ? store.lower[row] : store.upper[row];
                 double past = c0 - edge;
                 boolean isPast = past * store.held[row] > 0;
-                yield c1 - edge - (isPast ? past - within(past, most) : 0);
+                yield c1 - edge - (isPast && Math.abs(past) > most ? past : 0);
             }
             case JointStore.MOTOR ->
                     (isAngle ? Angles.wrap(c1 - c0) : c1 - c0) - store.target[row] * h;
@@ -756,9 +780,14 @@ public final class JointSolve {
             }
             default -> {
                 double gap = c0 - store.target[row];
-                yield c1 - store.target[row] - (gap - within(gap, most));
+                yield c1 - store.target[row] - (Math.abs(gap) > most ? gap : 0);
             }
         };
+    }
+
+    /** How much of a gap the movement itself closes, m or rad. */
+    private static double tiny(boolean isAngle) {
+        return isAngle ? TINY : 0.1 * TINY;
     }
 
     /** How much of a gap a step closes, m or rad. */
@@ -806,27 +835,30 @@ public final class JointSolve {
     }
 
     /**
-     * Where Newton's method fails: its first round alone, and if that adds too much energy, one
-     * that keeps the gaps as they are.
+     * Where Newton's method fails: its first round alone, and if that adds too much energy, no
+     * impulse at all.
      */
     private void project(double most) {
         single();
         if (!(kinetic() <= most + work())) {
-            closes = false;
-            single();
-            closes = true;
-            if (!(kinetic() <= most + work())) {
-                release();
-            }
+            release();
         }
     }
 
     private void single() {
         release();
+        activate(true);
         keep();
         move();
         measure();
         restore();
+        for (int k = 0; k < s.joint.length && !s.isRigid; k++) {
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                if (store.role[row(k, r)] == JointStore.LIMIT) {
+                    limit(k, r, row(k, r), 0);
+                }
+            }
+        }
         residuals();
         factor(true);
         correct();
@@ -844,6 +876,7 @@ public final class JointSolve {
         s.isFresh = false;
         derive();
         activate(false);
+        double most = GAIN * kinetic();
         for (int k = 0; k < s.joint.length; k++) {
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 int row = row(k, r);
@@ -854,6 +887,9 @@ public final class JointSolve {
                 s.impulse[r] = 0;
                 set(k, r, counts ? first : 0);
             }
+        }
+        if (s.keeps && counts && !(kinetic() <= most)) {
+            release();
         }
     }
 
@@ -866,6 +902,7 @@ public final class JointSolve {
         h = seconds;
         changes = 0;
         double first = 0;
+        close();
         for (int round = 0; round < ROUNDS; round++) {
             boolean changed = round > 0 && letGo();
             double worst = 0;
@@ -888,6 +925,96 @@ public final class JointSolve {
         if (counts) {
             relieve(false);
             end();
+        }
+    }
+
+    /**
+     * Closes what is open by moving bodies, without any speed: {@code x' = x - M^-1 J^T (A + E)^-1
+     * c}.
+     */
+    private void close() {
+        for (int round = 0; round < CLOSINGS; round++) {
+            double worst = gaps(round == 0);
+            if (!(worst > (round == 0 ? NEARLY : CLOSELY))) {
+                return;
+            }
+            isClosing = true;
+            factor(false);
+            solve();
+            isClosing = false;
+            shift();
+            s.isFresh = false;
+            derive();
+        }
+    }
+
+    /** Writes what is open to {@link Assembly#now}; the worst, over its size. */
+    private double gaps(boolean begins) {
+        double worst = 0;
+        for (int k = 0; k < s.joint.length; k++) {
+            double size = size(k);
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                int row = row(k, r);
+                boolean isAngle = JointMath.isAngle(store.law[row]);
+                double gap = 0;
+                if (s.isActive[r] && store.role[row] == JointStore.LOCK) {
+                    gap = s.start[r] - store.target[row];
+                } else if (s.isActive[r] && store.role[row] == JointStore.LIMIT) {
+                    double edge = store.held[row] < 0 ? store.lower[row] : store.upper[row];
+                    double past = s.start[r] - edge;
+                    gap = past * store.held[row] > 0 ? past : 0;
+                }
+                // what is far apart is drawn nearer only once
+                double most = reach(isAngle);
+                gap = begins || Math.abs(gap) < most ? within(gap, most) : 0;
+                worst = Math.max(worst, Math.abs(isAngle ? gap : gap / size));
+                s.now[r] = gap;
+            }
+        }
+        return worst;
+    }
+
+    /**
+     * Moves bodies by the solution. Where a loop is almost straight that would lead far beyond: it
+     * is cut to twice the way that a gap is closed by.
+     */
+    private void shift() {
+        BlockFactors f = s.factors;
+        SolverBodies body = tick.body;
+        double part = 1;
+        for (int n = 0; n < s.body.length; n++) {
+            int o = SolverBodies.offset(s.body[n]);
+            int u = f.unknown(n);
+            double root = Math.sqrt(body.state[o + SolverBodies.MASS]);
+            double way = root * SolverBodies.norm(f.x[u], f.x[u + 1], f.x[u + 2]);
+            turn(s.body[n], u + 3);
+            double angle = SolverBodies.norm(turn[0], turn[1], turn[2]);
+            part = way * part > 2 * reach(false) ? 2 * reach(false) / way : part;
+            part = angle * part > 2 * reach(true) ? 2 * reach(true) / angle : part;
+        }
+        for (int n = 0; n < s.body.length; n++) {
+            int i = s.body[n];
+            int o = SolverBodies.offset(i);
+            int p = o + SolverBodies.P;
+            int u = f.unknown(n);
+            double root = part * Math.sqrt(body.state[o + SolverBodies.MASS]);
+            for (int c = 0; c < 3; c++) {
+                body.state[p + c] += root * f.x[u + c];
+                body.state[p + 3 + c] += part * f.x[u + 3 + c];
+            }
+            turn(i, u + 3);
+            Rotation.turn(tick.bodies, i, part * turn[0], part * turn[1], part * turn[2]);
+        }
+    }
+
+    /** {@code L u} of three unknowns. */
+    private void turn(int i, int u) {
+        double[] l = tick.body.root;
+        int q = (i + 1) * SolverBodies.ROOT;
+        double[] x = s.factors.x;
+        for (int c = 0; c < 3; c++) {
+            turn[c] =
+                    l[q + 3 * c] * x[u] + l[q + 3 * c + 1] * x[u + 1] + l[q + 3 * c + 2] * x[u + 2];
         }
     }
 

@@ -38,18 +38,21 @@ public final class Swing {
 
     private static final int MOST = 26;
 
+    private final JointEnergy energy = new JointEnergy();
     private final Tension tension = new Tension();
     private final JointSolve solve = new JointSolve();
 
     /** Runs a tick. */
     public void run(SolverContext tick, SubStep sub, JointStore store, Assembly s) {
-        boolean isReversible = isReversible(tick.bodies, s);
+        s.keeps = JointEnergy.keeps(tick, store, s);
+        boolean isReversible = !s.isRough() && isReversible(tick.bodies, s);
         solve.open(tick, sub, store, s, isReversible ? 8 * OUTER - 1 : 1);
         s.isFresh = false;
         double quick = sub.seconds * tension.quickest(tick, store, s);
-        int parts = parts(quick, isReversible ? SLOW_FIVE : SLOW);
+        int parts = s.isRough() ? 1 : parts(quick, isReversible ? SLOW_FIVE : SLOW);
         double h = sub.seconds / parts;
         for (int k = 0; k < sub.count * parts; k++) {
+            s.energy = JointEnergy.kinetic(tick, s) + JointEnergy.potential(tick, s);
             if (isReversible) {
                 step(tick, s, OUTER * h);
                 step(tick, s, OUTER * h);
@@ -58,6 +61,9 @@ public final class Swing {
                 step(tick, s, OUTER * h);
             } else {
                 step(tick, s, h);
+            }
+            if (s.keeps) {
+                energy.settle(tick, s, false);
             }
         }
     }

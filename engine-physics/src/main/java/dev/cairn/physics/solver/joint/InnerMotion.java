@@ -1,0 +1,172 @@
+package dev.cairn.physics.solver.joint;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.solver.body.SolverBodies;
+import dev.cairn.physics.solver.body.SolverContext;
+
+import java.util.Arrays;
+
+/**
+ * What of the motion of an assembly that floats is not that of one rigid body.
+ *
+ * <p>With c the centre of mass, V its velocity, L the angular momentum and I the inertia about it,
+ * the rigid motion is {@code u = V + w × (x - c)}, {@code I w = L}. Joints see nothing of it, and
+ * whatever is done to the rest alone changes neither momentum nor angular momentum.
+ *
+ * <p>One to a worker. Does not allocate.
+ */
+final class InnerMotion {
+    private final double[] centre = new double[3];
+    private final double[] speed = new double[3];
+    private final double[] spin = new double[3];
+    private final double[] angular = new double[3];
+    private final double[] arm = new double[3];
+
+    /** Inertia of all, and L^-1 of a body, row by row. */
+    private final double[] inertia = new double[9];
+
+    private final double[] inverse = new double[9];
+    private double mass;
+
+    /** Whether all bodies can turn; else only the common velocity is known. */
+    private boolean turns;
+
+    /** Takes energy away from the inner motion; how much there was to take, J. */
+    double cut(SolverContext tick, Assembly s, double excess, double kinetic) {
+        gather(tick, s);
+        double rigid = 0;
+        for (int c = 0; c < 3; c++) {
+            rigid += 0.5 * (mass * speed[c] * speed[c] + spin[c] * angular[c]);
+        }
+        double inner = kinetic - rigid;
+        if (!(inner > 0)) {
+            return 0;
+        }
+        double f = Math.sqrt(Math.max(0, 1 - excess / inner)) - 1;
+        double[] v = tick.body.state;
+        for (int i : s.body) {
+            int o = SolverBodies.offset(i);
+            reach(tick, s, i);
+            for (int c = 0; c < 3; c++) {
+                double u = speed[c] + cross(spin, arm, c);
+                v[o + c] += f * (v[o + c] - u);
+            }
+            if (turns) {
+                invert(tick.body.root, (i + 1) * SolverBodies.ROOT);
+            }
+            for (int c = 0; c < 3; c++) {
+                double u = turns ? row(inverse, c, spin) : 0;
+                v[o + 3 + c] += f * (v[o + 3 + c] - u);
+            }
+            System.arraycopy(v, o, tick.body.mark, (i + 1) * SolverBodies.HALF, 6);
+        }
+        return Math.min(excess, inner);
+    }
+
+    private void gather(SolverContext tick, Assembly s) {
+        double[] v = tick.body.state;
+        mass = 0;
+        turns = true;
+        Arrays.fill(centre, 0.0);
+        Arrays.fill(speed, 0.0);
+        Arrays.fill(angular, 0.0);
+        Arrays.fill(inertia, 0.0);
+        for (int i : s.body) {
+            int o = SolverBodies.offset(i);
+            double m = 1 / v[o + SolverBodies.MASS];
+            mass += m;
+            turns &=
+                    tick.bodies.restraint[i] == 0
+                            && invert(tick.body.root, (i + 1) * SolverBodies.ROOT);
+            reach(tick, s, i);
+            for (int c = 0; c < 3; c++) {
+                centre[c] += m * arm[c];
+                speed[c] += m * v[o + c];
+            }
+        }
+        for (int c = 0; c < 3; c++) {
+            speed[c] /= mass;
+            centre[c] /= mass;
+        }
+        Arrays.fill(spin, 0.0);
+        if (turns) {
+            for (int i : s.body) {
+                add(tick, s, i);
+            }
+            solve();
+        }
+    }
+
+    /** Place of a body against the centre, m. */
+    private void reach(SolverContext tick, Assembly s, int i) {
+        BodyStore b = tick.bodies;
+        double[] v = tick.body.state;
+        int p = SolverBodies.offset(i) + SolverBodies.P;
+        int q = SolverBodies.offset(s.body[0]) + SolverBodies.P;
+        arm[0] = b.apartX(s.body[0], i) + (v[p] - v[q]) - centre[0];
+        arm[1] = b.apartY(s.body[0], i) + (v[p + 1] - v[q + 1]) - centre[1];
+        arm[2] = b.apartZ(s.body[0], i) + (v[p + 2] - v[q + 2]) - centre[2];
+    }
+
+    /** Adds angular momentum and inertia of a body: {@code L^-T L^-1 + m (r.r 1 - r r^T)}. */
+    private void add(SolverContext tick, Assembly s, int i) {
+        double[] v = tick.body.state;
+        int o = SolverBodies.offset(i);
+        double m = 1 / v[o + SolverBodies.MASS];
+        invert(tick.body.root, (i + 1) * SolverBodies.ROOT);
+        reach(tick, s, i);
+        double square = arm[0] * arm[0] + arm[1] * arm[1] + arm[2] * arm[2];
+        for (int c = 0; c < 3; c++) {
+            int d = (c + 1) % 3;
+            int e = (c + 2) % 3;
+            angular[c] += m * (arm[d] * (v[o + e] - speed[e]) - arm[e] * (v[o + d] - speed[d]));
+            for (int k = 0; k < 3; k++) {
+                angular[c] += inverse[3 * k + c] * v[o + 3 + k];
+                double sum = m * ((c == k ? square : 0) - arm[c] * arm[k]);
+                for (int n = 0; n < 3; n++) {
+                    sum += inverse[3 * n + c] * inverse[3 * n + k];
+                }
+                inertia[3 * c + k] += sum;
+            }
+        }
+    }
+
+    /** {@code I w = L} by Cramer's rule. */
+    private void solve() {
+        if (invert(inertia, 0)) {
+            for (int c = 0; c < 3; c++) {
+                spin[c] = row(inverse, c, angular);
+            }
+        }
+    }
+
+    /** Inverts a matrix of three rows; whether that is possible. */
+    private boolean invert(double[] a, int at) {
+        for (int r = 0; r < 3; r++) {
+            for (int c = 0; c < 3; c++) {
+                int i = (c + 1) % 3;
+                int j = (c + 2) % 3;
+                int k = (r + 1) % 3;
+                int l = (r + 2) % 3;
+                inverse[3 * r + c] =
+                        a[at + 3 * i + k] * a[at + 3 * j + l]
+                                - a[at + 3 * i + l] * a[at + 3 * j + k];
+            }
+        }
+        double det = a[at] * inverse[0] + a[at + 1] * inverse[3] + a[at + 2] * inverse[6];
+        for (int k = 0; k < 9; k++) {
+            inverse[k] /= det;
+        }
+        return det != 0 && Double.isFinite(inverse[0]);
+    }
+
+    private static double row(double[] a, int r, double[] x) {
+        return a[3 * r] * x[0] + a[3 * r + 1] * x[1] + a[3 * r + 2] * x[2];
+    }
+
+    private static double cross(double[] a, double[] b, int c) {
+        int d = (c + 1) % 3;
+        int e = (c + 2) % 3;
+        return a[d] * b[e] - a[e] * b[d];
+    }
+}
