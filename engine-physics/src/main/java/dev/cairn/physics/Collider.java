@@ -7,6 +7,7 @@ import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.collider.Mix;
 import dev.cairn.physics.internal.BodyMass;
 import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.GivenMass;
 import dev.cairn.physics.internal.Rotations;
 import dev.cairn.physics.shape.HalfSpace;
@@ -38,6 +39,9 @@ public final class Collider {
     final @Nullable Object userData;
     final boolean sensor;
 
+    /** Of triangles with the numbers 1, 2, ...; never written to. */
+    private final List<Material> materials;
+
     /** Of the surface, body axes, m/s. */
     final double beltX, beltY, beltZ;
 
@@ -53,35 +57,55 @@ public final class Collider {
         out.writeDoubles(pose());
         out.writeBoolean(material != null);
         if (material != null) {
-            out.writeDouble(material.friction());
-            out.writeDouble(material.restitution());
-            out.writeDouble(material.density());
-            out.writeDouble(material.rollingArm());
-            out.writeString(material.frictionMix().name());
-            out.writeString(material.restitutionMix().name());
+            write(material, out);
         }
         out.writeObject(filter);
         out.writeObject(userData);
         out.writeBoolean(sensor);
+        out.writeInt(materials.size());
+        for (Material each : materials) {
+            write(each, out);
+        }
+    }
+
+    private static void write(Material m, StateOutput out) {
+        out.writeDouble(m.friction());
+        out.writeDouble(m.restitution());
+        out.writeDouble(m.density());
+        out.writeDouble(m.rollingArm());
+        out.writeString(m.frictionMix().name());
+        out.writeString(m.restitutionMix().name());
+    }
+
+    private static Material one(StateInput in) {
+        return new Material(
+                in.readDouble(),
+                in.readDouble(),
+                in.readDouble(),
+                in.readDouble(),
+                Mix.valueOf(in.readString()),
+                Mix.valueOf(in.readString()));
+    }
+
+    private static List<Material> many(StateInput in) {
+        int count = in.readInt();
+        if (count < 0 || count > 254) {
+            throw new IllegalArgumentException("a collider of " + count + " materials");
+        }
+        List<Material> all = new ArrayList<>();
+        for (int i = 0; i < count; i++) {
+            all.add(one(in));
+        }
+        return List.copyOf(all);
     }
 
     private static Collider read(StateInput in) {
         Shape shape = in.readObject(Shape.class);
         double[] pose = in.readDoubles();
-        Material material = null;
-        if (in.readBoolean()) {
-            material =
-                    new Material(
-                            in.readDouble(),
-                            in.readDouble(),
-                            in.readDouble(),
-                            in.readDouble(),
-                            Mix.valueOf(in.readString()),
-                            Mix.valueOf(in.readString()));
-        }
+        Material material = in.readBoolean() ? one(in) : null;
         Filter filter = in.readNullable(Filter.class);
         Object userData = in.readNullable(Object.class);
-        return new Collider(shape, pose, material, filter, userData, in.readBoolean());
+        return new Collider(shape, pose, material, filter, userData, in.readBoolean(), many(in));
     }
 
     private Collider(
@@ -90,8 +114,10 @@ public final class Collider {
             @Nullable Material material,
             @Nullable Filter filter,
             @Nullable Object userData,
-            boolean sensor) {
+            boolean sensor,
+            List<Material> materials) {
         this.sensor = sensor;
+        this.materials = materials;
         beltX = pose[7];
         beltY = pose[8];
         beltZ = pose[9];
@@ -118,7 +144,8 @@ public final class Collider {
      */
     public static Collider of(Shape shape) {
         double[] pose = {0, 0, 0, 0, 0, 0, 1, 0, 0, 0};
-        return new Collider(Checks.notNull("shape", shape), pose, null, null, null, false);
+        return new Collider(
+                Checks.notNull("shape", shape), pose, null, null, null, false, List.of());
     }
 
     /**
@@ -134,7 +161,7 @@ public final class Collider {
         Checks.finite("y", bodyY);
         Checks.finite("z", bodyZ);
         double[] pose = {bodyX, bodyY, bodyZ, qx, qy, qz, qw, beltX, beltY, beltZ};
-        return new Collider(shape, pose, material, filter, userData, sensor);
+        return new Collider(shape, pose, material, filter, userData, sensor, materials);
     }
 
     /**
@@ -148,7 +175,7 @@ public final class Collider {
         Quaterniondc q = Checks.notNull("rotation", bodyFromShape);
         double f = Rotations.inverseLength("rotation", q.x(), q.y(), q.z(), q.w());
         double[] pose = {x, y, z, q.x() * f, q.y() * f, q.z() * f, q.w() * f, beltX, beltY, beltZ};
-        return new Collider(shape, pose, material, filter, userData, sensor);
+        return new Collider(shape, pose, material, filter, userData, sensor, materials);
     }
 
     /**
@@ -159,7 +186,7 @@ public final class Collider {
      */
     public Collider material(Material value) {
         Checks.notNull("material", value);
-        return new Collider(shape, pose(), value, filter, userData, sensor);
+        return new Collider(shape, pose(), value, filter, userData, sensor, materials);
     }
 
     /**
@@ -170,7 +197,7 @@ public final class Collider {
      */
     public Collider filter(Filter value) {
         Checks.notNull("filter", value);
-        return new Collider(shape, pose(), material, value, userData, sensor);
+        return new Collider(shape, pose(), material, value, userData, sensor, materials);
     }
 
     /**
@@ -180,7 +207,7 @@ public final class Collider {
      * @return a new description
      */
     public Collider userData(@Nullable Object value) {
-        return new Collider(shape, pose(), material, filter, value, sensor);
+        return new Collider(shape, pose(), material, filter, value, sensor, materials);
     }
 
     /**
@@ -197,7 +224,7 @@ public final class Collider {
             throw new IllegalArgumentException(
                     "a half-space cannot be a sensor, for it has no end; use a large box");
         }
-        return new Collider(shape, pose(), material, filter, userData, value);
+        return new Collider(shape, pose(), material, filter, userData, value, materials);
     }
 
     /**
@@ -215,16 +242,60 @@ public final class Collider {
         pose[7] = Checks.finite("surfaceVelocity x", bodyX);
         pose[8] = Checks.finite("surfaceVelocity y", bodyY);
         pose[9] = Checks.finite("surfaceVelocity z", bodyZ);
-        return new Collider(shape, pose, material, filter, userData, sensor);
+        return new Collider(shape, pose, material, filter, userData, sensor, materials);
     }
 
     private double[] pose() {
         return new double[] {x, y, z, qx, qy, qz, qw, beltX, beltY, beltZ};
     }
 
+    /**
+     * The same with more materials, for surfaces whose triangles have numbers ({@code
+     * TriangleMesh.withMaterials}, {@code HeightField.withMaterial}): 0 is the material of the
+     * collider, 1 the first of these, and so on. A number without one is as 0.
+     *
+     * @param others the materials of 1, 2, ...; at most 254
+     * @return a copy
+     * @throws IllegalArgumentException if there are more
+     */
+    public Collider materials(Material... others) {
+        if (others.length > 254) {
+            throw new IllegalArgumentException(
+                    others.length + " materials; a surface has at most 254 beside its own");
+        }
+        return new Collider(shape, pose(), material, filter, userData, sensor, List.of(others));
+    }
+
+    /**
+     * The materials of triangles with the numbers 1, 2, ....
+     *
+     * @return what {@link #materials(Material...)} was given; not to be changed
+     */
+    public List<Material> materials() {
+        return materials;
+    }
+
+    /** As {@code ColliderStore.palette} has them. */
+    double[] palette() {
+        double[] all = new double[ColliderStore.MATERIAL * materials.size()];
+        for (int i = 0; i < materials.size(); i++) {
+            Material m = materials.get(i);
+            all[4 * i] = m.friction();
+            all[4 * i + 1] = m.restitution();
+            all[4 * i + 2] = m.rollingArm();
+            all[4 * i + 3] = rules(m);
+        }
+        return all;
+    }
+
+    /** How the coefficients of a material are mixed, as {@code ColliderStore.mixing}. */
+    static byte rules(Material m) {
+        return (byte) (m.frictionMix().strength() | m.restitutionMix().strength() << 4);
+    }
+
     /** The same with another shape. */
     Collider reshaped(Shape other) {
-        return new Collider(other, pose(), material, filter, userData, sensor);
+        return new Collider(other, pose(), material, filter, userData, sensor, materials);
     }
 
     /** Whether another one differs in its shape at most. */
@@ -233,7 +304,8 @@ public final class Collider {
                 && material().equals(other.material())
                 && filter().equals(other.filter())
                 && Objects.equals(userData, other.userData)
-                && sensor == other.sensor;
+                && sensor == other.sensor
+                && materials.equals(other.materials);
     }
 
     /** With a material and a filter, if none was said. */
@@ -244,7 +316,8 @@ public final class Collider {
                 material == null ? otherMaterial : material,
                 filter == null ? otherFilter : filter,
                 userData,
-                sensor);
+                sensor,
+                materials);
     }
 
     /**

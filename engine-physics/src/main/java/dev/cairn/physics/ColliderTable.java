@@ -141,6 +141,7 @@ final class ColliderTable implements Stateful {
         for (int c = 0; c < colliders.slotCount; c++) {
             if (refs[c] != null) {
                 refs[c].move(places[c]);
+                paint(c, specs[c]);
             }
         }
     }
@@ -197,10 +198,8 @@ final class ColliderTable implements Stateful {
         colliders.friction[c] = material.friction();
         colliders.restitution[c] = material.restitution();
         colliders.rollingArm[c] = material.rollingArm();
-        colliders.mixing[c] =
-                (byte)
-                        (material.frictionMix().strength()
-                                | material.restitutionMix().strength() << 4);
+        colliders.mixing[c] = Collider.rules(material);
+        double rolls = paint(c, part);
         colliders.userData[c] = part.userData;
         colliders.setBelt(c, part.beltX, part.beltY, part.beltZ);
         if (colliders.belts) {
@@ -211,10 +210,20 @@ final class ColliderTable implements Stateful {
             colliders.sensors = true;
             pairFilter.begin(); // two sensors do not meet
         }
-        if (material.rollingArm() > 0) {
+        if (material.rollingArm() > 0 || rolls > 0) {
             contacts().beginRolling();
         }
         rules.setFilter(c, part.filter());
+    }
+
+    /** The materials of its triangles; returns the longest arm of rolling friction of these. */
+    private double paint(int c, Collider part) {
+        colliders.setPalette(c, part.palette());
+        double most = 0;
+        for (Material each : part.materials()) {
+            most = Math.max(most, each.rollingArm());
+        }
+        return most;
     }
 
     /** Another surface; contacts have it from the next step on. */
@@ -329,6 +338,7 @@ final class ColliderTable implements Stateful {
         GroundEdit.wake(colliders, table.sleepers, collider, after);
         colliders.replace(collider, collider == body ? whole.placed : whole.solid());
         specs[collider] = whole;
+        contacts().mixAll(collider, colliders);
         colliders.measure(body);
         table.roster.changed(body);
         return true;

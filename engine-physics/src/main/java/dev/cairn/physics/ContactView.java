@@ -195,6 +195,11 @@ final class ContactView implements Contacts {
     }
 
     @Override
+    public int triangle(int contact) {
+        return rows.triangle(row(contact));
+    }
+
+    @Override
     public Vector3d normal(int contact, Vector3d destination) {
         int row = row(contact);
         return Checks.notNull("destination", destination)
@@ -341,6 +346,11 @@ final class ContactView implements Contacts {
                 best = rows.totalNormalImpulse[p] > rows.totalNormalImpulse[best] ? p : best;
             }
             return ContactView.this.place(row, best, destination);
+        }
+
+        @Override
+        public int triangle(int hit) {
+            return rows.triangle(row(hit));
         }
 
         @Override

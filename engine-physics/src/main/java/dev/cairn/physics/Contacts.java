@@ -60,6 +60,15 @@ public interface Contacts {
     int pointCount(int contact);
 
     /**
+     * Which triangle of a mesh or a height field touches: that under the deepest point. What you
+     * know of it, keep in an array of your own by this number.
+     *
+     * @param contact 0 to count - 1
+     * @return the number that it was given with, or -1 if both are solids
+     */
+    int triangle(int contact);
+
+    /**
      * The direction from A to B, along which the normal impulses are told. Balls that met more than
      * once in the step, along other lines, pushed each other along their sum: the direction of
      * that.
@@ -262,6 +271,14 @@ public interface Contacts {
          * @return destination
          */
         Vector3d normal(int hit, Vector3d destination);
+
+        /**
+         * Which triangle was hit, as in {@link Contacts#triangle}.
+         *
+         * @param hit 0 to count - 1
+         * @return its number, or -1 if both are solids
+         */
+        int triangle(int hit);
 
         /**
          * How fast the two approached at the start of the step, along the normal, at the point that

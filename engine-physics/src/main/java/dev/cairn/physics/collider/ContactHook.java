@@ -36,6 +36,13 @@ public interface ContactHook {
         @Nullable Object userDataB();
 
         /**
+         * Which triangle of a mesh or a height field touches: that under the deepest point.
+         *
+         * @return the number that it was given with, or -1 if both are solids
+         */
+        int triangle();
+
+        /**
          * Of the unit normal from A to B.
          *
          * @return x

@@ -108,6 +108,11 @@ public final class HookStage {
         }
 
         @Override
+        public int triangle() {
+            return contacts.triangle(row);
+        }
+
+        @Override
         public double normalX() {
             return contacts.normalX(row);
         }

@@ -254,6 +254,19 @@ final class SurfaceStage {
                 list.get(own.of[k], isFirst, p.apartX(a, b), p.apartY(a, b), p.apartZ(a, b), m);
             }
             points.store(own.row[k], m, own.points);
+            if (own.of[k] >= 0) {
+                touch(own.row[k], list.triangle(own.of[k]));
+            }
+        }
+    }
+
+    /** A row is of a triangle, whose material may be another one than before. */
+    private void touch(int row, int triangle) {
+        if (contacts.triangle[row] != triangle + 1) {
+            contacts.triangle[row] = triangle + 1;
+            if (colliders.palette.length > 0) {
+                contacts.mix(row, colliders);
+            }
         }
     }
 

@@ -81,6 +81,15 @@ public final class ColliderStore implements Stateful {
     /** What the user attached. */
     public @Nullable Object[] userData = {};
 
+    /**
+     * Of surfaces with several materials: friction, restitution, arm of rolling friction, and rules
+     * of mixing of each number from 1 on. Follows from what the colliders were made of.
+     */
+    public double[][] palette = {};
+
+    /** Numbers of a material in {@link #palette}. */
+    public static final int MATERIAL = 4;
+
     /** Arm of rolling friction, m. */
     public double[] rollingArm = {};
 
@@ -272,6 +281,43 @@ public final class ColliderStore implements Stateful {
         belt[3 * collider] = x;
         belt[3 * collider + 1] = y;
         belt[3 * collider + 2] = z;
+    }
+
+    /** Gives a collider materials beside its own, or takes them; see {@link #palette}. */
+    public void setPalette(int collider, double[] materials) {
+        if (palette.length <= collider) {
+            if (materials.length == 0) {
+                return;
+            }
+            int old = palette.length;
+            palette = Arrays.copyOf(palette, Math.max(body.length, collider + 1));
+            Arrays.fill(palette, old, palette.length, NOTHING);
+        }
+        palette[collider] = materials;
+    }
+
+    /** Whether a collider is a surface of triangles. */
+    public boolean isSurface(int collider) {
+        Shape s = shape[collider];
+        return (s instanceof Moved m ? m.inner() : s) instanceof Meshed;
+    }
+
+    /**
+     * Where in its palette the material of a surface's triangle begins.
+     *
+     * @return -1 for the collider's own material
+     */
+    public int material(int collider, int triangle) {
+        if (palette.length <= collider || palette[collider].length == 0) {
+            return -1;
+        }
+        Shape s = shape[collider];
+        int number =
+                (s instanceof Moved m ? m.inner() : s) instanceof Meshed mesh
+                        ? mesh.material(triangle)
+                        : 0;
+        int at = MATERIAL * (number - 1);
+        return at < palette[collider].length ? at : -1;
     }
 
     /**

@@ -155,6 +155,9 @@ public class ContactColumns {
      */
     public int[] group = {};
 
+    /** Of a row with a surface of triangles: the number of the triangle and 1, else 0. */
+    public int[] triangle = {};
+
     /** Mixed coefficient of restitution, 0..1. */
     public double[] restitution = {};
 
@@ -251,6 +254,11 @@ public class ContactColumns {
     /** Unit normal from A to B, world: z. */
     public double normalZ(int row) {
         return head[head(row) + 2];
+    }
+
+    /** The triangle under the deepest point of a row, or -1 if it is of two solids. */
+    public int triangle(int row) {
+        return grouped ? triangle[row] - 1 : -1;
     }
 
     /** Mixed Coulomb coefficient. */

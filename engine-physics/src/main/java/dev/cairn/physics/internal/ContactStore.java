@@ -238,6 +238,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         restitution = c.column("restitution", restitution);
         if (grouped) {
             group = c.column("group", group);
+            triangle = c.column("triangle", triangle);
         }
         if (rolls) {
             rollingArm = c.column("rollingArm", rollingArm);
@@ -282,6 +283,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
      */
     private void dropUnused() {
         group = grouped ? group : NO_INTS;
+        triangle = grouped ? triangle : NO_INTS;
         rollingArm = rolls ? rollingArm : NO_DOUBLES;
         rollingImpulse = rolls ? rollingImpulse : NO_DOUBLES;
         belt = belts ? belt : NO_DOUBLES;
@@ -504,14 +506,58 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     public void mix(int row, ColliderStore colliders) {
         int a = colliderA[row];
         int b = colliderB[row];
+        if (grouped && triangle[row] > 0 && mixTriangle(row, colliders)) {
+            return;
+        }
         double ofA = colliders.friction[a];
         double ofB = colliders.friction[b];
         double bounceA = colliders.restitution[a];
         double bounceB = colliders.restitution[b];
+        mix(
+                row,
+                ofA,
+                ofB,
+                bounceA,
+                bounceB,
+                colliders.mixing[a],
+                colliders.mixing[b],
+                Math.max(colliders.rollingArm[a], colliders.rollingArm[b]));
+    }
+
+    /** The same with the material of the row's triangle, if its collider has such. */
+    private boolean mixTriangle(int row, ColliderStore colliders) {
+        int a = colliderA[row];
+        int b = colliderB[row];
+        int s = colliders.isSurface(a) ? a : b;
+        int o = s == a ? b : a;
+        int at = colliders.material(s, triangle[row] - 1);
+        if (at < 0) {
+            return false;
+        }
+        double[] own = colliders.palette[s];
+        mix(
+                row,
+                own[at],
+                colliders.friction[o],
+                own[at + 1],
+                colliders.restitution[o],
+                (byte) own[at + 3],
+                colliders.mixing[o],
+                Math.max(own[at + 2], colliders.rollingArm[o]));
+        return true;
+    }
+
+    private void mix(
+            int row,
+            double ofA,
+            double ofB,
+            double bounceA,
+            double bounceB,
+            int ruleA,
+            int ruleB,
+            double arm) {
         double friction = Math.sqrt(ofA * ofB);
         double bounce = Math.max(bounceA, bounceB);
-        int ruleA = colliders.mixing[a];
-        int ruleB = colliders.mixing[b];
         if ((ruleA | ruleB) != 0) {
             friction = Mix.of((ruleA & 15) | (ruleB & 15) << 4, ofA, ofB, friction);
             bounce = Mix.of(ruleA >> 4 | ruleB >> 4 << 4, bounceA, bounceB, bounce);
@@ -519,7 +565,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         setFriction(row, friction);
         restitution[row] = bounce;
         if (rolls) {
-            rollingArm[row] = Math.max(colliders.rollingArm[a], colliders.rollingArm[b]);
+            rollingArm[row] = arm;
         }
     }
 

@@ -42,6 +42,14 @@ final class Checks {
         }
     }
 
+    static int material(String name, int number) {
+        if (number < 0 || number > 254) {
+            throw new IllegalArgumentException(
+                    name + " is " + number + "; numbers of materials are 0 to 254");
+        }
+        return number;
+    }
+
     static void density(double density) {
         if (!(density > 0 && density <= Double.MAX_VALUE)) {
             throw new IllegalArgumentException(

@@ -11,6 +11,7 @@ import dev.cairn.physics.shape.mesh.TriangleSet;
 import org.joml.Vector3d;
 
 import java.util.Arrays;
+import java.util.Objects;
 
 /**
  * Ground by heights on a regular grid: sample (i, j) is the point (i stepX, h, j stepZ) of the
@@ -166,6 +167,30 @@ public final class HeightField extends Meshed implements Shape {
         inside("cells", x, z, wide, deep, grid.countX - 1, grid.countZ - 1);
         int number = isHole ? SampleGrid.HOLE : 0;
         return new HeightField(grid.withCells(x, z, wide, deep, number), stepX, stepZ, thickness);
+    }
+
+    /**
+     * The same with another material of the cells in a rectangle; holes there are closed.
+     *
+     * @param x the first cell along x
+     * @param z the first cell along z
+     * @param wide cells along x
+     * @param deep cells along z
+     * @param number which of the collider's materials, see {@code Collider.materials}, 0..254
+     * @return a new field
+     * @throws IllegalArgumentException if the rectangle is not within the field, or the number is
+     *     out of range
+     */
+    public HeightField withMaterial(int x, int z, int wide, int deep, int number) {
+        inside("cells", x, z, wide, deep, grid.countX - 1, grid.countZ - 1);
+        Checks.material("material", number);
+        return new HeightField(grid.withCells(x, z, wide, deep, number), stepX, stepZ, thickness);
+    }
+
+    @Override
+    public int material(int triangle) {
+        Objects.checkIndex(triangle, TriangleSet.of(this).count());
+        return TriangleSet.of(this).material(triangle);
     }
 
     /**

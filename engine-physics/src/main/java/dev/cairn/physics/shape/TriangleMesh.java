@@ -10,6 +10,7 @@ import dev.cairn.physics.shape.mesh.TriangleSet;
 import org.joml.Vector3d;
 
 import java.util.Arrays;
+import java.util.Objects;
 import java.util.stream.Collectors;
 
 /**
@@ -30,12 +31,20 @@ public final class TriangleMesh extends Meshed implements Shape {
     private final MeshReport report;
     private final double outerRadius;
 
+    /** By given triangle; empty if all are 0. */
+    private final byte[] materials;
+
     private TriangleMesh(
-            TriangleSet triangles, double[] vertices, int[] indices, MeshReport report) {
+            TriangleSet triangles,
+            double[] vertices,
+            int[] indices,
+            MeshReport report,
+            byte[] materials) {
         super(triangles);
         this.vertices = vertices;
         this.indices = indices;
         this.report = report;
+        this.materials = materials;
         double most = 0;
         for (int corner : indices) {
             double x = vertices[3 * corner];
@@ -94,11 +103,66 @@ public final class TriangleMesh extends Meshed implements Shape {
         out.writeDoubles(vertices);
         out.writeInts(indices);
         out.writeBoolean(isTwoSided());
+        out.writeInts(materials());
     }
 
     static TriangleMesh read(StateInput in) {
         TriangleMesh mesh = of(in.readDoubles(), in.readInts());
-        return in.readBoolean() ? mesh.twoSided() : mesh;
+        mesh = in.readBoolean() ? mesh.twoSided() : mesh;
+        int[] materials = in.readInts();
+        return materials.length == 0 ? mesh : mesh.withMaterials(materials);
+    }
+
+    private TriangleMesh like(TriangleMesh other) {
+        return other.materials.length == 0 ? this : with(other.materials);
+    }
+
+    private TriangleMesh with(byte[] numbers) {
+        TriangleSet set = MeshBuilder.with(TriangleSet.of(this), numbers);
+        return new TriangleMesh(set, vertices, indices, report, numbers);
+    }
+
+    /**
+     * The same surface with a number for each triangle: which of its collider's materials it has,
+     * see {@code Collider.materials}. Shares all else with this one.
+     *
+     * @param numbers of each triangle as they were given, 0..254; not kept
+     * @return a new mesh
+     * @throws IllegalArgumentException if there are not as many as triangles, or one is out of
+     *     range
+     */
+    public TriangleMesh withMaterials(int[] numbers) {
+        int count = indices.length / 3;
+        if (numbers == null || numbers.length != count) {
+            throw new IllegalArgumentException(
+                    "there are "
+                            + (numbers == null ? "no" : "" + numbers.length)
+                            + " numbers of materials; give one to each of the "
+                            + count
+                            + " triangles");
+        }
+        byte[] narrow = new byte[count];
+        for (int t = 0; t < count; t++) {
+            narrow[t] = (byte) Checks.material("material of triangle " + t, numbers[t]);
+        }
+        return with(narrow);
+    }
+
+    @Override
+    public int material(int triangle) {
+        Objects.checkIndex(triangle, indices.length / 3);
+        return materials.length == 0 ? 0 : materials[triangle] & 255;
+    }
+
+    /**
+     * The numbers of all materials.
+     *
+     * @return a new array, of each triangle as they were given; empty if none was said
+     */
+    public int[] materials() {
+        int[] all = new int[materials.length];
+        Arrays.setAll(all, t -> materials[t] & 255);
+        return all;
     }
 
     private static void check(String name, int length, String what) {
@@ -131,7 +195,7 @@ public final class TriangleMesh extends Meshed implements Shape {
                         builder.openEdges,
                         builder.crowdedEdges,
                         builder.flippedEdges);
-        return new TriangleMesh(triangles, vertices, indices, report);
+        return new TriangleMesh(triangles, vertices, indices, report, new byte[0]);
     }
 
     /**
@@ -140,7 +204,7 @@ public final class TriangleMesh extends Meshed implements Shape {
      * @return this mesh if it is so already, else a new one
      */
     public TriangleMesh twoSided() {
-        return isTwoSided() ? this : build(vertices, indices, true);
+        return isTwoSided() ? this : build(vertices, indices, true).like(this);
     }
 
     /**
@@ -178,7 +242,7 @@ public final class TriangleMesh extends Meshed implements Shape {
                 turned[t + 2] = indices[t + 1];
             }
         }
-        TriangleMesh mesh = of(moved, turned);
+        TriangleMesh mesh = of(moved, turned).like(this);
         return isTwoSided() ? mesh.twoSided() : mesh;
     }
 

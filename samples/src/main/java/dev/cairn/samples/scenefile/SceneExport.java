@@ -62,6 +62,10 @@ public final class SceneExport {
     public static final String NO_DATA =
             "(Objects that the original's bodies carry as user data are not in this file.)";
 
+    /** Ends the description of a scene with ground of several materials. */
+    public static final String ONE_MATERIAL =
+            "(Materials of single triangles are not in this file.)";
+
     private final Path folder;
 
     private SceneExport(Path folder) {
@@ -116,7 +120,14 @@ public final class SceneExport {
                         || scene.systems(options).length > 0
                         || built.world().collisions().hook() != null;
         boolean carries = built.bodies().stream().anyMatch(SceneExport::carriesObjects);
-        return scene.description() + (acts ? " " + LEFT_OUT : "") + (carries ? " " + NO_DATA : "");
+        boolean isPatched =
+                built.bodies().stream()
+                        .flatMap(body -> body.colliders().stream())
+                        .anyMatch(collider -> !collider.description().materials().isEmpty());
+        return scene.description()
+                + (acts ? " " + LEFT_OUT : "")
+                + (carries ? " " + NO_DATA : "")
+                + (isPatched ? " " + ONE_MATERIAL : "");
     }
 
     /** Words and numbers are written; what else a body carries is not. */

@@ -19,17 +19,20 @@ public final class ContactList {
     private double[] number = new double[8 * NUMBERS];
     private int[] points = new int[8];
     private int[] feature = new int[8 * Manifold.POINTS];
+    private int[] triangle = new int[8];
 
     /** Without contacts. */
     public ContactList() {}
 
     /** Adds what a manifold holds: normal from surface to shape, points from the shape's centre. */
-    void add(Manifold m) {
+    void add(Manifold m, int ofTriangle) {
         if (count == points.length) {
             points = Arrays.copyOf(points, 2 * count);
+            triangle = Arrays.copyOf(triangle, 2 * count);
             number = Arrays.copyOf(number, 2 * number.length);
             feature = Arrays.copyOf(feature, 2 * feature.length);
         }
+        triangle[count] = ofTriangle;
         int at = NUMBERS * count;
         number[at] = m.normalX;
         number[at + 1] = m.normalY;
@@ -49,6 +52,11 @@ public final class ContactList {
     /** How many points a contact has. */
     public int pointCount(int contact) {
         return points[contact];
+    }
+
+    /** The triangle under the deepest point, by the number of the user. */
+    public int triangle(int contact) {
+        return triangle[contact];
     }
 
     /** The id of a point, the surface's features as those of A. */

@@ -22,7 +22,7 @@ final class FaceRegions {
     /** Groups. */
     int groups;
 
-    private int[] triangle = new int[64];
+    private int[] triangle = new int[64], material = new int[64];
     private int[] hollow = new int[64];
     private int[] group = new int[64];
     private double[] number = new double[64 * NUMBERS];
@@ -37,8 +37,9 @@ final class FaceRegions {
     }
 
     /**
-     * Adds a triangle to the group of its plane.
+     * Adds a triangle to the group of its plane and material.
      *
+     * @param ofMaterial its number
      * @param corner three times x, y, z
      * @param nx unit normal towards the shape
      * @param hollowEdges bit e for an edge beyond which the surface rises
@@ -48,6 +49,7 @@ final class FaceRegions {
      */
     int add(
             int number,
+            int ofMaterial,
             double[] corner,
             double nx,
             double ny,
@@ -60,6 +62,7 @@ final class FaceRegions {
         }
         int at = count++;
         triangle[at] = number;
+        material[at] = ofMaterial;
         hollow[at] = hollowEdges;
         area[at] = twiceArea;
         double[] n = this.number;
@@ -69,7 +72,8 @@ final class FaceRegions {
         System.arraycopy(corner, 0, n, NUMBERS * at + 3, 9);
         for (int g = groups - 1; g >= 0 && g >= groups - COMPARED; g--) {
             int l = NUMBERS * leader[g];
-            if (nx * n[l] + ny * n[l + 1] + nz * n[l + 2] >= ONE_PLANE
+            if (material[leader[g]] == ofMaterial
+                    && nx * n[l] + ny * n[l + 1] + nz * n[l + 2] >= ONE_PLANE
                     && Math.abs(above(leader[g], corner[0], corner[1], corner[2])) <= tolerance) {
                 group[at] = g;
                 if (twiceArea > area[leader[g]]) {
@@ -86,6 +90,7 @@ final class FaceRegions {
     private void grow() {
         int n = 2 * count;
         triangle = Arrays.copyOf(triangle, n);
+        material = Arrays.copyOf(material, n);
         hollow = Arrays.copyOf(hollow, n);
         group = Arrays.copyOf(group, n);
         number = Arrays.copyOf(number, NUMBERS * n);
@@ -117,12 +122,22 @@ final class FaceRegions {
      * @param slackHollow the same where the surface rises beyond: what is there, is in it
      */
     boolean isOver(int g, double x, double y, double z, double slack, double slackHollow) {
+        return under(g, x, y, z, slack, slackHollow) >= 0;
+    }
+
+    /** The first triangle of a group that a place is over, or -1; see {@link #isOver}. */
+    int under(int g, double x, double y, double z, double slack, double slackHollow) {
         for (int t = 0; t < count; t++) {
             if (group[t] == g && isOverOne(t, x, y, z, slack, slackHollow)) {
-                return true;
+                return triangle[t];
             }
         }
-        return false;
+        return -1;
+    }
+
+    /** The largest triangle of a group. */
+    int largest(int g) {
+        return triangle[leader[g]];
     }
 
     private boolean isOverOne(

@@ -19,7 +19,7 @@ final class LoosePoints {
     /** Of each point: on the shape's surface, and separation. */
     double[] number = new double[4 * 32];
 
-    int[] name = new int[32];
+    int[] name = new int[32], triangle = new int[32];
 
     /** Of a plane, or {@code -1 - g} for a group of their own. */
     int[] group = new int[32];
@@ -49,7 +49,7 @@ final class LoosePoints {
     }
 
     /** Adds a point, unless its group has one of that name. */
-    void add(int toGroup, int named, double x, double y, double z, double separation) {
+    void add(int toGroup, int of, int named, double x, double y, double z, double separation) {
         for (int i = count - 1; i >= 0 && i >= count - 4 * COMPARED; i--) {
             if (group[i] == toGroup && name[i] == named) {
                 return;
@@ -57,6 +57,7 @@ final class LoosePoints {
         }
         if (count == name.length) {
             name = Arrays.copyOf(name, 2 * count);
+            triangle = Arrays.copyOf(triangle, 2 * count);
             group = Arrays.copyOf(group, 2 * count);
             number = Arrays.copyOf(number, 8 * count);
         }
@@ -65,6 +66,7 @@ final class LoosePoints {
         number[4 * count + 2] = z;
         number[4 * count + 3] = separation;
         name[count] = named;
+        triangle[count] = of;
         group[count++] = toGroup;
     }
 }

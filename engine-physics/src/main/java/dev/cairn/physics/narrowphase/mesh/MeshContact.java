@@ -55,6 +55,11 @@ public final class MeshContact {
     /** Whether the centre is inside: the way out is through the triangle above, however far. */
     private boolean isInside;
 
+    /** The deepest point of the contact at hand, m, and the triangle under it. */
+    private double deepest;
+
+    private int under;
+
     private int flags;
     private TriangleSet set = MeshBuilder.nothing();
 
@@ -215,7 +220,7 @@ public final class MeshContact {
         double height = -(nx * corner[0] + ny * corner[1] + nz * corner[2]);
         front = 1;
         if (isInside) {
-            faces.add(t, corner, nx, ny, nz, 0, twiceArea, tolerance);
+            faces.add(t, 0, corner, nx, ny, nz, 0, twiceArea, tolerance);
             return;
         }
         if (height < 0) {
@@ -235,7 +240,7 @@ public final class MeshContact {
         flags = set.flags(t);
         boolean isFront = front > 0;
         int hollow = flags / (isFront ? TriangleSet.HOLLOW : TriangleSet.CONVEX) & TriangleSet.ALL;
-        int group = faces.add(t, corner, nx, ny, nz, hollow, twiceArea, tolerance);
+        int group = faces.add(t, set.material(t), corner, nx, ny, nz, hollow, twiceArea, tolerance);
         int corners = isFront ? TriangleSet.CORNER : TriangleSet.CORNER_BACK;
         if ((flags / corners & TriangleSet.ALL) != 0) {
             standsOut(t, group);
@@ -289,7 +294,7 @@ public final class MeshContact {
             any |= stands(t, group, i, along, gx, gy, gz);
         }
         if (m.pointCount > 0 && along < FaceRegions.ONE_PLANE && !any) {
-            nearest(gx, gy, gz);
+            nearest(t, gx, gy, gz);
         }
     }
 
@@ -313,14 +318,14 @@ public final class MeshContact {
         int kind = name & FeatureIds.CLOSEST;
         if (along < FaceRegions.ONE_PLANE && allows(px, py, pz, m.normalX, m.normalY, m.normalZ)) {
             int own = loose.group(m.normalX, m.normalY, m.normalZ);
-            loose.add(own, name, x, y, z, m.separation[i]);
+            loose.add(own, t, name, x, y, z, m.separation[i]);
             return true;
         }
         if (along > ContactTolerances.NEARLY_PARALLEL
                 && kind != FeatureIds.VERTEX_B
                 && kind != FeatureIds.CLOSEST
                 && allows(px, py, pz, nx, ny, nz)) {
-            loose.add(group, name, x, y, z, m.separation[i] * along);
+            loose.add(group, t, name, x, y, z, m.separation[i] * along);
             return true;
         }
         return false;
@@ -330,7 +335,7 @@ public final class MeshContact {
      * The points of a face are preferred to a slightly better pair of edges, to keep contacts calm.
      * Where the surface does not let that face's normal be, it is the nearest points after all.
      */
-    private void nearest(double gx, double gy, double gz) {
+    private void nearest(int t, double gx, double gy, double gz) {
         Manifold m = manifold;
         double d = narrowPhase.closest(view, shape, 0, 0, 0, 1, qx, qy, qz, qw, -gx, -gy, -gz, m);
         double half = d / 2;
@@ -347,6 +352,7 @@ public final class MeshContact {
             int own = loose.group(m.normalX, m.normalY, m.normalZ);
             loose.add(
                     own,
+                    t,
                     FeatureIds.CLOSEST,
                     x + half * m.normalX,
                     y + half * m.normalY,
@@ -409,6 +415,8 @@ public final class MeshContact {
         double uy = ty;
         double uz = tz;
         int last = lastNames();
+        deepest = Double.POSITIVE_INFINITY;
+        under = faces.largest(g);
         patch.fill(pair, false, -ux, -uy, -uz);
         Clipper c = overlay.out;
         plane.ox = -height * ux;
@@ -467,7 +475,7 @@ public final class MeshContact {
      * will be when they meet it.
      */
     private void keepOver(int g, Clipper c) {
-        double under = UNDER * pair.inner;
+        double room = UNDER * pair.inner;
         double fall = -(driftX * nx + driftY * ny + driftZ * nz);
         int kept = 0;
         for (int i = 0; i < c.count; i++) {
@@ -479,19 +487,20 @@ public final class MeshContact {
             double x = tx;
             double y = ty;
             double z = tz;
-            boolean over = isInside || faces.isOver(g, x, y, z, tolerance, under);
-            if (!over && separation > 0 && fall > 0) {
+            int below = isInside ? under : faces.under(g, x, y, z, tolerance, room);
+            if (below < 0 && separation > 0 && fall > 0) {
                 double time = Math.min(1, separation / fall);
-                over =
-                        faces.isOver(
+                below =
+                        faces.under(
                                 g,
                                 x + time * driftX,
                                 y + time * driftY,
                                 z + time * driftZ,
                                 tolerance,
-                                under);
+                                room);
             }
-            if (over) {
+            if (below >= 0) {
+                note(separation, below);
                 c.x[kept] = x;
                 c.y[kept] = y;
                 c.z[kept] = z;
@@ -502,10 +511,19 @@ public final class MeshContact {
         c.count = kept;
     }
 
+    /** Of a contact's points the deepest tells its triangle. */
+    private void note(double separation, int triangle) {
+        if (separation < deepest) {
+            deepest = separation;
+            under = triangle;
+        }
+    }
+
     /** The points of a group; of a plane's those at the rim of its triangles. */
     private void addLoose(int group, Clipper c) {
         for (int i = 0; i < loose.count; i++) {
             if (loose.group[i] == group && (group < 0 || !isWithin(group, i))) {
+                note(loose.number[4 * i + 3], loose.triangle[i]);
                 put(
                         c,
                         loose.number[4 * i],
@@ -550,6 +568,7 @@ public final class MeshContact {
         nz = loose.normal[3 * g + 2];
         Clipper c = overlay.out;
         c.count = 0;
+        deepest = Double.POSITIVE_INFINITY;
         addLoose(-1 - g, c);
         finish(c, lastNames(), 0, out);
     }
@@ -574,7 +593,7 @@ public final class MeshContact {
         m.normalX = tx;
         m.normalY = ty;
         m.normalZ = tz;
-        out.add(m);
+        out.add(m, set.source(under));
     }
 
     private void toWorld(double x, double y, double z) {

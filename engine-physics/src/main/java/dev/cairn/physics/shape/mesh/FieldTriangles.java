@@ -278,6 +278,11 @@ public final class FieldTriangles extends TriangleSet {
     }
 
     @Override
+    public int material(int t) {
+        return grid.cell(cellX(t), cellZ(t));
+    }
+
+    @Override
     public int source(int t) {
         return t;
     }

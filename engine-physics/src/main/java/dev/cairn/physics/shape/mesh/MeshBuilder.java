@@ -54,6 +54,7 @@ public final class MeshBuilder {
                 new int[0],
                 new int[0],
                 new short[0],
+                new byte[0],
                 box,
                 new int[1],
                 new double[6]);
@@ -77,7 +78,17 @@ public final class MeshBuilder {
         flags = new short[count];
         edges();
         return new MeshTables(
-                isTwoSided, vertex, index, source, flags, tree.box, tree.second, ends);
+                isTwoSided, vertex, index, source, flags, new byte[0], tree.box, tree.second, ends);
+    }
+
+    /**
+     * The same triangles with other materials.
+     *
+     * @param built by {@link #build}
+     * @param materials by the user's number of a triangle; kept
+     */
+    public static TriangleSet with(TriangleSet built, byte[] materials) {
+        return ((MeshTables) built).with(materials);
     }
 
     /** Sorts the vertices by place; of equal ones the first stays. */

@@ -24,6 +24,9 @@ final class MeshTables extends TriangleSet {
     final int[] source;
     final short[] flags;
 
+    /** By the user's number of a triangle; empty if all are 0. */
+    final byte[] material;
+
     /** Lower and upper corner of each node. */
     final float[] box;
 
@@ -38,6 +41,7 @@ final class MeshTables extends TriangleSet {
             int[] index,
             int[] source,
             short[] flags,
+            byte[] material,
             float[] box,
             int[] second,
             double[] ends) {
@@ -46,6 +50,7 @@ final class MeshTables extends TriangleSet {
         this.index = index;
         this.source = source;
         this.flags = flags;
+        this.material = material;
         this.box = box;
         this.second = second;
         this.ends = ends;
@@ -150,6 +155,17 @@ final class MeshTables extends TriangleSet {
     @Override
     public int source(int t) {
         return source[t];
+    }
+
+    @Override
+    public int material(int t) {
+        return material.length == 0 ? 0 : material[source[t]] & 255;
+    }
+
+    /** The same triangles with other materials. */
+    MeshTables with(byte[] materials) {
+        return new MeshTables(
+                isTwoSided, vertex, index, source, flags, materials, box, second, ends);
     }
 
     @Override

@@ -13,6 +13,15 @@ public abstract class Meshed {
         this.triangles = triangles;
     }
 
+    /**
+     * The number of a triangle's material, see {@code Collider.materials}.
+     *
+     * @param triangle as {@code Hit.triangle} and {@code Contacts.triangle} tell it
+     * @return 0..254
+     * @throws IndexOutOfBoundsException if there is no such triangle
+     */
+    public abstract int material(int triangle);
+
     /** The box around the turned box of all triangles, relative to the frame's origin. */
     protected final void boundsOfEnds(
             double qx, double qy, double qz, double qw, double[] dest, int offset) {

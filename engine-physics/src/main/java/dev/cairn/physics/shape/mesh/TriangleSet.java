@@ -84,6 +84,9 @@ public abstract class TriangleSet {
         return -1;
     }
 
+    /** The number of a triangle's material, 0..254. */
+    public abstract int material(int triangle);
+
     /** The lower or upper end of the surface along an axis, m. */
     public abstract double end(int axis, boolean upper);
 

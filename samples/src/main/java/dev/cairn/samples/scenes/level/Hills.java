@@ -6,8 +6,10 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.Cylinder;
+import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.physics.shape.TriangleMesh;
 import dev.cairn.samples.Palette;
 import dev.cairn.samples.Parameter;
 import dev.cairn.samples.SampleScene;
@@ -47,14 +49,18 @@ public final class Hills {
         return new SampleScene(
                 "terrain",
                 "Hills",
-                "Bodies of all kinds rain on hills of triangles and roll into the valleys.",
+                "Bodies of all kinds rain on a height field and roll into the valleys.",
                 "levels",
                 List.of(
-                        Parameter.count("bodies", 200, 1, 10_000, "number of bodies"),
+                        Parameter.count("bodies", 400, 1, 10_000, "number of bodies"),
                         Parameter.count("squares", 128, 16, 512, "along a side of the country")),
                 300,
                 200,
-                scene -> build(scene, 24, Hills::country));
+                scene -> {
+                    HeightField field = field(24, scene.count("squares"), Hills::country);
+                    Body ground = Body.fixed().at(-24, 0, -24);
+                    build(scene, field, ground, 24, Hills::country);
+                });
     }
 
     /**
@@ -73,7 +79,11 @@ public final class Hills {
                         Parameter.count("squares", 40, 16, 200, "along a side of the tray")),
                 300,
                 150,
-                scene -> build(scene, 6, Hills::waves));
+                scene -> {
+                    int squares = scene.count("squares");
+                    TriangleMesh mesh = new Surfaces().grid(6, squares, Hills::waves).mesh();
+                    build(scene, mesh, Body.fixed(), 6, Hills::waves);
+                });
     }
 
     private static double country(double x, double z) {
@@ -88,12 +98,26 @@ public final class Hills {
         return .3 * StrictMath.cos(1.7 * x) * StrictMath.cos(1.7 * z) + (r > 0 ? 2 * r * r : 0);
     }
 
-    private static void build(SceneBuilder scene, double half, DoubleBinaryOperator height) {
+    /** The graph of a function of x and z, n by n cells; its frame begins at (-half, -half). */
+    private static HeightField field(double half, int n, DoubleBinaryOperator height) {
+        double step = 2 * half / n;
+        double[] heights = new double[(n + 1) * (n + 1)];
+        for (int j = 0; j <= n; j++) {
+            for (int i = 0; i <= n; i++) {
+                heights[j * (n + 1) + i] = height.applyAsDouble(i * step - half, j * step - half);
+            }
+        }
+        return HeightField.of(n + 1, n + 1, step, step, heights);
+    }
+
+    private static void build(
+            SceneBuilder scene,
+            Shape shape,
+            Body ground,
+            double half,
+            DoubleBinaryOperator height) {
         int count = scene.count("bodies");
-        scene.add(
-                new Surfaces().grid(half, scene.count("squares"), height).mesh(),
-                Palette.STONE,
-                Body.fixed().material(Palette.material(0.6, 0)).name("ground"));
+        scene.add(shape, Palette.STONE, ground.material(Palette.material(0.6, 0)).name("ground"));
         double wide = .7 * half;
         int side = (int) Math.min(Math.ceil(Math.sqrt(count)), 2 * wide / 1.1);
         List<BodyRef> bodies = new ArrayList<>();
