@@ -1,5 +1,6 @@
 package dev.cairn.physics.shape;
 
+import dev.cairn.core.job.Jobs;
 import dev.cairn.core.state.StateInput;
 import dev.cairn.core.state.StateOutput;
 import dev.cairn.physics.shape.DegenerateShapeException.Reason;
@@ -11,6 +12,7 @@ import org.joml.Vector3d;
 
 import java.util.Arrays;
 import java.util.Objects;
+import java.util.function.DoubleConsumer;
 import java.util.stream.Collectors;
 
 /**
@@ -68,6 +70,23 @@ public final class TriangleMesh extends Meshed implements Shape {
      *     three, or an index is out of range
      */
     public static TriangleMesh of(double[] vertices, int[] indices) {
+        try (Jobs alone = Jobs.of(1)) {
+            return of(vertices, indices, alone, share -> {});
+        }
+    }
+
+    /**
+     * The same with work on several workers: for levels of a million triangles. The mesh does not
+     * depend on how many there are.
+     *
+     * @param vertices as of {@link #of(double[], int[])}
+     * @param indices as there
+     * @param jobs the workers; not those of a step that is under way
+     * @param progress is told the share that is done, ascending to 1, on this thread
+     * @return the shape
+     */
+    public static TriangleMesh of(
+            double[] vertices, int[] indices, Jobs jobs, DoubleConsumer progress) {
         check("vertices", vertices == null ? -1 : vertices.length, "numbers per vertex");
         check("indices", indices == null ? -1 : indices.length, "vertices per triangle");
         for (int i = 0; i < vertices.length; i++) {
@@ -96,7 +115,7 @@ public final class TriangleMesh extends Meshed implements Shape {
                                 + ", counted from 0");
             }
         }
-        return build(vertices.clone(), indices.clone(), false);
+        return build(vertices.clone(), indices.clone(), false, jobs, progress);
     }
 
     void write(StateOutput out) {
@@ -175,9 +194,14 @@ public final class TriangleMesh extends Meshed implements Shape {
         }
     }
 
-    private static TriangleMesh build(double[] vertices, int[] indices, boolean isTwoSided) {
+    private static TriangleMesh build(
+            double[] vertices,
+            int[] indices,
+            boolean isTwoSided,
+            Jobs jobs,
+            DoubleConsumer progress) {
         MeshBuilder builder = new MeshBuilder(vertices, indices);
-        TriangleSet triangles = builder.build(isTwoSided);
+        TriangleSet triangles = builder.build(isTwoSided, jobs, progress);
         if (triangles == null) {
             throw new DegenerateShapeException(
                     Reason.COLLINEAR,
@@ -204,7 +228,11 @@ public final class TriangleMesh extends Meshed implements Shape {
      * @return this mesh if it is so already, else a new one
      */
     public TriangleMesh twoSided() {
-        return isTwoSided() ? this : build(vertices, indices, true).like(this);
+        if (isTwoSided()) {
+            return this;
+        }
+        TriangleSet both = MeshBuilder.twoSided(TriangleSet.of(this));
+        return new TriangleMesh(both, vertices, indices, report, materials);
     }
 
     /**

@@ -1,10 +1,12 @@
 package dev.cairn.physics.mesh;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.core.job.Jobs;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsWorld;
@@ -12,10 +14,12 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.DegenerateShapeException;
 import dev.cairn.physics.shape.MeshReport;
 import dev.cairn.physics.shape.TriangleMesh;
+import dev.cairn.physics.shape.mesh.TriangleSet;
 
 import org.joml.Vector3d;
 import org.junit.jupiter.api.Test;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
@@ -137,6 +141,46 @@ class TriangleMeshTest {
                 world.step(1 / 60.0);
             }
             assertEquals(.7, box.position(new Vector3d()).y, 1e-3);
+        }
+    }
+
+    /** Tree, edges and report, whoever builds them; what is done is told up to all of it. */
+    @Test
+    void aMeshIsTheSameForAnyNumberOfWorkers() {
+        TriangleMesh one = Grounds.irregular(20, 90, 3);
+        double[] xyz = one.vertices();
+        for (int i = 1; i < xyz.length; i += 3) {
+            xyz[i] = .1 * StrictMath.sin(3 * xyz[i - 1]) + (i % 7 == 0 ? .2 : 0);
+        }
+        int[] index = one.indices();
+        for (int t = 0; t < index.length / 2; t += 300) {
+            index[t] = index[t + 3]; // open, crowded, flipped and degenerate here and there
+        }
+        one = TriangleMesh.of(xyz, index);
+        TriangleSet truth = TriangleSet.of(one);
+        assertTrue(truth.count() > 15_000, truth.count() + " triangles");
+        for (int workers = 1; workers <= 3; workers++) {
+            List<Double> told = new ArrayList<>();
+            TriangleMesh mesh;
+            try (Jobs jobs = Jobs.of(workers)) {
+                mesh = TriangleMesh.of(xyz, index, jobs, told::add);
+            }
+            assertEquals(one.report(), mesh.report());
+            TriangleSet set = TriangleSet.of(mesh);
+            for (int t = 0; t < truth.count(); t++) {
+                assertEquals(truth.source(t), set.source(t));
+                assertEquals(truth.flags(t), set.flags(t));
+            }
+            TriangleSet.Found a = new TriangleSet.Found();
+            TriangleSet.Found b = new TriangleSet.Found();
+            for (int i = 0; i < 50; i++) {
+                double[] box = {i - 25, -1, -i, i - 24.5, 1, .5 - i};
+                truth.find(box, a);
+                set.find(box, b);
+                assertArrayEquals(a.triangle, b.triangle);
+            }
+            assertEquals(told.stream().sorted().toList(), told, "ascending");
+            assertTrue(told.size() > 10 && told.get(told.size() - 1) == 1, "told " + told);
         }
     }
 }

@@ -1,8 +1,12 @@
 package dev.cairn.physics.shape.mesh;
 
+import dev.cairn.core.job.Blocks;
+import dev.cairn.core.job.Jobs;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
+import java.util.function.DoubleConsumer;
 
 /**
  * Makes the tables of a mesh: vertices at one place become one, triangles without area are left
@@ -13,6 +17,11 @@ import java.util.Arrays;
 public final class MeshBuilder {
     /** Of the squared longest side: twice the area of a triangle that is none. */
     private static final double NO_AREA = 1e-12;
+
+    /** Shares of the time that are over when vertices are welded, and when the tree is made. */
+    private static final double WELDED = .1, TREE = .8;
+
+    private static final int TRIANGLES_PER_BLOCK = 4096;
 
     private double[] vertex;
     private int[] index;
@@ -61,24 +70,37 @@ public final class MeshBuilder {
     }
 
     /**
-     * Builds; once.
+     * Builds; once. The same tables for any number of workers.
      *
+     * @param progress is told the share that is done, 0 to 1, on this thread
      * @return {@code null} if no triangle has an area
      */
-    public @Nullable TriangleSet build(boolean isTwoSided) {
+    public @Nullable TriangleSet build(boolean isTwoSided, Jobs jobs, DoubleConsumer progress) {
         weld();
         leaveOut();
+        progress.accept(WELDED);
         int count = source.length;
         if (count == 0) {
             return null;
         }
         double[] ends = ends();
-        Tree tree = new Tree(vertex, index, count);
+        MeshTree tree = new MeshTree(vertex, index, count);
+        tree.build(jobs, share -> progress.accept(WELDED + share * (TREE - WELDED)));
         arrange(tree.order);
         flags = new short[count];
-        edges();
+        edges(jobs);
+        progress.accept(1);
         return new MeshTables(
                 isTwoSided, vertex, index, source, flags, new byte[0], tree.box, tree.second, ends);
+    }
+
+    /**
+     * The same triangles with both sides.
+     *
+     * @param built by {@link #build}
+     */
+    public static TriangleSet twoSided(TriangleSet built) {
+        return ((MeshTables) built).twoSided();
     }
 
     /**
@@ -203,7 +225,7 @@ public final class MeshBuilder {
     }
 
     /** Half-edges, by their lower vertex, meet their neighbours. */
-    private void edges() {
+    private void edges(Jobs jobs) {
         begin = new int[vertex.length / 3 + 1];
         for (int h = 0; h < index.length; h++) {
             begin[Math.min(index[h], index[next(h)]) + 1]++;
@@ -216,10 +238,17 @@ public final class MeshBuilder {
         for (int h = 0; h < index.length; h++) {
             halfEdge[cursor[Math.min(index[h], index[next(h)])]++] = h;
         }
+        int blocks = Blocks.count(source.length, TRIANGLES_PER_BLOCK);
+        int[] wrong = new int[3 * blocks];
+        jobs.run((block, worker) -> kinds(block, wrong), blocks);
+        for (int b = 0; b < blocks; b++) {
+            openEdges += wrong[3 * b];
+            crowdedEdges += wrong[3 * b + 1];
+            flippedEdges += wrong[3 * b + 2];
+        }
         byte[] ends = new byte[vertex.length / 3];
         for (int h = 0; h < index.length; h++) {
-            int kind = kind(h);
-            flags[h / 3] |= (short) (kind << (h % 3));
+            int kind = flags[h / 3] >> (h % 3);
             int seen = (kind & (TriangleSet.CONVEX | TriangleSet.OPEN)) != 0 ? 1 : 0;
             seen |= (kind & (TriangleSet.HOLLOW | TriangleSet.OPEN)) != 0 ? 2 : 0;
             ends[index[h]] |= (byte) seen;
@@ -232,12 +261,20 @@ public final class MeshBuilder {
         }
     }
 
+    /** The kinds of the edges of some triangles, and how many are open, crowded, flipped. */
+    private void kinds(int block, int[] wrong) {
+        int end = 3 * Blocks.end(block, TRIANGLES_PER_BLOCK, source.length);
+        for (int h = 3 * Blocks.begin(block, TRIANGLES_PER_BLOCK); h < end; h++) {
+            flags[h / 3] |= (short) (kind(h, 3 * block, wrong) << (h % 3));
+        }
+    }
+
     private static int next(int h) {
         return h % 3 == 2 ? h - 2 : h + 1;
     }
 
     /** One of the bits of {@link TriangleSet} for edge 0, or 0 for a flat edge. */
-    private int kind(int h) {
+    private int kind(int h, int count, int[] wrong) {
         int a = index[h];
         int b = index[next(h)];
         int low = Math.min(a, b);
@@ -255,12 +292,12 @@ public final class MeshBuilder {
             }
         }
         if (others != 1) {
-            openEdges += others == 0 ? 1 : 0;
-            crowdedEdges += others > 1 && isFirst ? 1 : 0;
+            wrong[count] += others == 0 ? 1 : 0;
+            wrong[count + 1] += others > 1 && isFirst ? 1 : 0;
             return TriangleSet.OPEN;
         }
         if (index[twin] == a) {
-            flippedEdges += isFirst ? 1 : 0;
+            wrong[count + 2] += isFirst ? 1 : 0;
             return TriangleSet.OPEN;
         }
         int c = 3 * index[next(next(h))];
@@ -278,131 +315,5 @@ public final class MeshBuilder {
                 vertex[d],
                 vertex[d + 1],
                 vertex[d + 2]);
-    }
-
-    /** Orders triangles by halves along the longest side of their middles, and boxes them. */
-    private static final class Tree {
-        final int[] order;
-        final float[] box;
-        final int[] second;
-        private final double[] vertex;
-        private final int[] index;
-        private int nodes;
-
-        Tree(double[] vertex, int[] index, int count) {
-            this.vertex = vertex;
-            this.index = index;
-            order = new int[count];
-            for (int t = 0; t < count; t++) {
-                order[t] = t;
-            }
-            int size = nodes(count);
-            box = new float[MeshTables.BOX * size];
-            second = new int[size];
-            build(0, count);
-        }
-
-        private static int nodes(int count) {
-            return count <= MeshTables.LEAF
-                    ? 1
-                    : 1 + nodes(MeshTables.half(count)) + nodes(count - MeshTables.half(count));
-        }
-
-        private int build(int from, int to) {
-            int node = nodes++;
-            measure(node, from, to);
-            if (to - from > MeshTables.LEAF) {
-                int middle = from + MeshTables.half(to - from);
-                select(from, to, middle, longest(from, to));
-                build(from, middle);
-                second[node] = build(middle, to);
-            }
-            return node;
-        }
-
-        private void measure(int node, int from, int to) {
-            for (int axis = 0; axis < 3; axis++) {
-                double low = Double.POSITIVE_INFINITY;
-                double high = Double.NEGATIVE_INFINITY;
-                for (int i = 3 * from; i < 3 * to; i++) {
-                    double x = vertex[3 * index[3 * order[i / 3] + i % 3] + axis];
-                    low = Math.min(low, x);
-                    high = Math.max(high, x);
-                }
-                box[MeshTables.BOX * node + axis] = Math.nextDown((float) low);
-                box[MeshTables.BOX * node + axis + 3] = Math.nextUp((float) high);
-            }
-        }
-
-        /** Three times the middle of a triangle. */
-        private double middle(int t, int axis) {
-            return vertex[3 * index[3 * t] + axis]
-                    + vertex[3 * index[3 * t + 1] + axis]
-                    + vertex[3 * index[3 * t + 2] + axis];
-        }
-
-        private int longest(int from, int to) {
-            int best = 0;
-            double most = -1;
-            for (int axis = 0; axis < 3; axis++) {
-                double low = Double.POSITIVE_INFINITY;
-                double high = Double.NEGATIVE_INFINITY;
-                for (int i = from; i < to; i++) {
-                    low = Math.min(low, middle(order[i], axis));
-                    high = Math.max(high, middle(order[i], axis));
-                }
-                if (high - low > most) {
-                    most = high - low;
-                    best = axis;
-                }
-            }
-            return best;
-        }
-
-        private boolean isBefore(int s, int t, int axis) {
-            double a = middle(s, axis);
-            double b = middle(t, axis);
-            return a < b || (a == b && s < t);
-        }
-
-        /** Hoare's selection: what is before the middle place belongs there; no two are equal. */
-        private void select(int from, int to, int place, int axis) {
-            int low = from;
-            int high = to - 1;
-            while (low < high) {
-                int pivot = median(order[low], order[(low + high) >>> 1], order[high], axis);
-                int i = low;
-                int j = high;
-                while (i <= j) {
-                    while (isBefore(order[i], pivot, axis)) {
-                        i++;
-                    }
-                    while (isBefore(pivot, order[j], axis)) {
-                        j--;
-                    }
-                    if (i <= j) {
-                        int swap = order[i];
-                        order[i++] = order[j];
-                        order[j--] = swap;
-                    }
-                }
-                if (place <= j) {
-                    high = j;
-                } else if (place >= i) {
-                    low = i;
-                } else {
-                    return;
-                }
-            }
-        }
-
-        private int median(int a, int b, int c, int axis) {
-            boolean ab = isBefore(a, b, axis);
-            boolean bc = isBefore(b, c, axis);
-            if (ab == bc) {
-                return b;
-            }
-            return ab == isBefore(a, c, axis) ? c : a;
-        }
     }
 }

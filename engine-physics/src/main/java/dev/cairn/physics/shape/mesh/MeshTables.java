@@ -168,6 +168,11 @@ final class MeshTables extends TriangleSet {
                 isTwoSided, vertex, index, source, flags, materials, box, second, ends);
     }
 
+    /** The same triangles with both sides. */
+    MeshTables twoSided() {
+        return new MeshTables(true, vertex, index, source, flags, material, box, second, ends);
+    }
+
     @Override
     public double end(int axis, boolean upper) {
         return ends[upper ? axis + 3 : axis];
