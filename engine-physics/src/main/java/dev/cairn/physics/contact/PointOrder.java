@@ -7,11 +7,11 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
 /**
  * The order of a contact's points, in which they are swept and added up: the deepest last, whose
  * speed a sweep then leaves right; of points as deep as each other the nearer to the centre first,
- * that of a body that moves; of those the one farthest from the point before it, since opposite
- * corners undo each other's turn; of those the one farther along the body's x, y or z axis. What
- * differs by rounding is the same. So it follows from where the points are on the body, and not
- * from the shapes that make it, or where it is. It is chosen when the names of the points change,
- * so depths that change do not change it.
+ * that of a body that moves; of those the one nearest to the point before it, so that a sweep goes
+ * round the patch; of those the one less far along the body's x, y or z axis. What differs by
+ * rounding is the same. So it follows from where the points are on the body, and not from the
+ * shapes that make it, or where it is. It is chosen when the names of the points change, so depths
+ * that change do not change it.
  *
  * <p>One instance per worker.
  */
@@ -91,14 +91,14 @@ final class PointOrder {
         if (Math.abs(nearer) > ROUNDING * square[p]) {
             return nearer > 0;
         }
-        double farther = before < 0 ? 0 : apart(p, before) - apart(q, before);
-        if (Math.abs(farther) > ROUNDING * square[p]) {
-            return farther > 0;
+        double closer = before < 0 ? 0 : apart(q, before) - apart(p, before);
+        if (Math.abs(closer) > ROUNDING * square[p]) {
+            return closer > 0;
         }
         for (int axis = 0; axis < 3; axis++) {
             double along = local[3 * p + axis] - local[3 * q + axis];
             if (along * along > ROUNDING * ROUNDING * square[p]) {
-                return along > 0;
+                return along < 0;
             }
         }
         return false;

@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
-import dev.cairn.physics.Kinetics;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.body.Kinetics;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
