@@ -17,7 +17,7 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
  */
 final class PointOrder {
     /** Each place has the point of its number. */
-    private static final int ASCENDING = 0b11_10_01_00;
+    static final int ASCENDING = 0b11_10_01_00;
 
     /** Of the distance from the centre: lengths that are rounding. */
     private static final double ROUNDING = 0x1p-36;

@@ -40,15 +40,47 @@ final class PointStore {
             own.order.arrange(m, c.order[row]);
             place(row, m);
         } else {
-            storeAnew(row, m, own);
+            int order = m.pointCount == c.pointCount[row] ? sameOrder(row, m, own) : -1;
+            store(row, m, own, order >= 0 ? order : order(row, m, own.order));
         }
+    }
+
+    /**
+     * The order in which each point is where the last tick's point was that it goes on from; -1 if
+     * not each of these has one. Names change where another face holds the same points.
+     */
+    private int sameOrder(int row, Manifold m, Scratch own) {
+        own.take(contacts, row, m.pointCount);
+        double near = near(row);
+        int order = 0;
+        int places = 0;
+        for (int p = 0; p < m.pointCount; p++) {
+            int q = nearest(m, own, p, m.pointCount, near * near);
+            if (q < 0 || (places >> q & 1) != 0) {
+                return -1;
+            }
+            places |= 1 << q;
+            order |= p << (2 * q);
+        }
+        return order | (PointOrder.ASCENDING & (-1 << (2 * m.pointCount)));
+    }
+
+    /** Points of two ticks that are nearer than this are one, m. */
+    private double near(int row) {
+        return NEAR
+                * Math.min(
+                        colliders.innerRadius[contacts.colliderA[row]],
+                        colliders.innerRadius[contacts.colliderB[row]]);
     }
 
     /** Writes one row whose points have no order yet. */
     void storeAnew(int row, Manifold m, Scratch own) {
+        store(row, m, own, order(row, m, own.order));
+    }
+
+    private void store(int row, Manifold m, Scratch own, int order) {
         ContactStore c = contacts;
         c.setNormal(row, m.normalX, m.normalY, m.normalZ);
-        int order = order(row, m, own.order);
         c.order[row] = (byte) order;
         own.order.arrange(m, order);
         match(row, m, own);
@@ -179,11 +211,7 @@ final class PointStore {
             }
         }
         if (before > 0) {
-            double near =
-                    NEAR
-                            * Math.min(
-                                    colliders.innerRadius[c.colliderA[row]],
-                                    colliders.innerRadius[c.colliderB[row]]);
+            double near = near(row);
             for (int p = 0; p < points; p++) {
                 if (own.unmatched[p]) {
                     persists |= inheritNearest(m, own, first, p, before, near * near);
@@ -211,6 +239,16 @@ final class PointStore {
      */
     private boolean inheritNearest(
             Manifold m, Scratch own, int first, int p, int before, double limit) {
+        int best = nearest(m, own, p, before, limit);
+        if (best < 0) {
+            return false;
+        }
+        inherit(own, first, p, best);
+        return true;
+    }
+
+    /** The point of the last tick that is nearest to a new one, within a square; -1 if none. */
+    private static int nearest(Manifold m, Scratch own, int p, int before, double limit) {
         int best = -1;
         double least = limit;
         for (int q = 0; q < before; q++) {
@@ -223,11 +261,7 @@ final class PointStore {
                 best = q;
             }
         }
-        if (best < 0) {
-            return false;
-        }
-        inherit(own, first, p, best);
-        return true;
+        return best;
     }
 
     /** The points of the last tick, of one worker. */
