@@ -42,6 +42,9 @@ public final class Collider {
     /** Of triangles with the numbers 1, 2, ...; never written to. */
     private final List<Material> materials;
 
+    /** Of these, as {@code ColliderStore.palette} has them. */
+    private final double[] palette;
+
     /** Of the surface, body axes, m/s. */
     final double beltX, beltY, beltZ;
 
@@ -118,6 +121,7 @@ public final class Collider {
             List<Material> materials) {
         this.sensor = sensor;
         this.materials = materials;
+        palette = palette(materials);
         beltX = pose[7];
         beltY = pose[8];
         beltZ = pose[9];
@@ -275,8 +279,12 @@ public final class Collider {
         return materials;
     }
 
-    /** As {@code ColliderStore.palette} has them. */
+    /** As {@code ColliderStore.palette} has them; not to be changed. */
     double[] palette() {
+        return palette;
+    }
+
+    private static double[] palette(List<Material> materials) {
         double[] all = new double[ColliderStore.MATERIAL * materials.size()];
         for (int i = 0; i < materials.size(); i++) {
             Material m = materials.get(i);

@@ -220,8 +220,8 @@ final class ColliderTable implements Stateful {
     private double paint(int c, Collider part) {
         colliders.setPalette(c, part.palette());
         double most = 0;
-        for (Material each : part.materials()) {
-            most = Math.max(most, each.rollingArm());
+        for (int i = 0; i < part.materials().size(); i++) {
+            most = Math.max(most, part.materials().get(i).rollingArm());
         }
         return most;
     }

@@ -50,6 +50,9 @@ public final class KinematicMotion {
             int n = Math.max(slots, bodies.kind.length);
             state = Arrays.copyOf(state, n);
             moved = Arrays.copyOf(moved, n);
+            if (past.length > 0) {
+                past = Arrays.copyOf(past, PAST * n);
+            }
             if (target.length > 0) {
                 target = Arrays.copyOf(target, STRIDE * n);
             }

@@ -1,4 +1,4 @@
-package dev.cairn.physics.contact;
+package dev.cairn.physics.contact.hook;
 
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.job.Blocks;
