@@ -116,7 +116,7 @@ final class PairGroups {
 
     /** Lists the rows of each group among the active ones, ascending. */
     void chain(ContactStore c) {
-        if (next.length < c.count) {
+        if (next.length < c.bodyA.length) {
             next = new int[c.bodyA.length];
         }
         for (int i = 0; i < c.activeCount; i++) {

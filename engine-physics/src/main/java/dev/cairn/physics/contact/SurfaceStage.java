@@ -78,7 +78,7 @@ final class SurfaceStage {
     void run(ContactStore rows, double reachSeconds, Jobs jobs) {
         contacts = rows;
         reach = reachSeconds;
-        if (first.length < rows.count) {
+        if (first.length < rows.bodyA.length) {
             first = new int[rows.bodyA.length];
             begin = new int[first.length];
             size = new int[first.length];

@@ -16,10 +16,13 @@ public final class ContactList {
     /** Contacts. */
     public int count;
 
-    private double[] number = new double[8 * NUMBERS];
-    private int[] points = new int[8];
-    private int[] feature = new int[8 * Manifold.POINTS];
-    private int[] triangle = new int[8];
+    /** Contacts that have room from the beginning. */
+    private static final int FIRST = 32;
+
+    private double[] number = new double[FIRST * NUMBERS];
+    private int[] points = new int[FIRST];
+    private int[] feature = new int[FIRST * Manifold.POINTS];
+    private int[] triangle = new int[FIRST];
 
     /** Without contacts. */
     public ContactList() {}

@@ -130,7 +130,7 @@ public final class DirectIslands implements Stateful {
             level = new int[n];
             seen = new int[n];
         }
-        if (row.length < list.contacts) {
+        if (row.length < list.source.length) {
             row = new int[list.source.length];
             neighbour = new int[2 * row.length];
         }

@@ -198,7 +198,7 @@ public final class LoadSweep implements Stateful {
             end = new int[n];
             first = new int[n + 1];
         }
-        if (edge.length < list.contacts) {
+        if (edge.length < list.source.length) {
             edge = new int[list.source.length];
             under = new int[edge.length];
             upper = new int[edge.length];

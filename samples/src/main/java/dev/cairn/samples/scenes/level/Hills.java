@@ -52,7 +52,7 @@ public final class Hills {
                 "Bodies of all kinds rain on a height field and roll into the valleys.",
                 "levels",
                 List.of(
-                        Parameter.count("bodies", 400, 1, 10_000, "number of bodies"),
+                        Parameter.count("bodies", 200, 1, 10_000, "number of bodies"),
                         Parameter.count("squares", 128, 16, 512, "along a side of the country")),
                 300,
                 200,
