@@ -5,6 +5,7 @@ import dev.cairn.physics.Contacts;
 import dev.cairn.physics.Material;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
@@ -29,6 +30,7 @@ import java.util.SplittableRandom;
  * @param bounceHeight 1 for bounces of 0.06 to 0.6 s; higher ones are rarer
  * @param rollingArm of all, m, 0 for none
  * @param restitution of all but the balls that bounce
+ * @param filtered whether each has a filter, which lets it meet all others
  */
 record Mix(
         int flyingSpheres,
@@ -43,7 +45,8 @@ record Mix(
         double friction,
         double bounceHeight,
         double rollingArm,
-        double restitution) {
+        double restitution,
+        boolean filtered) {
     /** From so many contacts on the solver may take its wide kernels. */
     private static final int WIDE_FROM = 256;
 
@@ -61,6 +64,7 @@ record Mix(
                     "friction at a point",
                     "event (touch begins or ends)");
 
+    private static final Filter MEETS_ALL = new Filter(2, -1);
     private static final double STEP = 1.0 / 60;
     private static final double PITCH = 3;
     private static final int SETTLING = 20;
@@ -95,7 +99,8 @@ record Mix(
                 friction,
                 1,
                 0,
-                0);
+                0,
+                false);
     }
 
     /** The same with rolling friction. */
@@ -113,7 +118,8 @@ record Mix(
                 friction,
                 bounceHeight,
                 metres,
-                restitution);
+                restitution,
+                filtered);
     }
 
     /** The same with another restitution. */
@@ -131,7 +137,27 @@ record Mix(
                 friction,
                 bounceHeight,
                 rollingArm,
-                ratio);
+                ratio,
+                filtered);
+    }
+
+    /** The same with a filter on each body. */
+    Mix withFilters() {
+        return new Mix(
+                flyingSpheres,
+                flyingBoxes,
+                nearPairs,
+                restingSpheres,
+                restingCubes,
+                edgeCubes,
+                columns,
+                bouncing,
+                fixed,
+                friction,
+                bounceHeight,
+                rollingArm,
+                restitution,
+                true);
     }
 
     /**
@@ -165,7 +191,8 @@ record Mix(
                 // As many balls, but more or fewer events: else the two could not be told apart.
                 StrictMath.exp(random.nextDouble(-2, 3)),
                 0,
-                0);
+                0,
+                false);
     }
 
     /** Contacts that last. */
@@ -177,7 +204,7 @@ record Mix(
         PhysicsWorld world =
                 PhysicsWorld.builder().gravity(0, -9.81, 0).workers(1).settings(settings).build();
         Material material = new Material(friction, restitution, 1000, rollingArm);
-        Grid grid = new Grid(world, material);
+        Grid grid = new Grid(world, material, filtered ? MEETS_ALL : Filter.ALL);
         Sphere ball = Sphere.of(0.5);
         Box cube = Box.cubeOfHalfExtent(0.5);
         Box brick = Box.ofHalfExtents(0.5, 0.2, 0.3);
@@ -281,13 +308,15 @@ record Mix(
         private static final int SIDE = 64;
         private final PhysicsWorld world;
         private final Material material;
+        private final Filter filter;
         private int used = -1;
         private double x;
         private double z;
 
-        Grid(PhysicsWorld world, Material material) {
+        Grid(PhysicsWorld world, Material material, Filter filter) {
             this.world = world;
             this.material = material;
+            this.filter = filter;
         }
 
         Grid next() {
@@ -304,17 +333,24 @@ record Mix(
                             .shape(shape)
                             .at(x + aside, 50, z)
                             .angularVelocity(1, 2, 3)
+                            .filter(filter)
                             .material(material));
             return this;
         }
 
         Grid rest(Shape shape, double height) {
-            world.add(Body.dynamic().shape(shape).at(x, height, z).material(material));
+            world.add(
+                    Body.dynamic().shape(shape).at(x, height, z).filter(filter).material(material));
             return this;
         }
 
         Grid fix(Box plate) {
-            world.add(Body.fixed().shape(plate).at(x, -plate.halfY(), z).material(material));
+            world.add(
+                    Body.fixed()
+                            .shape(plate)
+                            .at(x, -plate.halfY(), z)
+                            .filter(filter)
+                            .material(material));
             return this;
         }
     }
