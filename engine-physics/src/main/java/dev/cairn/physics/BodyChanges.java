@@ -44,7 +44,7 @@ final class BodyChanges {
             bodies.stop(s);
         }
         bodies.kind[s] = BodyTable.kind(type);
-        table.access.setMass(s, mass);
+        table.collision.settle(s, mass);
         learn(s);
         table.roster.retyped(s);
     }

@@ -408,7 +408,7 @@ final class ColliderTable implements Stateful {
      * Mass, centre and radii of a body that is made of something else now. Its frame stays where it
      * is, and each of its points keeps its velocity.
      */
-    private void settle(int body, MassProperties p) {
+    void settle(int body, MassProperties p) {
         table.access.setMass(body, p);
         for (int c = first(body); c != ColliderStore.NONE && c != body; c = colliders.next[c]) {
             System.arraycopy(local(body, specs[c]), 0, colliders.local, ColliderStore.LOCAL * c, 7);

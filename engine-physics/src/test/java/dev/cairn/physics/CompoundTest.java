@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.cairn.physics.body.BodyRemovedException;
+import dev.cairn.physics.body.BodyType;
 import dev.cairn.physics.query.Hit;
 import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.shape.Box;
@@ -91,6 +92,28 @@ class CompoundTest {
                             + rod * y * y;
             double got = 1 / hammer.inverseInertia(new Matrix3d()).m00;
             assertEquals(about, got, 1e-12 * about);
+        }
+    }
+
+    /** The material of one part changes; the mass follows with the next type, and nothing jumps. */
+    @Test
+    void partsStayWhereTheyAreWhenTheTypeChanges() {
+        try (PhysicsWorld world = Scenes.awake().workers(1).build()) {
+            BodyRef body = world.add(brick(true).at(0, 5, 0));
+            ColliderRef part = body.colliders().get(0);
+            world.step(Scenes.STEP);
+            part.setMaterial(Material.STEEL);
+            double bottom = 5 - .3 - .5 * 9.81 * Scenes.STEP * Scenes.STEP;
+            body.setType(BodyType.FIXED);
+            for (int tick = 0; tick < 3; tick++) {
+                world.step(Scenes.STEP);
+                world.validate();
+                Hit hit = new Hit();
+                assertSame(body, world.queries().rayCast(-.7, 0, 0, 0, 1, 0, 100, hit));
+                assertEquals(bottom, hit.distance(), 5e-3);
+                assertSame(null, world.queries().rayCast(-1.01, 0, 0, 0, 1, 0, 100, hit));
+                assertSame(body, world.queries().rayCast(-.99, 0, 0, 0, 1, 0, 100, hit));
+            }
         }
     }
 
