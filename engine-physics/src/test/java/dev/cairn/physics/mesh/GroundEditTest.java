@@ -113,9 +113,8 @@ class GroundEditTest {
             level(ground, 12, 22, 7, 7, .9); // its centre is covered by 0.65 m
             assertFalse(little.isAsleep() || deep.isAsleep());
             step(world, 240);
-            // what is pushed out of any ground comes to rest up to 2 mm above it
-            assertEquals(.35, y(little), 2.5e-3);
-            assertEquals(1.15, y(deep), 2.5e-3);
+            assertEquals(.35, y(little), 1e-5);
+            assertEquals(1.15, y(deep), 1e-5);
             assertTrue(little.isAsleep() && deep.isAsleep());
         }
     }

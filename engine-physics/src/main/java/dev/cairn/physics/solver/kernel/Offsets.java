@@ -12,8 +12,10 @@ import dev.cairn.physics.solver.row.SubStep;
  * rests, a small share of its overlap, or of its gap, moves into an offset of its separation, kept
  * as the load {@code k offset} that it stands for, so that it stays right when the effective mass
  * changes. The point ends with no overlap and an offset that holds its whole load, {@code l' =
- * max(0, l - k gain gap)}: it never pulls, and what has lost a load comes down again. While a point
- * moves, the offset fades; when it opens, fast.
+ * max(0, l - k gain gap)}: it never pulls, and what has lost a load comes down again. It does not
+ * grow beyond the impulse that the point gives: bodies that were put into each other are pushed out
+ * at rest, and their overlap says nothing about a load; they would hover by a part of it. While a
+ * point moves, the offset fades; when it opens, fast.
  *
  * <p>Source: own study; the idea is Powell's and Hestenes' method of multipliers (1969).
  */
@@ -59,7 +61,9 @@ public final class Offsets {
                             - RowArithmetic.dot(
                                     d, q + ConstraintRows.ARM_A * lanes, lanes, body, a + 3);
             if (impulse > 0 && rests && Math.abs(speed) < still) {
-                known -= k * ((gap < 0 || gap > touch ? gap : 0) * gain);
+                double learnt = known - k * ((gap < 0 || gap > touch ? gap : 0) * gain);
+                // l' <= max(l, N): what overlaps beyond the sag of the load N is being pushed out
+                known = Math.min(learnt, Math.max(known, impulse));
             } else {
                 known *= impulse == 0 && gap > 0 ? OPEN : MOVING;
             }

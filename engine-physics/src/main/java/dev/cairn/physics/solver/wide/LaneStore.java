@@ -221,7 +221,9 @@ final class LaneStore implements RowStore {
                             .and(impulse.compare(VectorOperators.GT, 0.0));
             var matters =
                     gap.compare(VectorOperators.LT, 0.0).or(gap.compare(VectorOperators.GT, touch));
-            var learnt = known.sub(k.mul(DoubleVector.zero(S).blend(gap, matters).mul(gain)));
+            var learnt =
+                    known.sub(k.mul(DoubleVector.zero(S).blend(gap, matters).mul(gain)))
+                            .min(known.max(impulse));
             var open =
                     impulse.compare(VectorOperators.EQ, 0.0)
                             .and(gap.compare(VectorOperators.GT, 0.0));
