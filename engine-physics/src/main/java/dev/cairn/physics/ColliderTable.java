@@ -436,10 +436,10 @@ final class ColliderTable implements Stateful {
         if (wanted.hasCentre()) {
             split(body);
         }
-        if (rules.canMove(body) || wanted.hasCentre()) {
+        if (rules.canMove(body) || !table.roster.isCentre(body, p)) {
             settle(body, p);
         } else {
-            table.access.setMass(body, p);
+            table.access.setMass(body, p); // concerns nobody
         }
     }
 

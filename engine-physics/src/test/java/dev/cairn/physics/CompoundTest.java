@@ -105,7 +105,11 @@ class CompoundTest {
             part.setMaterial(Material.STEEL);
             double bottom = 5 - .3 - .5 * 9.81 * Scenes.STEP * Scenes.STEP;
             body.setType(BodyType.FIXED);
-            for (int tick = 0; tick < 3; tick++) {
+            for (int tick = 0; tick < 6; tick++) {
+                if (tick == 3) {
+                    body.colliders().get(1).setMaterial(Material.WOOD);
+                    body.setMass(7);
+                }
                 world.step(Scenes.STEP);
                 world.validate();
                 Hit hit = new Hit();

@@ -13,6 +13,7 @@ import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.EdgeSource;
 import dev.cairn.physics.island.Sleepers;
+import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.tuning.Tuning;
 
 import org.jspecify.annotations.Nullable;
@@ -178,6 +179,11 @@ public final class Roster implements Stateful {
         if (stands(slot)) {
             addUnplaced(slot);
         }
+    }
+
+    /** Whether a body's centre of mass is where it is, in the body's frame. */
+    public boolean isCentre(int slot, MassProperties p) {
+        return p.comX() == comX[slot] && p.comY() == comY[slot] && p.comZ() == comZ[slot];
     }
 
     /** The body of a slot that was taken is complete. */
