@@ -164,8 +164,8 @@ public final class JointRows implements KindRows {
                     case JointStore.MOTOR ->
                             within(old - (v - store.target[r]) / compliance[r], most);
                     case JointStore.SPRING -> {
-                        double k = h * JointSolve.stiffness(store, r, compliance[r]);
-                        double d = JointSolve.damping(store, r, compliance[r]) + h * k;
+                        double k = h * AssemblyEquations.stiffness(store, r, compliance[r]);
+                        double d = AssemblyEquations.damping(store, r, compliance[r]) + h * k;
                         double way = value[r] - store.target[r];
                         way = JointMath.isAngle(store.law[r]) ? Angles.wrap(way) : way;
                         // l = -k way - d v, v after the impulse

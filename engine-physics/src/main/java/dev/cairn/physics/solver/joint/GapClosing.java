@@ -1,0 +1,121 @@
+package dev.cairn.physics.solver.joint;
+
+import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.JointStore;
+import dev.cairn.physics.solver.body.Rotation;
+import dev.cairn.physics.solver.body.SolverBodies;
+
+/**
+ * Closes joints that are open already, bodies that were put elsewhere or pushed by contacts, by
+ * moving bodies aside. No speed comes of it, so no energy of motion.
+ */
+abstract class GapClosing extends HoldingRows {
+    /** Rounds in which gaps are closed aside, and down to which share of a body's size. */
+    private static final int CLOSINGS = 4;
+
+    private static final double CLOSELY = 1e-4;
+
+    private final double[] turn = new double[3];
+
+    /**
+     * Closes what is open by moving bodies, without any speed: {@code x' = x - M^-1 J^T (A + E)^-1
+     * c}.
+     */
+    void close() {
+        for (int round = 0; round < CLOSINGS; round++) {
+            double worst = gaps(round == 0);
+            if (!(worst > (round == 0 ? NEARLY : CLOSELY))) {
+                return;
+            }
+            isClosing = true;
+            factor(false);
+            solve();
+            isClosing = false;
+            shift();
+            s.isFresh = false;
+            derive();
+        }
+    }
+
+    /** Writes what is open to {@link Assembly#now}; the worst, over its size. */
+    double gaps(boolean begins) {
+        double worst = 0;
+        for (int k = 0; k < s.joint.length; k++) {
+            double size = size(k);
+            for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
+                int row = row(k, r);
+                boolean isAngle = JointMath.isAngle(store.law[row]);
+                double gap = 0;
+                if (s.isActive[r] && store.role[row] == JointStore.LOCK) {
+                    gap = s.start[r] - store.target[row];
+                } else if (s.isActive[r] && store.role[row] == JointStore.LIMIT) {
+                    double edge = store.held[row] < 0 ? store.lower[row] : store.upper[row];
+                    double past = s.start[r] - edge;
+                    gap = past * store.held[row] > 0 ? past : 0;
+                }
+                // what is far apart is drawn nearer only once
+                double most = reach(isAngle);
+                gap = begins || Math.abs(gap) < most ? within(gap, most) : 0;
+                worst = Math.max(worst, Math.abs(isAngle ? gap : gap / size));
+                s.now[r] = gap;
+            }
+        }
+        return worst;
+    }
+
+    /** Size that the gaps of a joint are measured by, m: its smaller body that moves, and arms. */
+    double size(int k) {
+        BodyStore b = tick.bodies;
+        double size = 0;
+        for (int side = 0; side < 2; side++) {
+            if (s.end[2 * k + side] >= 0) {
+                size = Math.max(size, b.outerRadius[s.body[s.end[2 * k + side]]]);
+            }
+        }
+        return size;
+    }
+
+    /**
+     * Moves bodies by the solution. Where a loop is almost straight that would lead far beyond: it
+     * is cut to twice the way that a gap is closed by.
+     */
+    void shift() {
+        BlockFactors f = s.factors;
+        SolverBodies body = tick.body;
+        double part = 1;
+        for (int n = 0; n < s.body.length; n++) {
+            int o = SolverBodies.offset(s.body[n]);
+            int u = f.unknown(n);
+            double root = Math.sqrt(body.state[o + SolverBodies.MASS]);
+            double way = root * SolverBodies.norm(f.x[u], f.x[u + 1], f.x[u + 2]);
+            turn(s.body[n], u + 3);
+            double angle = SolverBodies.norm(turn[0], turn[1], turn[2]);
+            part = way * part > 2 * reach(false) ? 2 * reach(false) / way : part;
+            part = angle * part > 2 * reach(true) ? 2 * reach(true) / angle : part;
+        }
+        for (int n = 0; n < s.body.length; n++) {
+            int i = s.body[n];
+            int o = SolverBodies.offset(i);
+            int p = o + SolverBodies.P;
+            int u = f.unknown(n);
+            double root = part * Math.sqrt(body.state[o + SolverBodies.MASS]);
+            for (int c = 0; c < 3; c++) {
+                body.state[p + c] += root * f.x[u + c];
+                body.state[p + 3 + c] += part * f.x[u + 3 + c];
+            }
+            turn(i, u + 3);
+            Rotation.turn(tick.bodies, i, part * turn[0], part * turn[1], part * turn[2]);
+        }
+    }
+
+    /** {@code L u} of three unknowns. */
+    void turn(int i, int u) {
+        double[] l = tick.body.root;
+        int q = (i + 1) * SolverBodies.ROOT;
+        double[] x = s.factors.x;
+        for (int c = 0; c < 3; c++) {
+            turn[c] =
+                    l[q + 3 * c] * x[u] + l[q + 3 * c + 1] * x[u + 1] + l[q + 3 * c + 2] * x[u + 2];
+        }
+    }
+}
