@@ -13,6 +13,7 @@ import dev.cairn.render.app.Offscreen;
 import dev.cairn.render.camera.Camera;
 import dev.cairn.render.camera.CameraMount;
 import dev.cairn.samples.film.Film;
+import dev.cairn.samples.overlap.Penetration;
 import dev.cairn.samples.replay.RunFile;
 
 import org.jspecify.annotations.Nullable;

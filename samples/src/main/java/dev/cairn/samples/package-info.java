@@ -26,9 +26,9 @@
  *   <li>A script knows neither window nor runner, and needs no GL.
  *   <li>What a scene does is a function of its parameters and its seed: same digest for every
  *       number of workers.
- *   <li>Measures are taken outside the engine. {@link dev.cairn.samples.Penetration} recomputes
- *       overlaps from poses and shapes by separating axes in double and calls nothing of the narrow
- *       phase; the truths are closed forms.
+ *   <li>Measures are taken outside the engine. {@link dev.cairn.samples.overlap.Penetration}
+ *       recomputes overlaps from poses and shapes by separating axes in double and calls nothing of
+ *       the narrow phase; the truths are closed forms.
  *   <li>A mistake of the user is one line that teaches, and exit code 2.
  * </ul>
  *

@@ -5,9 +5,9 @@ import dev.cairn.benchmarks.peer.SceneDescription;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
-import dev.cairn.samples.Penetration;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.overlap.Penetration;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;

@@ -8,8 +8,6 @@ import dev.cairn.physics.shape.mesh.Meshed;
 import dev.cairn.physics.shape.mesh.SampleGrid;
 import dev.cairn.physics.shape.mesh.TriangleSet;
 
-import org.joml.Vector3d;
-
 import java.util.Arrays;
 import java.util.Objects;
 
@@ -438,16 +436,6 @@ public final class HeightField extends Meshed implements Shape {
     }
 
     /**
-     * The volume.
-     *
-     * @return infinite: only what does not move by itself is ground
-     */
-    @Override
-    public double volume() {
-        return Double.POSITIVE_INFINITY;
-    }
-
-    /**
      * Infinite mass and inertia; bodies are placed by sample (0, 0) at height 0.
      *
      * @param density kg/m³, positive and finite
@@ -455,16 +443,6 @@ public final class HeightField extends Meshed implements Shape {
     @Override
     public MassProperties massProperties(double density) {
         return HalfSpace.of().massProperties(density);
-    }
-
-    /**
-     * Of the shapes that touch the ground the other one is always the smaller.
-     *
-     * @return infinite
-     */
-    @Override
-    public double innerRadius() {
-        return Double.POSITIVE_INFINITY;
     }
 
     @Override
@@ -476,21 +454,6 @@ public final class HeightField extends Meshed implements Shape {
             sum += most * most;
         }
         return Math.sqrt(sum);
-    }
-
-    @Override
-    public Vector3d centreOfMass(Vector3d dest) {
-        return dest.zero();
-    }
-
-    /**
-     * The box around the turned box of the field with its inside.
-     *
-     * @param dest receives minX, minY, minZ, maxX, maxY, maxZ
-     */
-    @Override
-    public void bounds(double qx, double qy, double qz, double qw, double[] dest, int offset) {
-        boundsOfEnds(qx, qy, qz, qw, dest, offset);
     }
 
     @Override

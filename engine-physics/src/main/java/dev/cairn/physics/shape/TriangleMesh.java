@@ -8,8 +8,6 @@ import dev.cairn.physics.shape.mesh.MeshBuilder;
 import dev.cairn.physics.shape.mesh.Meshed;
 import dev.cairn.physics.shape.mesh.TriangleSet;
 
-import org.joml.Vector3d;
-
 import java.util.Arrays;
 import java.util.Objects;
 import java.util.function.DoubleConsumer;
@@ -311,16 +309,6 @@ public final class TriangleMesh extends Meshed implements Shape {
     }
 
     /**
-     * The volume.
-     *
-     * @return infinite: only what does not move by itself is a mesh
-     */
-    @Override
-    public double volume() {
-        return Double.POSITIVE_INFINITY;
-    }
-
-    /**
      * Infinite mass and inertia; bodies are placed by the origin of the mesh's frame.
      *
      * @param density kg/m³, positive and finite
@@ -330,34 +318,9 @@ public final class TriangleMesh extends Meshed implements Shape {
         return HalfSpace.of().massProperties(density);
     }
 
-    /**
-     * Of the shapes that touch a mesh the other one is always the smaller.
-     *
-     * @return infinite
-     */
-    @Override
-    public double innerRadius() {
-        return Double.POSITIVE_INFINITY;
-    }
-
     @Override
     public double outerRadius() {
         return outerRadius;
-    }
-
-    @Override
-    public Vector3d centreOfMass(Vector3d dest) {
-        return dest.zero();
-    }
-
-    /**
-     * The box around the turned box of the mesh: tight while the mesh is not turned.
-     *
-     * @param dest receives minX, minY, minZ, maxX, maxY, maxZ
-     */
-    @Override
-    public void bounds(double qx, double qy, double qz, double qw, double[] dest, int offset) {
-        boundsOfEnds(qx, qy, qz, qw, dest, offset);
     }
 
     @Override

@@ -4,7 +4,7 @@ import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.body.Kinetics;
-import dev.cairn.samples.Penetration;
+import dev.cairn.samples.overlap.Penetration;
 
 import org.joml.Matrix3d;
 import org.joml.Vector3d;

@@ -1,5 +1,7 @@
 package dev.cairn.physics.shape.mesh;
 
+import org.joml.Vector3d;
+
 /**
  * A shape that is a surface of triangles. The narrow phase reads them with {@link TriangleSet#of};
  * they are no part of what a user of the shape sees.
@@ -22,8 +24,43 @@ public abstract class Meshed {
      */
     public abstract int material(int triangle);
 
-    /** The box around the turned box of all triangles, relative to the frame's origin. */
-    protected final void boundsOfEnds(
+    /**
+     * The volume.
+     *
+     * @return infinite: only what does not move by itself is ground
+     */
+    public final double volume() {
+        return Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * Of the shapes that touch the ground the other one is always the smaller.
+     *
+     * @return infinite
+     */
+    public final double innerRadius() {
+        return Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * Bodies are placed by the origin of the frame.
+     *
+     * @param dest receives 0, 0, 0
+     * @return dest
+     */
+    public final Vector3d centreOfMass(Vector3d dest) {
+        return dest.zero();
+    }
+
+    /**
+     * The box around the turned box of all triangles, relative to the frame's origin: tight while
+     * the shape is not turned.
+     *
+     * @param qx unit quaternion, worldFromShape; likewise qy, qz, qw
+     * @param dest receives minX, minY, minZ, maxX, maxY, maxZ
+     * @param offset where in dest
+     */
+    public final void bounds(
             double qx, double qy, double qz, double qw, double[] dest, int offset) {
         row(
                 dest,

@@ -1,4 +1,4 @@
-package dev.cairn.samples;
+package dev.cairn.samples.overlap;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

@@ -1,4 +1,4 @@
-package dev.cairn.samples;
+package dev.cairn.samples.overlap;
 
 import java.util.Arrays;
 

@@ -1,4 +1,4 @@
-package dev.cairn.samples;
+package dev.cairn.samples.overlap;
 
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
