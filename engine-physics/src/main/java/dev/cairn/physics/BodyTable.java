@@ -64,6 +64,9 @@ final class BodyTable implements Stateful {
     /** By slot: whether the body may not sleep. */
     boolean[] staysAwake = {};
 
+    /** Bodies that were ever made. */
+    long born;
+
     private final List<BodyRef> quarantined = new ArrayList<>();
     private boolean closed;
     private @Nullable ContactView view;
@@ -167,6 +170,7 @@ final class BodyTable implements Stateful {
             MassProperties mass,
             double[] com) {
         roster.take();
+        born++;
         BodyRef ref = new BodyRef(this, slot, entity, body.name);
         refs[slot] = ref;
         userData[slot] = body.userData;

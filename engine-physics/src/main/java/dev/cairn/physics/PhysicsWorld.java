@@ -20,9 +20,12 @@ import dev.cairn.physics.component.Torque;
 import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.joint.Joint;
+import dev.cairn.physics.joint.JointChange;
 import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.joint.Jointed;
 import dev.cairn.physics.joint.Joints;
+import dev.cairn.physics.joint.NewJoint;
+import dev.cairn.physics.joint.RigidJoint;
 import dev.cairn.physics.profile.StepProfile;
 import dev.cairn.physics.shape.ShapeCodecs;
 import dev.cairn.physics.state.RigidBody;
@@ -57,7 +60,7 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
         newcomers = ecs.query(NewBody.COMPONENT);
         changes = ecs.query(Body.Change.COMPONENT);
         collisions = new Collisions(this);
-        joints = new Joints(physics.joints, physics.table.bodies, new JointHost());
+        joints = new Joints(physics.joints, physics.table.bodies, new JointHost(), ecs);
         physics.jointList = joints;
     }
 
@@ -122,7 +125,9 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
 
         @Override
         public int slotOf(String name, Jointed body) {
-            if (!(Checks.notNull(name, body) instanceof BodyRef ref) || !ref.isOf(physics.table)) {
+            Jointed given = Checks.notNull(name, body);
+            Jointed named = given instanceof Jointed.ByEntity ? bodyOf(given.entity()) : given;
+            if (!(named instanceof BodyRef ref) || !ref.isOf(physics.table)) {
                 throw new IllegalArgumentException(
                         name
                                 + " is "
@@ -130,6 +135,11 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
                                 + ", which is no body of this world; pass what add(Body) returned");
             }
             return ref.alive();
+        }
+
+        @Override
+        public long bodiesBorn() {
+            return physics.table.born;
         }
 
         @Override
@@ -176,6 +186,7 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
         physics.table.access.takePoses();
         physics.table.adopt(newcomers);
         physics.table.change(changes);
+        joints.endStep();
         physics.view.tell();
     }
 
@@ -291,6 +302,7 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
         all.addAll(List.of(Pose.COMPONENT, Visual.COMPONENT, Velocity.COMPONENT));
         all.addAll(List.of(Force.COMPONENT, Torque.COMPONENT));
         all.addAll(List.of(RigidBody.COMPONENT, NewBody.COMPONENT, Body.Change.COMPONENT));
+        all.addAll(List.of(RigidJoint.COMPONENT, NewJoint.COMPONENT, JointChange.COMPONENT));
         return World.codecs(all.toArray(new Component<?>[0]))
                 .with(ShapeCodecs.all().toArray(new StateCodec<?>[0]))
                 .with(Collider.CODEC, BodyRef.CODEC, ColliderRef.CODEC, PhysicsSettings.CODEC)

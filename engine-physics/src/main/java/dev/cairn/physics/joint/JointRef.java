@@ -16,16 +16,20 @@ import java.util.Arrays;
  *
  * <p>Simulation thread, between steps. What only changes numbers of a motor, spring or limit that
  * the joint has does not allocate, so it may be called in every tick; it wakes the bodies if
- * anything is other than before. Every method but {@link #isAlive}, {@link #name} and {@link
- * #toString} throws {@link IllegalStateException} once the joint is gone: it was removed, or one of
- * its bodies was.
+ * anything is other than before. Every method but {@link #isAlive}, {@link #name}, {@link #kind},
+ * {@link #entity}, those of the bodies' entities and {@link #toString} throws {@link
+ * IllegalStateException} once the joint is gone: it was removed, or one of its bodies was.
  */
 public final class JointRef {
+    /** {@link #entity} of a joint that has none. */
+    public static final long NO_ENTITY = 0;
+
     private final Joints joints;
     private final String name;
     private final String kind;
     private final long entityA;
     private final long entityB;
+    private final long entity;
     private final JointAxis main;
     private double length;
     private final JointPlace place;
@@ -38,12 +42,13 @@ public final class JointRef {
     int stamp;
     private final RowList rows = new RowList();
 
-    JointRef(Joints joints, Joint joint) {
+    JointRef(Joints joints, Joint joint, long entityA, long entityB, long entity) {
         this.joints = joints;
         name = joint.name;
         kind = joint.kind;
-        entityA = joint.a.entity();
-        entityB = joint.b.entity();
+        this.entityA = entityA;
+        this.entityB = entityB;
+        this.entity = entity;
         main = joint.main;
         length = joint.length;
         place = joint.place();
@@ -61,6 +66,7 @@ public final class JointRef {
                         out.writeString(ref.kind);
                         out.writeLong(ref.entityA);
                         out.writeLong(ref.entityB);
+                        out.writeLong(ref.entity);
                         out.writeString(ref.main.name());
                         out.writeDouble(ref.length);
                         out.writeInt(ref.index);
@@ -89,6 +95,7 @@ public final class JointRef {
         kind = in.readString();
         entityA = in.readLong();
         entityB = in.readLong();
+        entity = in.readLong();
         main = JointAxis.valueOf(in.readString());
         length = in.readDouble();
         index = in.readInt();
@@ -106,6 +113,7 @@ public final class JointRef {
         kind = twin.kind;
         entityA = twin.entityA;
         entityB = twin.entityB;
+        entity = twin.entity;
         main = twin.main;
         length = twin.length;
         place = twin.place;
@@ -128,6 +136,7 @@ public final class JointRef {
                 && stamp == other.stamp
                 && entityA == other.entityA
                 && entityB == other.entityB
+                && entity == other.entity
                 && kind.equals(other.kind)
                 && name.equals(other.name);
     }
@@ -218,6 +227,15 @@ public final class JointRef {
     }
 
     /**
+     * Entity of the joint itself, if it was made by {@link NewJoint}.
+     *
+     * @return its id, or {@link #NO_ENTITY} for a joint that {@code PhysicsWorld.add} made
+     */
+    public long entity() {
+        return entity;
+    }
+
+    /**
      * Whether the joint acts.
      *
      * @return false while it is off, or after it broke
@@ -249,10 +267,7 @@ public final class JointRef {
      * @throws IllegalStateException while a step runs
      */
     public void remove() {
-        int j = changed("remove");
-        joints.wake(j);
-        joints.store.remove(j);
-        joints.separate(j);
+        joints.remove(changed("remove"));
     }
 
     /**

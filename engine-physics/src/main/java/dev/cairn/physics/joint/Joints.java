@@ -1,5 +1,6 @@
 package dev.cairn.physics.joint;
 
+import dev.cairn.core.ecs.World;
 import dev.cairn.core.state.StateCodec;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
@@ -65,6 +66,13 @@ public final class Joints implements Stateful {
         void together(int a, int b);
 
         /**
+         * How many bodies were ever added, in this run of the program.
+         *
+         * @return a count that only grows
+         */
+        long bodiesBorn();
+
+        /**
          * Throws if a step runs or the world is closed.
          *
          * @param call name of the method, for the message
@@ -82,8 +90,16 @@ public final class Joints implements Stateful {
 
     private int[] brokenNumbers = {};
 
+    private static final JointRef[] NO_JOINTS = {};
+
     /** By joint: whether it keeps its bodies from colliding. */
     private boolean[] isApart = {};
+
+    /** By joint: whether users take it to be there. */
+    private boolean[] isKnown = {};
+
+    /** How many joints have an entity. */
+    private int linkedCount;
 
     /** Room to save the settings of all axes. */
     private double[] settings = {};
@@ -93,6 +109,8 @@ public final class Joints implements Stateful {
     private final double[] frame = new double[JointStore.FRAME];
     private final Vector3d point = new Vector3d();
     private final List<JointRef> broken = new ArrayList<>();
+    private final List<JointRef> lost = new ArrayList<>();
+    private final JointEntities entities;
 
     /**
      * Made by the world.
@@ -100,12 +118,14 @@ public final class Joints implements Stateful {
      * @param store of the joints
      * @param bodies of the world
      * @param host the world
+     * @param ecs the entities of the world
      */
     @SuppressWarnings("exports") // only the world, which is in this module, makes one
-    public Joints(JointStore store, BodyStore bodies, Host host) {
+    public Joints(JointStore store, BodyStore bodies, Host host, World ecs) {
         this.store = store;
         this.bodies = bodies;
         this.host = host;
+        entities = new JointEntities(this, ecs);
     }
 
     /**
@@ -119,10 +139,19 @@ public final class Joints implements Stateful {
     public JointRef add(Joint joint) {
         Checks.notNull("joint", joint);
         host.requireBetweenSteps("add");
-        int a = host.slotOf("a", joint.a);
-        int b = host.slotOf("b", joint.b);
+        return make(joint, joint.a, joint.b, JointRef.NO_ENTITY);
+    }
+
+    /**
+     * Adds a joint.
+     *
+     * @param entity that it is, or {@link JointRef#NO_ENTITY}
+     */
+    JointRef make(Joint joint, Jointed bodyA, Jointed bodyB, long entity) {
+        int a = host.slotOf("a", bodyA);
+        int b = host.slotOf("b", bodyB);
         check(joint, a, b);
-        JointRef ref = new JointRef(this, joint);
+        JointRef ref = new JointRef(this, joint, bodyA.entity(), bodyB.entity(), entity);
         RowList rows = new RowList();
         double distance = frames.distance(joint, bodies, a, b);
         ref.resolveLength(
@@ -147,8 +176,11 @@ public final class Joints implements Stateful {
         if (refs.length <= j) {
             refs = Arrays.copyOf(refs, store.isThere.length);
             isApart = Arrays.copyOf(isApart, store.isThere.length);
+            isKnown = Arrays.copyOf(isKnown, store.isThere.length);
         }
         isApart[j] = false;
+        isKnown[j] = true;
+        linkedCount += entity == JointRef.NO_ENTITY ? 0 : 1;
         refs[j] = ref;
         ref.index = j;
         ref.stamp = store.stamp[j];
@@ -177,6 +209,8 @@ public final class Joints implements Stateful {
         JointRef[] saved = s.array("refs", s.isRestoring() ? savedRefs : refs, count);
         savedRefs = s.isRestoring() ? saved : savedRefs;
         isApart = s.array("isApart", isApart, 0, count, store.isThere.length, true);
+        isKnown = s.array("isKnown", isKnown, 0, count, store.isThere.length, true);
+        linkedCount = s.value("linkedCount", linkedCount);
         int numbers = count * Joint.AXES * AxisSettings.NUMBERS;
         if (settings.length < numbers) {
             settings = new double[numbers + numbers / 2];
@@ -190,6 +224,8 @@ public final class Joints implements Stateful {
             numberBroken();
         }
         brokenNumbers = s.array("broken", brokenNumbers, gone);
+        int ended = s.value("lostCount", lost.size());
+        JointRef[] ends = s.array("lost", lost.toArray(NO_JOINTS), ended);
         if (s.isRestoring()) {
             own(saved, count);
             exchange(true);
@@ -197,7 +233,12 @@ public final class Joints implements Stateful {
             for (int i = 0; i < gone; i++) {
                 broken.add(refs[brokenNumbers[i]]);
             }
+            lost.clear();
+            for (int i = 0; i < ended; i++) {
+                lost.add(ends[i].isOf(this) ? ends[i] : new JointRef(this, ends[i]));
+            }
         }
+        entities.state(s);
     }
 
     private void numberBroken() {
@@ -292,7 +333,8 @@ public final class Joints implements Stateful {
     boolean isThere(int j) {
         return store.isThere[j]
                 && host.isAlive(store.bodyA[j], refs[j].entityA())
-                && host.isAlive(store.bodyB[j], refs[j].entityB());
+                && host.isAlive(store.bodyB[j], refs[j].entityB())
+                && (refs[j].entity() == JointRef.NO_ENTITY || entities.isLinked(refs[j].entity()));
     }
 
     private int list(@Nullable List<JointRef> into) {
@@ -325,6 +367,96 @@ public final class Joints implements Stateful {
      */
     public JointRef broken(int index) {
         return broken.get(index);
+    }
+
+    /**
+     * How many joints ended since the step before because one of their bodies went. {@link
+     * JointRef#remove} and the deletion of a joint's own entity are not counted.
+     *
+     * @return at least 0
+     */
+    public int lostCount() {
+        return lost.size();
+    }
+
+    /**
+     * A joint that ended because one of its bodies went.
+     *
+     * @param index 0 to lostCount - 1, in the order of their numbers
+     * @return the joint; it is no longer alive, but tells its name, kind, bodies and entity
+     */
+    public JointRef lost(int index) {
+        return lost.get(index);
+    }
+
+    /**
+     * The joint of an entity that was made by {@link NewJoint}.
+     *
+     * @param entity any
+     * @return the joint, or null if the entity is none
+     */
+    public @Nullable JointRef of(long entity) {
+        int j = entities.number(entity);
+        return j >= 0 && j < refs.length && refs[j] != null && refs[j].entity() == entity
+                ? refs[j]
+                : null;
+    }
+
+    /** Called by the world after a step, when bodies that were asked for are there. */
+    public void endStep() {
+        lost.clear();
+        if (entities.isAnyGone(linkedCount)) {
+            for (int j = 0; j < store.count; j++) {
+                if (isKnown[j] && !isThere(j)) {
+                    end(j);
+                }
+            }
+        }
+        entities.looked();
+        entities.adopt();
+        entities.change();
+    }
+
+    /** A joint is there no more: its entity was deleted, or a body. */
+    private void end(int j) {
+        JointRef ref = refs[j];
+        long entity = ref.entity();
+        isKnown[j] = false;
+        linkedCount -= entity == JointRef.NO_ENTITY ? 0 : 1;
+        boolean isAsked = entity != JointRef.NO_ENTITY && !entities.isLinked(entity);
+        if (store.isThere[j] && store.stamp[j] == ref.stamp) {
+            if (isAsked) {
+                wakeAlive(j, ref);
+            }
+            store.remove(j);
+            separate(j);
+        }
+        if (!isAsked) {
+            lost.add(ref);
+        }
+        if (entity != JointRef.NO_ENTITY) {
+            entities.delete(entity);
+        }
+    }
+
+    private void wakeAlive(int j, JointRef ref) {
+        if (host.isAlive(store.bodyA[j], ref.entityA())
+                && host.isAlive(store.bodyB[j], ref.entityB())) {
+            wake(j);
+        }
+    }
+
+    /** A user takes a joint out. */
+    void remove(int j) {
+        JointRef ref = refs[j];
+        wake(j);
+        store.remove(j);
+        separate(j);
+        isKnown[j] = false;
+        if (ref.entity() != JointRef.NO_ENTITY) {
+            linkedCount--;
+            entities.delete(ref.entity());
+        }
     }
 
     /**

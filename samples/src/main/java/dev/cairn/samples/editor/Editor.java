@@ -43,6 +43,7 @@ public final class Editor {
     private final Stage stage;
     private volatile Mode mode = Mode.CLOSED;
     private final SceneDocument document = new SceneDocument();
+    private final EditorJoints joints = new EditorJoints(this);
     private int selected = NOTHING;
     private String message = "";
     private boolean wrong;
@@ -124,6 +125,15 @@ public final class Editor {
     }
 
     /**
+     * The joints of the scene. Either an entity or a joint is selected, or nothing.
+     *
+     * @return the same object each time
+     */
+    public EditorJoints joints() {
+        return joints;
+    }
+
+    /**
      * What the last action has to say.
      *
      * @return one line, may be empty
@@ -166,7 +176,7 @@ public final class Editor {
      */
     public void open(SceneFile scene, @Nullable Path origin, Path relativeTo) {
         document.begin(scene, origin, relativeTo);
-        selected = NOTHING;
+        letGo();
         mode = Mode.REST;
         say("");
         stage.rest(scene, document.folder(), true);
@@ -193,6 +203,7 @@ public final class Editor {
     public void play() {
         if (mode == Mode.REST) {
             mode = Mode.PLAYING;
+            joints.cancel();
             say("");
             stage.play(scene(), document.folder());
         }
@@ -230,7 +241,14 @@ public final class Editor {
         if (index != selected) {
             document.history().seal();
         }
+        letGo();
         selected = index >= 0 && index < scene().entities().size() ? index : NOTHING;
+    }
+
+    /** Nothing is selected, and no joint is being placed. */
+    void letGo() {
+        selected = NOTHING;
+        joints.letGo();
     }
 
     /**
@@ -240,7 +258,7 @@ public final class Editor {
      */
     public void place(EntitySpec entity) {
         if (edit("place " + entity.name(), scene -> SceneEdit.add(scene, entity), false)) {
-            selected = scene().entities().size() - 1;
+            select(scene().entities().size() - 1);
         }
     }
 
@@ -252,17 +270,10 @@ public final class Editor {
      */
     public void placeMesh(String path, Xyz at) {
         try {
-            if (!Files.isRegularFile(document.folder().resolve(path.strip()))) {
-                fail(
-                        "%s: expected an .obj file, relative to %s; there is none"
-                                .formatted(path.strip(), document.folder()));
-                return;
-            }
-        } catch (InvalidPathException broken) {
-            fail(String.valueOf(broken.getMessage()));
-            return;
+            place(Supply.mesh(document.folder(), path.strip(), at));
+        } catch (IllegalArgumentException refused) {
+            fail(String.valueOf(refused.getMessage()));
         }
-        place(Supply.mesh(document.folder(), path.strip(), at));
     }
 
     /** Adds one more of what is selected, beside it, and selects that. */
@@ -279,20 +290,24 @@ public final class Editor {
                 "duplicate " + like.name(),
                 scene -> SceneEdit.duplicate(scene, index, offset),
                 false)) {
-            selected = scene().entities().size() - 1;
+            select(scene().entities().size() - 1);
         }
     }
 
     /** Deletes what is selected. */
     public void delete() {
+        if (joints.selectedJoint() != null) {
+            joints.delete();
+            return;
+        }
         EntitySpec gone = selectedEntity();
         if (gone == null) {
-            fail("nothing is selected; choose an entity to delete");
+            fail("nothing is selected; choose an entity or a joint to delete");
             return;
         }
         int index = selected;
         if (edit("delete " + gone.name(), scene -> SceneEdit.delete(scene, index), false)) {
-            selected = NOTHING;
+            letGo();
         }
     }
 
@@ -361,15 +376,19 @@ public final class Editor {
         if (mode != Mode.REST) {
             return null;
         }
-        List<EntitySpec> before = scene().entities();
+        SceneFile before = scene();
         String label = step.get();
         if (label != null) {
-            selected = Selection.after(before, selected, scene().entities());
+            joints.cancel();
+            joints.travelled(before.joints());
+            int known = Selection.after(before.entities(), selected, scene().entities());
+            selected = joints.selected() == NOTHING ? known : NOTHING;
         }
         return label;
     }
 
-    private boolean edit(String label, UnaryOperator<SceneFile> change, boolean joins) {
+    /** Makes an edit if the scene rests and can be built after it; says so if not. */
+    boolean edit(String label, UnaryOperator<SceneFile> change, boolean joins) {
         if (mode != Mode.REST) {
             fail("the scene runs; stop it to edit it");
             return false;
@@ -465,13 +484,13 @@ public final class Editor {
 
     // Messages ---------------------------------------------------------------------------------
 
-    private void say(String text) {
+    void say(String text) {
         message = text;
         wrong = false;
         confirming = "";
     }
 
-    private void fail(String text) {
+    void fail(String text) {
         message = text.replaceAll("\\s*\\R\\s*", " ");
         wrong = true;
     }

@@ -32,12 +32,14 @@ public final class EditorPanels {
     private static final double LEFT_WIDTH = 290;
     private static final double PLAYING_HEIGHT = 150;
     private static final int PROBLEM = 0xFF7A7A;
-    private static final int CHOSEN = 0xFFE082;
 
     /** Frames without an edit after which the next one is a step of its own. */
     private static final int REST_FRAMES = 30;
 
     private static final double RAISE = 0.1;
+
+    /** Where a click over the sky is while nothing is selected, m. */
+    private static final double AHEAD = 8;
 
     /** What places are multiples of while the grid is on, m. */
     private static final double GRID = 0.25;
@@ -47,13 +49,9 @@ public final class EditorPanels {
      */
     private static final double STRAY = 0.008;
 
-    /** The edges of a box, as pairs of corners; see {@link Sizes#corners}. */
-    private static final int[] EDGES = {
-        0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7
-    };
-
     private final Editor editor;
     private final EntityPanel entity;
+    private final JointPanel joint;
     private final ConcurrentLinkedQueue<Consumer<Editor>> asked = new ConcurrentLinkedQueue<>();
     private String fileName = "scene.json";
     private String meshName = "";
@@ -67,12 +65,10 @@ public final class EditorPanels {
     private double pressedY;
     private boolean snaps = true;
     private final EntityTitles titles = new EntityTitles();
+    private final JointTitles jointTitles = new JointTitles();
     private final TextBuffer text = new TextBuffer();
 
-    /** Whose box is drawn, and its corners. */
-    private @Nullable EntitySpec outlined;
-
-    private Vector3d[] corners = {};
+    private final SelectionLines lines = new SelectionLines();
     private int stepsBefore;
     private int restFrames;
 
@@ -84,6 +80,7 @@ public final class EditorPanels {
     public EditorPanels(Editor editor) {
         this.editor = editor;
         this.entity = new EntityPanel(editor);
+        this.joint = new JointPanel(editor);
     }
 
     /**
@@ -168,7 +165,11 @@ public final class EditorPanels {
             }
             case PLAYING -> editor.stop();
             case REST -> {
-                if (editor.selected() == Editor.NOTHING) {
+                EditorJoints joints = editor.joints();
+                boolean isFree = editor.selected() == Editor.NOTHING;
+                if (joints.awaited() != EditorJoints.Click.NONE) {
+                    joints.cancel();
+                } else if (isFree && joints.selected() == Editor.NOTHING) {
                     editor.close();
                 } else {
                     editor.select(Editor.NOTHING);
@@ -230,8 +231,13 @@ public final class EditorPanels {
         }
         ui.endPanel();
         list(ui, upper + 2 * GAP, height - upper - GAP);
-        entity.draw(ui, ui.width() - LEFT_WIDTH - GAP, GAP, LEFT_WIDTH, height);
-        outline(view);
+        double right = ui.width() - LEFT_WIDTH - GAP;
+        if (editor.joints().selectedJoint() == null) {
+            entity.draw(ui, right, GAP, LEFT_WIDTH, height);
+        } else {
+            joint.draw(ui, right, GAP, LEFT_WIDTH, height);
+        }
+        lines.draw(view, editor);
         seal();
     }
 
@@ -316,6 +322,13 @@ public final class EditorPanels {
                     editor.select(i == editor.selected() ? Editor.NOTHING : i);
                 }
             }
+            EditorJoints joints = editor.joints();
+            int count = editor.scene().joints().size();
+            for (int i = 0; i < count && i < editor.scene().joints().size(); i++) {
+                if (ui.item(jointTitles.of(i, editor.scene()), i == joints.selected(), "")) {
+                    joints.select(i == joints.selected() ? Editor.NOTHING : i);
+                }
+            }
         }
         ui.endPanel();
     }
@@ -345,6 +358,10 @@ public final class EditorPanels {
         Pointer pointer = view.pointer();
         Pick pick = view.pick(pointer.across(), pointer.upwards());
         int index = pick == null ? Editor.NOTHING : indexOf(pick.entity(), entities);
+        if (editor.joints().awaited() != EditorJoints.Click.NONE) {
+            editor.joints().click(index, clicked(view, pick));
+            return;
+        }
         if (index != Editor.NOTHING && Ground.is(editor.scene().entities().get(index))) {
             index = Editor.NOTHING; // A click beside all things: the floor is chosen in the list.
         }
@@ -357,6 +374,24 @@ public final class EditorPanels {
             pressedX = pointer.x();
             pressedY = pointer.y();
         }
+    }
+
+    /** The point under the cursor; over the sky one as far away as what is selected. */
+    private Xyz clicked(View view, @Nullable Pick pick) {
+        Vector3d eye = view.camera().position(new Vector3d());
+        Vector3d along = ray(view);
+        EntitySpec near = editor.selectedEntity();
+        double far = AHEAD;
+        if (pick != null) {
+            far = pick.distance();
+        } else if (near != null) {
+            Xyz at = near.position();
+            Vector3d forward = view.camera().forward(new Vector3d());
+            double depth = new Vector3d(at.x(), at.y(), at.z()).sub(eye).dot(forward);
+            far = Math.max(0, depth) / along.dot(forward);
+        }
+        Vector3d at = eye.fma(far, along);
+        return new Xyz(at.x, at.y, at.z);
     }
 
     private void move(View view, GroundDrag by) {
@@ -417,25 +452,6 @@ public final class EditorPanels {
                         new Xyz(eye.x, eye.y, eye.z),
                         new Xyz(target.x, target.y, target.z),
                         editor.scene().camera().fieldOfViewDegrees()));
-    }
-
-    /** The box around what is selected, drawn over the scene. */
-    @SuppressWarnings("ReferenceEquality") // a changed entity is another object
-    private void outline(View view) {
-        EntitySpec chosen = editor.selectedEntity();
-        if (chosen == null) {
-            return;
-        }
-        if (chosen != outlined) {
-            outlined = chosen;
-            corners = Sizes.of(chosen).corners(chosen.position(), chosen.rotation());
-        }
-        Vector3d[] c = corners;
-        for (int i = 0; i < EDGES.length; i += 2) {
-            Vector3d a = c[EDGES[i]];
-            Vector3d b = c[EDGES[i + 1]];
-            view.line(a.x, a.y, a.z, b.x, b.y, b.z, CHOSEN, 1.5);
-        }
     }
 
     /** A slider that has rested for a while begins a new step when it moves again. */

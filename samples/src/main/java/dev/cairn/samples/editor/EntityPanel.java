@@ -40,6 +40,7 @@ final class EntityPanel {
     private final ShapeFields shapes;
     private final DrivenFields driven;
     private final BodyFields bodies;
+    private final JointTool joints;
     private final Quaterniond rotation = new Quaterniond();
     private final Vector3d angles = new Vector3d();
     private int shown = Editor.NOTHING;
@@ -49,6 +50,7 @@ final class EntityPanel {
         this.shapes = new ShapeFields(editor, fields);
         this.driven = new DrivenFields(editor);
         this.bodies = new BodyFields(editor, fields);
+        this.joints = new JointTool(editor);
     }
 
     void draw(Ui ui, double left, double top, double width, double height) {
@@ -75,6 +77,9 @@ final class EntityPanel {
             }
             if (ui.button("Delete (Del)")) {
                 editor.delete();
+            }
+            if (entity.body() != BodyKind.NONE) {
+                joints.draw(ui);
             }
             // One kind of change in a frame: what is shown below is what was there before it.
             identity(ui, entity);

@@ -16,6 +16,7 @@ import dev.cairn.samples.scenefile.ShapeSpec.TurnedShape;
 import dev.cairn.samples.scenefile.Turn;
 import dev.cairn.samples.scenefile.Xyz;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 
@@ -87,8 +88,16 @@ final class Supply {
         return lowest;
     }
 
-    /** A mesh file with its lowest point where that of the cube was which stood in for it. */
+    /**
+     * A mesh file with its lowest point where that of the cube was which stood in for it. Throws
+     * IllegalArgumentException if there is no such file.
+     */
     static EntitySpec mesh(Path folder, String path, Xyz at) {
+        if (!Files.isRegularFile(folder.resolve(path))) {
+            throw new IllegalArgumentException(
+                    "%s: expected an .obj file, relative to %s; there is none"
+                            .formatted(path, folder));
+        }
         String name = String.valueOf(Path.of(path).getFileName()).replace(".obj", "");
         double raised = at.y() + Sizes.of(ANY_MESH).low().y() - lowest(folder.resolve(path));
         return EntitySpec.of(name, BodyKind.DYNAMIC, new MeshShape(path.replace('\\', '/')))

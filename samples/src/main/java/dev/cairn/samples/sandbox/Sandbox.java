@@ -6,6 +6,7 @@ import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.render.app.Application;
+import dev.cairn.render.app.DebugLayer;
 import dev.cairn.render.app.Scene;
 import dev.cairn.render.app.View;
 import dev.cairn.render.input.Bindings;
@@ -50,6 +51,8 @@ public class Sandbox extends Application {
     private final Editor editor = new Editor(stage);
     private final EditorPanels editorPanels = new EditorPanels(editor);
     private final LeaveQuestion leaving = new LeaveQuestion(editor, editorPanels, this::quit);
+    private boolean editsJoints;
+    private boolean drewJoints;
     private double windowStepSeconds = SampleScene.STEP_SECONDS;
     private final TripleBuffer<SandboxState> states = new TripleBuffer<>(SandboxState::new);
 
@@ -442,6 +445,7 @@ public class Sandbox extends Application {
     protected void panels(Ui ui, View view) {
         SandboxState state = states.latest();
         editorPanels.hear();
+        showJoints(editor.mode() == Editor.Mode.REST);
         if (editor.mode() == Editor.Mode.CLOSED) {
             panels.draw(ui, view, state);
         } else {
@@ -452,6 +456,15 @@ public class Sandbox extends Application {
         }
         leaving.draw(ui);
         shown(ui, view, state);
+    }
+
+    /** Joints are drawn while a scene is edited, whatever is drawn else. */
+    private void showJoints(boolean edited) {
+        if (edited != editsJoints) {
+            editsJoints = edited;
+            drewJoints = edited ? isDebug(DebugLayer.JOINTS) : drewJoints;
+            debug(DebugLayer.JOINTS, edited || drewJoints);
+        }
     }
 
     @Override

@@ -63,6 +63,11 @@ public record JointSpec(
                     "pulley",
                     "generic");
 
+    /** Stand in for bodies where only a joint's own numbers matter. */
+    private static final Jointed NOBODY = () -> 0;
+
+    private static final Jointed SOMEBODY = () -> 1;
+
     /** Copies the lists. */
     public JointSpec {
         parameters = List.copyOf(parameters);
@@ -92,6 +97,22 @@ public record JointSpec(
     public record Axis(JointAxis axis, AxisState state) {}
 
     /**
+     * A joint as the editor places it: what its kind does, and nothing else.
+     *
+     * @param kind one of {@link #KINDS}
+     * @param a index of the first entity
+     * @param b index of the second one
+     * @param parameters as many as the kind wants
+     * @param place where it is
+     * @return a description
+     */
+    public static JointSpec of(String kind, int a, int b, List<Double> parameters, Place place) {
+        double never = Double.POSITIVE_INFINITY;
+        return new JointSpec(
+                kind, "", a, b, parameters, place, List.of(), 0, false, never, never, true);
+    }
+
+    /**
      * The same between other entities.
      *
      * @param newA index of the first one
@@ -107,6 +128,141 @@ public record JointSpec(
                 parameters,
                 place,
                 axes,
+                length,
+                collides,
+                breakForce,
+                breakTorque,
+                isOn);
+    }
+
+    /**
+     * The same with another name.
+     *
+     * @param value for people
+     * @return a copy
+     */
+    public JointSpec withName(String value) {
+        return new JointSpec(
+                kind,
+                value,
+                a,
+                b,
+                parameters,
+                place,
+                axes,
+                length,
+                collides,
+                breakForce,
+                breakTorque,
+                isOn);
+    }
+
+    /**
+     * The same elsewhere.
+     *
+     * @param value where
+     * @return a copy
+     */
+    public JointSpec withPlace(Place value) {
+        return new JointSpec(
+                kind,
+                name,
+                a,
+                b,
+                parameters,
+                value,
+                axes,
+                length,
+                collides,
+                breakForce,
+                breakTorque,
+                isOn);
+    }
+
+    /**
+     * The same with other numbers of its kind.
+     *
+     * @param numbers as many as before
+     * @param newLength of a rod, rope or spring, m; 0 for that of the poses
+     * @return a copy
+     */
+    public JointSpec measuring(List<Double> numbers, double newLength) {
+        return new JointSpec(
+                kind,
+                name,
+                a,
+                b,
+                numbers,
+                place,
+                axes,
+                newLength,
+                collides,
+                breakForce,
+                breakTorque,
+                isOn);
+    }
+
+    /**
+     * The same with other ends of it: what it bears, whether it acts, and whether the two collide.
+     *
+     * @param newForce N, may be infinite
+     * @param newTorque N m, may be infinite
+     * @param acts whether it acts
+     * @param together whether the two collide
+     * @return a copy
+     */
+    public JointSpec bearing(double newForce, double newTorque, boolean acts, boolean together) {
+        return new JointSpec(
+                kind,
+                name,
+                a,
+                b,
+                parameters,
+                place,
+                axes,
+                length,
+                together,
+                newForce,
+                newTorque,
+                acts);
+    }
+
+    /**
+     * What it does about an axis, be it said or the kind's.
+     *
+     * @param axis which one
+     * @return what is in force
+     */
+    public AxisState settings(JointAxis axis) {
+        return joint(NOBODY, SOMEBODY).settings(axis);
+    }
+
+    /**
+     * The same doing something else about an axis.
+     *
+     * @param axis which one
+     * @param state what is to be in force
+     * @return a copy that names the axis only where that is not what the kind does
+     * @throws IllegalArgumentException if a number is out of range
+     */
+    public JointSpec withAxis(JointAxis axis, AxisState state) {
+        Joint changed = joint(NOBODY, SOMEBODY);
+        apply(changed, axis, state);
+        Joint plain = start(kind, NOBODY, SOMEBODY, parameters);
+        List<Axis> others = new ArrayList<>();
+        for (JointAxis each : JointAxis.values()) {
+            if (!changed.settings(each).equals(plain.settings(each))) {
+                others.add(new Axis(each, changed.settings(each)));
+            }
+        }
+        return new JointSpec(
+                kind,
+                name,
+                a,
+                b,
+                parameters,
+                place,
+                others,
                 length,
                 collides,
                 breakForce,

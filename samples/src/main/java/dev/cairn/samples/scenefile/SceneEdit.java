@@ -70,7 +70,8 @@ public final class SceneEdit {
     }
 
     /**
-     * Changes an entity in any way that its {@code with} methods offer.
+     * Changes an entity in any way that its {@code with} methods offer. Joints go along, as {@link
+     * JointEdit#carried} says.
      *
      * @param scene the scene
      * @param index which entity
@@ -79,8 +80,10 @@ public final class SceneEdit {
      */
     public static SceneFile change(SceneFile scene, int index, UnaryOperator<EntitySpec> change) {
         List<EntitySpec> entities = new ArrayList<>(scene.entities());
-        entities.set(index, check(change.apply(entities.get(index))));
-        return scene.withEntities(entities);
+        EntitySpec before = entities.get(index);
+        EntitySpec after = check(change.apply(before));
+        entities.set(index, after);
+        return JointEdit.carried(scene.withEntities(entities), index, before, after);
     }
 
     /**

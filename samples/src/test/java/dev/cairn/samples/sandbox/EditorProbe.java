@@ -27,6 +27,13 @@ final class EditorProbe extends Sandbox {
                     "half-space",
                     "Save",
                     "Load",
+                    "New joint",
+                    "To the world...",
+                    "To a body...",
+                    "Move its point...",
+                    "twist about x",
+                    "twist: a motor",
+                    "joint 0  hinge, anchor and box",
                     LeaveQuestion.SAVE,
                     LeaveQuestion.GIVE_UP);
     private final com.sun.management.ThreadMXBean threads =
@@ -54,7 +61,8 @@ final class EditorProbe extends Sandbox {
                         Locale.ROOT,
                         "frame=%d mode=%s tick=%d steps=%d entities=%d changed=%b wrong=%b"
                                 + " selected=%d selectedX=%s selectedY=%s seenY=%.6f bytes=%d"
-                                + " asked=%b shortened=%d eyeZ=%.6f",
+                                + " asked=%b shortened=%d eyeZ=%.6f bodyX=%.6f bodyY=%.6f joints=%d"
+                                + " joint=%d awaited=%s",
                         view.frames(),
                         editor().mode(),
                         state.tick,
@@ -65,11 +73,16 @@ final class EditorProbe extends Sandbox {
                         editor().selected(),
                         chosen == null ? "NaN" : chosen.position().x(),
                         chosen == null ? "NaN" : chosen.position().y(),
-                        heightOfLast(view, state),
+                        seen(view, state, state.entities.length - 1, 1),
                         bytes,
                         leaving().isAsked(),
                         ui.shortened(),
-                        view.camera().position(eye).z));
+                        view.camera().position(eye).z,
+                        seen(view, state, 1, 0),
+                        seen(view, state, 1, 1),
+                        editor().scene().joints().size(),
+                        editor().joints().selected(),
+                        editor().joints().awaited()));
         for (String button : BUTTONS) {
             line.append(WindowFixture.middle(ui, button));
         }
@@ -78,13 +91,14 @@ final class EditorProbe extends Sandbox {
         bytesBefore = threads.getCurrentThreadAllocatedBytes();
     }
 
-    /** Where the world has the last entity of the edited scene. */
-    private static double heightOfLast(View view, SandboxState state) {
+    /** Where the world has an entity of the edited scene. */
+    private static double seen(View view, SandboxState state, int entity, int axis) {
         PoseSnapshot snapshot = view.snapshot();
         for (int row = 0; row < snapshot.size(); row++) {
-            int last = state.entities.length - 1;
-            if (last >= 0 && snapshot.entity(row) == state.entities[last]) {
-                return snapshot.current()[row * PoseSnapshot.STRIDE + 1];
+            if (entity >= 0
+                    && entity < state.entities.length
+                    && snapshot.entity(row) == state.entities[entity]) {
+                return snapshot.current()[row * PoseSnapshot.STRIDE + axis];
             }
         }
         return Double.NaN;

@@ -151,6 +151,64 @@ class EditorWindowTest extends WindowFixture {
         assertEquals(0, ended());
     }
 
+    /** A pendulum by mouse alone; its length stays what it was when it was placed. */
+    @Test
+    void aBoxIsHungOnTheWorldAndSwings() throws IOException, InterruptedException {
+        type("key", "F2");
+        await("the editor", seen -> seen.is("mode", "REST") && seen.number("entities") == 1);
+        click("box");
+        await("a box", seen -> seen.number("entities") == 2 && seen.number("bodyY") == 0.5);
+        moveTo(512, 320); // the wheel over a panel is the panel's
+        for (int i = 0; i < 30; i++) {
+            type("click", "4");
+        }
+        await("the box 3 m up", seen -> seen.number("bodyY") == 3.5);
+        click("New joint");
+        await("the section", seen -> seen.values().containsKey("To_the_world...X"));
+        settle();
+        click("To the world...");
+        await("a click to be awaited", seen -> seen.is("awaited", "WORLD"));
+        type("key", "Escape");
+        await("to have given it up", seen -> seen.is("awaited", "NONE"));
+        assertEquals(1, now().number("selected"), last);
+        click("To the world...");
+        await("a click to be awaited", seen -> seen.is("awaited", "WORLD"));
+        moveTo(640, 60); // the sky, right above
+        type("click", "1");
+        Seen placed =
+                await(
+                        "the joint and its anchor",
+                        seen -> seen.number("joints") == 1 && seen.number("entities") == 3);
+        assertEquals(0, placed.number("joint"), "it is selected: " + last);
+        settle();
+        look("editor-joint-placed");
+        click("twist about x");
+        await("its fields", seen -> seen.values().containsKey("twist:_a_motorX"));
+        awaitNoGarbage("a joint is selected");
+
+        click("Save");
+        await("the file", seen -> !seen.flag("changed") && !seen.flag("wrong"));
+        SceneFile saved = SceneReader.read(folder.resolve("scene.json"));
+        Xyz anchor = saved.joints().get(0).place().anchorA();
+        double length = Math.hypot(anchor.x(), anchor.y() - 3.5);
+        assertTrue(length > 0.5, "from " + anchor);
+        type("key", "F5");
+        Seen swung =
+                await(
+                        "it to swing",
+                        seen -> seen.is("mode", "PLAYING") && seen.number("tick") > 60);
+        double now =
+                Math.hypot(swung.number("bodyX") - anchor.x(), swung.number("bodyY") - anchor.y());
+        assertEquals(length, now, 1e-5, last);
+        assertTrue(Math.abs(swung.number("bodyX")) > 0.01, "it moves: " + last);
+        type("key", "F5");
+        await("the scene at rest", seen -> seen.is("mode", "REST") && seen.number("bodyY") == 3.5);
+        type("key", "Delete");
+        await("the joint to be gone", seen -> seen.number("joints") == 0);
+        type("key", "ctrl+z");
+        await("it to be back, selected", seen -> seen.number("joint") == 0);
+    }
+
     /** With what is selected, its fields and its outline, and while the scene runs. */
     @Test
     void aSteadyEditorMakesNoGarbage() throws IOException, InterruptedException {

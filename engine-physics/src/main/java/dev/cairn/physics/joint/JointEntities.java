@@ -1,0 +1,144 @@
+package dev.cairn.physics.joint;
+
+import dev.cairn.core.ecs.DeadEntityException;
+import dev.cairn.core.ecs.Query;
+import dev.cairn.core.ecs.World;
+import dev.cairn.core.state.StateVisitor;
+import dev.cairn.physics.state.RigidBody;
+
+/**
+ * Joints that are entities, and joints whose bodies have gone: what is done about them when a step
+ * ends. Simulation thread, between steps.
+ */
+final class JointEntities {
+    private static final long[] NOBODY = {};
+
+    private final Joints joints;
+    private final World ecs;
+    private final Query newcomers;
+    private final Query asked;
+    private final Query linked;
+    private final Query bodies;
+
+    /** Bodies at the last look, and how many were born until then. */
+    private int bodyCount;
+
+    private long bornThen;
+
+    JointEntities(Joints joints, World ecs) {
+        this.joints = joints;
+        this.ecs = ecs;
+        newcomers = ecs.query(NewJoint.COMPONENT);
+        asked = ecs.query(JointChange.COMPONENT);
+        linked = ecs.query(RigidJoint.COMPONENT);
+        bodies = ecs.query(RigidBody.COMPONENT);
+    }
+
+    /** The count of births is this program's own, so only its growth is saved. */
+    void state(StateVisitor s) {
+        s.section("jointEntities", this);
+        bodyCount = s.value("bodyCount", bodyCount);
+        long since = s.value("bornThen", joints.host.bodiesBorn() - bornThen);
+        if (s.isRestoring()) {
+            bornThen = joints.host.bodiesBorn() - since;
+        }
+    }
+
+    /** All that went is known. */
+    void looked() {
+        bodyCount = bodies.entityCount();
+        bornThen = joints.host.bodiesBorn();
+    }
+
+    /**
+     * Whether a body has gone, or a joint's entity. Counts first: looking at each joint in each
+     * step would cost more than solving it.
+     */
+    boolean isAnyGone(int linkedJoints) {
+        long expected = bodyCount + (joints.host.bodiesBorn() - bornThen);
+        return bodies.entityCount() != expected || linked.entityCount() != linkedJoints;
+    }
+
+    boolean isLinked(long entity) {
+        return ecs.isAlive(entity) && ecs.has(entity, RigidJoint.COMPONENT);
+    }
+
+    void delete(long entity) {
+        if (ecs.isAlive(entity)) {
+            ecs.delete(entity);
+        }
+    }
+
+    /** The number in the component of an entity, or -1. */
+    int number(long entity) {
+        return isLinked(entity) ? ecs.get(entity, RigidJoint.COMPONENT).number() : -1;
+    }
+
+    /** Makes joints of the entities with {@link NewJoint}, in order of their rows. */
+    void adopt() {
+        for (long entity : entities(newcomers)) {
+            Joint joint = ecs.get(entity, NewJoint.COMPONENT).joint();
+            long a = resolved(joint.a.entity());
+            long b = resolved(joint.b.entity());
+            if (!ecs.isAlive(a) || !ecs.isAlive(b)) {
+                ecs.delete(entity);
+                continue;
+            }
+            ecs.remove(entity, NewJoint.COMPONENT);
+            JointRef made = joints.make(joint, Jointed.of(a), Jointed.of(b), entity);
+            ecs.add(entity, new RigidJoint(made.index, a, b));
+        }
+    }
+
+    /** The entity of a handle; what is no handle is one. */
+    private long resolved(long entity) {
+        if (entity >= 0) {
+            return entity;
+        }
+        try {
+            return ecs.resolve(entity);
+        } catch (DeadEntityException gone) {
+            throw new IllegalArgumentException(
+                    "a NewJoint names a body by a handle of another step (0x"
+                            + Long.toHexString(entity)
+                            + "); resolve it after the step that recorded it, and pass the entity",
+                    gone);
+        }
+    }
+
+    /** Makes the changes that were asked for, in order of their rows. */
+    void change() {
+        for (long entity : entities(asked)) {
+            JointChange change = ecs.get(entity, JointChange.COMPONENT);
+            ecs.delete(entity);
+            long of = resolved(change.entity());
+            if (!ecs.isAlive(of)) {
+                continue; // it ended in the same step
+            }
+            JointRef joint = joints.of(of);
+            if (joint == null) {
+                throw new IllegalArgumentException(
+                        "a JointChange names entity "
+                                + of
+                                + ", which is no joint; pass that of a NewJoint");
+            }
+            change.change().accept(joint);
+        }
+    }
+
+    /** A list, because what is done with them changes the tables. */
+    private static long[] entities(Query query) {
+        int count = query.entityCount();
+        if (count == 0) {
+            return NOBODY;
+        }
+        long[] found = new long[count];
+        int n = 0;
+        for (int c = 0; c < query.chunkCount(); c++) {
+            for (int row = 0; row < query.chunk(c).size(); row++) {
+                found[n++] = query.chunk(c).entity(row);
+            }
+        }
+        return found;
+    }
+}
