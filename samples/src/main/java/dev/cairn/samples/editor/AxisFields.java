@@ -3,6 +3,7 @@ package dev.cairn.samples.editor;
 import dev.cairn.physics.joint.AxisState;
 import dev.cairn.render.ui.Ui;
 
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -23,7 +24,7 @@ final class AxisFields {
     };
 
     private static final String[] SHORT = {
-        "x", "y", "z", "twist", "swing y", "swing z", "cone", "distance"
+        "x", "y", "z", "twist", "sw. y", "sw. z", "cone", "dist."
     };
 
     private static final int FIRST_ANGLE = 3;
@@ -38,20 +39,22 @@ final class AxisFields {
 
     private static final double WAY = 1;
 
-    private static final String[] STATE = names(" is", " is");
-    private static final String[] LOWER = names(" lower, m", " lower, degrees");
-    private static final String[] UPPER = names(" upper, m", " upper, degrees");
-    private static final String[] MOTOR = names(": a motor", ": a motor");
-    private static final String[] SPEED = names(" speed, m/s", " speed, degrees/s");
-    private static final String[] MOTOR_MOST = names(" motor most, N", " motor most, N m");
-    private static final String[] SPRING = names(": a spring", ": a spring");
-    private static final String[] TARGET = names(" to, m", " to, degrees");
-    private static final String[] BY = names(" spring by", " spring by");
-    private static final String[] HERTZ = names(" frequency, Hz", " frequency, Hz");
-    private static final String[] RATIO = names(" damping ratio", " damping ratio");
-    private static final String[] STIFFNESS = names(" stiffness, N/m", " stiffness, N m/rad");
-    private static final String[] DAMPING = names(" damping, N s/m", " damping, N m s/rad");
-    private static final String[] SPRING_MOST = names(" spring most, N", " spring most, N m");
+    private static final String[] STATE = names(" is");
+    private static final String[] LOWER = names(" from");
+    private static final String[] UPPER = names(" up to");
+    private static final String[] MOTOR = names(": a motor");
+    private static final String[] SPEED = names(" speed");
+    private static final String[] MOTOR_MOST = names(" most");
+    private static final String[] SPRING = names(": a spring");
+    private static final String[] TARGET = names(" target");
+    private static final String[] BY = names(" by");
+    private static final String[] HERTZ = names(" Hz");
+    private static final String[] RATIO = names(" ratio");
+    private static final String[] STIFFNESS = names(" stiff");
+    private static final String[] DAMPING = names(" damp");
+    private static final String[] SPRING_MOST = names(" most of it");
+    private static final String UNITS = "degrees, N m; most 0: no bound";
+    private static final String WAYS = "m, N; most 0: no bound";
 
     private static final AxisState LOCK =
             new AxisState(true, false, 0, 0, false, 0, 0, false, 0, 0, 0, false, 0);
@@ -62,12 +65,8 @@ final class AxisFields {
         this.fields = fields;
     }
 
-    private static String[] names(String way, String angle) {
-        String[] names = new String[SHORT.length];
-        for (int i = 0; i < names.length; i++) {
-            names[i] = SHORT[i] + (isAngle(i) ? angle : way);
-        }
-        return names;
+    private static String[] names(String word) {
+        return Arrays.stream(SHORT).map(axis -> axis + word).toArray(String[]::new);
     }
 
     static boolean isAngle(int axis) {
@@ -118,6 +117,7 @@ final class AxisFields {
                 return limited(old, true, lower, upper);
             }
         }
+        ui.label(isAngle(axis) ? UNITS : WAYS);
         AxisState driven = motor(ui, axis, old);
         return driven.equals(old) ? spring(ui, axis, old) : driven;
     }
