@@ -17,6 +17,7 @@ module dev.cairn.physics {
     exports dev.cairn.physics.profile;
     exports dev.cairn.physics.query;
     exports dev.cairn.physics.shape;
+    exports dev.cairn.physics.shape.decomposition;
     exports dev.cairn.physics.time;
     exports dev.cairn.physics.tuning;
 }

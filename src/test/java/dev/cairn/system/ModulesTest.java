@@ -33,6 +33,7 @@ final class ModulesTest {
                     "dev.cairn.physics.profile",
                     "dev.cairn.physics.query",
                     "dev.cairn.physics.shape",
+                    "dev.cairn.physics.shape.decomposition",
                     "dev.cairn.physics.time",
                     "dev.cairn.physics.tuning");
 

@@ -8,6 +8,7 @@ import dev.cairn.physics.component.Velocity;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.GivenMass;
 import dev.cairn.physics.internal.Rotations;
+import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
 
 import org.joml.Quaterniondc;
@@ -260,7 +261,7 @@ public final class Body {
      *     matter can be arranged so
      */
     public Body inertia(double xx, double yy, double zz) {
-        checkInertia(xx, yy, zz);
+        Checks.inertia(xx, yy, zz);
         given = given.withInertia(xx, yy, zz);
         return this;
     }
@@ -284,23 +285,38 @@ public final class Body {
         return this;
     }
 
-    static void checkInertia(double xx, double yy, double zz) {
-        Checks.positive("inertia xx", xx);
-        Checks.positive("inertia yy", yy);
-        Checks.positive("inertia zz", zz);
-        double largest = Math.max(xx, Math.max(yy, zz));
-        // a flat plate has exactly the sum; rounding may put it a little above
-        if (largest > (xx + yy + zz - largest) * (1 + 1e-9)) {
-            throw new IllegalArgumentException(
-                    "inertia is ("
-                            + xx
-                            + ", "
-                            + yy
-                            + ", "
-                            + zz
-                            + ") kg m²; none may be larger than the sum of the other two, since"
-                            + " each is a sum of squares of distances: reduce the largest");
-        }
+    /**
+     * The same with all entries of the tensor: what the products of inertia are not 0 of.
+     *
+     * @param xx about the shape's x axis, kg m², finite, above 0
+     * @param yy about the shape's y axis
+     * @param zz about the shape's z axis
+     * @param xy minus the integral of x y, kg m², finite
+     * @param xz minus the integral of x z
+     * @param yz minus the integral of y z
+     * @return this
+     * @throws IllegalArgumentException as {@link #inertia(double, double, double)}
+     */
+    public Body inertia(double xx, double yy, double zz, double xy, double xz, double yz) {
+        Checks.inertia(xx, yy, zz);
+        Checks.finite("sum of the products of inertia", xy + xz + yz);
+        given = given.withInertia(xx, yy, zz).withProducts(xy, xz, yz);
+        return this;
+    }
+
+    /**
+     * States mass, centre of mass and inertia: of a solid that the shapes only come near to, such
+     * as {@code Decomposition.massProperties}.
+     *
+     * @param value in the body's frame
+     * @return this
+     * @throws IllegalArgumentException as the methods that state one of them
+     */
+    public Body massProperties(MassProperties value) {
+        MassProperties p = Checks.notNull("massProperties", value);
+        return mass(p.mass())
+                .centreOfMass(p.comX(), p.comY(), p.comZ())
+                .inertia(p.ixx(), p.iyy(), p.izz(), p.ixy(), p.ixz(), p.iyz());
     }
 
     /**

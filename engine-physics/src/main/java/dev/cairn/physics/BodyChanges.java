@@ -82,7 +82,7 @@ final class BodyChanges {
     }
 
     void setInertia(int s, double xx, double yy, double zz) {
-        Body.checkInertia(xx, yy, zz);
+        Checks.inertia(xx, yy, zz);
         wakeIfItFalls(s);
         table.collision.stateInertia(s, xx, yy, zz);
         learn(s);

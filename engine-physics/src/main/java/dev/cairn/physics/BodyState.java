@@ -118,6 +118,16 @@ public abstract sealed class BodyState implements Jointed permits BodyRef {
     }
 
     /**
+     * The entries off the diagonal of the inertia that was stated.
+     *
+     * @param destination receives xy, xz, yz in kg m²; 0 if none were
+     * @return destination
+     */
+    public Vector3d statedProducts(Vector3d destination) {
+        return table.collision.statedProducts(alive(), Checks.notNull("destination", destination));
+    }
+
+    /**
      * The centre of mass that was stated, instead of that of the shapes.
      *
      * @param destination receives m, in the body's frame; NaN if it follows from the shapes

@@ -452,6 +452,11 @@ final class ColliderTable implements Stateful {
         return d.set(m.xx(), m.yy(), m.zz());
     }
 
+    Vector3d statedProducts(int body, Vector3d d) {
+        GivenMass m = given.get(body);
+        return d.set(m.xy(), m.xz(), m.yz());
+    }
+
     Vector3d statedCentre(int body, Vector3d d) {
         GivenMass m = given.get(body);
         return d.set(m.x(), m.y(), m.z());

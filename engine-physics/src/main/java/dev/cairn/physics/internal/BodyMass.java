@@ -60,9 +60,9 @@ public final class BodyMass {
                             given.xx(),
                             given.yy(),
                             given.zz(),
-                            0,
-                            0,
-                            0);
+                            given.xy(),
+                            given.xz(),
+                            given.yz());
         }
         if (given.hasCentre()) {
             p =

@@ -67,4 +67,24 @@ public final class Checks {
         }
         return value;
     }
+
+    /** Checks three moments of inertia, kg m². */
+    public static void inertia(double xx, double yy, double zz) {
+        positive("inertia xx", xx);
+        positive("inertia yy", yy);
+        positive("inertia zz", zz);
+        double largest = Math.max(xx, Math.max(yy, zz));
+        // a flat plate has exactly the sum; rounding may put it a little above
+        if (largest > (xx + yy + zz - largest) * (1 + 1e-9)) {
+            throw new IllegalArgumentException(
+                    "inertia is ("
+                            + xx
+                            + ", "
+                            + yy
+                            + ", "
+                            + zz
+                            + ") kg m²; none may be larger than the sum of the other two, since"
+                            + " each is a sum of squares of distances: reduce the largest");
+        }
+    }
 }

@@ -5,19 +5,32 @@ package dev.cairn.physics.internal;
  * is given. Immutable.
  *
  * @param kilograms mass, kg
- * @param xx inertia about the body's axes through the centre of mass, kg m²; given with yy and zz
+ * @param xx inertia about the body's axes through the centre of mass, kg m²; given with the other
+ *     entries
  * @param yy the same about y
  * @param zz the same about z
+ * @param xy off-diagonal entry of the tensor, minus the integral of x y, kg m²
+ * @param xz the same of x z
+ * @param yz the same of y z
  * @param x centre of mass in the body's frame, m; given with y and z
  * @param y the same
  * @param z the same
  */
 public record GivenMass(
-        double kilograms, double xx, double yy, double zz, double x, double y, double z) {
+        double kilograms,
+        double xx,
+        double yy,
+        double zz,
+        double xy,
+        double xz,
+        double yz,
+        double x,
+        double y,
+        double z) {
     private static final double NO = Double.NaN;
 
     /** All follows from the shapes. */
-    public static final GivenMass NONE = new GivenMass(NO, NO, NO, NO, NO, NO, NO);
+    public static final GivenMass NONE = new GivenMass(NO, NO, NO, NO, 0, 0, 0, NO, NO, NO);
 
     /**
      * The same with a mass.
@@ -26,7 +39,7 @@ public record GivenMass(
      * @return a copy
      */
     public GivenMass withMass(double value) {
-        return new GivenMass(value, xx, yy, zz, x, y, z);
+        return new GivenMass(value, xx, yy, zz, xy, xz, yz, x, y, z);
     }
 
     /**
@@ -38,7 +51,7 @@ public record GivenMass(
      * @return a copy
      */
     public GivenMass withInertia(double aboutX, double aboutY, double aboutZ) {
-        return new GivenMass(kilograms, aboutX, aboutY, aboutZ, x, y, z);
+        return new GivenMass(kilograms, aboutX, aboutY, aboutZ, 0, 0, 0, x, y, z);
     }
 
     /**
@@ -50,7 +63,19 @@ public record GivenMass(
      * @return a copy
      */
     public GivenMass withCentre(double bodyX, double bodyY, double bodyZ) {
-        return new GivenMass(kilograms, xx, yy, zz, bodyX, bodyY, bodyZ);
+        return new GivenMass(kilograms, xx, yy, zz, xy, xz, yz, bodyX, bodyY, bodyZ);
+    }
+
+    /**
+     * The same inertia with entries off the diagonal.
+     *
+     * @param newXy kg m²
+     * @param newXz kg m²
+     * @param newYz kg m²
+     * @return a copy
+     */
+    public GivenMass withProducts(double newXy, double newXz, double newYz) {
+        return new GivenMass(kilograms, xx, yy, zz, newXy, newXz, newYz, x, y, z);
     }
 
     /**

@@ -6,7 +6,7 @@ import java.util.Arrays;
 
 /** {@link GivenMass} by body. Simulation thread; allocates when it grows. */
 public final class GivenMasses {
-    private static final int STRIDE = 7;
+    private static final int STRIDE = 10;
 
     private double[] numbers = {};
 
@@ -33,7 +33,9 @@ public final class GivenMasses {
     public GivenMass get(int body) {
         double[] n = numbers;
         int k = STRIDE * body;
-        return new GivenMass(n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6]);
+        return new GivenMass(
+                n[k], n[k + 1], n[k + 2], n[k + 3], n[k + 4], n[k + 5], n[k + 6], n[k + 7],
+                n[k + 8], n[k + 9]);
     }
 
     /**
@@ -48,9 +50,12 @@ public final class GivenMasses {
         numbers[k + 1] = m.xx();
         numbers[k + 2] = m.yy();
         numbers[k + 3] = m.zz();
-        numbers[k + 4] = m.x();
-        numbers[k + 5] = m.y();
-        numbers[k + 6] = m.z();
+        numbers[k + 4] = m.xy();
+        numbers[k + 5] = m.xz();
+        numbers[k + 6] = m.yz();
+        numbers[k + 7] = m.x();
+        numbers[k + 8] = m.y();
+        numbers[k + 9] = m.z();
     }
 
     /**

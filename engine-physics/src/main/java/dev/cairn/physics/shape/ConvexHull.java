@@ -49,11 +49,29 @@ public final class ConvexHull extends Polyhedral implements Shape {
      * @throws IllegalArgumentException if the array is null or its length no multiple of three
      */
     public static ConvexHull of(double[] xyz) {
+        return of(xyz, 0);
+    }
+
+    /**
+     * A hull of fewer corners: points that are less than a tolerance above the faces of the hull of
+     * the others may be left out. It is inside the hull of all points.
+     *
+     * @param xyz as of {@link #of(double[])}
+     * @param tolerance m, at least 0; more than 1/32 of the points' thickness counts as that
+     * @return the shape
+     * @throws DegenerateShapeException as there
+     * @throws IllegalArgumentException as there, or if the tolerance is negative or NaN
+     */
+    public static ConvexHull of(double[] xyz, double tolerance) {
+        if (!(tolerance >= 0)) {
+            throw new IllegalArgumentException(
+                    "tolerance is " + tolerance + " m; it must be at least 0");
+        }
         if (xyz == null) {
             throw new IllegalArgumentException("xyz is null; give three numbers per point");
         }
         double[] points = xyz.clone();
-        QuickHull hull = QuickHull.of(points);
+        QuickHull hull = QuickHull.of(points, tolerance);
         int[][] loops = FaceMerger.loops(hull);
         int[] kept =
                 Arrays.stream(loops).flatMapToInt(Arrays::stream).sorted().distinct().toArray();
@@ -144,17 +162,7 @@ public final class ConvexHull extends Polyhedral implements Shape {
     @Override
     public MassProperties massProperties(double density) {
         Checks.density(density);
-        return new MassProperties(
-                density * unit.mass(),
-                unit.comX(),
-                unit.comY(),
-                unit.comZ(),
-                density * unit.ixx(),
-                density * unit.iyy(),
-                density * unit.izz(),
-                density * unit.ixy(),
-                density * unit.ixz(),
-                density * unit.iyz());
+        return unit.times(density);
     }
 
     @Override

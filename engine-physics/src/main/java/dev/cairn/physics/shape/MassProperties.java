@@ -24,4 +24,24 @@ public record MassProperties(
         double izz,
         double ixy,
         double ixz,
-        double iyz) {}
+        double iyz) {
+    /**
+     * Of a body of the same form that is heavier or lighter.
+     *
+     * @param factor of mass and inertia, positive
+     * @return with the same centre
+     */
+    public MassProperties times(double factor) {
+        return new MassProperties(
+                factor * mass,
+                comX,
+                comY,
+                comZ,
+                factor * ixx,
+                factor * iyy,
+                factor * izz,
+                factor * ixy,
+                factor * ixz,
+                factor * iyz);
+    }
+}

@@ -22,10 +22,16 @@ final class QuickHull {
     /** Smallest thickness and width, as a fraction of the extent, that counts as a solid. */
     static final double THINNEST = 1e-9;
 
+    /** What a coarse hull leaves out is a small share of the thickness. */
+    private static final double THIN_SHARE = 1 / 32.0;
+
     final double[] p;
 
-    /** Points nearer than this to the hull are left out, m. */
+    /** Lengths below this are rounding, m. */
     final double tolerance;
+
+    /** Points less than this above all triangles are left out, m. */
+    private final double leftOut;
 
     /**
      * Corner k of triangle t is {@code corner[3 t + k]}; {@code twin[3 t + k]} is the triangle
@@ -45,20 +51,28 @@ final class QuickHull {
     private int[] removed = new int[64];
     private int round;
 
-    private QuickHull(double[] p, double tolerance) {
+    private QuickHull(double[] p, double tolerance, double leftOut) {
         this.p = p;
         this.tolerance = tolerance;
+        this.leftOut = leftOut;
         this.nextAbove = new int[p.length / 3];
         this.coneAt = new int[p.length / 3];
     }
 
     /** Builds the hull; afterwards triangles are compact. */
     static QuickHull of(double[] xyz) {
+        return of(xyz, 0);
+    }
+
+    /** The same without points that are nearer to the hull of others than a tolerance, m. */
+    static QuickHull of(double[] xyz, double coarse) {
         int n = checked(xyz);
         double extent = extent(xyz);
         int[] simplex = new int[4];
         double thickness = simplex(xyz, n, extent, simplex);
-        QuickHull hull = new QuickHull(xyz, Math.min(5e-8 * extent, 5e-3 * thickness));
+        double fine = Math.min(5e-8 * extent, 5e-3 * thickness);
+        double leftOut = Math.max(fine, Math.min(coarse, THIN_SHARE * thickness));
+        QuickHull hull = new QuickHull(xyz, fine, leftOut);
         hull.seed(simplex);
         hull.grow();
         hull.compact();
@@ -285,7 +299,7 @@ final class QuickHull {
      * there is none.
      */
     private void place(int point, int from) {
-        double best = tolerance;
+        double best = leftOut;
         int home = -1;
         for (int t = from; t < triangles; t++) {
             double d = above(t, point);

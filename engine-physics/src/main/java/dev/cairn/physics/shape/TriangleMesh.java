@@ -309,6 +309,43 @@ public final class TriangleMesh extends Meshed implements Shape {
     }
 
     /**
+     * Mass, centre of mass and inertia of what the surface encloses, exactly: for a body whose
+     * colliders only come near to it, see {@code Body.massProperties}. Places where the surface
+     * overlaps itself count once for each time.
+     *
+     * @param density kg/m³, positive and finite
+     * @return about the centre of mass, in the axes of the mesh's frame
+     * @throws IllegalArgumentException if the surface is not closed ({@link MeshReport#isClosed}),
+     *     encloses nothing or is turned inside out, or the density is out of range
+     */
+    public MassProperties solidProperties(double density) {
+        Checks.density(density);
+        if (!report.isClosed()) {
+            throw new IllegalArgumentException(
+                    "the mesh is not closed, so it encloses no volume: it has "
+                            + report.openEdges()
+                            + " open, "
+                            + report.crowdedEdges()
+                            + " crowded and "
+                            + report.flippedEdges()
+                            + " flipped edges; close it, or state the mass");
+        }
+        int[][] faces = new int[indices.length / 3][];
+        for (int t = 0; t < faces.length; t++) {
+            faces[t] = Arrays.copyOfRange(indices, 3 * t, 3 * t + 3);
+        }
+        MassProperties unit = Solids.integrate(vertices, faces);
+        if (!(unit.mass() > 0)) {
+            throw new IllegalArgumentException(
+                    "the mesh encloses "
+                            + unit.mass()
+                            + " m³; it must be above 0: corners are counter-clockwise seen from"
+                            + " outside, else turn the triangles");
+        }
+        return unit.times(density);
+    }
+
+    /**
      * Infinite mass and inertia; bodies are placed by the origin of the mesh's frame.
      *
      * @param density kg/m³, positive and finite

@@ -70,6 +70,7 @@ final class BodyJson {
                 parts,
                 in.containsKey("filter") ? filter(in.get("filter"), layers) : base.filter(),
                 in.containsKey("inertia") ? in.get("inertia").xyz("an inertia in kg m2") : null,
+                products(in),
                 in.containsKey("centreOfMass") ? in.get("centreOfMass").xyz("a place") : null,
                 in.containsKey("gravityScale")
                         ? in.get("gravityScale").number("a factor")
@@ -148,6 +149,17 @@ final class BodyJson {
                 throw inertia.refused(refusal);
             }
         }
+    }
+
+    private static Xyz products(Map<String, JsonNode> in) {
+        JsonNode products = in.get("productsOfInertia");
+        if (products == null) {
+            return Xyz.ZERO;
+        }
+        if (!in.containsKey("inertia")) {
+            throw products.wrong("an inertia that they belong to", "none");
+        }
+        return products.xyz("products of inertia in kg m2");
     }
 
     static Material material(JsonNode node) {
@@ -252,6 +264,9 @@ final class BodyJson {
         }
         if (body.inertia() != null) {
             out.add("inertia", SceneWriter.xyz(body.inertia()));
+        }
+        if (!body.products().equals(Xyz.ZERO)) {
+            out.add("productsOfInertia", SceneWriter.xyz(body.products()));
         }
         if (body.centre() != null) {
             out.add("centreOfMass", SceneWriter.xyz(body.centre()));

@@ -15,6 +15,7 @@ import java.util.List;
  *     said of it
  * @param filter whom it meets
  * @param inertia about the shape's axes, kg m², or null for that of the shapes
+ * @param products the entries xy, xz, yz of that inertia, kg m²
  * @param centre of mass in the body's frame, m, or null for that of the shapes
  * @param gravityScale how much of the gravity acts on it
  * @param linearDamping rate at which velocity decays, 1/s
@@ -28,6 +29,7 @@ public record BodySpec(
         List<PartSpec> parts,
         Filter filter,
         @Nullable Xyz inertia,
+        Xyz products,
         @Nullable Xyz centre,
         double gravityScale,
         double linearDamping,
@@ -42,6 +44,7 @@ public record BodySpec(
                     List.of(),
                     Filter.ALL,
                     null,
+                    Xyz.ZERO,
                     null,
                     1,
                     0,
@@ -68,6 +71,7 @@ public record BodySpec(
                 value,
                 filter,
                 inertia,
+                products,
                 centre,
                 gravityScale,
                 linearDamping,
@@ -89,6 +93,7 @@ public record BodySpec(
                 parts,
                 value,
                 inertia,
+                products,
                 centre,
                 gravityScale,
                 linearDamping,
@@ -106,10 +111,22 @@ public record BodySpec(
      * @return a copy
      */
     public BodySpec withInertia(@Nullable Xyz value) {
+        return withInertia(value, Xyz.ZERO);
+    }
+
+    /**
+     * The same with another tensor.
+     *
+     * @param value kg m², or null for that of the shapes
+     * @param off its entries xy, xz, yz, kg m²
+     * @return a copy
+     */
+    public BodySpec withInertia(@Nullable Xyz value, Xyz off) {
         return new BodySpec(
                 parts,
                 filter,
                 value,
+                off,
                 centre,
                 gravityScale,
                 linearDamping,
@@ -131,8 +148,8 @@ public record BodySpec(
      */
     public BodySpec moving(double gravity, double linear, double angular, double limit) {
         return new BodySpec(
-                parts, filter, inertia, centre, gravity, linear, angular, limit, locks, canSleep,
-                userData);
+                parts, filter, inertia, products, centre, gravity, linear, angular, limit, locks,
+                canSleep, userData);
     }
 
     /**
@@ -146,6 +163,7 @@ public record BodySpec(
                 parts,
                 filter,
                 inertia,
+                products,
                 centre,
                 gravityScale,
                 linearDamping,
@@ -167,6 +185,7 @@ public record BodySpec(
                 parts,
                 filter,
                 inertia,
+                products,
                 value,
                 gravityScale,
                 linearDamping,
@@ -188,6 +207,7 @@ public record BodySpec(
                 parts,
                 filter,
                 inertia,
+                products,
                 centre,
                 gravityScale,
                 linearDamping,
@@ -209,6 +229,7 @@ public record BodySpec(
                 parts,
                 filter,
                 inertia,
+                products,
                 centre,
                 gravityScale,
                 linearDamping,
@@ -234,7 +255,13 @@ public record BodySpec(
                 .canSleep(canSleep)
                 .userData(userData);
         if (inertia != null) {
-            body.inertia(inertia.x(), inertia.y(), inertia.z());
+            body.inertia(
+                    inertia.x(),
+                    inertia.y(),
+                    inertia.z(),
+                    products.x(),
+                    products.y(),
+                    products.z());
         }
         if (centre != null) {
             body.centreOfMass(centre.x(), centre.y(), centre.z());

@@ -196,11 +196,13 @@ public final class SceneExport {
         boolean isPlain =
                 parts.size() == 1 && parts.get(0).equals(PartSpec.of(parts.get(0).shape()));
         Vector3d inertia = body.statedInertia(new Vector3d());
+        Vector3d products = body.statedProducts(new Vector3d());
         Vector3d centre = body.statedCentreOfMass(new Vector3d());
         return new BodySpec(
                 isPlain ? List.of() : parts,
                 filter,
                 Double.isNaN(inertia.x) ? null : new Xyz(inertia.x, inertia.y, inertia.z),
+                new Xyz(products.x, products.y, products.z),
                 Double.isNaN(centre.x) ? null : new Xyz(centre.x, centre.y, centre.z),
                 body.gravityScale(),
                 body.linearDamping(),

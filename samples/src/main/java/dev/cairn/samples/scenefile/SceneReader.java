@@ -61,6 +61,7 @@ public final class SceneReader {
                     "angularVelocity",
                     "filter",
                     "inertia",
+                    "productsOfInertia",
                     "centreOfMass",
                     "gravityScale",
                     "damping",

@@ -150,6 +150,7 @@ class EditorTest {
                         List.of(gate, PartSpec.of(new SphereShape(0.5))),
                         new Filter(2, ~4L, 7),
                         new Xyz(1, 2, 2),
+                        new Xyz(0.1, 0.2, -0.3),
                         new Xyz(0, -0.1, 0),
                         0.5,
                         0.1,

@@ -194,10 +194,12 @@ class SceneFileTest {
                             random.nextBoolean() ? null : "ünï \"code\""));
         }
         double most = random.nextDouble(1, 2);
+        boolean hasInertia = random.nextBoolean();
         return new BodySpec(
                 parts,
                 random.nextBoolean() ? Filter.ALL : filter(random),
-                random.nextBoolean() ? null : new Xyz(1, most, most),
+                hasInertia ? new Xyz(1, most, most) : null,
+                hasInertia ? xyz(random) : Xyz.ZERO,
                 random.nextBoolean() ? null : xyz(random),
                 random.nextBoolean() ? 1 : any(random),
                 random.nextBoolean() ? 0 : random.nextDouble(1e6),
