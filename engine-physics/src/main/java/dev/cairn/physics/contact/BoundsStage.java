@@ -42,6 +42,9 @@ public final class BoundsStage {
     /** Numbers of a collider in {@link #ahead}. */
     static final int AHEAD = 4;
 
+    /** Numbers of a box. */
+    private static final int BOX = 6;
+
     /**
      * Of each collider, one after the other: velocity at the end of the tick if nothing is in the
      * way, m/s, world x, y and z; and how far turning may carry a surface out within the reach of
@@ -51,6 +54,9 @@ public final class BoundsStage {
 
     /** Of each collider: where its centre was when the tick began, world, m, x, y and z. */
     double[] start = {};
+
+    /** Of each collider: the box around it when the tick began, world, m, least x to largest z. */
+    private double[] tight = {};
 
     private byte[] state = {};
     private double[] box = {};
@@ -101,6 +107,23 @@ public final class BoundsStage {
                 + speculativeFraction * smaller;
     }
 
+    /**
+     * Whether two colliders are further apart than their margin because the boxes around them are:
+     * then no narrow phase is needed. False says nothing.
+     *
+     * @param reach as for {@link #margin}
+     */
+    boolean isFar(int a, int b, double reach) {
+        int i = BOX * a;
+        int j = BOX * b;
+        double x = Math.max(tight[j] - tight[i + 3], tight[i] - tight[j + 3]);
+        double y = Math.max(tight[j + 1] - tight[i + 4], tight[i + 1] - tight[j + 4]);
+        double z = Math.max(tight[j + 2] - tight[i + 5], tight[i + 2] - tight[j + 5]);
+        double gap = Math.max(x, Math.max(y, z));
+        return gap > 0
+                && gap > margin(a, b, reach, Math.min(colliders.innerRadius[a], colliders.innerRadius[b]));
+    }
+
     /** Grows the columns; between phases only. */
     public void ensureSlots(int capacity) {
         if (capacity <= state.length) {
@@ -109,8 +132,9 @@ public final class BoundsStage {
         int n = Math.max(capacity, Math.max(64, state.length + (state.length >> 1)));
         ahead = Arrays.copyOf(ahead, AHEAD * n);
         start = Arrays.copyOf(start, 3 * n);
+        tight = Arrays.copyOf(tight, BOX * n);
         state = Arrays.copyOf(state, n);
-        box = Arrays.copyOf(box, 6 * n);
+        box = Arrays.copyOf(box, BOX * n);
         blockChanges = new int[Blocks.count(n, BODIES_PER_BLOCK)];
     }
 
@@ -154,6 +178,7 @@ public final class BoundsStage {
     public void state(StateVisitor s, int slots) {
         s.section("bounds", this);
         ahead = s.array("ahead", ahead, 0, AHEAD * slots, ahead.length, false);
+        tight = s.array("tight", tight, 0, BOX * slots, tight.length, false);
     }
 
     /** Places a fixed body. */
@@ -161,16 +186,9 @@ public final class BoundsStage {
         Poses p = colliders.poses;
         for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
             tightBox(c);
-            int at = 6 * c;
-            box[at] += p.positionX[c];
-            box[at + 1] += p.positionY[c];
-            box[at + 2] += p.positionZ[c];
-            box[at + 3] += p.positionX[c];
-            box[at + 4] += p.positionY[c];
-            box[at + 5] += p.positionZ[c];
             setAhead(c, 0, 0, 0, 0);
             // a sensor of a fixed body also meets what is fixed
-            target.place(c, !colliders.sensor[c], box, at);
+            target.place(c, !colliders.sensor[c], tight, BOX * c);
         }
         target.settle(slot);
     }
@@ -204,16 +222,23 @@ public final class BoundsStage {
         target.settle(slot);
     }
 
-    /** About the collider's centre. */
+    /** Into {@link #box} about the collider's centre, and into {@link #tight}. */
     private void tightBox(int c) {
         Poses p = colliders.poses;
+        int at = BOX * c;
         colliders.shape[c].bounds(
                 p.orientationX[c],
                 p.orientationY[c],
                 p.orientationZ[c],
                 p.orientationW[c],
                 box,
-                6 * c);
+                at);
+        tight[at] = box[at] + p.positionX[c];
+        tight[at + 1] = box[at + 1] + p.positionY[c];
+        tight[at + 2] = box[at + 2] + p.positionZ[c];
+        tight[at + 3] = box[at + 3] + p.positionX[c];
+        tight[at + 4] = box[at + 4] + p.positionY[c];
+        tight[at + 5] = box[at + 5] + p.positionZ[c];
     }
 
     /**
@@ -259,6 +284,7 @@ public final class BoundsStage {
      */
     public void rest(int slot) {
         for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            tightBox(c);
             setAhead(c, step * gravityX, step * gravityY, step * gravityZ, 0);
         }
     }

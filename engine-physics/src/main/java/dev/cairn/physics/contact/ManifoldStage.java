@@ -88,7 +88,7 @@ public final class ManifoldStage {
 
     private ManifoldStage(ColliderStore colliders, BoundsStage bounds, PairGroups groups) {
         this.colliders = colliders;
-        kinds = new PairKinds(colliders);
+        kinds = new PairKinds(colliders, bounds);
         points = new PointStore(colliders);
         recycler = new Recycler(colliders);
         roundRows = new RoundRows(colliders, kinds, points);
@@ -117,14 +117,14 @@ public final class ManifoldStage {
         if (rows.grouped) {
             surfaces.run(rows, reach, jobs);
         }
-        kinds.sort(rows, jobs);
+        kinds.sort(rows, reach, jobs);
         int round = kinds.begin(PairKinds.ROUND);
         int others = kinds.begin(PairKinds.OTHERS);
         boxesInLanes = round >= PAIRS_FOR_LANES && BoxWarmUp.ready(++boxTicks);
         roundsInLanes = others - round >= PAIRS_FOR_LANES && RoundWarmUp.ready(++roundTicks);
         boxBlocks = Blocks.count(round, BOXES_PER_BLOCK);
         roundBlocks = Blocks.count(others - round, ROUND_PER_BLOCK);
-        int rest = Blocks.count(rows.activeCount - others, OTHERS_PER_BLOCK);
+        int rest = Blocks.count(kinds.count() - others, OTHERS_PER_BLOCK);
         if (rest > 0) {
             rows.beginMemory(PairMemory.SIZE);
         }
@@ -152,7 +152,7 @@ public final class ManifoldStage {
         }
         b -= roundBlocks;
         int[] order = kinds.order();
-        int end = others + Blocks.end(b, OTHERS_PER_BLOCK, contacts.activeCount - others);
+        int end = others + Blocks.end(b, OTHERS_PER_BLOCK, kinds.count() - others);
         int begin = others + Blocks.begin(b, OTHERS_PER_BLOCK);
         for (int i = begin; i < end; i++) {
             collide(order[i], own);

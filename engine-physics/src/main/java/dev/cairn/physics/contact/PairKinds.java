@@ -47,6 +47,9 @@ final class PairKinds {
 
     private static final int KINDS = 6;
 
+    /** Of a pair that is left out. */
+    private static final byte FAR = -1;
+
     /** At most 1023, see {@link #COUNT_BITS}. */
     private static final int ROWS_PER_BLOCK = 512;
 
@@ -73,16 +76,29 @@ final class PairKinds {
     private int[] cursor = {};
     private int[] order = {};
     private final ColliderStore colliders;
+    private final BoundsStage bounds;
     private ContactStore contacts = new ContactStore();
+    private double reach;
 
-    /** Of some colliders. */
-    PairKinds(ColliderStore colliders) {
+    /**
+     * Of some colliders.
+     *
+     * @param bounds knows what is far apart
+     */
+    PairKinds(ColliderStore colliders, BoundsStage bounds) {
         this.colliders = colliders;
+        this.bounds = bounds;
     }
 
-    /** Sorts the active rows. */
-    void sort(ContactStore rows, Jobs jobs) {
+    /**
+     * Sorts the active rows, without those that have no points and are far apart: nothing can
+     * become of them in this tick. In a heap these are two of three, or more.
+     *
+     * @param ahead time in which relative motion counts, s
+     */
+    void sort(ContactStore rows, double ahead, Jobs jobs) {
         contacts = rows;
+        reach = ahead;
         int blocks = Blocks.count(rows.activeCount, ROWS_PER_BLOCK);
         if (kind.length < rows.activeCount) {
             kind = new byte[rows.active.length];
@@ -110,7 +126,7 @@ final class PairKinds {
         }
         begin[KINDS] = sum;
         order = rows.active;
-        if (mixed) {
+        if (mixed || sum < rows.activeCount) {
             jobs.run(writeJob, blocks);
             order = sorted;
         }
@@ -119,6 +135,11 @@ final class PairKinds {
     /** Where the rows of a kind begin in {@link #order}; they end where the next kind begins. */
     int begin(int pairKind) {
         return begin[pairKind];
+    }
+
+    /** How many rows there are in {@link #order}. */
+    int count() {
+        return begin[KINDS];
     }
 
     /**
@@ -173,9 +194,13 @@ final class PairKinds {
         long counts = 0;
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
             int row = contacts.active[i];
-            int a = kindOfCollider[contacts.colliderA[row]];
-            int b = kindOfCollider[contacts.colliderB[row]];
-            byte of = OF_PAIR[4 * a + b];
+            int a = contacts.colliderA[row];
+            int b = contacts.colliderB[row];
+            if (contacts.pointCount[row] == 0 && bounds.isFar(a, b, reach)) {
+                kind[i] = FAR;
+                continue;
+            }
+            byte of = OF_PAIR[4 * kindOfCollider[a] + kindOfCollider[b]];
             kind[i] = of;
             counts += 1L << (COUNT_BITS * of);
         }
@@ -187,7 +212,9 @@ final class PairKinds {
     private void writeBlock(int block, int worker) {
         int end = Blocks.end(block, ROWS_PER_BLOCK, contacts.activeCount);
         for (int i = Blocks.begin(block, ROWS_PER_BLOCK); i < end; i++) {
-            sorted[cursor[KINDS * block + kind[i]]++] = contacts.active[i];
+            if (kind[i] != FAR) {
+                sorted[cursor[KINDS * block + kind[i]]++] = contacts.active[i];
+            }
         }
     }
 }

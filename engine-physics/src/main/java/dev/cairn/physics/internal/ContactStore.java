@@ -177,6 +177,11 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     }
 
     @Override
+    public int capacity() {
+        return active.length;
+    }
+
+    @Override
     public int edgeRow(int i) {
         return active[i];
     }

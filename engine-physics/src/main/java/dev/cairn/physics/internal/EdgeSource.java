@@ -10,6 +10,9 @@ public interface EdgeSource {
     /** How many edges there may be in this tick. */
     int edges();
 
+    /** How many edges there may be before the store grows: who copies their size grows with it. */
+    int capacity();
+
     /**
      * Row of an edge in the kind's own store.
      *

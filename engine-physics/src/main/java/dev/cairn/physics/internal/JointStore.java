@@ -285,6 +285,11 @@ public final class JointStore implements EdgeSource, Stateful {
     }
 
     @Override
+    public int capacity() {
+        return bodyA.length;
+    }
+
+    @Override
     public int edgeRow(int i) {
         return i;
     }

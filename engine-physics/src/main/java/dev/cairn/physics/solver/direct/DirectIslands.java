@@ -151,7 +151,11 @@ public final class DirectIslands implements Stateful {
         openCount = 0;
         most = from;
         yield = fall;
-        if (from == Integer.MAX_VALUE || !rests(b, batches)) {
+        if (from == Integer.MAX_VALUE) {
+            return;
+        }
+        ensureCapacity(b, list);
+        if (!rests(b, batches)) {
             return;
         }
         if (isStale) {
@@ -202,7 +206,6 @@ public final class DirectIslands implements Stateful {
     }
 
     private void find(BodyStore b, EdgeList list, Batches batches) {
-        ensureCapacity(b, list);
         count = 0;
         Islands islands = batches.islands(list);
         int[] bound = batches.bound;

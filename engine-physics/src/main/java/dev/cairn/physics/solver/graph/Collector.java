@@ -163,7 +163,7 @@ public final class Collector implements Stateful {
     private void ensureEdges() {
         int wanted = 0;
         for (int k = 0; k <= list.kinds.length; k++) {
-            wanted += source(k).edges();
+            wanted += source(k).capacity();
         }
         list.ensureCapacity(wanted);
         int n = list.source.length;
