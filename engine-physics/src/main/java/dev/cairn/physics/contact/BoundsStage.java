@@ -121,7 +121,12 @@ public final class BoundsStage {
         double z = Math.max(tight[j + 2] - tight[i + 5], tight[i + 2] - tight[j + 5]);
         double gap = Math.max(x, Math.max(y, z));
         return gap > 0
-                && gap > margin(a, b, reach, Math.min(colliders.innerRadius[a], colliders.innerRadius[b]));
+                && gap
+                        > margin(
+                                a,
+                                b,
+                                reach,
+                                Math.min(colliders.innerRadius[a], colliders.innerRadius[b]));
     }
 
     /** Grows the columns; between phases only. */

@@ -13,7 +13,6 @@ import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.round.RoundContacts;
 import dev.cairn.physics.narrowphase.wide.BoxBatch;
 import dev.cairn.physics.narrowphase.wide.BoxWarmUp;
-import dev.cairn.physics.narrowphase.wide.RecycledBatch;
 import dev.cairn.physics.narrowphase.wide.RoundBatch;
 import dev.cairn.physics.narrowphase.wide.RoundWarmUp;
 import dev.cairn.physics.shape.Box;
@@ -36,9 +35,6 @@ public final class ManifoldStage {
 
     /** At rest few pairs of a batch have moved; lanes would be empty. */
     private static final int MOVED_FOR_LANES = 8;
-
-    /** Fewer kept rows of a block are renewed one by one. */
-    private static final int KEPT_FOR_LANES = 12;
 
     /** Some 40 nanoseconds each. */
     private static final int ROUND_PER_BLOCK = 128;
@@ -209,7 +205,7 @@ public final class ManifoldStage {
     }
 
     private void boxes(int begin, int count, Scratch own) {
-        int moved = boxesInLanes ? renewWide(begin, count, own) : renewOnes(begin, count, own);
+        int moved = renew(begin, count, own);
         BoxContacts batch = own.boxes;
         batch.useLanes(boxesInLanes && moved >= MOVED_FOR_LANES);
         batch.run(moved);
@@ -253,7 +249,7 @@ public final class ManifoldStage {
     }
 
     /** Renews what has hardly moved, and puts the rest into the batch; returns how many. */
-    private int renewOnes(int begin, int count, Scratch own) {
+    private int renew(int begin, int count, Scratch own) {
         ContactStore c = contacts;
         int[] order = kinds.order();
         int moved = 0;
@@ -262,37 +258,6 @@ public final class ManifoldStage {
             double margin = margin(c.colliderA[row], c.colliderB[row]);
             if (!recycler.renew(row, margin)) {
                 put(moved++, row, margin, own);
-            }
-        }
-        return moved;
-    }
-
-    /** The same in lanes, a row to a lane, where the rows lie side by side. */
-    private int renewWide(int begin, int count, Scratch own) {
-        ContactStore c = contacts;
-        int[] order = kinds.order();
-        int first = order[begin] & -RecycledBatch.ROWS;
-        int places = order[begin + count - 1] - first + 1;
-        int keeps = 0;
-        for (int i = begin; i < begin + count; i++) {
-            keeps += c.keeps[order[i]] ? 1 : 0;
-        }
-        if (keeps < KEPT_FOR_LANES || places > RecycledBatch.CAPACITY) {
-            return renewOnes(begin, count, own);
-        }
-        RecycledBatch kept = own.kept;
-        for (int i = begin; i < begin + count; i++) {
-            int row = order[i];
-            if (c.keeps[row]) {
-                recycler.put(kept, row - first, row, bounds);
-            }
-        }
-        kept.run(places, c.kept, ContactStore.keptAt(first), reach, bounds.speculativeFraction);
-        int moved = 0;
-        for (int i = begin; i < begin + count; i++) {
-            int row = order[i];
-            if (!c.keeps[row] || !recycler.take(kept, row - first, row)) {
-                put(moved++, row, margin(c.colliderA[row], c.colliderB[row]), own);
             }
         }
         return moved;
@@ -405,7 +370,6 @@ public final class ManifoldStage {
     private static final class Scratch {
         final NarrowPhase narrowPhase = new NarrowPhase();
         final BoxContacts boxes = new BoxContacts(narrowPhase);
-        final RecycledBatch kept = new RecycledBatch();
         final RoundContacts round = new RoundContacts();
         final RoundRows.Scratch roundRows = new RoundRows.Scratch();
         final int[] row = new int[BOXES_PER_BLOCK];

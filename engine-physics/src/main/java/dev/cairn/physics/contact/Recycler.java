@@ -1,20 +1,11 @@
 package dev.cairn.physics.contact;
 
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.CAPACITY;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.CENTRE;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.GAP;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.LIMIT;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.PLANE;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.POINT;
-import static dev.cairn.physics.narrowphase.wide.RecycledBatch.SPIN;
-
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.ColliderStore;
 import dev.cairn.physics.internal.ContactStore;
 import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.narrowphase.pair.Manifold;
 import dev.cairn.physics.narrowphase.pair.WarmStartKey;
-import dev.cairn.physics.narrowphase.wide.RecycledBatch;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.Shape;
@@ -44,8 +35,28 @@ final class Recycler {
     /** Of the smaller inner radius: how far a pair may move before it is collided again. */
     static final double SHARE = 0x1p-12;
 
-    /** Between the numbers of a row in {@link ContactStore#kept}. */
-    private static final int N = ContactStore.KEPT_ROWS;
+    // What is kept of a row, from ContactStore.keptAt on ------------------------------------------
+
+    /** Orientation of the incident box seen from the reference, four numbers. */
+    private static final int TURN = 0;
+
+    /** Centre of the incident box in the reference's axes, m, three numbers. */
+    private static final int CENTRE = 4;
+
+    /** Distance of the face's plane from the centre of the reference, m. */
+    private static final int PLANE = 7;
+
+    /** 4 R squared, R the outer radius of the incident box, m2. */
+    private static final int SPIN = 8;
+
+    /** The square of the allowed move, m2. */
+    private static final int LIMIT = 9;
+
+    /** The separation up to which nothing is left out, m. */
+    private static final int GAP = 10;
+
+    /** The points on the incident box in its axes, m, three numbers each. */
+    private static final int POINT = 12;
 
     private final ColliderStore colliders;
     private final BodyStore bodies;
@@ -82,7 +93,7 @@ final class Recycler {
         }
         double[] k = c.kept;
         int at = ContactStore.keptAt(row);
-        double room = k[at + N * GAP] - margin;
+        double room = k[at + GAP] - margin;
         if (!(room > 0)) {
             return false;
         }
@@ -100,22 +111,22 @@ final class Recycler {
         double ex = s.apartX(r, i);
         double ey = s.apartY(r, i);
         double ez = s.apartZ(r, i);
-        double qx = rw * ix - rx * iw - ry * iz + rz * iy - k[at];
-        double qy = rw * iy - ry * iw - rz * ix + rx * iz - k[at + N];
-        double qz = rw * iz - rz * iw - rx * iy + ry * ix - k[at + N * 2];
-        double qw = rw * iw + rx * ix + ry * iy + rz * iz - k[at + N * 3];
+        double qx = rw * ix - rx * iw - ry * iz + rz * iy - k[at + TURN];
+        double qy = rw * iy - ry * iw - rz * ix + rx * iz - k[at + TURN + 1];
+        double qz = rw * iz - rz * iw - rx * iy + ry * ix - k[at + TURN + 2];
+        double qw = rw * iw + rx * ix + ry * iy + rz * iz - k[at + TURN + 3];
         // e in the reference's axes, by v + 2 u x (u x v + w v) with u = -q.
         double tx = 2 * (rz * ey - ry * ez);
         double ty = 2 * (rx * ez - rz * ex);
         double tz = 2 * (ry * ex - rx * ey);
-        double cx = ex + rw * tx + (rz * ty - ry * tz) - k[at + N * CENTRE];
-        double cy = ey + rw * ty + (rx * tz - rz * tx) - k[at + N * (CENTRE + 1)];
-        double cz = ez + rw * tz + (ry * tx - rx * ty) - k[at + N * (CENTRE + 2)];
+        double cx = ex + rw * tx + (rz * ty - ry * tz) - k[at + CENTRE];
+        double cy = ey + rw * ty + (rx * tz - rz * tx) - k[at + CENTRE + 1];
+        double cz = ez + rw * tz + (ry * tx - rx * ty) - k[at + CENTRE + 2];
         double moved =
                 2
                         * ((cx * cx + cy * cy + cz * cz)
-                                + k[at + N * SPIN] * (qx * qx + qy * qy + (qz * qz + qw * qw)));
-        if (!(moved <= k[at + N * LIMIT] && moved < room * room)) {
+                                + k[at + SPIN] * (qx * qx + qy * qy + (qz * qz + qw * qw)));
+        if (!(moved <= k[at + LIMIT] && moved < room * room)) {
             return false;
         }
         if (c.pointCount[row] == 0) {
@@ -181,20 +192,19 @@ final class Recycler {
         double m22 = 1 - 2 * (ix * ix + iy * iy);
         double[] k = c.kept;
         int at = ContactStore.keptAt(row);
-        double before = ex * nx + ey * ny + ez * nz - k[at + N * PLANE];
+        double before = ex * nx + ey * ny + ez * nz - k[at + PLANE];
         int to = ContactStore.POINTS * row;
         int end = to + c.pointCount[row];
         double[] anchors = c.anchors;
         int incident = ContactStore.anchor(to) + (flip ? 0 : 3);
         int reference = ContactStore.anchor(to) + (flip ? 3 : 0);
         double farthest = -Double.MAX_VALUE;
-        for (int p = at + N * POINT;
+        for (int p = at + POINT;
                 to < end;
-                to++, p += 3 * N, incident += ContactStore.ANCHORS,
-                        reference += ContactStore.ANCHORS) {
-            double x = m00 * k[p] + m01 * k[p + N] + m02 * k[p + 2 * N];
-            double y = m10 * k[p] + m11 * k[p + N] + m12 * k[p + 2 * N];
-            double z = m20 * k[p] + m21 * k[p + N] + m22 * k[p + 2 * N];
+                to++, p += 3, incident += ContactStore.ANCHORS, reference += ContactStore.ANCHORS) {
+            double x = m00 * k[p] + m01 * k[p + 1] + m02 * k[p + 2];
+            double y = m10 * k[p] + m11 * k[p + 1] + m12 * k[p + 2];
+            double z = m20 * k[p] + m21 * k[p + 1] + m22 * k[p + 2];
             double separation = x * nx + y * ny + z * nz + before;
             farthest = separation > farthest ? separation : farthest;
             // Anchors are midway between the surfaces.
@@ -211,107 +221,6 @@ final class Recycler {
             c.separation[to] = separation;
         }
         return farthest;
-    }
-
-    /** Puts a pair of boxes that is kept into a batch; see {@link #renew}. */
-    void put(RecycledBatch batch, int place, int row, BoundsStage bounds) {
-        double[] t = batch.data;
-        int a = c.colliderA[row];
-        int b = c.colliderB[row];
-        double[] ahead = bounds.ahead;
-        int one = BoundsStage.AHEAD * a;
-        int other = BoundsStage.AHEAD * b;
-        t[RecycledBatch.AHEAD + place] = ahead[other] - ahead[one];
-        t[RecycledBatch.AHEAD + CAPACITY + place] = ahead[other + 1] - ahead[one + 1];
-        t[RecycledBatch.AHEAD + 2 * CAPACITY + place] = ahead[other + 2] - ahead[one + 2];
-        t[RecycledBatch.ARC_A + place] = ahead[one + 3];
-        t[RecycledBatch.ARC_B + place] = ahead[other + 3];
-        t[RecycledBatch.INNER + place] =
-                Math.min(colliders.innerRadius[a], colliders.innerRadius[b]);
-        long word = c.cache[row];
-        boolean flip = WarmStartKey.onFaceOfB(word);
-        int r = flip ? b : a;
-        int i = flip ? a : b;
-        t[RecycledBatch.TURN_R + place] = s.orientationX[r];
-        t[RecycledBatch.TURN_R + CAPACITY + place] = s.orientationY[r];
-        t[RecycledBatch.TURN_R + 2 * CAPACITY + place] = s.orientationZ[r];
-        t[RecycledBatch.TURN_R + 3 * CAPACITY + place] = s.orientationW[r];
-        t[RecycledBatch.TURN_I + place] = s.orientationX[i];
-        t[RecycledBatch.TURN_I + CAPACITY + place] = s.orientationY[i];
-        t[RecycledBatch.TURN_I + 2 * CAPACITY + place] = s.orientationZ[i];
-        t[RecycledBatch.TURN_I + 3 * CAPACITY + place] = s.orientationW[i];
-        t[RecycledBatch.OFFSET + place] = s.apartX(r, i);
-        t[RecycledBatch.OFFSET + CAPACITY + place] = s.apartY(r, i);
-        t[RecycledBatch.OFFSET + 2 * CAPACITY + place] = s.apartZ(r, i);
-        int face = WarmStartKey.faceOf(word);
-        t[RecycledBatch.AXIS + place] = face >> 1;
-        t[RecycledBatch.SIGN + place] = (face & 1) == 0 ? -1 : 1;
-    }
-
-    /**
-     * Renews a row from a batch that has run.
-     *
-     * @return false when the pair must be collided
-     */
-    boolean take(RecycledBatch batch, int place, int row) {
-        double[] t = batch.data;
-        if (t[RecycledBatch.STAYS + place] == 0) {
-            return false;
-        }
-        int count = c.pointCount[row];
-        if (count == 0) {
-            return true;
-        }
-        boolean flip = flip(row);
-        double sign = flip ? -1 : 1;
-        double[] head = c.head;
-        int h = ContactStore.head(row);
-        head[h] = sign * t[RecycledBatch.NORMAL + place];
-        head[h + 1] = sign * t[RecycledBatch.NORMAL + CAPACITY + place];
-        head[h + 2] = sign * t[RecycledBatch.NORMAL + 2 * CAPACITY + place];
-        int first = ContactStore.POINTS * row;
-        int o = ContactStore.anchor(first);
-        double farthest;
-        if (flip) {
-            farthest = anchors(t, place, count, c.anchors, o, o + 3);
-        } else {
-            farthest = anchors(t, place, count, c.anchors, o + 3, o);
-        }
-        double[] separation = c.separation;
-        for (int p = 0; p < count; p++) {
-            double s = t[RecycledBatch.SEPARATION + p * CAPACITY + place];
-            separation[first + p] = s;
-        }
-        return farthest <= t[RecycledBatch.MARGIN + place];
-    }
-
-    private static double anchors(double[] t, int place, int count, double[] to, int i, int r) {
-        double most = t[RecycledBatch.SEPARATION + place];
-        point(t, RecycledBatch.ANCHOR + place, to, i, r);
-        if (count == 1) {
-            return most;
-        }
-        most = Math.max(most, t[RecycledBatch.SEPARATION + CAPACITY + place]);
-        point(t, RecycledBatch.ANCHOR + 6 * CAPACITY + place, to, i + 6, r + 6);
-        if (count == 2) {
-            return most;
-        }
-        most = Math.max(most, t[RecycledBatch.SEPARATION + 2 * CAPACITY + place]);
-        point(t, RecycledBatch.ANCHOR + 12 * CAPACITY + place, to, i + 12, r + 12);
-        if (count == 3) {
-            return most;
-        }
-        point(t, RecycledBatch.ANCHOR + 18 * CAPACITY + place, to, i + 18, r + 18);
-        return Math.max(most, t[RecycledBatch.SEPARATION + 3 * CAPACITY + place]);
-    }
-
-    private static void point(double[] t, int from, double[] to, int i, int r) {
-        to[i] = t[from];
-        to[i + 1] = t[from + CAPACITY];
-        to[i + 2] = t[from + 2 * CAPACITY];
-        to[r] = t[from + 3 * CAPACITY];
-        to[r + 1] = t[from + 4 * CAPACITY];
-        to[r + 2] = t[from + 5 * CAPACITY];
     }
 
     /** The reference is B. */
@@ -352,21 +261,21 @@ final class Recycler {
         double ez = s.apartZ(r, i);
         double[] k = c.kept;
         int at = ContactStore.keptAt(row);
-        k[at] = rw * ix - rx * iw - ry * iz + rz * iy;
-        k[at + N] = rw * iy - ry * iw - rz * ix + rx * iz;
-        k[at + N * 2] = rw * iz - rz * iw - rx * iy + ry * ix;
-        k[at + N * 3] = rw * iw + rx * ix + ry * iy + rz * iz;
+        k[at + TURN] = rw * ix - rx * iw - ry * iz + rz * iy;
+        k[at + TURN + 1] = rw * iy - ry * iw - rz * ix + rx * iz;
+        k[at + TURN + 2] = rw * iz - rz * iw - rx * iy + ry * ix;
+        k[at + TURN + 3] = rw * iw + rx * ix + ry * iy + rz * iz;
         double tx = 2 * (rz * ey - ry * ez);
         double ty = 2 * (rx * ez - rz * ex);
         double tz = 2 * (ry * ex - rx * ey);
-        k[at + N * CENTRE] = ex + rw * tx + (rz * ty - ry * tz);
-        k[at + N * (CENTRE + 1)] = ey + rw * ty + (rx * tz - rz * tx);
-        k[at + N * (CENTRE + 2)] = ez + rw * tz + (ry * tx - rx * ty);
-        k[at + N * PLANE] = offset(colliders.shape[r], WarmStartKey.faceOf(c.cache[row]));
-        k[at + N * SPIN] = 4 * colliders.outerRadius[i] * colliders.outerRadius[i];
-        k[at + N * LIMIT] = apart ? Double.MAX_VALUE : allowed * allowed;
-        k[at + N * GAP] = gap;
-        keepPoints(m, flip, at + N * POINT, ix, iy, iz, iw, ex, ey, ez);
+        k[at + CENTRE] = ex + rw * tx + (rz * ty - ry * tz);
+        k[at + CENTRE + 1] = ey + rw * ty + (rx * tz - rz * tx);
+        k[at + CENTRE + 2] = ez + rw * tz + (ry * tx - rx * ty);
+        k[at + PLANE] = offset(colliders.shape[r], WarmStartKey.faceOf(c.cache[row]));
+        k[at + SPIN] = 4 * colliders.outerRadius[i] * colliders.outerRadius[i];
+        k[at + LIMIT] = apart ? Double.MAX_VALUE : allowed * allowed;
+        k[at + GAP] = gap;
+        keepPoints(m, flip, at + POINT, ix, iy, iz, iw, ex, ey, ez);
     }
 
     /**
@@ -435,10 +344,10 @@ final class Recycler {
                 y -= ey;
                 z -= ez;
             }
-            int to = at + 3 * N * p;
+            int to = at + 3 * p;
             k[to] = m00 * x + m10 * y + m20 * z;
-            k[to + N] = m01 * x + m11 * y + m21 * z;
-            k[to + 2 * N] = m02 * x + m12 * y + m22 * z;
+            k[to + 1] = m01 * x + m11 * y + m21 * z;
+            k[to + 2] = m02 * x + m12 * y + m22 * z;
         }
     }
 }

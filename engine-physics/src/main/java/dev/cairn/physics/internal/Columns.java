@@ -51,21 +51,6 @@ public interface Columns {
     }
 
     /**
-     * A column in which groups of rows lie together: element n of row r is at {@code start + stride
-     * * (r & -group) + (r & group - 1) + group * n}.
-     *
-     * @param name of the field
-     * @param array the column
-     * @param start index of row 0
-     * @param stride elements to a row
-     * @param group rows to a group, a power of two
-     * @param holds which rows hold anything; declared later than this column
-     * @return what the field shall hold
-     */
-    double[] grouped(
-            String name, double[] array, int start, int stride, int group, boolean[] holds);
-
-    /**
      * Room for one element to a row that is no row's own: it is written anew in each tick.
      *
      * @param name of the field
@@ -90,12 +75,6 @@ public interface Columns {
         @Override
         public <A> A column(String name, A array, int start, int stride) {
             return longer(array, start + stride * rows);
-        }
-
-        @Override
-        public double[] grouped(
-                String name, double[] array, int start, int stride, int group, boolean[] holds) {
-            return longer(array, start + stride * ((rows + 2 * group - 1) & -group));
         }
 
         @Override
@@ -157,14 +136,6 @@ public interface Columns {
         }
 
         @Override
-        public double[] grouped(
-                String name, double[] array, int start, int stride, int group, boolean[] holds) {
-            int whole = rows + group - 1 & -group;
-            int room = start + stride * (capacity + 2 * group - 1 & -group);
-            return visitor().array(name, array, start, stride * whole, room, false);
-        }
-
-        @Override
         public int[] room(String name, int[] array) {
             return array.length < capacity ? new int[capacity] : array;
         }
@@ -188,21 +159,6 @@ public interface Columns {
         public <A> A column(String name, A array, int start, int stride) {
             System.arraycopy(
                     array, start + stride * from, array, start + stride * to, stride * count);
-            return array;
-        }
-
-        @Override
-        public double[] grouped(
-                String name, double[] array, int start, int stride, int group, boolean[] holds) {
-            for (int i = 0; i < count; i++) {
-                if (holds[from + i]) {
-                    int source = start + stride * (from + i & -group) + (from + i & group - 1);
-                    int target = start + stride * (to + i & -group) + (to + i & group - 1);
-                    for (int n = 0; n < group * stride; n += group) {
-                        array[target + n] = array[source + n];
-                    }
-                }
-            }
             return array;
         }
 
@@ -237,12 +193,6 @@ public interface Columns {
                 default -> Arrays.fill((Object[]) array, first, last, null);
             }
             return array;
-        }
-
-        @Override
-        public double[] grouped(
-                String name, double[] array, int start, int stride, int group, boolean[] holds) {
-            return array; // rows that hold nothing are not read
         }
 
         @Override

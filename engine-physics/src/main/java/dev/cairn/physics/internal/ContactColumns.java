@@ -36,9 +36,6 @@ public class ContactColumns {
     /** Numbers per row in {@link #kept}. */
     public static final int KEPT = 24;
 
-    /** Rows whose numbers in {@link #kept} lie together: the first of each, then the second. */
-    public static final int KEPT_ROWS = 8;
-
     /** Slots of the two colliders, the lower one first: a row is of a pair of these. */
     public int[] colliderA = {}, colliderB = {};
 
@@ -177,8 +174,8 @@ public class ContactColumns {
     public boolean[] keeps = {};
 
     /**
-     * Relative pose and points when a pair of boxes was last collided; the manifold stage's own.
-     * Number n of a row is at {@code keptAt(row) + KEPT_ROWS * n}, so lanes read rows as they lie.
+     * Relative pose and points when a pair of boxes was last collided; the manifold stage's own. A
+     * row's numbers are three whole cache lines: rows that are near lie far from each other.
      */
     public double[] kept = {};
 
@@ -233,12 +230,12 @@ public class ContactColumns {
     }
 
     /**
-     * Where a row begins in {@link #kept}; a group of rows begins at a cache line, as there.
+     * Where a row begins in {@link #kept}: at a cache line.
      *
-     * @return index; the row's numbers follow, {@link #KEPT_ROWS} apart
+     * @return index
      */
     public static int keptAt(int row) {
-        return START + KEPT * (row & -KEPT_ROWS) + (row & (KEPT_ROWS - 1));
+        return START + KEPT * row;
     }
 
     /** Unit normal from A to B, world: x. */

@@ -273,7 +273,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         if (remembered > 0) {
             memory = c.column("memory", memory, remembered);
         }
-        kept = c.grouped("kept", kept, START, KEPT, KEPT_ROWS, keeps);
+        kept = c.column("kept", kept, START, KEPT);
         keeps = c.column("keeps", keeps);
         anchors = c.column("anchors", anchors, START, ANCHORS * POINTS);
         separation = c.column("separation", separation, POINTS);

@@ -171,20 +171,6 @@ final class ColumnsTest {
         }
 
         @Override
-        public double[] grouped(
-                String name, double[] array, int start, int stride, int group, boolean[] holds) {
-            declare(name, array);
-            List<Object> list = new ArrayList<>();
-            for (int row = begin; row < end; row++) {
-                for (int n = 0; n < stride; n++) {
-                    list.add(array[start + row / group * group * stride + row % group + n * group]);
-                }
-            }
-            values.put(name, list);
-            return array;
-        }
-
-        @Override
         public int[] room(String name, int[] array) {
             declare(name, array);
             return array;
@@ -213,12 +199,6 @@ final class ColumnsTest {
                 }
             }
             return array;
-        }
-
-        @Override
-        public double[] grouped(
-                String name, double[] array, int start, int stride, int group, boolean[] holds) {
-            return column(name, array, start, stride);
         }
 
         @Override

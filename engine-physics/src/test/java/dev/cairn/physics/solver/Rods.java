@@ -44,6 +44,11 @@ final class Rods implements EdgeSource {
     }
 
     @Override
+    public int capacity() {
+        return edges();
+    }
+
+    @Override
     public int edgeRow(int i) {
         return i;
     }

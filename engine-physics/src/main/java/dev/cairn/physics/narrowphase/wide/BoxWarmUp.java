@@ -4,7 +4,7 @@ import dev.cairn.physics.internal.KernelWarmUp;
 
 import java.util.Random;
 
-/** Warms up the wide kernels of boxes: those that moved, and those that have hardly moved. */
+/** Warms up the wide kernels of boxes. */
 public final class BoxWarmUp extends KernelWarmUp {
     private static final BoxWarmUp KERNELS = new BoxWarmUp();
 
@@ -12,8 +12,6 @@ public final class BoxWarmUp extends KernelWarmUp {
     private static final int SLOW = 4;
 
     private final BoxBatch batch = new BoxBatch();
-    private final RecycledBatch kept = new RecycledBatch();
-    private final double[] numbers = new double[RecycledBatch.KEPT * RecycledBatch.CAPACITY];
     private final Random random = new Random(1);
     private long scalar = Long.MAX_VALUE;
     private long axes = Long.MAX_VALUE;
@@ -61,11 +59,7 @@ public final class BoxWarmUp extends KernelWarmUp {
         BoxAxes.clipAligned(batch, BoxBatch.CAPACITY);
         BoxAxes.crossings(batch, -1);
         BoxAxes.world(batch, BoxBatch.CAPACITY);
-        kept.run(RecycledBatch.CAPACITY, numbers, 0, 1, 1);
         long end = System.nanoTime();
-        int places = 1 + round % RecycledBatch.CAPACITY;
-        int first = random.nextInt((RecycledBatch.CAPACITY - places) / RecycledBatch.ROWS + 1);
-        kept.run(places, numbers, first * RecycledBatch.ROWS * RecycledBatch.KEPT, 1, 1);
         scalar = Math.min(scalar, second - start);
         axes = Math.min(axes, third - second);
         faces = Math.min(faces, end - fourth);

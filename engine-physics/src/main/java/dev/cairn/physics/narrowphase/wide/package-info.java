@@ -2,9 +2,8 @@
  * Many pairs at once, a pair to a lane of the Vector API.
  *
  * <p>Problem: a pile spends more of its time colliding than solving, and most of its pairs are
- * boxes, balls or capsules, or boxes that have hardly moved. What decides these has no branches, so
- * lanes of pairs pay most there; what follows (other polygons, ids) branches by pair and stays
- * scalar.
+ * boxes, balls or capsules. What decides these has no branches, so lanes of pairs pay most there;
+ * what follows (other polygons, ids) branches by pair and stays scalar.
  *
  * <pre>
  *   column   ┌ pair 0 ┬ pair 1 ┬ ... ┬ pair 31 ┐
