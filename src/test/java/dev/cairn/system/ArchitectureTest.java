@@ -83,6 +83,7 @@ final class ArchitectureTest {
                             "dev.cairn.physics.narrowphase..",
                             "dev.cairn.physics.contact..",
                             "dev.cairn.physics.solver..",
+                            "dev.cairn.physics.sweep..",
                             "dev.cairn.physics.internal..")
                     .should()
                     .dependOnClassesThat()
@@ -170,6 +171,7 @@ final class ArchitectureTest {
                             "dev.cairn.physics.narrowphase..",
                             "dev.cairn.physics.contact..",
                             "dev.cairn.physics.solver..",
+                            "dev.cairn.physics.sweep..",
                             "dev.cairn.physics.internal..")
                     .should()
                     .dependOnClassesThat()

@@ -1,24 +1,23 @@
 package dev.cairn.physics;
 
 import dev.cairn.physics.broadphase.AabbTree;
-import dev.cairn.physics.broadphase.BoxWalk;
-import dev.cairn.physics.broadphase.BroadPhase;
-import dev.cairn.physics.broadphase.RayWalk;
-import dev.cairn.physics.broadphase.TreeWalk;
+import dev.cairn.physics.broadphase.Candidates;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
 import dev.cairn.physics.internal.ColliderStore;
-import dev.cairn.physics.internal.Poses;
 import dev.cairn.physics.query.Closest;
 import dev.cairn.physics.query.Hit;
+import dev.cairn.physics.query.Motion;
 import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.query.ShapeQueries;
+import dev.cairn.physics.state.Roster;
 
+import org.joml.Vector3d;
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
-import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.Predicate;
@@ -36,47 +35,34 @@ import java.util.function.Predicate;
 public final class WorldQueries {
     private static final int NONE = AabbTree.NONE;
 
-    /** The dynamic tree, the static tree, colliders without end, those that went astray. */
-    private static final int SOURCES = 4;
-
-    private static final int TREES = 2;
-
-    private final PhysicsWorld world;
     private final BodyTable table;
+    private final PhysicsWorld world;
+    private final Candidates candidates;
     private final ShapeQueries shapes = new ShapeQueries();
-    private final RayWalk rayWalk = new RayWalk();
-    private final BoxWalk boxWalk = new BoxWalk();
-    private final Placement target = new Placement();
+    private final Placement target = new Placement(), other = new Placement();
     private @Nullable Placement mover;
     private double originX, originY, originZ;
+    private final Motion motionA = new Motion(), motionB = new Motion();
     private final Hit hit = new Hit(), best = new Hit();
     private final Closest closest = new Closest(), nearest = new Closest();
-    private final double[] box = new double[6], tight = new double[6];
+    private final double[] box = new double[6];
+    private final Vector3d v = new Vector3d();
 
-    /** Colliders that the trees do not know where they are: new, moved by the user, or hit. */
-    private int[] astray = new int[16];
-
-    private int astrayCount;
-    private int[] found = new int[16];
-    private int foundCount;
-    private long places = -1;
-
-    /** Where the candidates come from: see {@link #next}. */
-    private int source;
-
-    private int place;
-    private @Nullable Predicate<BodyRef> filter;
-    private @Nullable Filter bits;
-    private boolean sensors;
+    /** Slots of bodies. */
+    private final BitSet found = new BitSet();
 
     /** Receives all that a cast meets, or null if the first is enough. */
     private @Nullable List<Met> met;
 
     private @Nullable ColliderRef last;
+    private @Nullable Predicate<BodyRef> filter;
+    private @Nullable Filter bits;
+    private boolean sensors;
 
     WorldQueries(PhysicsWorld world) {
-        this.world = world;
         table = world.physics.table;
+        this.world = world;
+        candidates = new Candidates(table.broadPhase, table.colliders, this::isWanted);
     }
 
     /**
@@ -170,6 +156,12 @@ public final class WorldQueries {
             double maxDistance,
             Hit out) {
         mover = Checks.notNull("moving", moving);
+        requireEnd(moving);
+        return cast(directionX, directionY, directionZ, maxDistance, out);
+    }
+
+    /** Takes the box of a shape, which must have an end. */
+    private void requireEnd(Placement moving) {
         moving.bounds(box);
         for (double edge : box) {
             if (!Double.isFinite(edge)) {
@@ -179,57 +171,49 @@ public final class WorldQueries {
                                 + ", which has no end; ask with the other shape, or with a box");
             }
         }
-        return cast(directionX, directionY, directionZ, maxDistance, out);
     }
 
     private @Nullable BodyRef cast(double dx, double dy, double dz, double maxDistance, Hit out) {
         Checks.notNull("out", out);
-        Checks.finite("directionX", dx);
-        Checks.finite("directionY", dy);
-        Checks.finite("directionZ", dz);
+        Checks.direction(dx, dy, dz);
         Checks.between("maxDistance", maxDistance, 0, Double.POSITIVE_INFINITY);
-        double most = Math.max(Math.abs(dx), Math.max(Math.abs(dy), Math.abs(dz)));
-        if (most == 0) {
-            throw new IllegalArgumentException(
-                    "direction is (0, 0, 0); it must point somewhere, its length does not matter");
-        }
-        double x = dx / most;
-        double y = dy / most;
-        double z = dz / most;
-        double length = Math.sqrt(x * x + y * y + z * z);
         begin();
         double limit = maxDistance;
         int winner = NONE;
-        for (source = 0; source < SOURCES; source++) {
-            if (source < TREES) {
-                rayWalk.start(tree(), box, x / length, y / length, z / length);
-            }
-            for (int c = next(rayWalk, limit); c != NONE; c = next(rayWalk, limit)) {
-                if (!isWanted(c) || !meets(c, dx, dy, dz, limit)) {
-                    continue;
-                }
-                double distance = hit.distance();
-                if (met != null) {
-                    Hit copy = new Hit();
-                    copy.set(hit);
-                    met.add(new Met(table.collision.ref(c), copy));
-                    continue;
-                }
-                if (winner == NONE || distance < limit || (distance == limit && c < winner)) {
-                    limit = distance;
-                    winner = c;
-                    best.set(hit);
-                }
+        candidates.along(box, dx, dy, dz);
+        for (int c = candidates.next(limit); c != NONE; c = candidates.next(limit)) {
+            if (meets(c, dx, dy, dz, limit)
+                    && !note(c)
+                    && (winner == NONE || hit.distance() < limit || c < winner)) {
+                limit = hit.distance();
+                winner = c;
+                best.set(hit);
             }
         }
-        if (winner == NONE) {
-            return null;
+        return answer(winner, out);
+    }
+
+    /** Notes what was met, if all is wanted. */
+    private boolean note(int collider) {
+        if (met != null) {
+            Hit copy = new Hit();
+            copy.set(hit);
+            met.add(new Met(table.collision.ref(collider), copy));
         }
-        out.set(best);
+        return met != null;
+    }
+
+    private @Nullable BodyRef answer(int winner, Hit out) {
+        if (winner != NONE) {
+            out.set(best);
+        }
         return answer(winner);
     }
 
-    private BodyRef answer(int winner) {
+    private @Nullable BodyRef answer(int winner) {
+        if (winner == NONE) {
+            return null;
+        }
         last = table.collision.ref(winner);
         return last.body();
     }
@@ -274,14 +258,18 @@ public final class WorldQueries {
             double directionZ,
             double maxDistance,
             List<? super Met> out) {
-        List<Met> found = new ArrayList<>();
-        met = found;
-        try {
-            rayCast(fromX, fromY, fromZ, directionX, directionY, directionZ, maxDistance, best);
-        } finally {
-            met = null;
-        }
-        return sorted(found, out);
+        return all(
+                () ->
+                        rayCast(
+                                fromX,
+                                fromY,
+                                fromZ,
+                                directionX,
+                                directionY,
+                                directionZ,
+                                maxDistance,
+                                best),
+                out);
     }
 
     /**
@@ -302,26 +290,129 @@ public final class WorldQueries {
             double directionZ,
             double maxDistance,
             List<? super Met> out) {
+        return all(
+                () -> shapeCast(moving, directionX, directionY, directionZ, maxDistance, best),
+                out);
+    }
+
+    /**
+     * Moves and turns a shape to the first body that it touches. Bodies are taken as they stand.
+     *
+     * @param moving the shape where it starts; not a half-space
+     * @param motion how it moves
+     * @param seconds for how long, s, at least 0, finite
+     * @param out receives the hit, with {@link Hit#seconds}; unchanged when there is none
+     * @return the body, or {@code null} if there is none
+     * @throws IllegalArgumentException if the time is negative or not finite, if the shape turns by
+     *     more than 1e5 rad in it, or if the mover is endless
+     * @throws IllegalStateException if the world is closed or a step runs
+     */
+    public @Nullable BodyRef turningCast(Placement moving, Motion motion, double seconds, Hit out) {
+        Checks.notNull("out", out);
+        requireEnd(Checks.notNull("moving", moving));
+        Checks.between("seconds", seconds, 0, Double.MAX_VALUE);
+        begin();
+        motion.bounds(moving, seconds, box);
+        double limit = seconds;
+        int winner = NONE;
+        candidates.near(box);
+        for (int c = candidates.next(0); c != NONE; c = candidates.next(0)) {
+            candidates.aim(c, target);
+            if (shapes.turningCast(moving, motion, limit, target, hit)
+                    && !note(c)
+                    && (winner == NONE || hit.seconds() < limit || c < winner)) {
+                limit = hit.seconds();
+                winner = c;
+                best.set(hit);
+            }
+        }
+        return answer(winner, out);
+    }
+
+    /**
+     * Moves and turns a shape through all that it meets. Each collider is met once, when the shape
+     * first touches it. Allocates a hit for each.
+     *
+     * @param moving the shape where it starts; not a half-space
+     * @param motion how it moves
+     * @param seconds for how long, s, at least 0, finite
+     * @param out receives the hits, the earliest first, of equals in slot order, after what it
+     *     holds
+     * @return how many there are
+     */
+    public int turningCastAll(
+            Placement moving, Motion motion, double seconds, List<? super Met> out) {
+        return all(() -> turningCast(moving, motion, seconds, best), out);
+    }
+
+    /**
+     * When two bodies meet that go on as they move now: their centres of mass straight, turning at
+     * their angular velocities. No force, gravity or other body is looked at, nor filters; sensors
+     * count only with {@link #withSensors}.
+     *
+     * @param a a body
+     * @param b another body
+     * @param seconds for how long, s, at least 0, finite
+     * @param out receives the hit, with {@link Hit#seconds}, the point where they touch then and
+     *     the outward normal of b; unchanged when there is none
+     * @return whether there is one; {@link #collider} then is the one of b
+     * @throws IllegalArgumentException if a body is gone, if the time is negative or not finite, or
+     *     if a body turns by more than 1e5 rad in it
+     * @throws IllegalStateException if the world is closed or a step runs
+     */
+    public boolean timeOfImpact(BodyRef a, BodyRef b, double seconds, Hit out) {
+        Checks.notNull("out", out);
+        Checks.between("seconds", seconds, 0, Double.MAX_VALUE);
+        begin();
+        ColliderStore k = table.colliders;
+        int slotA = move(a, motionA);
+        int slotB = move(b, motionB);
+        double limit = seconds;
+        int winner = NONE;
+        for (int c = k.bodies.collider[slotA]; c != NONE; c = k.next[c]) {
+            for (int d = k.bodies.collider[slotB]; d != NONE; d = k.next[d]) {
+                candidates.aim(c, other);
+                candidates.aim(d, target);
+                boolean asked = sensors || !(k.sensor[c] || k.sensor[d]);
+                if (asked
+                        && shapes.timeOfImpact(other, motionA, target, motionB, limit, hit)
+                        && (winner == NONE || hit.seconds() < limit)) {
+                    limit = hit.seconds();
+                    winner = d;
+                    best.set(hit);
+                }
+            }
+        }
+        return answer(winner, out) != null;
+    }
+
+    /** Takes how a body moves; returns its slot. */
+    private int move(BodyRef body, Motion motion) {
+        int slot = body.slot();
+        motion.clear().velocity(body.velocity(v)).angularVelocity(body.angularVelocity(v));
+        BodyStore s = table.bodies;
+        motion.about(s.positionX[slot], s.positionY[slot], s.positionZ[slot]);
+        return slot;
+    }
+
+    private int all(Runnable question, List<? super Met> out) {
         List<Met> found = new ArrayList<>();
         met = found;
         try {
-            shapeCast(moving, directionX, directionY, directionZ, maxDistance, best);
+            question.run();
         } finally {
             met = null;
         }
-        return sorted(found, out);
-    }
-
-    private static int sorted(List<Met> found, List<? super Met> out) {
         found.sort(
-                Comparator.<Met>comparingDouble(one -> one.hit().distance())
+                Comparator.<Met>comparingDouble(one -> one.hit().seconds())
+                        .thenComparingDouble(one -> one.hit().distance())
                         .thenComparingInt(one -> one.collider().slot()));
         out.addAll(found);
         return found.size();
     }
 
     private boolean meets(int collider, double dx, double dy, double dz, double limit) {
-        aim(collider);
+        candidates.aim(collider, target);
         return mover == null
                 ? shapes.rayCast(target, originX, originY, originZ, dx, dy, dz, limit, hit)
                 : shapes.shapeCast(mover, dx, dy, dz, limit, target, hit);
@@ -345,30 +436,22 @@ public final class WorldQueries {
         begin();
         double limit = within;
         int winner = NONE;
-        for (source = 0; source < SOURCES; source++) {
-            if (source < TREES) {
-                boxWalk.start(tree(), box);
-            }
-            // What overlaps is entered at 0, however deep it is.
-            for (int c = next(boxWalk, Math.max(limit, 0));
-                    c != NONE;
-                    c = next(boxWalk, Math.max(limit, 0))) {
-                if (!isWanted(c)) {
-                    continue;
-                }
-                aim(c);
-                double distance = shapes.closest(shape, target, closest);
-                if (distance < limit || (distance == limit && (winner == NONE || c < winner))) {
-                    limit = distance;
-                    winner = c;
-                    nearest.set(closest);
-                }
+        candidates.near(box);
+        // What overlaps is entered at 0, however deep it is.
+        for (int c = candidates.next(Math.max(limit, 0));
+                c != NONE;
+                c = candidates.next(Math.max(limit, 0))) {
+            candidates.aim(c, target);
+            double distance = shapes.closest(shape, target, closest);
+            if (distance < limit || (distance == limit && (winner == NONE || c < winner))) {
+                limit = distance;
+                winner = c;
+                nearest.set(closest);
             }
         }
-        if (winner == NONE) {
-            return null;
+        if (winner != NONE) {
+            out.set(nearest);
         }
-        out.set(nearest);
         return answer(winner);
     }
 
@@ -384,58 +467,26 @@ public final class WorldQueries {
         Checks.notNull("out", out);
         Checks.notNull("shape", shape).bounds(box);
         begin();
-        foundCount = 0;
-        for (source = 0; source < SOURCES; source++) {
-            if (source < TREES) {
-                boxWalk.start(tree(), box);
-            }
-            for (int c = next(boxWalk, 0); c != NONE; c = next(boxWalk, 0)) {
-                if (isWanted(c)) {
-                    aim(c);
-                    if (shapes.overlaps(shape, target)) {
-                        note(table.colliders.body[c]);
-                    }
-                }
+        found.clear();
+        candidates.near(box);
+        for (int c = candidates.next(0); c != NONE; c = candidates.next(0)) {
+            candidates.aim(c, target);
+            if (shapes.overlaps(shape, target)) {
+                found.set(table.colliders.body[c]);
             }
         }
-        Arrays.sort(found, 0, foundCount);
         int count = 0;
-        for (int i = 0; i < foundCount; i++) {
-            if (i == 0 || found[i] != found[i - 1]) {
-                out.add(table.refs[found[i]]);
-                count++;
-            }
+        for (int slot = found.nextSetBit(0); slot >= 0; slot = found.nextSetBit(slot + 1)) {
+            out.add(table.refs[slot]);
+            count++;
         }
         return count;
     }
 
-    private void note(int slot) {
-        if (foundCount == found.length) {
-            found = Arrays.copyOf(found, 2 * foundCount);
-        }
-        found[foundCount++] = slot;
-    }
-
-    // Whom to ask --------------------------------------------------------------------------------
-
-    private AabbTree tree() {
-        place = 0;
-        return source == 0 ? table.broadPhase.dynamicTree() : table.broadPhase.staticTree();
-    }
-
-    /** The next collider of the trees, of those without end, or of those that went astray. */
-    private int next(TreeWalk walk, double limit) {
-        if (source < TREES) {
-            return walk.next(limit);
-        }
-        BroadPhase known = table.broadPhase;
-        int[] list = source == TREES ? known.endless() : astray;
-        int count = source == TREES ? known.endlessCount() : astrayCount;
-        if (place == count) {
-            place = 0;
-            return NONE;
-        }
-        return list[place++];
+    private void begin() {
+        world.requireBetweenSteps("a query");
+        Roster roster = table.roster;
+        candidates.begin(roster.places, roster.unplaced, roster.unplacedCount);
     }
 
     private boolean isWanted(int collider) {
@@ -444,69 +495,5 @@ public final class WorldQueries {
                 && (bits == null || bits.meets(table.colliders.filter[collider]))
                 && body.isAlive()
                 && (filter == null || filter.test(body));
-    }
-
-    private void aim(int c) {
-        Poses p = table.colliders.poses;
-        target.setCentre(
-                table.colliders.shape[c],
-                p.positionX[c],
-                p.positionY[c],
-                p.positionZ[c],
-                p.orientationX[c],
-                p.orientationY[c],
-                p.orientationZ[c],
-                p.orientationW[c]);
-    }
-
-    /** Looks for colliders that are not within their fat box, once after each change of places. */
-    private void begin() {
-        world.requireBetweenSteps("a query");
-        if (places == table.roster.places) {
-            return;
-        }
-        places = table.roster.places;
-        astrayCount = 0;
-        for (int i = 0; i < table.roster.unplacedCount; i++) {
-            // the others follow below
-            if (table.bodies.kind[table.roster.unplaced[i]] == BodyStore.STATIC) {
-                stray(table.roster.unplaced[i], false);
-            }
-        }
-        byte[] kind = table.bodies.kind;
-        for (int slot = 0; slot < table.bodies.slotCount; slot++) {
-            if (kind[slot] != BodyStore.FREE && kind[slot] != BodyStore.STATIC) {
-                stray(slot, true);
-            }
-        }
-    }
-
-    /** Notes the colliders of a body, or those that are not within their boxes. */
-    private void stray(int slot, boolean outside) {
-        ColliderStore k = table.colliders;
-        for (int c = k.bodies.collider[slot]; c != NONE; c = k.next[c]) {
-            if (outside && inFatBox(c)) {
-                continue;
-            }
-            if (astrayCount == astray.length) {
-                astray = Arrays.copyOf(astray, 2 * astrayCount);
-            }
-            astray[astrayCount++] = c;
-        }
-    }
-
-    private boolean inFatBox(int c) {
-        if (!table.broadPhase.contains(c)) {
-            return false;
-        }
-        aim(c);
-        target.bounds(tight);
-        double[] fat = table.broadPhase.fatBoxes();
-        for (int axis = 0; axis < 3; axis++) {
-            if (!(fat[6 * c + axis] <= tight[axis] && tight[axis + 3] <= fat[6 * c + axis + 3])) {
-                return false;
-            }
-        }
-        return true;
     }
 }

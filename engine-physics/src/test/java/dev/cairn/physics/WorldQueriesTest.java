@@ -10,6 +10,7 @@ import com.sun.management.ThreadMXBean;
 
 import dev.cairn.physics.query.Closest;
 import dev.cairn.physics.query.Hit;
+import dev.cairn.physics.query.Motion;
 import dev.cairn.physics.query.Placement;
 import dev.cairn.physics.query.ShapeQueries;
 import dev.cairn.physics.shape.Box;
@@ -167,6 +168,84 @@ class WorldQueriesTest {
     /**
      * {@code hit} against {@code expected}; a body's own frame and its centre differ by rounding.
      */
+    @Test
+    void aTurningShapeMeetsTheBodyThatIsFirstAmongAll() {
+        ShapeQueries single = new ShapeQueries();
+        Placement mover = new Placement();
+        Motion motion = new Motion();
+        inAllWorlds((queries, bodies) -> {
+            for (int i = 0; i < 60; i++) {
+                Quaterniond q = turn();
+                mover.set(shape(i), around(8), around(5), around(8), q.x, q.y, q.z, q.w);
+                motion.clear()
+                        .velocity(around(9), around(9), around(9))
+                        .angularVelocity(around(20), around(20), around(20))
+                        .acceleration(0, i % 2 == 0 ? -9.81 : 0, 0);
+                BodyRef first = null;
+                double least = 1;
+                int met = 0;
+                for (BodyRef body : bodies) {
+                    if (single.turningCast(mover, motion, 1, placement(body), hit)) {
+                        met++;
+                        if (first == null || hit.seconds() < least) {
+                            least = hit.seconds();
+                            first = body;
+                        }
+                    }
+                }
+                BodyRef found = queries.turningCast(mover, motion, 1, hit);
+                assertEquals(first == null, found == null);
+                if (found != null) {
+                    assertTrue(least == 0 || first == found, "seed 4711 motion " + i);
+                    assertEquals(least, hit.seconds(), 1e-12);
+                    assertSame(found, queries.collider().body());
+                }
+                List<WorldQueries.Met> all = new ArrayList<>();
+                assertEquals(met, queries.turningCastAll(mover, motion, 1, all));
+                for (int k = 1; k < met; k++) {
+                    assertTrue(all.get(k - 1).hit().seconds() <= all.get(k).hit().seconds());
+                }
+                if (first != null) {
+                    BodyRef hidden = first;
+                    queries.filter(body -> body != hidden);
+                    assertTrue(queries.turningCast(mover, motion, 1, hit) != first);
+                    queries.filter(null);
+                }
+            }
+        });
+    }
+
+    /** A dumbbell that spins about its middle strikes a post with its far ball. */
+    @Test
+    void bodiesMeetByTheirVelocities() {
+        try (PhysicsWorld world = PhysicsWorld.builder().gravity(0, 0, 0).workers(1).build()) {
+            BodyRef bell =
+                    world.add(
+                            Body.dynamic()
+                                    .collider(Collider.of(Sphere.of(0.1)).at(-1, 0, 0))
+                                    .collider(Collider.of(Sphere.of(0.1)).at(1, 0, 0))
+                                    .velocity(0, 0, 2)
+                                    .angularVelocity(0, 10, 0));
+            BodyRef post =
+                    world.add(Body.kinematic().shape(Box.ofHalfExtents(0.1, 1, 0.1)).at(0, 0, 9));
+            WorldQueries queries = world.queries();
+            assertTrue(queries.timeOfImpact(bell, post, 10, hit));
+            double t = hit.seconds();
+            // the middle is at z = 2 t, a ball 1 m beside it, the post's face at 8.9
+            double z = 2 * t + Math.abs(StrictMath.sin(10 * t));
+            double x = Math.abs(StrictMath.cos(10 * t));
+            double dx = Math.max(0, x - 0.1);
+            assertEquals(0.1, StrictMath.sqrt(dx * dx + (8.9 - z) * (8.9 - z)), 1e-12);
+            assertSame(post, queries.collider().body());
+            assertEquals(-1, hit.normalZ(), 0.2);
+            assertTrue(!queries.timeOfImpact(bell, post, t - 1e-9, hit));
+            post.setVelocity(0, 0, 5);
+            assertTrue(!queries.timeOfImpact(bell, post, 10, hit));
+            bell.remove();
+            assertThrows(RuntimeException.class, () -> queries.timeOfImpact(bell, post, 10, hit));
+        }
+    }
+
     private void check(@Nullable BodyRef first, @Nullable BodyRef found) {
         if (first == null) {
             assertNull(found);
@@ -265,6 +344,7 @@ class WorldQueriesTest {
             queries.filter(null);
             ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
             Placement place = new Placement().set(Sphere.of(0.4), 10, 1, 10);
+            Motion motion = new Motion().velocity(0, -9, 1).angularVelocity(3, 2, 1);
             long before = 0;
             for (int i = 0; i < 4000; i++) {
                 if (i == 2000) {
@@ -273,6 +353,7 @@ class WorldQueriesTest {
                 queries.rayCast(-5, 3, 0.2, 1, -0.1, 0.5, 1000, hit);
                 queries.shapeCast(place, 0, -1, 0.1, 1000, hit);
                 queries.closest(place, 10, closest);
+                queries.turningCast(place, motion, 1, hit);
             }
             long bytes = threads.getCurrentThreadAllocatedBytes() - before;
             assertTrue(bytes < 4096, bytes + " bytes in 6000 questions");
@@ -306,6 +387,9 @@ class WorldQueriesTest {
                         () -> queries.rayCast(0, 0, 0, 1, 0, 0, -1, hit),
                         () -> queries.rayCast(0, 0, 0, 1, 0, 0, Double.NaN, hit),
                         () -> queries.shapeCast(ground, 0, 1, 0, 1, hit),
+                        () -> queries.turningCast(ground, new Motion(), 1, hit),
+                        () -> queries.turningCast(new Placement(), new Motion(), -1, hit),
+                        () -> queries.turningCast(new Placement(), new Motion(), 1 / 0.0, hit),
                         () -> queries.closest(new Placement(), Double.NaN, closest))) {
             String message = assertThrows(IllegalArgumentException.class, bad::run).getMessage();
             assertTrue(message.length() > 20, message);

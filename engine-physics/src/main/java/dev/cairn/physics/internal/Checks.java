@@ -23,6 +23,17 @@ public final class Checks {
         return value;
     }
 
+    /** Checks a direction of any length above 0. */
+    public static void direction(double x, double y, double z) {
+        finite("directionX", x);
+        finite("directionY", y);
+        finite("directionZ", z);
+        if (x == 0 && y == 0 && z == 0) {
+            throw new IllegalArgumentException(
+                    "direction is (0, 0, 0); it must point somewhere, its length does not matter");
+        }
+    }
+
     /** Checks that a value is finite and above 0. */
     public static double positive(String name, double value) {
         if (!(value > 0) || value == Double.POSITIVE_INFINITY) {

@@ -2,7 +2,7 @@ package dev.cairn.physics.query;
 
 /** What a ray or a moving shape met. Filled by a query, again and again. */
 public final class Hit {
-    double distance, pointX, pointY, pointZ, normalX, normalY, normalZ;
+    double seconds, distance, pointX, pointY, pointZ, normalX, normalY, normalZ;
     boolean inside;
     boolean capped;
     int triangle = -1;
@@ -17,6 +17,7 @@ public final class Hit {
      * @param other which one
      */
     public void set(Hit other) {
+        seconds = other.seconds;
         distance = other.distance;
         pointX = other.pointX;
         pointY = other.pointY;
@@ -42,7 +43,18 @@ public final class Hit {
     }
 
     /**
-     * How far it went.
+     * When shapes that move by a {@link Motion} touch.
+     *
+     * @return s since the start, at least 0; 0 of rays and of what moves along a direction, which
+     *     know no time
+     */
+    public double seconds() {
+        return seconds;
+    }
+
+    /**
+     * How far it went; of what moves by a {@link Motion}, how far its pivot is from where it
+     * started.
      *
      * @return m, at least 0
      */

@@ -21,19 +21,21 @@ final class MeshQueries {
     private final NarrowPhase narrowPhase;
     private final ConvexHull view = ConvexHull.triangle();
     private final Polyhedron flat = Polyhedron.of(view);
-    private final Placement triangle = new Placement(), start = new Placement();
+    final Placement triangle = new Placement();
+    private final Placement start = new Placement();
     private final TriangleSet.Found found = new TriangleSet.Found();
     private final double[] box = new double[6], wide = new double[6];
-    private final double[] corner = new double[9], ray = new double[6], pad = new double[3];
+    final double[] corner = new double[9];
+    private final double[] ray = new double[6], pad = new double[3];
     private final Hit hit = new Hit();
 
     private TriangleSet set = MeshBuilder.nothing();
 
     /** Where the surface is: origin and orientation, with the turn of a moved shape. */
-    private double ox, oy, oz, qx, qy, qz, qw;
+    double ox, oy, oz, qx, qy, qz, qw;
 
     private double tx, ty, tz;
-    private double nx, ny, nz;
+    double nx, ny, nz;
 
     MeshQueries(NarrowPhase narrowPhase) {
         this.narrowPhase = narrowPhase;
@@ -45,7 +47,7 @@ final class MeshQueries {
         return inner instanceof Meshed m ? TriangleSet.of(m) : null;
     }
 
-    private void use(Placement mesh, TriangleSet triangles) {
+    void use(Placement mesh, TriangleSet triangles) {
         set = triangles;
         ox = mesh.x;
         oy = mesh.y;
@@ -90,7 +92,7 @@ final class MeshQueries {
     }
 
     /** Makes a triangle the shape at hand, placed in the world about its middle. */
-    private void place(int t) {
+    void place(int t) {
         set.corners(t, corner);
         double gx = (corner[0] + corner[3] + corner[6]) / 3;
         double gy = (corner[1] + corner[4] + corner[7]) / 3;
@@ -229,17 +231,17 @@ final class MeshQueries {
         return d;
     }
 
-    private double weight1, weight2;
+    double weight1, weight2;
 
     /** Barycentric coordinates of a place in the plane of the corners at hand. */
-    private void weigh(double x, double y, double z) {
+    void weigh(double x, double y, double z) {
         normal();
         double length = nx * nx + ny * ny + nz * nz;
         weight1 = area(6, 0, x, y, z) / length;
         weight2 = area(0, 3, x, y, z) / length;
     }
 
-    private void normal() {
+    void normal() {
         double ux = corner[3] - corner[0];
         double uy = corner[4] - corner[1];
         double uz = corner[5] - corner[2];

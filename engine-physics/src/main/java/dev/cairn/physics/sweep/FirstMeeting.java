@@ -1,0 +1,282 @@
+package dev.cairn.physics.sweep;
+
+import dev.cairn.physics.narrowphase.NarrowPhase;
+
+/**
+ * The first time at which two convex shapes touch, each on its {@link Flight}.
+ *
+ * <p>Two proofs that a span is free. Let d be their distance and n the unit axis along which it is
+ * measured, from a to b. Conservative advancement (B. Mirtich, 1996): no point closes along n
+ * faster than
+ *
+ * <pre>
+ *   c = n . (vA - vB) + |n x wA| RA + |n x wB| RB        R = how far a point is from its pivot
+ * </pre>
+ *
+ * so nothing meets before d/c, and nothing at all if c is not positive. It creeps where the true
+ * speed is far below c. So a longer span [0, h] is tried, at whose ends the distances are d0, d1
+ * and the axes n0, n1. Let the axis go straight from n0 to n1. For each pair of points, the gap f =
+ * n . (pB - pA) along it is at least d0 and d1 at the ends, and
+ *
+ * <pre>
+ *   |f''| &lt;= K = |aB - aA| + |wA|² RA + |wB|² RB + 2/h (|m . (vB - vA)| + |m x wA| RA + |m x wB| RB),
+ *   m = n1 - n0          hence        f(t) &gt;= d0 + (d1 - d0) t/h - K/2 t (h - t)
+ * </pre>
+ *
+ * for all pairs, so if the right side stays above 0 nothing has met. It holds for spans of sqrt(8
+ * d/K) where both graze, and next to a meeting for any step that ends before it, so the search
+ * converges as Newton's method does.
+ *
+ * <p>One thread. Allocates nothing.
+ */
+public final class FirstMeeting {
+    /** Of what they have moved: rounding of their places. */
+    private static final double ROUNDING = 0x1p-51;
+
+    /** Of the sizes: a step of what parts. */
+    private static final double SHORT = 0x1p-8;
+
+    /** By how much less than K the gap may bend in a trial, after trials that went well. */
+    private static final double MOST_BOLD = 0x1p12;
+
+    private final NarrowPhase narrowPhase;
+    private final int mostSteps;
+    private final double near;
+
+    private Flight a = new Flight(), b = new Flight();
+    private double apartX, apartY, apartZ;
+    private double until;
+
+    private double met, scale;
+
+    /** At the end of a trial span. */
+    private double nextX, nextY, nextZ;
+
+    /** When they meet, s. */
+    public double time;
+
+    /** Unit axis from a to b at that time, world. */
+    public double axisX, axisY, axisZ;
+
+    /** Whether the search gave up while they were near, and takes them to have met. */
+    public boolean capped;
+
+    /**
+     * A search.
+     *
+     * @param narrowPhase measures distances
+     * @param mostSteps distances to measure before it gives up
+     * @param near it gives up only when they are no farther apart than this part of their sizes
+     */
+    public FirstMeeting(NarrowPhase narrowPhase, int mostSteps, double near) {
+        this.narrowPhase = narrowPhase;
+        this.mostSteps = mostSteps;
+        this.near = near;
+    }
+
+    /**
+     * Looks for the first meeting.
+     *
+     * @param first the shape a
+     * @param second the shape b
+     * @param x from a's centre to b's at the start, world, m
+     * @param y see {@code x}
+     * @param z see {@code x}
+     * @param from when it begins, s
+     * @param end when it ends, s; at it they may meet
+     * @param nearer nearer than that counts as met, m, at least 0
+     * @param size what {@code near} is a part of, m
+     * @return whether they meet; tells {@link #time} and the axis, and leaves both shapes there
+     */
+    public boolean find(
+            Flight first,
+            Flight second,
+            double x,
+            double y,
+            double z,
+            double from,
+            double end,
+            double nearer,
+            double size) {
+        a = first;
+        b = second;
+        apartX = x;
+        apartY = y;
+        apartZ = z;
+        until = end;
+        met = nearer;
+        scale = size;
+        capped = false;
+        time = from;
+        if (search(near * scale)) {
+            a.move(time);
+            b.move(time);
+            return true;
+        }
+        return false;
+    }
+
+    private boolean search(double nearby) {
+        double d = look(time);
+        take();
+        double slope = closing();
+        double boldness = 1;
+        double most = Double.POSITIVE_INFINITY;
+        double failed = Double.NaN;
+        for (int step = 1; d > 0; step++) {
+            double closing = closing();
+            double safe = d / closing;
+            if (!(closing > 0) || time + safe > until) {
+                return false;
+            }
+            if (step > mostSteps && d <= nearby) {
+                capped = true;
+                return true;
+            }
+            double span = Math.min(trial(d, slope, bend() / boldness), most);
+            double next = Math.min(time + span, until);
+            boolean isSafe = !(next > time + safe) || next == failed;
+            next = isSafe ? time + safe : next;
+            span = next - time;
+            if (time + safe == time) {
+                // as near as rounding can tell
+                return true;
+            }
+            double there = look(next);
+            double fall = (d - there) / span;
+            if (isSafe || (there > 0 && isFree(span, d, there))) {
+                slope = fall;
+                boldness = Math.min(4 * boldness, MOST_BOLD);
+                most = most > span ? most - span : Double.POSITIVE_INFINITY;
+                time = next;
+                d = there;
+                take();
+            } else {
+                slope = Math.max(slope, fall);
+                boldness = Math.max(boldness / 16, 1);
+                failed = next;
+                most = there > 0 ? 0.5 * span : 0.9375 * d / fall;
+            }
+        }
+        return true;
+    }
+
+    /**
+     * After a meeting: the first time from there on at which they are apart again. While they
+     * overlap by a depth d they cannot part before d/c; near the end of it, it goes on by a small
+     * part of their size.
+     *
+     * @return s; beyond the end when they are not
+     */
+    public double leave() {
+        double x = a.vx - b.vx;
+        double y = a.vy - b.vy;
+        double z = a.vz - b.vz;
+        double most = Math.sqrt(x * x + y * y + z * z) + bend() * until + a.rim() + b.rim();
+        double least = SHORT * scale / most;
+        for (double t = time + least; t <= until; ) {
+            double d = look(t);
+            if (d > 0) {
+                return t;
+            }
+            t = Math.max(t + Math.max(-d / most, least), Math.nextUp(t));
+        }
+        return Double.POSITIVE_INFINITY;
+    }
+
+    /** From a's centre to b's, where they were left; world, m. */
+    public double apartX() {
+        return apartX + b.x - a.x;
+    }
+
+    /** See {@link #apartX}. */
+    public double apartY() {
+        return apartY + b.y - a.y;
+    }
+
+    /** See {@link #apartX}. */
+    public double apartZ() {
+        return apartZ + b.z - a.z;
+    }
+
+    /** How much farther apart than met they are at a time. */
+    private double look(double t) {
+        a.move(t);
+        b.move(t);
+        double d =
+                narrowPhase.distance(
+                        a.shape, b.shape, a.qx, a.qy, a.qz, a.qw, b.qx, b.qy, b.qz, b.qw, apartX(),
+                        apartY(), apartZ());
+        nextX = narrowPhase.axisX();
+        nextY = narrowPhase.axisY();
+        nextZ = narrowPhase.axisZ();
+        double moved =
+                Math.abs(a.x) + Math.abs(a.y) + Math.abs(a.z) + Math.abs(b.x) + Math.abs(b.y);
+        return d - met - ROUNDING * (moved + Math.abs(b.z));
+    }
+
+    private void take() {
+        axisX = nextX;
+        axisY = nextY;
+        axisZ = nextZ;
+    }
+
+    /** The speed c at which they close along the axis at most, until the end. */
+    private double closing() {
+        double now = centres(axisX, axisY, axisZ, time);
+        double last = centres(axisX, axisY, axisZ, until);
+        return Math.max(now, last) + turning(axisX, axisY, axisZ);
+    }
+
+    /** n . (vA - vB) at a time. */
+    private double centres(double nx, double ny, double nz, double t) {
+        return nx * (a.vx + t * a.ax - b.vx - t * b.ax)
+                + ny * (a.vy + t * a.ay - b.vy - t * b.ay)
+                + nz * (a.vz + t * a.az - b.vz - t * b.az);
+    }
+
+    private double turning(double nx, double ny, double nz) {
+        return turning(a, nx, ny, nz) + turning(b, nx, ny, nz);
+    }
+
+    /** |n x w| R. */
+    private static double turning(Flight f, double nx, double ny, double nz) {
+        if (f.spin == 0) {
+            return 0;
+        }
+        double x = ny * f.wz - nz * f.wy;
+        double y = nz * f.wx - nx * f.wz;
+        double z = nx * f.wy - ny * f.wx;
+        return f.radius * Math.sqrt(x * x + y * y + z * z);
+    }
+
+    /** |aB - aA| + |wA|² RA + |wB|² RB. */
+    private double bend() {
+        double x = b.ax - a.ax;
+        double y = b.ay - a.ay;
+        double z = b.az - a.az;
+        return Math.sqrt(x * x + y * y + z * z)
+                + a.spin * a.spin * a.radius
+                + b.spin * b.spin * b.radius;
+    }
+
+    /** The span after which d - s t - K/2 t² is 0. */
+    private static double trial(double d, double s, double k) {
+        return 2 * d / (s + Math.sqrt(s * s + 2 * k * d));
+    }
+
+    /** Whether the lower bound of all gaps stays above 0 over a span. */
+    private boolean isFree(double h, double d0, double d1) {
+        double mx = nextX - axisX;
+        double my = nextY - axisY;
+        double mz = nextZ - axisZ;
+        double across =
+                Math.max(
+                        Math.abs(centres(mx, my, mz, time)),
+                        Math.abs(centres(mx, my, mz, time + h)));
+        double k = bend() + 2 / h * (across + turning(mx, my, mz));
+        // least at
+        double t = 0.5 * h - (d1 - d0) / (h * k);
+        return !(t > 0 && t < h) || 0.5 * k * t * t < d0;
+    }
+}

@@ -1,0 +1,161 @@
+package dev.cairn.physics.sweep;
+
+import dev.cairn.physics.internal.Rotations;
+import dev.cairn.physics.shape.HalfSpace;
+import dev.cairn.physics.shape.Shape;
+
+/**
+ * The way of a shape: a point that it turns about (the pivot) goes along a parabola, and the shape
+ * turns about it at a constant angular velocity.
+ *
+ * <p>Places are told as moves from where they were at the start, so that they are exact far from
+ * the origin. One thread.
+ */
+public final class Flight {
+    private static final double TWO_OVER_PI = 2 / Math.PI;
+
+    /** A quarter turn in two parts: the first has 33 bits, so its multiples are exact. */
+    private static final double QUARTER_HIGH = 0x1.921fb544p0, QUARTER_LOW = 0x1.0b4611a626331p-34;
+
+    /** What moves. */
+    public Shape shape = HalfSpace.of();
+
+    /** Velocity of the pivot at the start, m/s, and its acceleration, m/s²; world. */
+    public double vx, vy, vz, ax, ay, az;
+
+    /** Angular velocity, rad/s, world. */
+    public double wx, wy, wz;
+
+    /** Its length; 0 where a turn changes nothing. */
+    double spin;
+
+    /** How far a point of the shape may be from the pivot, m. */
+    double radius;
+
+    /** From the pivot to the shape's centre at the start; all 0 for most. */
+    private double leverX, leverY, leverZ;
+
+    private double sx, sy, sz, sw = 1;
+
+    /** At a time: how far the shape's centre has moved, and its orientation. */
+    public double x, y, z, qx, qy, qz, qw = 1;
+
+    /** At a time: the turn since the start. */
+    private double tx, ty, tz, tw = 1;
+
+    /** How far the point of the last {@link #back} has moved. */
+    public double movedX, movedY, movedZ;
+
+    private final double[] turned = new double[3];
+
+    /** A shape that stays, until it is set. */
+    public Flight() {}
+
+    /** Orientation of the shape at the start: unit quaternion, world from shape. */
+    public Flight turned(double x, double y, double z, double w) {
+        sx = x;
+        sy = y;
+        sz = z;
+        sw = w;
+        return this;
+    }
+
+    /** From the pivot to the shape's centre at the start, world, m. */
+    public Flight lever(double x, double y, double z) {
+        leverX = x;
+        leverY = y;
+        leverZ = z;
+        return this;
+    }
+
+    /**
+     * Ends the setting.
+     *
+     * @param reach how far points of the shape that count are from its centre, m
+     * @param isBall whether turning about the shape's centre changes nothing
+     */
+    public void begin(double reach, boolean isBall) {
+        double lever = Math.sqrt(leverX * leverX + leverY * leverY + leverZ * leverZ);
+        double w = Math.sqrt(wx * wx + wy * wy + wz * wz);
+        boolean turns = w > 0 && !(isBall && lever == 0);
+        spin = turns ? w : 0;
+        radius = turns ? lever + (isBall ? 0 : reach) : 0;
+        move(0);
+    }
+
+    /** Surface speed of turning, at most; m/s. */
+    public double rim() {
+        return spin * radius;
+    }
+
+    /** Where it is after a time, s. */
+    public void move(double t) {
+        x = t * (vx + 0.5 * t * ax);
+        y = t * (vy + 0.5 * t * ay);
+        z = t * (vz + 0.5 * t * az);
+        if (spin == 0) {
+            tx = ty = tz = 0;
+            tw = 1;
+            qx = sx;
+            qy = sy;
+            qz = sz;
+            qw = sw;
+            return;
+        }
+        turn(t);
+        qx = tw * sx + tx * sw + ty * sz - tz * sy;
+        qy = tw * sy - tx * sz + ty * sw + tz * sx;
+        qz = tw * sz + tx * sy - ty * sx + tz * sw;
+        qw = tw * sw - tx * sx - ty * sy - tz * sz;
+        if (leverX != 0 || leverY != 0 || leverZ != 0) {
+            Rotations.rotate(tx, ty, tz, tw, leverX, leverY, leverZ, turned);
+            x += turned[0] - leverX;
+            y += turned[1] - leverY;
+            z += turned[2] - leverZ;
+        }
+    }
+
+    /**
+     * The turn by w t: cosine and sine of the half angle h by their series, after the quarter turns
+     * in it are taken off.
+     */
+    private void turn(double t) {
+        double half = 0.5 * spin * t;
+        double quarters = Math.rint(half * TWO_OVER_PI);
+        double h = half - quarters * QUARTER_HIGH - quarters * QUARTER_LOW;
+        double s = h * h;
+        double sine = series(s, 1) * h;
+        double cosine = series(s, 0);
+        long quadrant = (long) quarters & 3;
+        double c = (quadrant & 1) == 0 ? cosine : sine;
+        double d = (quadrant & 1) == 0 ? sine : cosine;
+        c = quadrant == 1 || quadrant == 2 ? -c : c;
+        d = quadrant >= 2 ? -d : d;
+        tx = d * wx / spin;
+        ty = d * wy / spin;
+        tz = d * wz / spin;
+        tw = c;
+    }
+
+    /** 1 - s/(o+1)(o+2) (1 - s/(o+3)(o+4) (…)): cosine for o = 0, sine over its angle for 1. */
+    private static double series(double s, int o) {
+        double sum = 1;
+        for (int i = 16 + o; i > o; i -= 2) {
+            sum = 1 - s / (i * (i - 1)) * sum;
+        }
+        return sum;
+    }
+
+    /** Where a point of now, from the shape's centre, was at the start, from the pivot. */
+    public void back(double px, double py, double pz, double[] out) {
+        // from the pivot now
+        Rotations.rotate(tx, ty, tz, tw, leverX, leverY, leverZ, turned);
+        double rx = px + turned[0];
+        double ry = py + turned[1];
+        double rz = pz + turned[2];
+        Rotations.rotate(-tx, -ty, -tz, tw, rx, ry, rz, out);
+        movedX = x - (turned[0] - leverX) + rx - out[0];
+        movedY = y - (turned[1] - leverY) + ry - out[1];
+        movedZ = z - (turned[2] - leverZ) + rz - out[2];
+    }
+}
