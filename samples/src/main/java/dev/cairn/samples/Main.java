@@ -1,6 +1,7 @@
 package dev.cairn.samples;
 
 import dev.cairn.samples.accuracy.AccuracyCommand;
+import dev.cairn.samples.decompose.DecomposeCommand;
 import dev.cairn.samples.fuzz.FuzzCommand;
 import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.scenefile.SceneFile;
@@ -52,6 +53,7 @@ import java.util.Map;
             "  samples --replay run.cairn --workers 1 --lanes 4",
             "  samples --from moment.cairn   (a moment that was saved in the window by key M)",
             "  samples --scene room,pyramid,obj-drop --contact-sheet scenes.png",
+            "  samples --decompose mug.obj --out mug.json   (convex parts; --decompose --help)",
             "  samples accuracy --quick      (compares with closed forms; accuracy --help)",
             "  samples fuzz --worlds 1000    (random worlds against laws; fuzz --help)",
             "",
@@ -250,6 +252,15 @@ public final class Main {
                 return first.equals("fuzz")
                         ? FuzzCommand.run(rest, out, err, onTerminal())
                         : AccuracyCommand.run(rest, out, err, onTerminal());
+            } catch (UncheckedIOException unwritable) {
+                err.println(oneLine(unwritable));
+                return FAILED;
+            }
+        }
+        if (Arrays.asList(arguments).contains("--decompose")) {
+            try {
+                return DecomposeCommand.run(
+                        arguments, out, err, onTerminal(), more -> run(more, out, err, display));
             } catch (UncheckedIOException unwritable) {
                 err.println(oneLine(unwritable));
                 return FAILED;

@@ -36,6 +36,7 @@ import dev.cairn.samples.scenes.joint.Nets;
 import dev.cairn.samples.scenes.joint.Pendulums;
 import dev.cairn.samples.scenes.joint.Ragdolls;
 import dev.cairn.samples.scenes.level.Bowl;
+import dev.cairn.samples.scenes.level.Funnel;
 import dev.cairn.samples.scenes.level.Hills;
 import dev.cairn.samples.scenes.level.House;
 import dev.cairn.samples.scenes.seam.Bullets;
@@ -120,6 +121,7 @@ public final class SceneRegistry {
                     House.scene(),
                     Hills.terrain(),
                     Hills.meshDrop(),
+                    Funnel.scene(),
                     Tiles.scene(),
                     Bullets.scene(),
                     NearMiss.scene());

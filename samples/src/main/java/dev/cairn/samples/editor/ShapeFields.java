@@ -4,6 +4,7 @@ import dev.cairn.render.ui.TextBuffer;
 import dev.cairn.render.ui.Ui;
 import dev.cairn.samples.scenefile.EntitySpec;
 import dev.cairn.samples.scenefile.ShapeSpec;
+import dev.cairn.samples.scenefile.ShapeSpec.As;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
 import dev.cairn.samples.scenefile.ShapeSpec.FieldShape;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
@@ -31,6 +32,10 @@ final class ShapeFields {
             POINTS[i] = "p" + i;
         }
     }
+
+    private static final List<As> KINDS = List.of(As.HULL, As.LEVEL, As.PARTS);
+
+    private static final List<String> AS = List.of("its hull", "its triangles", "convex parts");
 
     private final Editor editor;
     private final Fields fields;
@@ -82,7 +87,19 @@ final class ShapeFields {
 
     private static MeshShape mesh(Ui ui, MeshShape mesh) {
         String file = ui.textField("file", mesh.file());
-        return file.equals(mesh.file()) ? mesh : new MeshShape(file, mesh.isLevel());
+        As as = KINDS.get(ui.choice("collides as", AS, KINDS.indexOf(mesh.as())));
+        double parts = mesh.parts();
+        double error = mesh.error();
+        if (mesh.as() == As.PARTS) {
+            parts = ui.slider("parts", parts, 1, 64, 1, "at most");
+            error = ui.slider("error", error, 0.005, 0.2, 0.005, "a share of the longest side");
+        }
+        boolean same =
+                file.equals(mesh.file())
+                        && as == mesh.as()
+                        && parts == mesh.parts()
+                        && error == mesh.error();
+        return same ? mesh : new MeshShape(file, as, (int) parts, error);
     }
 
     private HullShape hull(Ui ui, HullShape hull) {

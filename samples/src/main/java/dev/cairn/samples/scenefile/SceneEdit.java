@@ -153,11 +153,11 @@ public final class SceneEdit {
     }
 
     private static ShapeSpec rebase(ShapeSpec shape, Path source, Path target) {
-        if (!(shape instanceof MeshShape(String file, boolean isLevel))) {
+        if (!(shape instanceof MeshShape mesh)) {
             return shape;
         }
-        String there = rebase(file, source, target);
-        return new MeshShape(there == null ? file : there, isLevel);
+        String there = rebase(mesh.file(), source, target);
+        return there == null ? mesh : mesh.withFile(there);
     }
 
     private static @Nullable String rebase(@Nullable String path, Path source, Path target) {

@@ -1,5 +1,6 @@
 package dev.cairn.samples.scenefile;
 
+import dev.cairn.core.job.Jobs;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.Visual;
 import dev.cairn.core.state.StateException;
@@ -11,12 +12,13 @@ import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.ConvexHull;
 import dev.cairn.physics.shape.DegenerateShapeException;
+import dev.cairn.physics.shape.MassProperties;
 import dev.cairn.physics.shape.Shape;
-import dev.cairn.physics.shape.TriangleMesh;
+import dev.cairn.physics.shape.decomposition.Decomposer;
+import dev.cairn.physics.shape.decomposition.Decomposition;
 import dev.cairn.render.camera.CameraMount;
 import dev.cairn.render.input.Control;
 import dev.cairn.render.input.Controllable;
-import dev.cairn.render.mesh.Mesh;
 import dev.cairn.render.mesh.Model;
 import dev.cairn.render.mesh.ModelGroup;
 import dev.cairn.render.mesh.ObjModel;
@@ -29,6 +31,7 @@ import dev.cairn.samples.SceneView;
 import dev.cairn.samples.UsageException;
 import dev.cairn.samples.replay.RunFile;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
+import dev.cairn.samples.scenefile.ShapeSpec.As;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
 
 import org.joml.Quaterniond;
@@ -59,6 +62,7 @@ public final class SceneLoader {
     private final Map<String, @Nullable ObjModel> meshes;
     private final Map<String, @Nullable Texture> textures;
     private final Map<Shared, Shape> shapes;
+    private final Map<Shared, Decomposition> solids;
 
     /** Entities of equal shape and scale share one collision shape, and so one mesh to draw. */
     private record Shared(ShapeSpec shape, Xyz scale) {}
@@ -71,6 +75,7 @@ public final class SceneLoader {
         private final Map<String, @Nullable ObjModel> meshes = new HashMap<>();
         private final Map<String, @Nullable Texture> textures = new HashMap<>();
         private final Map<Shared, Shape> shapes = new HashMap<>();
+        private final Map<Shared, Decomposition> solids = new HashMap<>();
 
         /** Nothing yet. */
         public Assets() {}
@@ -81,6 +86,7 @@ public final class SceneLoader {
             textures.values().removeIf(Texture.missing()::equals);
             if (shapes.size() > MOST_SHAPES) {
                 shapes.clear();
+                solids.clear();
             }
         }
     }
@@ -94,6 +100,7 @@ public final class SceneLoader {
         meshes = assets.meshes;
         textures = assets.textures;
         shapes = assets.shapes;
+        solids = assets.solids;
     }
 
     /**
@@ -285,7 +292,7 @@ public final class SceneLoader {
         Visual visual = null;
         if (look.visible()) {
             visual =
-                    parts.isEmpty() || look.mesh() != null
+                    entity.physics().parts().isEmpty() || look.mesh() != null
                             ? look(entity, shape, index)
                             : look(parts, look, index);
         }
@@ -312,7 +319,12 @@ public final class SceneLoader {
                         .material(entity.material())
                         .name(entity.name());
         Double mass = entity.mass();
-        if (mass != null) {
+        Decomposition solid = solids.get(new Shared(entity.shape(), entity.scale()));
+        MassProperties own =
+                solid == null ? null : MeshParts.mass(solid, entity.material().density(), mass);
+        if (own != null) {
+            body.massProperties(own);
+        } else if (mass != null) {
             body.mass(mass);
         }
         Xyz v = entity.velocity();
@@ -343,6 +355,12 @@ public final class SceneLoader {
     /** The colliders of an entity of several; none if it is of one plain shape. */
     private List<Collider> parts(EntitySpec entity, int index) {
         List<Collider> parts = new ArrayList<>();
+        if (entity.body() != BodyKind.NONE
+                && entity.shape() instanceof MeshShape mesh
+                && mesh.as() == As.PARTS) {
+            Decomposition solid = solid(mesh, entity, index);
+            return solid == null ? parts : solid.parts().stream().map(Collider::of).toList();
+        }
         for (PartSpec part : entity.physics().parts()) {
             Shape shape = shape(part.shape(), entity, index);
             parts.add(
@@ -374,10 +392,12 @@ public final class SceneLoader {
         Shared key = new Shared(spec, entity.scale());
         Shape known = shapes.get(key);
         if (known == null) {
-            if (!(spec instanceof MeshShape(String file, boolean isLevel))) {
+            if (!(spec instanceof MeshShape mesh)) {
                 known = spec.collider(entity.scale());
+            } else if (mesh.as() == As.PARTS) {
+                return null; // several, see parts
             } else if (entity.body() != BodyKind.NONE || !entity.physics().parts().isEmpty()) {
-                known = fileShape(file, isLevel, entity, index);
+                known = fileShape(mesh.file(), mesh.as() == As.LEVEL, entity, index);
             }
             if (known != null) {
                 shapes.put(key, known);
@@ -397,7 +417,9 @@ public final class SceneLoader {
             points[i] *= scale[i % 3];
         }
         try {
-            return isLevel ? level(mesh.mesh(), scale) : ConvexHull.of(points);
+            return isLevel
+                    ? MeshParts.surface(mesh.mesh(), scale[0], scale[1], scale[2])
+                    : ConvexHull.of(points);
         } catch (DegenerateShapeException flat) {
             meshes.put(file, null);
             String what = isLevel ? ": no surface: " : ": no convex hull of its points: ";
@@ -406,14 +428,38 @@ public final class SceneLoader {
         }
     }
 
-    /** The triangles as they are drawn; corners at one place become one. */
-    private static TriangleMesh level(Mesh mesh, double[] scale) {
-        float[] drawn = mesh.vertices();
-        double[] xyz = new double[3 * mesh.vertexCount()];
-        for (int i = 0; i < xyz.length; i++) {
-            xyz[i] = scale[i % 3] * drawn[i / 3 * Mesh.FLOATS_PER_VERTEX + i % 3];
+    /** The convex parts of a file; null if it is broken, which is told. */
+    private @Nullable Decomposition solid(MeshShape spec, EntitySpec entity, int index) {
+        Shared key = new Shared(spec, entity.scale());
+        Decomposition known = solids.get(key);
+        ObjModel mesh = known == null ? mesh(spec.file(), index) : null;
+        if (known != null || mesh == null) {
+            return known;
         }
-        return TriangleMesh.of(xyz, mesh.indices());
+        Xyz s = entity.scale();
+        try (Jobs jobs = Jobs.of(Jobs.defaultWorkers())) {
+            Decomposition made =
+                    Decomposer.of(MeshParts.surface(mesh.mesh(), s.x(), s.y(), s.z()))
+                            .parts(spec.parts())
+                            .error(spec.error())
+                            .run(jobs);
+            if (!made.isWithinAllowed()) {
+                into.remark(
+                        "entity %d: %d parts of %s go %.3g m beyond it, %.3g were allowed: allow more parts"
+                                .formatted(
+                                        index,
+                                        made.parts().size(),
+                                        SceneFileException.shown(spec.file()),
+                                        made.beyond(),
+                                        made.allowed()));
+            }
+            solids.put(key, made);
+            return made;
+        } catch (DegenerateShapeException flat) {
+            meshes.put(spec.file(), null);
+            complain(index, spec.file() + ": no solid: " + flat.getMessage());
+            return null;
+        }
     }
 
     private Visual look(EntitySpec entity, @Nullable Shape shape, int index) {
@@ -423,9 +469,7 @@ public final class SceneLoader {
         String file =
                 look.mesh() != null
                         ? look.mesh()
-                        : entity.shape() instanceof MeshShape(String own, boolean isLevel)
-                                ? own
-                                : null;
+                        : entity.shape() instanceof MeshShape own ? own.file() : null;
         if (file == null) {
             if (shape == null) {
                 throw new IllegalStateException("entity " + index + " has no shape");

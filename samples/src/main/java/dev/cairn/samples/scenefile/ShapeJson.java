@@ -3,6 +3,8 @@ package dev.cairn.samples.scenefile;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 
+import dev.cairn.physics.shape.decomposition.Decomposer;
+import dev.cairn.samples.scenefile.ShapeSpec.As;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
 import dev.cairn.samples.scenefile.ShapeSpec.FieldShape;
 import dev.cairn.samples.scenefile.ShapeSpec.GroundShape;
@@ -50,6 +52,8 @@ final class ShapeJson {
                                 "points",
                                 "file",
                                 "as",
+                                "parts",
+                                "error",
                                 "triangles",
                                 "twoSided",
                                 "samplesX",
@@ -107,10 +111,21 @@ final class ShapeJson {
                         SceneReader.rotation(node.required(in, "rotation")));
             }
             case "mesh" -> {
-                Map<String, JsonNode> in = node.fields("a mesh", List.of("type", "file", "as"));
-                yield new MeshShape(
-                        node.required(in, "file").text("the path of an .obj file"),
-                        in.containsKey("as") && isLevel(in.get("as")));
+                Map<String, JsonNode> in =
+                        node.fields("a mesh", List.of("type", "file", "as", "parts", "error"));
+                try {
+                    yield new MeshShape(
+                            node.required(in, "file").text("the path of an .obj file"),
+                            in.containsKey("as") ? as(in.get("as")) : As.HULL,
+                            in.containsKey("parts")
+                                    ? in.get("parts").whole(1, Decomposer.MOST_PARTS)
+                                    : MeshShape.PARTS,
+                            in.containsKey("error")
+                                    ? in.get("error").positive("a share of the longest side")
+                                    : MeshShape.ERROR);
+                } catch (IllegalArgumentException refusal) {
+                    throw node.refused(refusal);
+                }
             }
             case "triangles" -> {
                 Map<String, JsonNode> in =
@@ -140,11 +155,12 @@ final class ShapeJson {
         };
     }
 
-    private static boolean isLevel(JsonNode node) {
-        String what = "\"hull\" or \"level\"";
+    private static As as(JsonNode node) {
+        String what = "\"hull\", \"level\" or \"parts\"";
         return switch (node.text(what)) {
-            case "hull" -> false;
-            case "level" -> true;
+            case "hull" -> As.HULL;
+            case "level" -> As.LEVEL;
+            case "parts" -> As.PARTS;
             default -> throw node.wrong(what, node.shown());
         };
     }
@@ -207,10 +223,16 @@ final class ShapeJson {
                 out.add("position", SceneWriter.xyz(at));
                 out.add("rotation", SceneWriter.turn(turn));
             }
-            case MeshShape(String file, boolean isLevel) -> {
+            case MeshShape(String file, As as, int parts, double error) -> {
                 out.addProperty("file", file);
-                if (isLevel) {
-                    out.addProperty("as", "level");
+                if (as != As.HULL) {
+                    out.addProperty("as", as == As.LEVEL ? "level" : "parts");
+                }
+                if (parts != MeshShape.PARTS) {
+                    out.addProperty("parts", parts);
+                }
+                if (error != MeshShape.ERROR) {
+                    out.add("error", SceneWriter.number(error));
                 }
             }
             case SurfaceShape surface -> {

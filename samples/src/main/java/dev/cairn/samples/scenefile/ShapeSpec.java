@@ -10,6 +10,7 @@ import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.TriangleMesh;
+import dev.cairn.physics.shape.decomposition.Decomposer;
 
 import org.joml.Quaterniond;
 
@@ -96,21 +97,60 @@ public sealed interface ShapeSpec {
         }
     }
 
+    /** What a file of triangles collides as. */
+    enum As {
+        /** The convex hull of its points. */
+        HULL,
+        /** Its triangles; such a body is not dynamic. */
+        LEVEL,
+        /** Convex parts that are nearly its solid, with the mass of the solid. */
+        PARTS
+    }
+
     /**
-     * A file of triangles: drawn as it is, collides as the convex hull of its points, or as its
-     * triangles.
+     * A file of triangles: drawn as it is.
      *
      * @param file path of an {@code .obj} file
-     * @param isLevel whether it collides as its triangles; such a body is not dynamic
+     * @param as what it collides as
+     * @param parts most parts, if it does so as parts
+     * @param error how far a part may go beyond the solid, a share of its longest side
      */
-    record MeshShape(String file, boolean isLevel) implements ShapeSpec {
+    record MeshShape(String file, As as, int parts, double error) implements ShapeSpec {
+        /** Parts, and the error that is allowed, if a file says nothing. */
+        public static final int PARTS = 32;
+
+        /** See {@link #PARTS}. */
+        public static final double ERROR = 0.02;
+
+        /** Checks the ranges. */
+        public MeshShape {
+            if (parts < 1 || parts > Decomposer.MOST_PARTS) {
+                throw new IllegalArgumentException(
+                        "parts is %d, expected 1..%d".formatted(parts, Decomposer.MOST_PARTS));
+            }
+            if (!(error >= Decomposer.LEAST_ERROR && error <= 1)) {
+                throw new IllegalArgumentException(
+                        "error is %s, expected %s..1".formatted(error, Decomposer.LEAST_ERROR));
+            }
+        }
+
         /**
          * Collides as the convex hull.
          *
          * @param file path of an {@code .obj} file
          */
         public MeshShape(String file) {
-            this(file, false);
+            this(file, As.HULL, PARTS, ERROR);
+        }
+
+        /**
+         * The same from another file.
+         *
+         * @param value path of an {@code .obj} file
+         * @return a copy
+         */
+        public MeshShape withFile(String value) {
+            return new MeshShape(value, as, parts, error);
         }
 
         @Override
@@ -208,7 +248,7 @@ public sealed interface ShapeSpec {
     default boolean isSurface() {
         return switch (this) {
             case MovedShape moved -> moved.shape().isSurface();
-            case MeshShape mesh -> mesh.isLevel();
+            case MeshShape mesh -> mesh.as() == As.LEVEL;
             case SurfaceShape surface -> true;
             case FieldShape field -> true;
             default -> false;
@@ -259,9 +299,9 @@ public sealed interface ShapeSpec {
                                     at.y() * scale.x(),
                                     at.z() * scale.x(),
                                     new Quaterniond(turn.x(), turn.y(), turn.z(), turn.w()));
-            case MeshShape(String file, boolean isLevel) ->
+            case MeshShape mesh ->
                     throw new IllegalStateException(
-                            "mesh " + file + " has no collision shape before it is read");
+                            "mesh " + mesh.file() + " has no collision shape before it is read");
         };
     }
 

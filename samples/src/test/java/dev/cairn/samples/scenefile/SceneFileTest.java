@@ -27,6 +27,7 @@ import dev.cairn.samples.SceneReport;
 import dev.cairn.samples.SceneRun;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFile.TickSpec;
+import dev.cairn.samples.scenefile.ShapeSpec.As;
 import dev.cairn.samples.scenefile.ShapeSpec.BoxShape;
 import dev.cairn.samples.scenefile.ShapeSpec.HullShape;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
@@ -90,7 +91,12 @@ class SceneFileTest {
                         : switch (random.nextInt(3)) {
                             case 0 -> new BoxShape(positive(random));
                             case 1 -> new HullShape(points);
-                            default -> new MeshShape("a folder/ünïcode \"" + factor + "\".obj");
+                            default ->
+                                    new MeshShape(
+                                            "a folder/ünïcode \"" + factor + "\".obj",
+                                            As.HULL,
+                                            random.nextInt(1, 99),
+                                            random.nextDouble(.01, 1));
                         };
         BodyKind[] kinds = BodyKind.values();
         BodySpec physics = physics(random, shape);
