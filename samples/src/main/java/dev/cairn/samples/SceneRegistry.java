@@ -39,8 +39,12 @@ import dev.cairn.samples.scenes.level.Bowl;
 import dev.cairn.samples.scenes.level.Funnel;
 import dev.cairn.samples.scenes.level.Hills;
 import dev.cairn.samples.scenes.level.House;
+import dev.cairn.samples.scenes.seam.BrickWall;
+import dev.cairn.samples.scenes.seam.BulletStack;
 import dev.cairn.samples.scenes.seam.Bullets;
+import dev.cairn.samples.scenes.seam.Gas;
 import dev.cairn.samples.scenes.seam.NearMiss;
+import dev.cairn.samples.scenes.seam.SpinningRod;
 import dev.cairn.samples.scenes.seam.Tiles;
 import dev.cairn.samples.scenes.stack.Arch;
 import dev.cairn.samples.scenes.stack.Cards;
@@ -124,7 +128,11 @@ public final class SceneRegistry {
                     Funnel.scene(),
                     Tiles.scene(),
                     Bullets.scene(),
-                    NearMiss.scene());
+                    NearMiss.scene(),
+                    SpinningRod.scene(),
+                    Gas.scene(),
+                    BulletStack.scene(),
+                    BrickWall.scene());
 
     private SceneRegistry() {}
 

@@ -17,7 +17,9 @@ public final class AccuracyCases {
         all.addAll(Stacks.unloading());
         all.addAll(Friction.cases());
         all.addAll(Rocking.cases());
+        all.addAll(Rolling.cases());
         all.addAll(Stacks.cases());
+        all.addAll(Fast.cases());
         all.addAll(Invariance.cases());
         all.addAll(Conservation.cases());
         return List.copyOf(all);

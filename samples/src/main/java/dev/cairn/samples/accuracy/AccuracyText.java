@@ -99,6 +99,7 @@ final class AccuracyText {
             case "C" -> "Friction";
             case "D" -> "Rocking and spinning bodies";
             case "E" -> "Stacks, piles, structures";
+            case "F" -> "Fast and spinning bodies";
             case "H" -> "Scale, place, mirror";
             case "I" -> "Conservation";
             default -> letter;
