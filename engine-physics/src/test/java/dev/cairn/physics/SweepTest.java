@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Capsule;
+import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.Shape;
 import dev.cairn.physics.shape.Sphere;
 import dev.cairn.physics.shape.TriangleMesh;
@@ -140,7 +141,7 @@ class SweepTest {
      */
     @Test
     void whatIsStruckDoesNotPassEither() {
-        for (Shape wall : new Shape[] {Box.ofHalfExtents(.005, 50, 50), sheet()}) {
+        for (Shape wall : new Shape[] {Box.ofHalfExtents(.005, 50, 50), sheet(), HalfSpace.of()}) {
             int passed = 0;
             for (int i = 0; i < 40; i++) {
                 passed += struckPasses(wall, SeamTest.random(500 + i)) ? 1 : 0;
@@ -152,22 +153,30 @@ class SweepTest {
     private static boolean struckPasses(Shape wall, Random random) {
         try (PhysicsWorld world = Scenes.awake().workers(1).gravity(0, 0, 0).build()) {
             world.add(Body.fixed().shape(wall));
+            // towards the wall: along x, or down to what has no end
+            boolean isDown = wall instanceof HalfSpace;
+            Vector3d to = isDown ? new Vector3d(0, -1, 0) : new Vector3d(1, 0, 0);
+            double before = 1.5 + random.nextDouble();
+            double turn = random.nextDouble() - .5 + (isDown ? Math.PI / 2 : 0);
             BodyRef stick =
                     world.add(
                             Body.dynamic()
                                     .shape(Box.ofHalfExtents(.02, .3, .02))
-                                    .at(-1.5 - random.nextDouble(), 0, 0)
-                                    .rotationAbout(0, 0, 1, random.nextDouble() - .5));
+                                    .at(-before * to.x, -before * to.y, 0)
+                                    .rotationAbout(0, 0, 1, turn));
+            double far = 5 + random.nextDouble();
+            double aside = .4 * random.nextDouble() - .2;
+            double speed = 300 + 700 * random.nextDouble();
             world.add(
                     Body.dynamic()
                             .shape(Sphere.of(.3))
                             .mass(1000)
-                            .at(-5 - random.nextDouble(), .4 * random.nextDouble() - .2, 0)
-                            .velocity(300 + 700 * random.nextDouble(), 0, 0));
+                            .at(-far * to.x - aside * to.y, -far * to.y + aside * to.x, 0)
+                            .velocity(speed * to.x, speed * to.y, 0));
             boolean passes = false;
             for (int tick = 0; tick < 3; tick++) {
                 world.step(Scenes.STEP);
-                passes |= stick.position().x > .005;
+                passes |= stick.position().dot(to) > .005;
             }
             return passes;
         }

@@ -32,7 +32,8 @@ import java.util.Arrays;
  *   bodies ─▶ fast: covered more than a part of the inner radius; in blocks
  *   rows   ─▶ those of fast bodies with what does not answer; in blocks
  *   guard  ─▶ the way of the centre against each, in row order
- *   struck ─▶ fast bodies that left the box of which pairs were made: the static tree, along the way
+ *   struck ─▶ fast bodies that left the box of which pairs were made: the static tree, along the way,
+ *             and what has no end
  * </pre>
  *
  * <p>In almost all cases contacts have done it, and nothing is changed. What a {@link
@@ -264,12 +265,20 @@ final class CentreGuard {
         for (int other = walk.next(way);
                 other != AabbTree.NONE;
                 other = walk.next(length(wayX(slot), wayY(slot), wayZ(slot)))) {
-            if (colliders.bodies.kind[colliders.body[other]] != BodyStore.DYNAMIC
-                    && !colliders.sensor[other]
-                    && !broadPhase.isPair(slot, other)
-                    && broadPhase.admits(slot, other)) {
-                keepOut(slot, other);
-            }
+            meet(slot, other, broadPhase);
+        }
+        // what has no end is in no tree
+        for (int i = 0; i < broadPhase.endlessCount(); i++) {
+            meet(slot, broadPhase.endless()[i], broadPhase);
+        }
+    }
+
+    private void meet(int slot, int other, BroadPhase broadPhase) {
+        if (colliders.bodies.kind[colliders.body[other]] != BodyStore.DYNAMIC
+                && !colliders.sensor[other]
+                && !broadPhase.isPair(slot, other)
+                && broadPhase.admits(slot, other)) {
+            keepOut(slot, other);
         }
     }
 

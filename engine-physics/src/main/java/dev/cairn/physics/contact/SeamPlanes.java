@@ -312,7 +312,8 @@ final class SeamPlanes {
         }
         double plane = height(j, j);
         double most = height(j, k);
-        return most <= plane + slack(j) + ROUNDING * Math.abs(most);
+        // a half-space reaches for ever along all but one: no rounding of that is a distance
+        return most <= plane + slack(j) + Math.min(slack(j), ROUNDING * Math.abs(most));
     }
 
     /** How far neighbour k reaches along the normal of contact j, from M's centre. */

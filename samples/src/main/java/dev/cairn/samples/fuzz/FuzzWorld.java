@@ -26,6 +26,7 @@ import java.util.List;
  * @param sleeping whether bodies may sleep
  * @param room half the inner width of the closed room around it, from 0 to twice that above the
  *     floor, m; infinite if there is none
+ * @param floor half the width of the floor: what rolls off it is not held, m
  */
 public record FuzzWorld(
         long seed,
@@ -34,7 +35,8 @@ public record FuzzWorld(
         SceneFile scene,
         Pace pace,
         boolean sleeping,
-        double room) {
+        double room,
+        double floor) {
 
     /** Whether nothing fixed is there and nothing pulls. */
     public boolean isFree() {
@@ -54,7 +56,7 @@ public record FuzzWorld(
      * @return a copy
      */
     public FuzzWorld withScene(SceneFile value) {
-        return new FuzzWorld(seed, index, family, value, pace, sleeping, room);
+        return new FuzzWorld(seed, index, family, value, pace, sleeping, room, floor);
     }
 
     /**
@@ -64,7 +66,7 @@ public record FuzzWorld(
      * @return a copy
      */
     public FuzzWorld withPace(Pace value) {
-        return new FuzzWorld(seed, index, family, scene, value, sleeping, room);
+        return new FuzzWorld(seed, index, family, scene, value, sleeping, room, floor);
     }
 
     /**

@@ -172,7 +172,8 @@ public final class Laws {
             out = Math.max(Math.abs(at.x), Math.abs(at.z)) - room;
             out = Math.max(out, at.y - 2 * room);
         }
-        if (fuzz.scene().gravity().y() != 0) {
+        if (fuzz.scene().gravity().y() != 0
+                && Math.max(Math.abs(at.x), Math.abs(at.z)) < fuzz.floor()) {
             out = Math.max(out, -at.y);
         }
         breach(Law.WALLS, out / radius[i], tick, "body " + i);

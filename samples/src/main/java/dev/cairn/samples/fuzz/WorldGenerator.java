@@ -91,11 +91,12 @@ public final class WorldGenerator {
             scatter(count, size, space, restitution, base);
         }
         double room = Double.POSITIVE_INFINITY;
+        double floor = Double.POSITIVE_INFINITY;
         Material ground = new Material(friction(), restitution, 1000);
         if (closed) {
             room = closeRoom(ground);
         } else if (!space) {
-            floor(ground, size);
+            floor = floor(ground, size);
         }
         int ticks = sleeping ? 360 : 90 + random.nextInt(90);
         SceneFile scene =
@@ -107,7 +108,7 @@ public final class WorldGenerator {
                         camera(size),
                         Light.DAYLIGHT,
                         entities);
-        return new FuzzWorld(seed, index, family, scene, pace, sleeping, room);
+        return new FuzzWorld(seed, index, family, scene, pace, sleeping, room, floor);
     }
 
     /** Small ones are more frequent: they say more plainly what is wrong. */
@@ -288,12 +289,16 @@ public final class WorldGenerator {
 
     // Surroundings -------------------------------------------------------------------------------
 
-    private void floor(Material ground, double size) {
+    /** A floor without end, or a wide slab; half its width. */
+    private double floor(Material ground, double size) {
+        boolean isEndless = random.nextBoolean();
+        double half = 1000 * size;
         EntitySpec floor =
-                random.nextBoolean()
+                isEndless
                         ? EntitySpec.of("floor", BodyKind.FIXED, new ShapeSpec.GroundShape())
-                        : slab(new Xyz(0, -size, 0), new Xyz(1000 * size, size, 1000 * size));
+                        : slab(new Xyz(0, -size, 0), new Xyz(half, size, half));
         entities.add(floor.withMaterial(ground, null));
+        return isEndless ? Double.POSITIVE_INFINITY : half;
     }
 
     private static EntitySpec slab(Xyz at, Xyz half) {
