@@ -182,6 +182,50 @@ class SweepTest {
         }
     }
 
+    /**
+     * A body of two bars across each other that spins by two radians a tick: its contacts are those
+     * of one moment, and its centre is in both.
+     */
+    @Test
+    void bodiesOfSeveralShapesDoNotPassEither() {
+        Shape[] walls = {Box.ofHalfExtents(.005, 50, 50), sheet(), HalfSpace.of()};
+        for (Shape wall : walls) {
+            int passed = 0;
+            for (int i = 0; i < 100; i++) {
+                passed += crossPasses(wall, SeamTest.random(900 + i)) ? 1 : 0;
+            }
+            assertEquals(0, passed, wall.toString());
+        }
+    }
+
+    private static boolean crossPasses(Shape wall, Random random) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).gravity(0, 0, 0).build()) {
+            world.add(Body.fixed().shape(wall));
+            boolean isDown = wall instanceof HalfSpace;
+            Vector3d to = isDown ? new Vector3d(0, -1, 0) : new Vector3d(1, 0, 0);
+            double before = .2 + .3 * random.nextDouble();
+            double speed = 3 + 60 * random.nextDouble();
+            double spin = 130;
+            BodyRef cross =
+                    world.add(
+                            Body.dynamic()
+                                    .collider(Collider.of(Box.ofHalfExtents(.06, .01, .01)))
+                                    .collider(Collider.of(Box.ofHalfExtents(.01, .06, .01)))
+                                    .at(-before * to.x, -before * to.y, 0)
+                                    .velocity(speed * to.x, speed * to.y, 0)
+                                    .angularVelocity(
+                                            spin * (2 * random.nextDouble() - 1),
+                                            spin * (2 * random.nextDouble() - 1),
+                                            spin * (2 * random.nextDouble() - 1)));
+            boolean passes = false;
+            for (int tick = 0; tick < 20; tick++) {
+                world.step(Scenes.STEP);
+                passes |= cross.position().dot(to) > .005;
+            }
+            return passes;
+        }
+    }
+
     /** Fast bodies in a box: the same bits for any number of workers. */
     @Test
     void theSameBitsForWorkers() {

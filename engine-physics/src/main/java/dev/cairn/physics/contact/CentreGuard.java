@@ -19,8 +19,8 @@ import dev.cairn.physics.query.ShapeQueries;
 import java.util.Arrays;
 
 /**
- * The centre of mass of a convex body does not pass what does not answer to it, however fast the
- * body is and whatever its contacts did.
+ * The centre of a convex body, and that of each part of a body of several shapes, does not pass
+ * what does not answer to it, however fast the body is and whatever its contacts did.
  *
  * <p>A contact has the points of one moment. A stick that strikes with a tip at a thousand metres a
  * second turns about it by many rounds within the tick, and its contacts know of none; and who is
@@ -47,6 +47,8 @@ final class CentreGuard {
     /** Of the inner radius: what covers less in a tick is not looked at. */
     private static final double FAST = 0.5;
 
+    private static final int NONE = ColliderStore.NONE;
+
     /** Of the inner radius: how far the centre stays away. */
     private static final double AWAY = 0.25;
 
@@ -63,8 +65,10 @@ final class CentreGuard {
     private final Hit hit = new Hit();
     private final double[] box = new double[6];
 
+    private double[][] scratch = {};
     private int[] dynamic = {};
     private int dynamicCount;
+    private double step;
 
     /** By body slot: it was fast in this tick. */
     private boolean[] fast = {};
@@ -92,6 +96,7 @@ final class CentreGuard {
      * @param bodies slots of the dynamic bodies that were moved
      * @param state by active row, what {@link SweepStage} saw in it before the solve
      * @param isHooked whether a hook may let bodies through
+     * @param stepSeconds length of the tick, s
      */
     void run(
             int[] bodies,
@@ -99,9 +104,14 @@ final class CentreGuard {
             byte[] state,
             BroadPhase broadPhase,
             boolean isHooked,
+            double stepSeconds,
             Jobs jobs) {
         dynamic = bodies;
         dynamicCount = count;
+        step = stepSeconds;
+        if (scratch.length < jobs.workers()) {
+            scratch = new double[jobs.workers()][3];
+        }
         int bodyBlocks = Blocks.count(count, BODIES_PER_BLOCK);
         int rowBlocks = Blocks.count(contacts.activeCount, ROWS_PER_BLOCK);
         ensure(bodyBlocks, rowBlocks);
@@ -163,23 +173,54 @@ final class CentreGuard {
         int count = 0;
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             int slot = dynamic[i];
-            fast[slot] = isFast(slot);
+            fast[slot] = isSingle(slot) ? isFast(slot) : isAnyFast(slot, scratch[worker]);
             count += fast[slot] ? 1 : 0;
         }
         fastCount[block] = count;
     }
 
-    private boolean isFast(int s) {
-        double x = wayX(s);
-        double y = wayY(s);
-        double z = wayZ(s);
-        double least = FAST * colliders.innerRadius[s];
-        // a body of several shapes has a centre that may be in none of them
-        return x * x + y * y + z * z > least * least
-                && least > 0
-                && colliders.bodies.collider[s] == s
-                && colliders.next[s] == ColliderStore.NONE
-                && !colliders.sensor[s];
+    private boolean isSingle(int body) {
+        return colliders.bodies.collider[body] == body
+                && colliders.next[body] == ColliderStore.NONE;
+    }
+
+    private boolean isFast(int c) {
+        double x = wayX(c);
+        double y = wayY(c);
+        double z = wayZ(c);
+        double least = FAST * colliders.innerRadius[c];
+        return x * x + y * y + z * z > least * least && least > 0 && !colliders.sensor[c];
+    }
+
+    /**
+     * Whether a part of a body was fast. The parts are put where the body is now, if one could have
+     * been: by where it was to go, and by how fast it is.
+     */
+    private boolean isAnyFast(int body, double[] own) {
+        BodyStore s = colliders.bodies;
+        double x = s.velocityX[body];
+        double y = s.velocityY[body];
+        double z = s.velocityZ[body];
+        double wx = s.angularVelocityX[body];
+        double wy = s.angularVelocityY[body];
+        double wz = s.angularVelocityZ[body];
+        double now = length(x, y, z) + length(wx, wy, wz) * s.outerRadius[body];
+        boolean maybe = false;
+        for (int c = s.collider[body]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            double[] ahead = bounds.ahead;
+            int at = BoundsStage.AHEAD * c;
+            double way = step * length(ahead[at], ahead[at + 1], ahead[at + 2]) + ahead[at + 3];
+            maybe |= Math.max(way, step * now) > FAST * colliders.innerRadius[c];
+        }
+        if (!maybe) {
+            return false;
+        }
+        colliders.compose(body, own);
+        boolean any = false;
+        for (int c = s.collider[body]; c != ColliderStore.NONE; c = colliders.next[c]) {
+            any |= isFast(c);
+        }
+        return any;
     }
 
     private double wayX(int c) {
@@ -224,7 +265,8 @@ final class CentreGuard {
             boolean movesA = colliders.bodies.kind[c.bodyA[row]] == BodyStore.DYNAMIC;
             int body = movesA ? c.bodyA[row] : c.bodyB[row];
             if (!tied[body] || state[i] != SweepStage.HARMLESS) {
-                keepOut(body, movesA ? c.colliderB[row] : c.colliderA[row]);
+                int part = movesA ? c.colliderA[row] : c.colliderB[row];
+                keepOut(part, movesA ? c.colliderB[row] : c.colliderA[row]);
             }
         }
     }
@@ -234,8 +276,11 @@ final class CentreGuard {
         int end = Blocks.end(block, BODIES_PER_BLOCK, dynamicCount);
         for (int i = Blocks.begin(block, BODIES_PER_BLOCK); i < end; i++) {
             int slot = dynamic[i];
-            if (fast[slot] && !tied[slot] && !isInBox(slot, broadPhase.fatBoxes())) {
-                follow(slot, broadPhase);
+            int c = fast[slot] && !tied[slot] ? colliders.bodies.collider[slot] : NONE;
+            for (; c != NONE; c = colliders.next[c]) {
+                if (isFast(c) && !isInBox(c, broadPhase.fatBoxes())) {
+                    follow(c, broadPhase);
+                }
             }
         }
     }
@@ -287,27 +332,28 @@ final class CentreGuard {
     }
 
     /**
-     * Looks at the way of a body's centre, as seen from the other collider's centre.
+     * Looks at the way of a part's centre, as seen from the other collider's centre. Of a part that
+     * goes round it is the chord: at its end the part is where it is.
      *
-     * @param body a dynamic one
+     * @param part a collider of a dynamic body
      * @param other a collider that is where it is at the end of the tick
      */
-    private void keepOut(int body, int other) {
+    private void keepOut(int part, int other) {
         Poses p = colliders.poses;
         boolean moves = isDriven(colliders.body[other]);
-        double wayX = (moves ? wayX(other) : 0) - wayX(body);
-        double wayY = (moves ? wayY(other) : 0) - wayY(body);
-        double wayZ = (moves ? wayZ(other) : 0) - wayZ(body);
-        double x = p.apartX(body, other) - wayX;
-        double y = p.apartY(body, other) - wayY;
-        double z = p.apartZ(body, other) - wayZ;
-        double inner = colliders.innerRadius[body];
+        double wayX = (moves ? wayX(other) : 0) - wayX(part);
+        double wayY = (moves ? wayY(other) : 0) - wayY(part);
+        double wayZ = (moves ? wayZ(other) : 0) - wayZ(part);
+        double x = p.apartX(part, other) - wayX;
+        double y = p.apartY(part, other) - wayY;
+        double z = p.apartZ(part, other) - wayZ;
+        double inner = colliders.innerRadius[part];
         double square = wayX * wayX + wayY * wayY + wayZ * wayZ;
         if (!(square > FAST * FAST * inner * inner)) {
             return;
         }
         place(surface, other, x, y, z);
-        keepBefore(body, wayX, wayY, wayZ, Math.sqrt(square), Reach.fits(colliders.shape[other]));
+        keepBefore(part, wayX, wayY, wayZ, Math.sqrt(square), Reach.fits(colliders.shape[other]));
     }
 
     private void place(Placement to, int other, double x, double y, double z) {
@@ -331,8 +377,8 @@ final class CentreGuard {
      *     triangles has no inside, so the centre must not come too near either
      */
     private void keepBefore(
-            int body, double wayX, double wayY, double wayZ, double way, boolean isSolid) {
-        double inner = colliders.innerRadius[body];
+            int part, double wayX, double wayY, double wayZ, double way, boolean isSolid) {
+        double inner = colliders.innerRadius[part];
         double most = isSolid ? way : way + inner;
         if (!queries.rayCast(surface, 0, 0, 0, -wayX, -wayY, -wayZ, most, hit)
                 || hit.startsInside()) {
@@ -346,7 +392,7 @@ final class CentreGuard {
             return;
         }
         stop(
-                body,
+                part,
                 rest * wayX,
                 rest * wayY,
                 rest * wayZ,
@@ -367,11 +413,15 @@ final class CentreGuard {
                         || s.angularVelocityZ[body] != 0);
     }
 
-    /** Takes back the rest of its way from a body, and what goes in of its velocity. */
+    /** Takes back the rest of its way from a part's body, and what goes in of its velocity. */
     private void stop(
-            int body, double backX, double backY, double backZ, double nx, double ny, double nz) {
+            int part, double backX, double backY, double backZ, double nx, double ny, double nz) {
         BodyStore s = colliders.bodies;
+        int body = colliders.body[part];
         s.move(body, backX, backY, backZ);
+        if (part != body) {
+            colliders.compose(body, scratch[0]);
+        }
         double in = nx * s.velocityX[body] + ny * s.velocityY[body] + nz * s.velocityZ[body];
         if (in > 0) {
             s.velocityX[body] -= in * nx;

@@ -180,7 +180,7 @@ public final class SweepStage {
      */
     public void finish(
             int[] dynamic, int count, BroadPhase broadPhase, boolean isHooked, Jobs jobs) {
-        guard.run(dynamic, count, state, broadPhase, isHooked, jobs);
+        guard.run(dynamic, count, state, broadPhase, isHooked, step, jobs);
     }
 
     private byte look(int row) {
