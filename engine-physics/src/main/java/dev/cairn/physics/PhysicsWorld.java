@@ -306,7 +306,7 @@ public final class PhysicsWorld extends WorldReadings implements AutoCloseable {
         return World.codecs(all.toArray(new Component<?>[0]))
                 .with(ShapeCodecs.all().toArray(new StateCodec<?>[0]))
                 .with(Collider.CODEC, BodyRef.CODEC, ColliderRef.CODEC, PhysicsSettings.CODEC)
-                .with(Filter.CODEC, Joints.codec());
+                .with(Filter.CODEC, Joints.codec(), Joints.curveCodec());
     }
 
     /**

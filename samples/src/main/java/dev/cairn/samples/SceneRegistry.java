@@ -35,6 +35,7 @@ import dev.cairn.samples.scenes.joint.Mechanisms;
 import dev.cairn.samples.scenes.joint.Nets;
 import dev.cairn.samples.scenes.joint.Pendulums;
 import dev.cairn.samples.scenes.joint.Ragdolls;
+import dev.cairn.samples.scenes.joint.Tautochrone;
 import dev.cairn.samples.scenes.level.Bowl;
 import dev.cairn.samples.scenes.level.Funnel;
 import dev.cairn.samples.scenes.level.Hills;
@@ -108,6 +109,7 @@ public final class SceneRegistry {
                     Floating.scene(),
                     Pendulums.single(),
                     Pendulums.twofold(),
+                    Tautochrone.scene(),
                     Chains.heavy(),
                     Chains.plain(),
                     Nets.bridge(),

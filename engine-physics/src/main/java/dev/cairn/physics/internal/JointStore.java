@@ -3,6 +3,8 @@ package dev.cairn.physics.internal;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.Arrays;
 
 /**
@@ -49,6 +51,12 @@ public final class JointStore implements EdgeSource, Stateful {
 
     /** Length of a rope over two points of the world, m. */
     public static final byte PULLEY = 16;
+
+    /** How far B's origin is beside a curve in A's frame, m: two rows. */
+    public static final byte PATH = 17;
+
+    /** Length of the curve from its first point to where B's origin is, m. */
+    public static final byte ALONG = 19;
 
     // What a row wants ----------------------------------------------------------------------------
 
@@ -102,9 +110,13 @@ public final class JointStore implements EdgeSource, Stateful {
 
     /**
      * Of gears: teeth of A and of B; of a rack: the pinion's radius with sign; of a pulley: the
-     * point above A, that above B, and how much more the part at B counts.
+     * point above A, that above B, and how much more the part at B counts; of a path: where on the
+     * curve B is, and the first normal there, in A's frame, which the solver brings up to date.
      */
     public double[] parameter = {};
+
+    /** Of a path: the curve in A's frame. */
+    public @Nullable Curve[] curve = {};
 
     /** First row of the joint and how many it has. */
     public int[] firstRow = {};
@@ -172,6 +184,7 @@ public final class JointStore implements EdgeSource, Stateful {
         isEnabled[j] = true;
         collides[j] = false;
         isRound[j] = false;
+        curve[j] = null;
         Arrays.fill(reaction, 6 * j, 6 * j + 6, 0.0);
         resize(j, rowsWanted);
         return j;
@@ -194,6 +207,7 @@ public final class JointStore implements EdgeSource, Stateful {
     public void remove(int j) {
         isThere[j] = false;
         isEnabled[j] = false;
+        curve[j] = null;
         if (freeCount == free.length) {
             free = Arrays.copyOf(free, Math.max(16, 2 * freeCount));
         }
@@ -239,6 +253,7 @@ public final class JointStore implements EdgeSource, Stateful {
         bodyB = c.column("bodyB", bodyB);
         frame = c.column("frame", frame, FRAME);
         parameter = c.column("parameter", parameter, PARAMETERS);
+        curve = c.column("curve", curve);
         firstRow = c.column("firstRow", firstRow);
         rows = c.column("rows", rows);
         room = c.column("room", room);

@@ -1,10 +1,10 @@
 package dev.cairn.physics.joint;
 
 import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.internal.Curve;
 import dev.cairn.physics.internal.JointStore;
 
 import org.joml.Vector3d;
-import org.joml.Vector3dc;
 
 import java.util.Arrays;
 
@@ -21,7 +21,7 @@ import java.util.Arrays;
  * description itself, throw {@link IllegalArgumentException} for what is not a number or out of
  * range, and may be called in any order. One thread at a time.
  */
-public final class Joint {
+public final class Joint extends JointKinds {
     /** Beyond the axes of {@link JointAxis}: the cross of a universal joint. */
     static final int CROSS = JointAxis.values().length;
 
@@ -34,8 +34,11 @@ public final class Joint {
     static final int RACK = CROSS + 2;
     static final int PULLEY = CROSS + 3;
 
+    /** What keeps a point on a path. */
+    static final int RAIL = CROSS + 4;
+
     /** How many settings a joint has: one to an axis, and these. */
-    static final int AXES = CROSS + 4;
+    static final int AXES = CROSS + 5;
 
     final AxisSettings[] axes = new AxisSettings[AXES];
 
@@ -58,13 +61,13 @@ public final class Joint {
     double breakForce = Double.POSITIVE_INFINITY;
     double breakTorque = Double.POSITIVE_INFINITY;
 
-    /** See {@code JointStore.parameter}. */
-    final double[] parameters = new double[JointStore.PARAMETERS];
+    /** See {@link JointRef#parameters}. */
+    double[] parameters = new double[JointStore.PARAMETERS];
 
     /** Length of a rod, rope or spring; below 0 for that of the moment when it is added. */
     double length = -1;
 
-    private Joint(String kind, Jointed a, Jointed b, JointAxis main, JointAxis... locked) {
+    Joint(String kind, Jointed a, Jointed b, JointAxis main, JointAxis... locked) {
         this.kind = kind;
         this.a = Checks.notNull("a", a);
         this.b = Checks.notNull("b", b);
@@ -77,289 +80,29 @@ public final class Joint {
         }
     }
 
-    private AxisSettings of(JointAxis axis) {
-        return axes[Checks.notNull("axis", axis).index];
+    AxisSettings of(JointAxis axis) {
+        return axes[index(axis, kind)];
     }
 
-    // Kinds ---------------------------------------------------------------------------------------
-
-    /**
-     * A ball in a socket: the two bodies share a point.
-     *
-     * @param a the first body
-     * @param b the second one
-     * @return a description; {@link #limits} are those of the cone about {@link #axis}
-     */
-    public static Joint ball(Jointed a, Jointed b) {
-        return new Joint("ball", a, b, JointAxis.CONE, JointAxis.X, JointAxis.Y, JointAxis.Z);
-    }
-
-    /**
-     * A hinge: B turns about one axis of A.
-     *
-     * @param a the first body
-     * @param b the second one
-     * @return a description; limits, motor and spring are about the angle
-     */
-    public static Joint hinge(Jointed a, Jointed b) {
-        return new Joint(
-                "hinge",
-                a,
-                b,
-                JointAxis.TWIST,
-                JointAxis.X,
-                JointAxis.Y,
-                JointAxis.Z,
-                JointAxis.SWING_Y,
-                JointAxis.SWING_Z);
-    }
-
-    /**
-     * A slider: B moves along one axis of A and does not turn.
-     *
-     * @param a the first body
-     * @param b the second one
-     * @return a description; limits, motor and spring are about the way
-     */
-    public static Joint slider(Jointed a, Jointed b) {
-        return new Joint(
-                "slider",
-                a,
-                b,
-                JointAxis.X,
-                JointAxis.Y,
-                JointAxis.Z,
-                JointAxis.TWIST,
-                JointAxis.SWING_Y,
-                JointAxis.SWING_Z);
-    }
-
-    /**
-     * A rod in a tube: B moves along one axis of A and turns about it.
-     *
-     * @param a the first body
-     * @param b the second one
-     * @return a description; limits, motor and spring are about the way
-     */
-    public static Joint cylindrical(Jointed a, Jointed b) {
-        return new Joint(
-                "cylindrical",
-                a,
-                b,
-                JointAxis.X,
-                JointAxis.Y,
-                JointAxis.Z,
-                JointAxis.SWING_Y,
-                JointAxis.SWING_Z);
-    }
-
-    /**
-     * The two bodies are as one.
-     *
-     * @param a the first body
-     * @param b the second one
-     * @return a description
-     */
-    public static Joint fixed(Jointed a, Jointed b) {
-        return new Joint(
-                "fixed",
-                a,
-                b,
-                JointAxis.X,
-                JointAxis.X,
-                JointAxis.Y,
-                JointAxis.Z,
-                JointAxis.TWIST,
-                JointAxis.SWING_Y,
-                JointAxis.SWING_Z);
-    }
-
-    /**
-     * A universal joint (Hooke, Cardan): an axis of A and one of B meet at a right angle, {@link
-     * #axis} and {@link #secondAxis}.
-     *
-     * @param a the first body
-     * @param b the second one
-     * @return a description
-     */
-    public static Joint universal(Jointed a, Jointed b) {
-        Joint j =
-                new Joint("universal", a, b, JointAxis.CONE, JointAxis.X, JointAxis.Y, JointAxis.Z);
-        j.axes[CROSS].isLocked = true;
-        return j;
-    }
-
-    /**
-     * A rod without mass: two points keep their distance.
-     *
-     * @param a the first body
-     * @param b the second one
-     * @return a description; the points are the centres of mass if none are given
-     */
-    public static Joint rod(Jointed a, Jointed b) {
-        return new Joint("rod", a, b, JointAxis.DISTANCE, JointAxis.DISTANCE);
-    }
-
-    /**
-     * A rope without mass: two points come no further apart.
-     *
-     * @param a the first body
-     * @param b the second one
-     * @return a description; the points are the centres of mass if none are given
-     */
-    public static Joint rope(Jointed a, Jointed b) {
-        Joint j = new Joint("rope", a, b, JointAxis.DISTANCE);
-        j.of(JointAxis.DISTANCE).isLimited = true;
-        return j;
-    }
-
-    /**
-     * A spring without mass between two points.
-     *
-     * @param a the first body
-     * @param b the second one
-     * @param hertz frequency with which the two would swing on it, Hz, above 0
-     * @param dampingRatio 0 for none, 1 where it just does not swing any more
-     * @return a description; the points are the centres of mass if none are given
-     */
-    public static Joint spring(Jointed a, Jointed b, double hertz, double dampingRatio) {
-        Joint j = new Joint("spring", a, b, JointAxis.DISTANCE);
-        return j.spring(JointAxis.DISTANCE, 0, hertz, dampingRatio);
-    }
-
-    /**
-     * The wheel of a car: it turns about {@link #axis}, is sprung along {@link #secondAxis}, and is
-     * steered about that.
-     *
-     * @param a the car
-     * @param b the wheel
-     * @param hertz of the suspension, Hz, above 0
-     * @param dampingRatio of the suspension
-     * @return a description; the motor is about the spin; {@link JointAxis#SWING_Y} steers
-     */
-    public static Joint wheel(Jointed a, Jointed b, double hertz, double dampingRatio) {
-        Joint j =
-                new Joint(
-                        "wheel",
-                        a,
-                        b,
-                        JointAxis.TWIST,
-                        JointAxis.X,
-                        JointAxis.Z,
-                        JointAxis.SWING_Y,
-                        JointAxis.SWING_Z);
-        return j.spring(JointAxis.Y, 0, hertz, dampingRatio);
-    }
-
-    /**
-     * Keeps an axis of B parallel to that of A, and leaves the rest alone.
-     *
-     * @param a the first body
-     * @param b the second one
-     * @return a description
-     */
-    public static Joint parallel(Jointed a, Jointed b) {
-        return new Joint("parallel", a, b, JointAxis.TWIST, JointAxis.SWING_Y, JointAxis.SWING_Z);
-    }
-
-    /**
-     * Draws a point of B to a point of A by a spring, as a hand does; {@link JointRef#moveTo} moves
-     * the point.
-     *
-     * @param a mostly a fixed body
-     * @param b what is drawn
-     * @param hertz of the spring, Hz, above 0
-     * @param dampingRatio of the spring
-     * @param mostNewtons largest force, in whatever direction, N, above 0; may be infinite
-     * @return a description
-     */
-    public static Joint pull(
-            Jointed a, Jointed b, double hertz, double dampingRatio, double mostNewtons) {
-        Joint j = new Joint("pull", a, b, JointAxis.X);
-        j.isRound = true;
-        for (JointAxis axis : new JointAxis[] {JointAxis.X, JointAxis.Y, JointAxis.Z}) {
-            j.spring(axis, 0, hertz, dampingRatio);
-            j.of(axis).springMost = Checks.limit("mostNewtons", mostNewtons);
-        }
-        return j;
-    }
-
-    /**
-     * All axes are free, to be locked, limited, driven and sprung one by one. One that is left so
-     * only keeps its two bodies from colliding.
-     *
-     * @param a the first body
-     * @param b the second one
-     * @return a description
-     */
-    public static Joint generic(Jointed a, Jointed b) {
-        return new Joint("generic", a, b, JointAxis.X);
-    }
-
-    /**
-     * Two gears in mesh, whose axes are parallel to {@link #axis}. They are carried by joints of
-     * their own, mostly hinges, at the two {@link #anchors}; these may move, as in a planetary
-     * gear. Teeth pass a force along the pitch circles.
-     *
-     * @param a the first gear
-     * @param b the second one
-     * @param teethA number of A's teeth; negative if they are inside of a ring
-     * @param teethB number of B's teeth; not {@code -teethA}
-     * @return a description; give it the two centres by {@link #anchors}
-     */
-    public static Joint gear(Jointed a, Jointed b, int teethA, int teethB) {
-        if (teethA == 0 || teethB == 0 || teethA + teethB == 0) {
+    /** Where the settings of an axis are that a kind has; the way along a path is that of paths. */
+    static int index(JointAxis axis, String kind) {
+        if (Checks.notNull("axis", axis) == JointAxis.PATH && !kind.equals("path")) {
             throw new IllegalArgumentException(
-                    "gears have "
-                            + teethA
-                            + " and "
-                            + teethB
-                            + " teeth; neither may be 0, nor one the negative of the other");
+                    "a "
+                            + kind
+                            + " joint has no axis PATH; that is the way along the curve of a"
+                            + " Joint.path");
         }
-        return new Joint("gear", a, b, JointAxis.TWIST).tied(GEAR, teethA, teethB);
+        return axis.index;
     }
 
-    /**
-     * A pinion that drives a rack, or the other way round. Each is carried by a joint of its own,
-     * mostly a hinge with {@link #axis} and a slider along {@link #secondAxis}. The pinion's radius
-     * is the distance of the two {@link #anchors} at a right angle to both.
-     *
-     * @param pinion the gear, A
-     * @param rack the rack, B
-     * @return a description; give it the pinion's centre and a point of the rack by {@link
-     *     #anchors}
-     */
-    public static Joint rack(Jointed pinion, Jointed rack) {
-        return new Joint("rack", pinion, rack, JointAxis.TWIST).tied(RACK);
+    boolean hasCurve() {
+        return kind.equals("path");
     }
 
-    /**
-     * A rope that runs from A over two points of the world to B: {@code |A - over A| + ratio |B -
-     * over B|} grows no further than it is when the joint is added.
-     *
-     * @param a hangs at one end
-     * @param b hangs at the other end
-     * @param overA where the rope leaves towards A, world, m, finite
-     * @param overB where it leaves towards B, world, m, finite
-     * @param ratio how much more the part at B counts, as in a tackle; above 0
-     * @return a description; the points are the centres of mass if none are given
-     */
-    public static Joint pulley(
-            Jointed a, Jointed b, Vector3dc overA, Vector3dc overB, double ratio) {
-        Joint j = new Joint("pulley", a, b, JointAxis.DISTANCE);
-        set(j.parameters, "overA", overA.x(), overA.y(), overA.z());
-        double[] second = new double[3];
-        set(second, "overB", overB.x(), overB.y(), overB.z());
-        System.arraycopy(second, 0, j.parameters, 3, 3);
-        j.parameters[6] = Checks.positive("ratio", ratio);
-        j.axes[PULLEY].isLimited = true;
-        return j;
-    }
-
-    private Joint tied(int to, double... values) {
-        axes[to].isLocked = true;
-        System.arraycopy(values, 0, parameters, 0, values.length);
-        return this;
+    /** The curve of a path, world. */
+    Curve curve() {
+        return new Curve(parameters[0] != 0, Arrays.copyOfRange(parameters, 1, parameters.length));
     }
 
     // Place ---------------------------------------------------------------------------------------
@@ -422,7 +165,7 @@ public final class Joint {
         return this;
     }
 
-    private static void set(double[] into, String name, double px, double py, double pz) {
+    static void set(double[] into, String name, double px, double py, double pz) {
         into[0] = Checks.finite(name + " x", px);
         into[1] = Checks.finite(name + " y", py);
         into[2] = Checks.finite(name + " z", pz);
@@ -455,7 +198,7 @@ public final class Joint {
      * @return this
      */
     public Joint free(JointAxis axis) {
-        of(axis).free();
+        axes[Checks.notNull("axis", axis).index].free();
         return this;
     }
 
@@ -665,7 +408,7 @@ public final class Joint {
      * @return its settings; the length of rods, ropes and springs is not in them
      */
     public AxisState settings(JointAxis axis) {
-        return of(axis).view();
+        return axes[Checks.notNull("axis", axis).index].view();
     }
 
     AxisSettings[] copyAxes() {

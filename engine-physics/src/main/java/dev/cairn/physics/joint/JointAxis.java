@@ -24,7 +24,10 @@ public enum JointAxis {
     CONE(6, true),
 
     /** Distance of the origins of the two frames, m. */
-    DISTANCE(7, false);
+    DISTANCE(7, false),
+
+    /** Length of the curve of {@link Joint#path} from its first point on, m; laps count. */
+    PATH(8, false);
 
     /** All of them, without a copy. */
     static final JointAxis[] ALL = values();

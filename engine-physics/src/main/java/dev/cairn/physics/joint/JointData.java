@@ -1,6 +1,7 @@
 package dev.cairn.physics.joint;
 
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.Curve;
 import dev.cairn.physics.internal.JointStore;
 
 import org.joml.Quaterniond;
@@ -34,6 +35,8 @@ public final class JointData {
     private double[] limits = {};
     private @Nullable JointAxis[] limited = {};
     private boolean[] enabled = {};
+    private @Nullable Curve[] curves = {};
+    private final double[] room = new double[Curve.AT];
     private final Vector3d point = new Vector3d();
     private final Quaterniond turn = new Quaterniond();
 
@@ -50,6 +53,7 @@ public final class JointData {
             limits = new double[LIMITS * n];
             limited = new @Nullable JointAxis[n];
             enabled = new boolean[n];
+            curves = new @Nullable Curve[n];
         }
         count = 0;
         for (int j = 0; j < s.count; j++) {
@@ -75,6 +79,7 @@ public final class JointData {
         }
         System.arraycopy(s.reaction, 6 * j, loads, LOADS * count, LOADS);
         enabled[count] = s.isEnabled[j];
+        curves[count] = s.curve[j];
         limited[count] = null;
         for (JointAxis axis : JointAxis.ALL) {
             AxisSettings a = ref.axes[axis.index];
@@ -154,6 +159,37 @@ public final class JointData {
      */
     public @Nullable JointAxis limited(int joint) {
         return limited[joint];
+    }
+
+    /**
+     * The curve of a path, as points that are the same parameter apart.
+     *
+     * @param joint 0 to count - 1
+     * @param into receives x, y, z of as many points as it has room for, world, m
+     * @return whether the joint is a path
+     */
+    public boolean path(int joint, double[] into) {
+        Curve curve = curves[joint];
+        if (curve == null) {
+            return false;
+        }
+        int last = into.length / 3 - 1;
+        int p = POINTS * joint + 3;
+        int x = AXES * joint;
+        for (int i = 0; i <= last; i++) {
+            curve.at(curve.parameter((double) i / last), room);
+            for (int k = 0; k < 3; k++) {
+                int u = (k + 1) % 3;
+                int w = (k + 2) % 3;
+                double z = axes[x + u] * axes[x + 3 + w] - axes[x + w] * axes[x + 3 + u];
+                into[3 * i + k] =
+                        points[p + k]
+                                + room[0] * axes[x + k]
+                                + room[1] * axes[x + 3 + k]
+                                + room[2] * z;
+            }
+        }
+        return true;
     }
 
     /**

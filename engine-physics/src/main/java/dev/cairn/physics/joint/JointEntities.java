@@ -4,7 +4,12 @@ import dev.cairn.core.ecs.DeadEntityException;
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.state.StateVisitor;
+import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.state.RigidBody;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 
 /**
  * Joints that are entities, and joints whose bodies have gone: what is done about them when a step
@@ -12,6 +17,7 @@ import dev.cairn.physics.state.RigidBody;
  */
 final class JointEntities {
     private static final long[] NOBODY = {};
+    private static final JointRef[] NO_JOINTS = {};
 
     private final Joints joints;
     private final World ecs;
@@ -19,6 +25,15 @@ final class JointEntities {
     private final Query asked;
     private final Query linked;
     private final Query bodies;
+
+    /** Joints that ended since the step before as a body of theirs went. */
+    final List<JointRef> lost = new ArrayList<>();
+
+    /** By joint: whether users take it to be there. */
+    private boolean[] isKnown = {};
+
+    /** How many joints have an entity. */
+    private int linkedCount;
 
     /** Bodies at the last look, and how many were born until then. */
     private int bodyCount;
@@ -37,33 +52,85 @@ final class JointEntities {
     /** The count of births is this program's own, so only its growth is saved. */
     void state(StateVisitor s) {
         s.section("jointEntities", this);
+        JointStore store = joints.store;
+        isKnown = s.array("isKnown", isKnown, 0, store.count, store.isThere.length, true);
+        linkedCount = s.value("linkedCount", linkedCount);
+        int ended = s.value("lostCount", lost.size());
+        JointRef[] ends = s.array("lost", lost.toArray(NO_JOINTS), ended);
         bodyCount = s.value("bodyCount", bodyCount);
         long since = s.value("bornThen", joints.host.bodiesBorn() - bornThen);
         if (s.isRestoring()) {
             bornThen = joints.host.bodiesBorn() - since;
+            lost.clear();
+            for (JointRef each : ends) {
+                lost.add(each.isOf(joints) ? each : new JointRef(joints, each));
+            }
         }
     }
 
-    /** All that went is known. */
-    void looked() {
-        bodyCount = bodies.entityCount();
-        bornThen = joints.host.bodiesBorn();
+    /** A joint was added. */
+    void made(JointRef ref) {
+        if (isKnown.length <= ref.index) {
+            isKnown = Arrays.copyOf(isKnown, joints.store.isThere.length);
+        }
+        isKnown[ref.index] = true;
+        linkedCount += ref.entity() == JointRef.NO_ENTITY ? 0 : 1;
+    }
+
+    /** A user has taken a joint out. */
+    void removed(JointRef ref) {
+        isKnown[ref.index] = false;
+        if (ref.entity() != JointRef.NO_ENTITY) {
+            linkedCount--;
+            delete(ref.entity());
+        }
     }
 
     /**
-     * Whether a body has gone, or a joint's entity. Counts first: looking at each joint in each
-     * step would cost more than solving it.
+     * After a step, when bodies that were asked for are there: ends joints whose body or entity has
+     * gone, then makes and changes what was asked for. Whether any has gone is told by counts:
+     * looking at each joint in each step would cost more than solving it.
      */
-    boolean isAnyGone(int linkedJoints) {
+    void endStep(JointRef[] refs) {
+        lost.clear();
         long expected = bodyCount + (joints.host.bodiesBorn() - bornThen);
-        return bodies.entityCount() != expected || linked.entityCount() != linkedJoints;
+        if (bodies.entityCount() != expected || linked.entityCount() != linkedCount) {
+            for (int j = 0; j < joints.store.count; j++) {
+                if (isKnown[j] && !joints.isThere(j)) {
+                    end(j, refs[j]);
+                }
+            }
+        }
+        bodyCount = bodies.entityCount();
+        bornThen = joints.host.bodiesBorn();
+        adopt();
+        change();
+    }
+
+    /** A joint is there no more: its entity was deleted, or a body. */
+    private void end(int j, JointRef ref) {
+        JointStore store = joints.store;
+        boolean isAsked = ref.entity() != JointRef.NO_ENTITY && !isLinked(ref.entity());
+        if (store.isThere[j] && store.stamp[j] == ref.stamp) {
+            if (isAsked
+                    && joints.host.isAlive(store.bodyA[j], ref.entityA())
+                    && joints.host.isAlive(store.bodyB[j], ref.entityB())) {
+                joints.wake(j);
+            }
+            store.remove(j);
+            joints.separate(j);
+        }
+        if (!isAsked) {
+            lost.add(ref);
+        }
+        removed(ref);
     }
 
     boolean isLinked(long entity) {
         return ecs.isAlive(entity) && ecs.has(entity, RigidJoint.COMPONENT);
     }
 
-    void delete(long entity) {
+    private void delete(long entity) {
         if (ecs.isAlive(entity)) {
             ecs.delete(entity);
         }
@@ -75,7 +142,7 @@ final class JointEntities {
     }
 
     /** Makes joints of the entities with {@link NewJoint}, in order of their rows. */
-    void adopt() {
+    private void adopt() {
         for (long entity : entities(newcomers)) {
             Joint joint = ecs.get(entity, NewJoint.COMPONENT).joint();
             long a = resolved(joint.a.entity());
@@ -107,7 +174,7 @@ final class JointEntities {
     }
 
     /** Makes the changes that were asked for, in order of their rows. */
-    void change() {
+    private void change() {
         for (long entity : entities(asked)) {
             JointChange change = ecs.get(entity, JointChange.COMPONENT);
             ecs.delete(entity);

@@ -1,6 +1,7 @@
 package dev.cairn.physics.joint;
 
 import dev.cairn.physics.internal.BodyStore;
+import dev.cairn.physics.internal.Curve;
 import dev.cairn.physics.internal.JointStore;
 
 import org.joml.Matrix3d;
@@ -102,6 +103,30 @@ final class JointFrames {
         if (joint.kind.equals("rack")) {
             rack(joint, b, slotB, into, o + 7, parameters);
         }
+    }
+
+    /** A path's points, after {@link #write}: from the world to A's frame, three numbers each. */
+    Curve curve(Joint joint, BodyStore b, int slotA) {
+        double[] points = joint.curve().points();
+        for (int i = 0; i < points.length; i += 3) {
+            point.set(
+                    points[i] - at(joint, b, slotA, true, 0),
+                    points[i + 1] - at(joint, b, slotA, true, 1),
+                    points[i + 2] - at(joint, b, slotA, true, 2));
+            points[i] = point.dot(x);
+            points[i + 1] = point.dot(y);
+            points[i + 2] = point.dot(z);
+        }
+        return new Curve(joint.curve().isClosed(), points);
+    }
+
+    /** B's point in A's frame, after {@link #write}. */
+    Vector3d apart(Joint joint, BodyStore b, int slotA, int slotB) {
+        point.set(
+                at(joint, b, slotB, false, 0) - at(joint, b, slotA, true, 0),
+                at(joint, b, slotB, false, 1) - at(joint, b, slotA, true, 1),
+                at(joint, b, slotB, false, 2) - at(joint, b, slotA, true, 2));
+        return point.set(point.dot(x), point.dot(y), point.dot(z));
     }
 
     /** Radius of the pinion; the rack's point is where the two touch. */

@@ -302,7 +302,8 @@ public final class JointRef {
      * @return m or rad, now
      */
     public double value(JointAxis axis) {
-        return joints.values.of(joints, alive(), Checks.notNull("axis", axis));
+        Joint.index(axis, kind);
+        return joints.values.of(joints, alive(), axis);
     }
 
     /**
@@ -328,7 +329,8 @@ public final class JointRef {
      * What gears, racks and pulleys are made with.
      *
      * @return a copy: of a gear the teeth of A and of B; of a rack the pinion's radius, with a sign
-     *     that tells its side; of a pulley the two points and the ratio; else zeros
+     *     that tells its side; of a pulley the two points and the ratio; of a path 1 if it is
+     *     closed, else 0, then x, y, z of its points as they were given; else zeros
      */
     public double[] parameters() {
         return parameters.clone();
@@ -395,7 +397,7 @@ public final class JointRef {
      */
     public AxisState settings(JointAxis axis) {
         alive();
-        return of(axis).view();
+        return axes[Checks.notNull("axis", axis).index].view();
     }
 
     /**
@@ -444,7 +446,7 @@ public final class JointRef {
     // Retuning ------------------------------------------------------------------------------------
 
     private AxisSettings of(JointAxis axis) {
-        return axes[Checks.notNull("axis", axis).index];
+        return axes[Joint.index(axis, kind)];
     }
 
     private void retune(int j, boolean isOther) {

@@ -17,6 +17,7 @@ final class JointValues {
                     case SWING_Z -> JointStore.SWING + 1;
                     case CONE -> JointStore.CONE;
                     case DISTANCE -> JointStore.DISTANCE;
+                    case PATH -> JointStore.ALONG;
                 };
         math.look(joints.bodies, STILL, joints.store, j, 0, 0);
         return math.measure(joints.store, j, law);

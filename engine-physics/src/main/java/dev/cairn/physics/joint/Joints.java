@@ -6,6 +6,7 @@ import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.internal.BodyStore;
 import dev.cairn.physics.internal.Checks;
+import dev.cairn.physics.internal.Curve;
 import dev.cairn.physics.internal.JointStore;
 
 import org.joml.Vector3d;
@@ -90,16 +91,8 @@ public final class Joints implements Stateful {
 
     private int[] brokenNumbers = {};
 
-    private static final JointRef[] NO_JOINTS = {};
-
     /** By joint: whether it keeps its bodies from colliding. */
     private boolean[] isApart = {};
-
-    /** By joint: whether users take it to be there. */
-    private boolean[] isKnown = {};
-
-    /** How many joints have an entity. */
-    private int linkedCount;
 
     /** Room to save the settings of all axes. */
     private double[] settings = {};
@@ -109,7 +102,6 @@ public final class Joints implements Stateful {
     private final double[] frame = new double[JointStore.FRAME];
     private final Vector3d point = new Vector3d();
     private final List<JointRef> broken = new ArrayList<>();
-    private final List<JointRef> lost = new ArrayList<>();
     private final JointEntities entities;
 
     /**
@@ -158,6 +150,12 @@ public final class Joints implements Stateful {
                 joint.kind.equals("pulley") ? frames.rope(joint, bodies, a, b) : distance);
         rows.compile(ref.axes);
         frames.write(joint, bodies, a, b, frame, 0, ref.parameters);
+        Curve curve = joint.hasCurve() ? frames.curve(joint, bodies, a) : null;
+        double start = 0;
+        if (curve != null) {
+            Vector3d from = frames.apart(joint, bodies, a, b);
+            start = curve.nearest(from.x, from.y, from.z);
+        }
         int j = store.add(rows.count);
         store.bodyA[j] = a;
         store.bodyB[j] = b;
@@ -165,25 +163,25 @@ public final class Joints implements Stateful {
         store.isRound[j] = joint.isRound;
         store.breakForce[j] = joint.breakForce;
         store.breakTorque[j] = joint.breakTorque;
-        System.arraycopy(
-                ref.parameters,
-                0,
-                store.parameter,
-                JointStore.PARAMETERS * j,
-                JointStore.PARAMETERS);
+        int p = JointStore.PARAMETERS * j;
+        if (curve == null) {
+            System.arraycopy(ref.parameters, 0, store.parameter, p, JointStore.PARAMETERS);
+        } else {
+            store.curve[j] = curve;
+            store.parameter[p] = start;
+            Arrays.fill(store.parameter, p + 1, p + JointStore.PARAMETERS, 0.0);
+        }
         System.arraycopy(frame, 0, store.frame, JointStore.FRAME * j, JointStore.FRAME);
         rows.write(store, j);
         if (refs.length <= j) {
             refs = Arrays.copyOf(refs, store.isThere.length);
             isApart = Arrays.copyOf(isApart, store.isThere.length);
-            isKnown = Arrays.copyOf(isKnown, store.isThere.length);
         }
         isApart[j] = false;
-        isKnown[j] = true;
-        linkedCount += entity == JointRef.NO_ENTITY ? 0 : 1;
         refs[j] = ref;
         ref.index = j;
         ref.stamp = store.stamp[j];
+        entities.made(ref);
         separate(j);
         wake(j);
         return ref;
@@ -199,6 +197,15 @@ public final class Joints implements Stateful {
     }
 
     /**
+     * How the curve of a path becomes bytes; for {@code PhysicsWorld.codecs}.
+     *
+     * @return a codec
+     */
+    public static StateCodec<?> curveCodec() {
+        return Curve.CODEC;
+    }
+
+    /**
      * What users know of the joints, beside the store. A reference that the world has given stays
      * the one to its joint.
      */
@@ -209,8 +216,6 @@ public final class Joints implements Stateful {
         JointRef[] saved = s.array("refs", s.isRestoring() ? savedRefs : refs, count);
         savedRefs = s.isRestoring() ? saved : savedRefs;
         isApart = s.array("isApart", isApart, 0, count, store.isThere.length, true);
-        isKnown = s.array("isKnown", isKnown, 0, count, store.isThere.length, true);
-        linkedCount = s.value("linkedCount", linkedCount);
         int numbers = count * Joint.AXES * AxisSettings.NUMBERS;
         if (settings.length < numbers) {
             settings = new double[numbers + numbers / 2];
@@ -224,18 +229,12 @@ public final class Joints implements Stateful {
             numberBroken();
         }
         brokenNumbers = s.array("broken", brokenNumbers, gone);
-        int ended = s.value("lostCount", lost.size());
-        JointRef[] ends = s.array("lost", lost.toArray(NO_JOINTS), ended);
         if (s.isRestoring()) {
             own(saved, count);
             exchange(true);
             broken.clear();
             for (int i = 0; i < gone; i++) {
                 broken.add(refs[brokenNumbers[i]]);
-            }
-            lost.clear();
-            for (int i = 0; i < ended; i++) {
-                lost.add(ends[i].isOf(this) ? ends[i] : new JointRef(this, ends[i]));
             }
         }
         entities.state(s);
@@ -292,7 +291,7 @@ public final class Joints implements Stateful {
                             + " is between two fixed bodies, which nothing moves; make one of them"
                             + " dynamic");
         }
-        if (!joint.isPlaced && !joint.isDistance()) {
+        if (!joint.isPlaced && !joint.isDistance() && !joint.hasCurve()) {
             throw new IllegalArgumentException(
                     joint.kind
                             + " joint"
@@ -376,7 +375,7 @@ public final class Joints implements Stateful {
      * @return at least 0
      */
     public int lostCount() {
-        return lost.size();
+        return entities.lost.size();
     }
 
     /**
@@ -386,7 +385,7 @@ public final class Joints implements Stateful {
      * @return the joint; it is no longer alive, but tells its name, kind, bodies and entity
      */
     public JointRef lost(int index) {
-        return lost.get(index);
+        return entities.lost.get(index);
     }
 
     /**
@@ -404,46 +403,7 @@ public final class Joints implements Stateful {
 
     /** Called by the world after a step, when bodies that were asked for are there. */
     public void endStep() {
-        lost.clear();
-        if (entities.isAnyGone(linkedCount)) {
-            for (int j = 0; j < store.count; j++) {
-                if (isKnown[j] && !isThere(j)) {
-                    end(j);
-                }
-            }
-        }
-        entities.looked();
-        entities.adopt();
-        entities.change();
-    }
-
-    /** A joint is there no more: its entity was deleted, or a body. */
-    private void end(int j) {
-        JointRef ref = refs[j];
-        long entity = ref.entity();
-        isKnown[j] = false;
-        linkedCount -= entity == JointRef.NO_ENTITY ? 0 : 1;
-        boolean isAsked = entity != JointRef.NO_ENTITY && !entities.isLinked(entity);
-        if (store.isThere[j] && store.stamp[j] == ref.stamp) {
-            if (isAsked) {
-                wakeAlive(j, ref);
-            }
-            store.remove(j);
-            separate(j);
-        }
-        if (!isAsked) {
-            lost.add(ref);
-        }
-        if (entity != JointRef.NO_ENTITY) {
-            entities.delete(entity);
-        }
-    }
-
-    private void wakeAlive(int j, JointRef ref) {
-        if (host.isAlive(store.bodyA[j], ref.entityA())
-                && host.isAlive(store.bodyB[j], ref.entityB())) {
-            wake(j);
-        }
+        entities.endStep(refs);
     }
 
     /** A user takes a joint out. */
@@ -452,11 +412,7 @@ public final class Joints implements Stateful {
         wake(j);
         store.remove(j);
         separate(j);
-        isKnown[j] = false;
-        if (ref.entity() != JointRef.NO_ENTITY) {
-            linkedCount--;
-            entities.delete(ref.entity());
-        }
+        entities.removed(ref);
     }
 
     /**

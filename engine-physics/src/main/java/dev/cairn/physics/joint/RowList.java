@@ -42,6 +42,11 @@ final class RowList {
         }
         axis(axes[JointAxis.CONE.index], JointStore.CONE);
         axis(axes[JointAxis.DISTANCE.index], JointStore.DISTANCE);
+        if (axes[Joint.RAIL].isLocked) {
+            add(JointStore.PATH, JointStore.LOCK);
+            add(JointStore.PATH + 1, JointStore.LOCK);
+        }
+        axis(axes[JointAxis.PATH.index], JointStore.ALONG);
         axis(axes[Joint.CROSS], JointStore.CROSS);
         axis(axes[Joint.GEAR], JointStore.GEAR);
         axis(axes[Joint.RACK], JointStore.RACK);

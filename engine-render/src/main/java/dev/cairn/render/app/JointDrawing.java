@@ -29,6 +29,9 @@ final class JointDrawing {
 
     private static final double[] NEXT = new double[3];
 
+    /** Room for the points of a path. */
+    private static final double[] PATH = new double[3 * 97];
+
     private JointDrawing() {}
 
     static void joints(JointData data, DebugLines lines) {
@@ -39,8 +42,16 @@ final class JointDrawing {
             int rgb = data.enabled()[j] ? LINK : OFF;
             line(lines, p, at, p, at + 3, rgb, 1.5);
             line(lines, p, at + 6, p, at + 9, rgb, 1.5);
+            boolean isPath = data.path(j, PATH);
+            for (int i = 3; i < PATH.length && isPath; i += 3) {
+                line(lines, PATH, i - 3, PATH, i, data.enabled()[j] ? AXIS : OFF, 2);
+            }
             boolean isRod = data.limited(j) == JointAxis.DISTANCE;
             boolean isApart = apart(p, at + 3, at + 6) > GAP;
+            if (isPath) {
+                DebugDrawing.dot(lines, p, at + 6, data.enabled()[j] ? POINT : OFF, 5);
+                continue;
+            }
             line(lines, p, at + 3, p, at + 6, isApart && !isRod ? OPEN : rgb, 2);
             DebugDrawing.dot(lines, p, at + 3, data.enabled()[j] ? POINT : OFF, 4);
             double[] a = data.axes();
@@ -67,7 +78,7 @@ final class JointDrawing {
             case TWIST -> arc(data, j, low, high, now, lines, rgb);
             case CONE -> cone(data, j, high, lines, rgb);
             case DISTANCE -> line(lines, data.points(), p, data.points(), p + 3, rgb, 1);
-            case Z, SWING_Y, SWING_Z -> DebugDrawing.dot(lines, data.points(), p, rgb, 6);
+            case Z, SWING_Y, SWING_Z, PATH -> DebugDrawing.dot(lines, data.points(), p, rgb, 6);
         }
     }
 

@@ -20,11 +20,12 @@ final class AxisFields {
         "swing about y",
         "swing about z",
         "cone about x",
-        "distance"
+        "distance",
+        "way along the path"
     };
 
     private static final String[] SHORT = {
-        "x", "y", "z", "twist", "sw. y", "sw. z", "cone", "dist."
+        "x", "y", "z", "twist", "sw. y", "sw. z", "cone", "dist.", "path"
     };
 
     private static final int FIRST_ANGLE = 3;

@@ -244,7 +244,7 @@ public final class EditorJoints {
                 new JointSpec.Place(ends.a, ends.b, axis, second));
     }
 
-    private static List<Double> parameters(String kind, Ends ends) {
+    private List<Double> parameters(String kind, Ends ends) {
         Xyz from = ends.a;
         Xyz to = ends.b;
         return switch (kind) {
@@ -258,6 +258,19 @@ public final class EditorJoints {
                             to.y() + OVER,
                             to.z(),
                             1.0);
+            // a straight wire along the axis, to be bent in the panel
+            case "path" ->
+                    List.of(
+                            0.0,
+                            to.x() - axis.x(),
+                            to.y() - axis.y(),
+                            to.z() - axis.z(),
+                            to.x(),
+                            to.y(),
+                            to.z(),
+                            to.x() + axis.x(),
+                            to.y() + axis.y(),
+                            to.z() + axis.z());
             default -> List.of();
         };
     }

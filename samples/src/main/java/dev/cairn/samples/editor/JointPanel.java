@@ -21,6 +21,14 @@ final class JointPanel {
     private static final String[] TEETH = {"teeth of a", "teeth of b"};
     private static final JointAxis[] AXES = JointAxis.values();
     private static final int ROWS_BELOW = 6;
+    private static final int MOST_POINTS = 24;
+    private static final String[] POINTS = new String[3 * MOST_POINTS];
+
+    static {
+        for (int i = 0; i < POINTS.length; i++) {
+            POINTS[i] = "p" + i / 3 + " " + "xyz".charAt(i % 3);
+        }
+    }
 
     private final Editor editor;
     private final Fields fields = new Fields();
@@ -154,6 +162,9 @@ final class JointPanel {
     }
 
     private boolean sizes(Ui ui, JointSpec joint) {
+        if (joint.kind().equals("path")) {
+            return path(ui, joint);
+        }
         List<Double> numbers = joint.parameters();
         String[] names = joint.kind().equals("gear") ? TEETH : PARAMETERS;
         for (int i = 0; i < Math.min(numbers.size(), names.length); i++) {
@@ -178,6 +189,40 @@ final class JointPanel {
             }
         }
         return false;
+    }
+
+    /** The points of a path, one by one; more than {@link #MOST_POINTS} have no fields. */
+    private boolean path(Ui ui, JointSpec joint) {
+        List<Double> numbers = joint.parameters();
+        List<Double> wanted = new ArrayList<>();
+        boolean isClosed = numbers.get(0) != 0;
+        boolean closes = ui.checkbox("closed", isClosed);
+        ui.columns(2);
+        boolean adds = ui.button("Add a point");
+        boolean removes = ui.button("Remove the last point");
+        int last = numbers.size() - 3;
+        if (closes != isClosed) {
+            wanted.addAll(numbers);
+            wanted.set(0, closes ? 1.0 : 0.0);
+        } else if (adds) {
+            wanted.addAll(numbers);
+            wanted.addAll(List.of(numbers.get(last) + 1, numbers.get(last + 1)));
+            wanted.add(numbers.get(last + 2));
+        } else if (removes) {
+            wanted.addAll(numbers.subList(0, last));
+        }
+        for (int i = 1; i < Math.min(numbers.size(), 3 * MOST_POINTS) && wanted.isEmpty(); i++) {
+            double typed = fields.number(ui, POINTS[i - 1], numbers.get(i));
+            if (typed != numbers.get(i)) {
+                wanted.addAll(numbers);
+                wanted.set(i, typed);
+            }
+        }
+        if (wanted.isEmpty()) {
+            return false;
+        }
+        change("points of", j -> j.measuring(wanted, 0));
+        return true;
     }
 
     private boolean load(Ui ui, JointSpec joint) {

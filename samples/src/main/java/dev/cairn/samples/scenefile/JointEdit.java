@@ -85,11 +85,15 @@ public final class JointEdit {
         }
         Move move = new Move(before, after);
         List<JointSpec> joints = new ArrayList<>();
-        for (JointSpec joint : scene.joints()) {
+        for (JointSpec each : scene.joints()) {
+            JointSpec joint = each;
             JointSpec.Place place = joint.place();
             Xyz pa = place.anchorA();
             Xyz pb = place.anchorB();
             boolean isOne = pa != null && pa.equals(pb);
+            if (joint.a() == index && joint.kind().equals("path")) {
+                joint = joint.measuring(move.points(joint.parameters()), joint.length());
+            }
             if (joint.a() == index) {
                 Xyz second = place.secondAxis();
                 Xyz moved = pa == null ? null : move.point(pa);
@@ -134,6 +138,16 @@ public final class JointEdit {
             v = turn == null ? v : turn.transform(v);
             v.add(to);
             return new Xyz(rounded(v.x), rounded(v.y), rounded(v.z));
+        }
+
+        /** Of a path: what is said first, and its points. */
+        List<Double> points(List<Double> numbers) {
+            List<Double> moved = new ArrayList<>(numbers.subList(0, 1));
+            for (int i = 1; i + 2 < numbers.size(); i += 3) {
+                Xyz p = point(new Xyz(numbers.get(i), numbers.get(i + 1), numbers.get(i + 2)));
+                moved.addAll(List.of(p.x(), p.y(), p.z()));
+            }
+            return moved;
         }
 
         Xyz direction(Xyz d) {

@@ -21,6 +21,8 @@ final class JointJson {
                     "a",
                     "b",
                     "parameters",
+                    "points",
+                    "closed",
                     "at",
                     "anchors",
                     "axis",
@@ -32,7 +34,7 @@ final class JointJson {
                     "breakTorque",
                     "on");
     static final List<String> AXES =
-            List.of("x", "y", "z", "twist", "swingY", "swingZ", "cone", "distance");
+            List.of("x", "y", "z", "twist", "swingY", "swingZ", "cone", "distance", "path");
     static final List<String> AXIS = List.of("locked", "limits", "motor", "spring");
     static final List<String> MOTOR = List.of("speed", "most");
     static final List<String> SPRING =
@@ -86,6 +88,14 @@ final class JointJson {
     }
 
     private static List<Double> parameters(JsonNode node, Map<String, JsonNode> in, String kind) {
+        if (kind.equals("path")) {
+            return path(node, in);
+        }
+        for (String word : List.of("points", "closed")) {
+            if (in.containsKey(word)) {
+                throw in.get(word).wrong("no points of a " + kind, in.get(word).shown());
+            }
+        }
         int wanted = JointSpec.parameters(kind);
         if (wanted == 0 && !in.containsKey("parameters")) {
             return List.of();
@@ -98,6 +108,24 @@ final class JointJson {
         }
         if (numbers.size() != wanted) {
             throw list.wrong(what, list.shown());
+        }
+        return numbers;
+    }
+
+    /** Whether it is closed, and its points. */
+    private static List<Double> path(JsonNode node, Map<String, JsonNode> in) {
+        boolean isClosed = in.containsKey("closed") && in.get("closed").truth();
+        int least = isClosed ? 3 : 2;
+        String what = "at least %d points of a path".formatted(least);
+        JsonNode list = node.required(in, "points");
+        List<JsonNode> points = list.items(what);
+        if (points.size() < least) {
+            throw list.wrong(what, list.shown());
+        }
+        List<Double> numbers = new ArrayList<>(List.of(isClosed ? 1.0 : 0.0));
+        for (JsonNode point : points) {
+            Xyz p = point.xyz("a point of the path");
+            numbers.addAll(List.of(p.x(), p.y(), p.z()));
         }
         return numbers;
     }
@@ -174,7 +202,9 @@ final class JointJson {
         }
         out.add("a", SceneWriter.number(joint.a()));
         out.add("b", SceneWriter.number(joint.b()));
-        if (!joint.parameters().isEmpty()) {
+        if (joint.kind().equals("path")) {
+            path(joint.parameters(), out);
+        } else if (!joint.parameters().isEmpty()) {
             JsonArray numbers = new JsonArray();
             joint.parameters().forEach(number -> numbers.add(SceneWriter.number(number)));
             out.add("parameters", numbers);
@@ -217,6 +247,19 @@ final class JointJson {
             out.addProperty("on", false);
         }
         return out;
+    }
+
+    private static void path(List<Double> numbers, JsonObject out) {
+        JsonArray points = new JsonArray();
+        for (int i = 1; i + 2 < numbers.size(); i += 3) {
+            points.add(
+                    SceneWriter.xyz(
+                            new Xyz(numbers.get(i), numbers.get(i + 1), numbers.get(i + 2))));
+        }
+        out.add("points", points);
+        if (numbers.get(0) != 0) {
+            out.addProperty("closed", true);
+        }
     }
 
     private static void most(JsonObject out, String name, double value) {
@@ -269,6 +312,7 @@ final class JointJson {
             case SWING_Z -> "swingZ";
             case CONE -> "cone";
             case DISTANCE -> "distance";
+            case PATH -> "path";
         };
     }
 }

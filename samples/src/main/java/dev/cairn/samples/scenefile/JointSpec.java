@@ -20,8 +20,8 @@ import java.util.List;
  * @param name for people; may be empty
  * @param a index of the first entity
  * @param b index of the second one
- * @param parameters of a gear the teeth of both; of a pulley its two points and its ratio; else
- *     empty
+ * @param parameters of a gear the teeth of both; of a pulley its two points and its ratio; of a
+ *     path 1 if it is closed, else 0, and x, y, z of its points; else empty
  * @param place where it is
  * @param axes what it does about axes, where that is not what the kind does
  * @param length of a rod, rope or spring, m; 0 for that of the poses
@@ -61,6 +61,7 @@ public record JointSpec(
                     "gear",
                     "rack",
                     "pulley",
+                    "path",
                     "generic");
 
     /** Stand in for bodies where only a joint's own numbers matter. */
@@ -282,7 +283,13 @@ public record JointSpec(
      */
     static JointSpec of(JointRef joint, int a, int b, Jointed bodyA, Jointed bodyB) {
         List<Double> parameters =
-                Arrays.stream(joint.parameters()).limit(parameters(joint.kind())).boxed().toList();
+                Arrays.stream(joint.parameters())
+                        .limit(
+                                joint.kind().equals("path")
+                                        ? Integer.MAX_VALUE
+                                        : parameters(joint.kind()))
+                        .boxed()
+                        .toList();
         Joint plain = start(joint.kind(), bodyA, bodyB, parameters);
         List<Axis> axes = new ArrayList<>();
         for (JointAxis axis : JointAxis.values()) {
@@ -340,7 +347,7 @@ public record JointSpec(
         return v == null ? null : new Xyz(v.x, v.y, v.z);
     }
 
-    /** How many parameters a kind has. */
+    /** How many parameters a kind has, but for a path, whose number is its own. */
     static int parameters(String kind) {
         return kind.equals("gear") ? 2 : kind.equals("pulley") ? 7 : 0;
     }
@@ -369,6 +376,12 @@ public record JointSpec(
                             new Vector3d(p.get(0), p.get(1), p.get(2)),
                             new Vector3d(p.get(3), p.get(4), p.get(5)),
                             p.get(6));
+            case "path" ->
+                    Joint.path(
+                            a,
+                            b,
+                            p.get(0) != 0,
+                            p.stream().skip(1).mapToDouble(Double::doubleValue).toArray());
             default -> Joint.generic(a, b);
         };
     }

@@ -233,6 +233,13 @@ class SceneFileTest {
             while (parameters.size() < JointSpec.parameters(kind)) {
                 parameters.add(any(random));
             }
+            if (kind.equals("path")) {
+                parameters.add(random.nextBoolean() ? 1.0 : 0.0);
+                int numbers = 9 + 3 * random.nextInt(4);
+                for (int k = 0; k < numbers; k++) {
+                    parameters.add(any(random));
+                }
+            }
             joints.add(
                     new JointSpec(
                             kind,

@@ -46,6 +46,7 @@ abstract class AssemblyEquations {
         for (int k = 0; k < s.joint.length; k++) {
             int j = s.joint[k];
             math.look(tick.bodies, tick.body.state, store, j, offset(k, 0), offset(k, 1));
+            math.advance(store, j);
             for (int r = s.firstRow[k]; r < s.firstRow[k + 1]; r++) {
                 int row = store.firstRow[j] + r - s.firstRow[k];
                 s.start[r] = math.measure(store, j, store.law[row]);

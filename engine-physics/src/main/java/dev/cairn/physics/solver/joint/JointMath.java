@@ -48,6 +48,7 @@ public final class JointMath {
 
     final double[] placeB = new double[3];
     private final Gearing gearing = new Gearing();
+    private final Railing railing = new Railing();
 
     /** Frame of B in that of A. */
     private final double[] q = new double[4];
@@ -154,8 +155,17 @@ public final class JointMath {
             }
             case JointStore.CROSS -> dot(axesB, 3, axesA, 0);
             case JointStore.DISTANCE -> SolverBodies.norm(gap[0], gap[1], gap[2]);
+            case JointStore.PATH, JointStore.PATH + 1, JointStore.ALONG ->
+                    railing.measure(this, s, j, law);
             default -> Gearing.measure(this, s, j, law);
         };
+    }
+
+    /**
+     * What a joint remembers of where it is goes along; after {@link #look}, in the solver only.
+     */
+    void advance(JointStore s, int j) {
+        railing.advance(this, s, j);
     }
 
     double twist() {
@@ -200,6 +210,10 @@ public final class JointMath {
                 for (int k = 0; k < 3; k++) {
                     g[k] = length * length > NOWHERE ? gap[k] / length : k == 0 ? 1 : 0;
                 }
+                force(g, 0, d, o);
+            }
+            case JointStore.PATH, JointStore.PATH + 1, JointStore.ALONG -> {
+                railing.direction(this, s, j, law, g);
                 force(g, 0, d, o);
             }
             default -> gearing.derive(this, s, j, law, d, o);

@@ -98,6 +98,7 @@ public final class JointRows implements KindRows {
         int a = link[LINK * p];
         int b = link[LINK * p + 1];
         math[p].look(tick.bodies, tick.body.state, store, j, a, b);
+        math[p].advance(store, j);
         for (int r = store.firstRow[j]; r < store.firstRow[j] + store.rows[j]; r++) {
             value[r] = math[p].measure(store, j, store.law[r]);
             math[p].derive(store, j, store.law[r], derivative, JointMath.JACOBIAN * r);

@@ -110,7 +110,7 @@ public final class Pendulums {
     }
 
     /** Root in [0, 1] of the cubic with these ends and slopes. */
-    private static double root(double a, double da, double b, double db) {
+    static double root(double a, double da, double b, double db) {
         double low = 0;
         double high = 1;
         for (int k = 0; k < 60; k++) {
