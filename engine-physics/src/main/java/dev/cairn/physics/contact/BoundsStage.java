@@ -188,7 +188,6 @@ public final class BoundsStage {
 
     /** Places a fixed body. */
     public void placeFixed(BroadPhase target, int slot) {
-        Poses p = colliders.poses;
         for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
             tightBox(c);
             setAhead(c, 0, 0, 0, 0);

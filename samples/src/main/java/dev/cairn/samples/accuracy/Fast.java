@@ -325,6 +325,7 @@ final class Fast {
             List<BodyRef> balls = new ArrayList<>();
             // uniform in -a to a along three axes has the rms a
             for (int i = 0; i < 1000; i++) {
+                int layer = i / 100;
                 balls.add(
                         world.add(
                                 Body.dynamic()
@@ -333,7 +334,7 @@ final class Fast {
                                         .at(
                                                 1.1 * (i % 10 - 4.5),
                                                 1.1 * (i / 10 % 10 - 4.5),
-                                                1.1 * (i / 100 - 4.5))
+                                                1.1 * (layer - 4.5))
                                         .velocity(
                                                 50 * (2 * random.nextDouble() - 1),
                                                 50 * (2 * random.nextDouble() - 1),

@@ -74,6 +74,7 @@ public final class Gas {
         List<BodyRef> balls = new ArrayList<>();
         double energy = 0;
         for (int i = 0; i < edge * edge * edge; i++) {
+            int layer = i / (edge * edge);
             Vector3d v =
                     new Vector3d(scene.random(-1, 1), scene.random(-1, 1), scene.random(-1, 1))
                             .mul(speed);
@@ -87,7 +88,7 @@ public final class Gas {
                                     .at(
                                             PITCH * (i % edge + 0.5) - half,
                                             middle + PITCH * (i / edge % edge + 0.5) - half,
-                                            PITCH * (i / edge / edge + 0.5) - half)
+                                            PITCH * (layer + 0.5) - half)
                                     .velocity(v)
                                     .material(surface)));
         }
