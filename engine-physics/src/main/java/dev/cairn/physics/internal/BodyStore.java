@@ -157,6 +157,12 @@ public final class BodyStore extends Poses implements Stateful {
     /** Factor on the world's gravity; 1 for most. */
     public double[] gravityScale = {};
 
+    /** Numbers to a collider in {@link #revolution}. */
+    public static final int REVOLUTION = 4;
+
+    /** Of each collider what {@link Surface#revolution} tells. */
+    public double[] revolution = {};
+
     private final Columns.Kept kept = new Columns.Kept();
 
     /**
@@ -225,6 +231,7 @@ public final class BodyStore extends Poses implements Stateful {
         angularDamping = c.column("angularDamping", angularDamping);
         speedLimit = c.column("speedLimit", speedLimit);
         gravityScale = c.column("gravityScale", gravityScale);
+        revolution = c.column("revolution", revolution, REVOLUTION);
     }
 
     @Override

@@ -257,6 +257,7 @@ public final class ColliderStore implements Stateful {
     private void setShape(int collider, Shape solid) {
         shape[collider] = solid;
         surface[collider] = Surface.of(solid);
+        Surface.revolution(solid, bodies.revolution, BodyStore.REVOLUTION * collider);
         surfaces |= (solid instanceof Moved m ? m.inner() : solid) instanceof Meshed;
         innerRadius[collider] = solid.innerRadius();
         outerRadius[collider] = solid.outerRadius();

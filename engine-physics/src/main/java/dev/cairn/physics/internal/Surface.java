@@ -1,8 +1,10 @@
 package dev.cairn.physics.internal;
 
 import dev.cairn.physics.shape.Box;
+import dev.cairn.physics.shape.Capsule;
 import dev.cairn.physics.shape.Cone;
 import dev.cairn.physics.shape.ConvexHull;
+import dev.cairn.physics.shape.Cylinder;
 import dev.cairn.physics.shape.HalfSpace;
 import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Moved;
@@ -17,7 +19,10 @@ import dev.cairn.physics.shape.TriangleMesh;
  * as that shape. Stateless.
  */
 public final class Surface {
-    /** Curved sides and rims: a contact point stays where it is while the body turns. */
+    /**
+     * Curved sides and rims: a contact point goes with the body's axis, and stays where it is while
+     * the body turns about it; of a ball about any.
+     */
     public static final byte ROUND = 0;
 
     /** Faces, edges and corners: a contact point turns with the body. */
@@ -54,6 +59,38 @@ public final class Surface {
             case HeightField field -> CORNERED;
             default -> ROUND;
         };
+    }
+
+    /**
+     * What a solid of revolution turns about.
+     *
+     * @param shape any
+     * @param dest receives the axis in the collider's frame, a unit vector, and the radius of what
+     *     is laid around a core, of a capsule its radius, m; zeros for balls and for what is no
+     *     such solid
+     * @param at where to write the four numbers
+     */
+    public static void revolution(Shape shape, double[] dest, int at) {
+        Shape inner = shape instanceof Moved m ? m.inner() : shape;
+        boolean isTurned =
+                inner instanceof Capsule || inner instanceof Cylinder || inner instanceof Cone;
+        double x = 0;
+        double y = isTurned ? 1 : 0;
+        double z = 0;
+        if (isTurned && shape instanceof Moved m) {
+            // the second column of the rotation
+            double qx = m.rotationX();
+            double qy = m.rotationY();
+            double qz = m.rotationZ();
+            double qw = m.rotationW();
+            x = 2 * (qx * qy - qw * qz);
+            y = 1 - 2 * (qx * qx + qz * qz);
+            z = 2 * (qy * qz + qw * qx);
+        }
+        dest[at] = x;
+        dest[at + 1] = y;
+        dest[at + 2] = z;
+        dest[at + 3] = inner instanceof Capsule c ? c.radius() : 0;
     }
 
     /**

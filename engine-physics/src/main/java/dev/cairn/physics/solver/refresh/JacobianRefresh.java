@@ -21,11 +21,11 @@ import java.util.Arrays;
  * by 5 rad in a tick, a rocking block shortens its lever by some percent, and two bodies that pass
  * each other take their impulses at two points that drift apart, which makes angular momentum. So a
  * body that turns gets the root of its present inertia, and a row of such a body, or of two that
- * pass each other, gets levers of now: corners turn with their body, points of round bodies stay
- * where they are seen from its centre, and two bodies that move share one point, that of the round
- * one. Then no angular momentum is made. Normals and tangents stay those of the tick's start; so
- * two bodies that bounce keep their own points, else balls would leave an impact with a spin, and a
- * gas of them lose its energy.
+ * pass each other, gets levers of now: corners turn with their body, points of solids of revolution
+ * go with their axis and those of balls with their centre ({@link RoundTurn}), and two bodies that
+ * move share one point, that of the round one. Then no angular momentum is made. Normals and
+ * tangents stay those of the tick's start; so two bodies that bounce keep their own points, else
+ * balls would leave an impact with a spin, and a gas of them lose its energy.
  *
  * <p>Who is slower than 0.045 of {@code sqrt(g r)} (0.1 m/s for a cube of 1 m) is left alone, so
  * that what rests or creeps pays one comparison a row; without gravity all that moves is renewed. A
@@ -64,6 +64,11 @@ public final class JacobianRefresh {
     /** Of a row: others read in the contact where its points are. */
     private static final int TOLD = 256;
 
+    /** Of a row: its points go with the axis of A, of B, see {@link RoundTurn}. */
+    private static final int SWINGS_A = 512;
+
+    private static final int SWINGS_B = 1024;
+
     /** Numbers to a row in {@link #kept}. */
     private static final int KEPT = RefreshRow.RECORD;
 
@@ -79,6 +84,9 @@ public final class JacobianRefresh {
     private int[] renewed = {};
 
     private double[] kept = {};
+
+    /** By place, for A and for B: {@link RoundTurn}'s; while there are round bodies. */
+    private double[] rounds = {};
 
     /** By slot: whether a row of the body is renewed. */
     private boolean[] stirred = {};
@@ -137,6 +145,7 @@ public final class JacobianRefresh {
             // With the rows, so that a scene that gets wilder later allocates nothing.
             renewed = new int[rows.settleMark.length];
             kept = new double[rows.settleMark.length * KEPT];
+            rounds = new double[rows.settleMark.length * 2 * RoundTurn.NUMBERS];
         }
     }
 
@@ -168,6 +177,12 @@ public final class JacobianRefresh {
                 renewed[place] = how(rows, c, b, place, source, movesA, movesB);
                 any = true;
                 RefreshRow.keep(c, source, kept, KEPT * place);
+                if ((renewed[place] & SWINGS_A) != 0) {
+                    RoundTurn.keep(b, i, c.colliderA[source], rounds, roundA(place));
+                }
+                if ((renewed[place] & SWINGS_B) != 0) {
+                    RoundTurn.keep(b, j, c.colliderB[source], rounds, roundB(place));
+                }
                 if (movesA) {
                     stirred[i] = true;
                 }
@@ -227,6 +242,14 @@ public final class JacobianRefresh {
         return x * x + y * y + z * z > slow;
     }
 
+    private static int roundA(int place) {
+        return 2 * RoundTurn.NUMBERS * place;
+    }
+
+    private static int roundB(int place) {
+        return roundA(place) + RoundTurn.NUMBERS;
+    }
+
     private int how(
             ConstraintRows rows,
             ContactStore c,
@@ -243,6 +266,14 @@ public final class JacobianRefresh {
         int how = YES;
         how |= movesA && turns[i] && isCorneredA ? TURNS_A : 0;
         how |= movesB && turns[k] && isCorneredB ? TURNS_B : 0;
+        how |=
+                movesA && turns[i] && !isCorneredA && RoundTurn.moves(b, i, c.colliderA[source])
+                        ? SWINGS_A
+                        : 0;
+        how |=
+                movesB && turns[k] && !isCorneredB && RoundTurn.moves(b, k, c.colliderB[source])
+                        ? SWINGS_B
+                        : 0;
         how |= movesA && !turns[i] ? STAYS_A : 0;
         how |= movesB && !turns[k] ? STAYS_B : 0;
         how |= bounces ? AIMED : 0;
@@ -442,6 +473,13 @@ public final class JacobianRefresh {
             int shared = how & BETWEEN;
             double shareA = shared == BETWEEN ? 0.5 : shared == OF_B ? 1 : 0;
             double shareB = shared == BETWEEN ? 0.5 : shared == OF_A ? 1 : 0;
+            row.swing(
+                    turn,
+                    rounds,
+                    (how & SWINGS_A) != 0 ? 9 * SolverBodies.slot(rows.link[j * LINK]) : -1,
+                    roundA(j),
+                    (how & SWINGS_B) != 0 ? 9 * SolverBodies.slot(rows.link[j * LINK + 1]) : -1,
+                    roundB(j));
             row.place(rows, s.state, j, kept, k, turn, ra, rb, shareA, shareB);
             if ((how & TOLD) != 0 || isLast) {
                 row.tell(c, source, (how & TOLD) != 0);

@@ -40,6 +40,7 @@ public final class RefreshRow {
     static final int LOADS = 7;
 
     private final DenseRow row = new DenseRow();
+    private final RoundTurn roundA = new RoundTurn(1), roundB = new RoundTurn(-1);
 
     /** The fields of the row, and the points of now. */
     private final double[] r = row.r, at = row.at;
@@ -77,6 +78,21 @@ public final class RefreshRow {
     }
 
     /**
+     * Tells which points go with the axis of a round body; before {@link #place}.
+     *
+     * @param turn turns of bodies since the tick's start, nine numbers each
+     * @param rounds what was kept of round sides
+     * @param ra where the turn of A is, if its points go with its axis, else -1
+     * @param xa what was kept of A
+     * @param rb the turn of B
+     * @param xb what was kept of B
+     */
+    void swing(double[] turn, double[] rounds, int ra, int xa, int rb, int xb) {
+        roundA.set(turn, ra, rounds, xa);
+        roundB.set(turn, rb, rounds, xb);
+    }
+
+    /**
      * Moves the points with their bodies.
      *
      * @param turn turns of bodies since the tick's start, nine numbers each
@@ -108,6 +124,8 @@ public final class RefreshRow {
         for (int i = 0; i < NUMBERS * n; i += NUMBERS, q += NUMBERS) {
             turn(turn, ra, record, q, i);
             turn(turn, rb, record, q + 3, i + 3);
+            roundA.move(record, q, at, i, 0.5 * record[q + GAPS], nx, ny, nz);
+            roundB.move(record, q + 3, at, i + 3, 0.5 * record[q + GAPS], nx, ny, nz);
             double dx = (at[i + 3] - record[q + 3]) - (at[i] - record[q]);
             double dy = (at[i + 4] - record[q + 4]) - (at[i + 1] - record[q + 1]);
             double dz = (at[i + 5] - record[q + 5]) - (at[i + 2] - record[q + 2]);
