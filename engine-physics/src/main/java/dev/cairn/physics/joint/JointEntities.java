@@ -62,7 +62,8 @@ final class JointEntities {
         if (s.isRestoring()) {
             bornThen = joints.host.bodiesBorn() - since;
             lost.clear();
-            for (JointRef each : ends) {
+            for (int k = 0; k < ended; k++) {
+                JointRef each = ends[k];
                 lost.add(each.isOf(joints) ? each : new JointRef(joints, each));
             }
         }

@@ -98,7 +98,7 @@ public final class DirectIslands implements Stateful {
 
     private double foundYield;
 
-    /** Whether another state was restored since all was found. */
+    /** Whether another state was restored, or room was made, since all was found. */
     private boolean renewed;
 
     /** Who touches whom. */
@@ -113,7 +113,9 @@ public final class DirectIslands implements Stateful {
     private int[] seen = {};
     private int stamp;
 
-    private void ensureCapacity(BodyStore b, EdgeList list) {
+    /** Makes room, from the first tick on; whether all that was found is lost by that. */
+    private boolean ensureCapacity(BodyStore b, EdgeList list) {
+        boolean grows = local.length < b.slotCount || row.length < list.source.length;
         if (local.length < b.slotCount) {
             int n = b.kind.length;
             firstRow = new int[n + 1];
@@ -134,6 +136,7 @@ public final class DirectIslands implements Stateful {
             row = new int[list.source.length];
             neighbour = new int[2 * row.length];
         }
+        return grows;
     }
 
     /**
@@ -147,15 +150,12 @@ public final class DirectIslands implements Stateful {
     public void update(
             BodyStore b, EdgeList list, Batches batches, int from, double fall, boolean same) {
         isStale |= !same;
+        renewed |= from < Integer.MAX_VALUE && ensureCapacity(b, list);
         count = renewed ? 0 : count;
         openCount = 0;
         most = from;
         yield = fall;
-        if (from == Integer.MAX_VALUE) {
-            return;
-        }
-        ensureCapacity(b, list);
-        if (!rests(b, batches)) {
+        if (from == Integer.MAX_VALUE || !rests(b, batches)) {
             return;
         }
         if (isStale) {
