@@ -16,6 +16,9 @@ import java.util.Arrays;
  */
 final class PairSearch {
     /** Moved proxies of a block: small enough to balance, large enough to hide the dispatch. */
+    /** Up to so many pairs the library's sort makes no object. */
+    private static final int FEW = 40;
+
     private static final int PROXIES_PER_BLOCK = 32;
 
     /** First capacity of a block's buffer; a pile's collider meets about ten others. */
@@ -194,9 +197,41 @@ final class PairSearch {
     }
 
     private void sort(int block, int first, int count) {
-        if (count - first > 1 && count <= found[block].length) {
-            Arrays.sort(found[block], first, count);
+        int n = count - first;
+        if (n > 1 && count <= found[block].length) {
+            if (n <= FEW) {
+                Arrays.sort(found[block], first, count);
+            } else {
+                heapSort(found[block], first, n);
+            }
         }
+    }
+
+    /** J. Williams, 1964; the library's sort makes an object for each partition. */
+    private static void heapSort(long[] keys, int first, int n) {
+        for (int i = n / 2 - 1; i >= 0; i--) {
+            sink(keys, first, i, n);
+        }
+        for (int end = n - 1; end > 0; end--) {
+            long most = keys[first];
+            keys[first] = keys[first + end];
+            keys[first + end] = most;
+            sink(keys, first, 0, end);
+        }
+    }
+
+    private static void sink(long[] keys, int first, int from, int n) {
+        long key = keys[first + from];
+        int at = from;
+        for (int child = 2 * at + 1; child < n; child = 2 * at + 1) {
+            child += child + 1 < n && keys[first + child + 1] > keys[first + child] ? 1 : 0;
+            if (keys[first + child] <= key) {
+                break;
+            }
+            keys[first + at] = keys[first + child];
+            at = child;
+        }
+        keys[first + at] = key;
     }
 
     /** The same for all shapes of a body that moved. */
