@@ -183,6 +183,46 @@ class SweepTest {
     }
 
     /**
+     * A rod that spins and meets a ball within a tick: with its own share of gravity it moves as in
+     * a world that has that gravity.
+     */
+    @Test
+    void aBodysOwnGravityIsAsThatOfTheWorld() {
+        for (double share : new double[] {0, 2, -3}) {
+            for (int i = 0; i < 10; i++) {
+                Vector3d own = rodAndBall(-9.81, share, SeamTest.random(70 + i));
+                Vector3d all = rodAndBall(-9.81 * share, 1, SeamTest.random(70 + i));
+                assertEquals(0, own.distance(all), 1e-9, "gravity times " + share + ", " + i);
+            }
+        }
+    }
+
+    /** Where the ball is after a while. */
+    private static Vector3d rodAndBall(double gravity, double share, Random random) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).gravity(0, gravity, 0).build()) {
+            Material hard = new Material(0, 1, 1000);
+            world.add(
+                    Body.dynamic()
+                            .shape(Box.ofHalfExtents(2, .02, .02))
+                            .at(0, 0, 0)
+                            .angularVelocity(0, 0, 100 + 50 * random.nextDouble())
+                            .gravityScale(share)
+                            .material(hard));
+            BodyRef ball =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Sphere.of(.1))
+                                    .at(1 + .5 * random.nextDouble(), .6, 0)
+                                    .gravityScale(share)
+                                    .material(hard));
+            for (int tick = 0; tick < 12; tick++) {
+                world.step(Scenes.STEP);
+            }
+            return ball.position();
+        }
+    }
+
+    /**
      * A body of two bars across each other that spins by two radians a tick: its contacts are those
      * of one moment, and its centre is in both.
      */

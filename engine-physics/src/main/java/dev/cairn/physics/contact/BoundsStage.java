@@ -287,9 +287,10 @@ public final class BoundsStage {
      * margin another one, points would appear, and wake it, because it fell asleep.
      */
     public void rest(int slot) {
+        double fall = step * bodies.gravityScale[slot];
         for (int c = bodies.collider[slot]; c != ColliderStore.NONE; c = colliders.next[c]) {
             tightBox(c);
-            setAhead(c, step * gravityX, step * gravityY, step * gravityZ, 0);
+            setAhead(c, fall * gravityX, fall * gravityY, fall * gravityZ, 0);
         }
     }
 
@@ -360,9 +361,10 @@ public final class BoundsStage {
     private int look(int s) {
         BodyStore b = bodies;
         double inverseMass = b.inverseMass[s];
-        double vx = b.velocityX[s] + step * (gravityX + b.forceX[s] * inverseMass);
-        double vy = b.velocityY[s] + step * (gravityY + b.forceY[s] * inverseMass);
-        double vz = b.velocityZ[s] + step * (gravityZ + b.forceZ[s] * inverseMass);
+        double scale = b.gravityScale[s];
+        double vx = b.velocityX[s] + step * (scale * gravityX + b.forceX[s] * inverseMass);
+        double vy = b.velocityY[s] + step * (scale * gravityY + b.forceY[s] * inverseMass);
+        double vz = b.velocityZ[s] + step * (scale * gravityZ + b.forceZ[s] * inverseMass);
         double outer = b.outerRadius[s];
         double spin = spinBound(s);
         boolean valid =

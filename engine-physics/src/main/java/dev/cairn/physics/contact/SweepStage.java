@@ -135,7 +135,7 @@ public final class SweepStage {
     private void bindOthers(int slots) {
         BodyStore s = colliders.bodies;
         for (int i = 0; i < slots; i++) {
-            bound[i] |= s.restraint[i] != 0 || s.gravityScale[i] != 1;
+            bound[i] |= s.restraint[i] != 0;
         }
         for (int k = 1; k < edges.length; k++) {
             EdgeSource source = edges[k];
