@@ -16,10 +16,10 @@ import java.util.Arrays;
  */
 final class PairSearch {
     /** Moved proxies of a block: small enough to balance, large enough to hide the dispatch. */
+    private static final int PROXIES_PER_BLOCK = 32;
+
     /** Up to so many pairs the library's sort makes no object. */
     private static final int FEW = 40;
-
-    private static final int PROXIES_PER_BLOCK = 32;
 
     /** First capacity of a block's buffer; a pile's collider meets about ten others. */
     private static final int FIRST_CAPACITY = 256;
