@@ -28,7 +28,7 @@ final class LawsTest {
     private static final double MOST_SPIN = 180;
 
     private static final List<Law> KEPT =
-            List.of(Law.ENERGY, Law.MOMENTUM, Law.BITS, Law.FINITE, Law.FAILURE);
+            List.of(Law.ENERGY, Law.MOMENTUM, Law.WALLS, Law.BITS, Law.FINITE, Law.FAILURE);
 
     /** Worlds of several bodies, of which 24 of 142 had other bits with 4 lanes than with one. */
     @Test
