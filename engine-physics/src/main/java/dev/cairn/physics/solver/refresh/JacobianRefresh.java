@@ -85,7 +85,7 @@ public final class JacobianRefresh {
 
     private double[] kept = {};
 
-    /** By place, for A and for B: {@link RoundTurn}'s; while there are round bodies. */
+    /** By place, for A and for B: what {@link RoundTurn} keeps. */
     private double[] rounds = {};
 
     /** By slot: whether a row of the body is renewed. */
