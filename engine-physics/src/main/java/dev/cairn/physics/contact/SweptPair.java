@@ -176,6 +176,7 @@ final class SweptPair {
     /** One collider of the pair. */
     private final class Side {
         private final double[] turned = new double[3];
+        private final double[] turn = new double[4];
         private int collider;
         private Shape shape = HalfSpace.of();
         private boolean isBall;
@@ -191,9 +192,10 @@ final class SweptPair {
         private double sx, sy, sz, sw;
 
         /**
-         * Surface speed of turning; size; inner radius; what the path of turning is uncertain by.
+         * Angular speed; surface speed of turning; size; inner radius; what the path of turning is
+         * uncertain by.
          */
-        private double rim, size, inner, doubt;
+        private double spin, rim, size, inner, doubt;
 
         /** At a time: how far the collider's centre has moved; its orientation; its body's turn. */
         private double x, y, z, qx, qy, qz, qw, tx, ty, tz, tw;
@@ -227,7 +229,7 @@ final class SweptPair {
             sy = s.orientationY[slot];
             sz = s.orientationZ[slot];
             sw = s.orientationW[slot];
-            double spin = Math.sqrt(wx * wx + wy * wy + wz * wz);
+            spin = Math.sqrt(wx * wx + wy * wy + wz * wz);
             double lever = Math.sqrt(leverX * leverX + leverY * leverY + leverZ * leverZ);
             double outer = colliders.outerRadius[slot];
             inner = colliders.innerRadius[slot];
@@ -257,30 +259,17 @@ final class SweptPair {
             }
         }
 
-        /**
-         * The turn by w t. An eighth of it has the half angle h with sin h and cos h by their
-         * series, and is squared three times.
-         */
         private void turn(double t) {
-            double part = t / 16;
-            double square = part * part * (wx * wx + wy * wy + wz * wz);
-            double sine = 1 - square / 6 * (1 - square / 20 * (1 - square / 42));
-            tw = 1 - square / 2 * (1 - square / 12 * (1 - square / 30 * (1 - square / 56)));
-            tx = part * wx * sine;
-            ty = part * wy * sine;
-            tz = part * wz * sine;
-            for (int i = 0; i < 3; i++) {
-                double twice = 2 * tw;
-                tw = tw * tw - tx * tx - ty * ty - tz * tz;
-                tx *= twice;
-                ty *= twice;
-                tz *= twice;
+            if (spin == 0) {
+                tx = ty = tz = 0;
+                tw = 1;
+                return;
             }
-            double length = Math.sqrt(tx * tx + ty * ty + tz * tz + tw * tw);
-            tx /= length;
-            ty /= length;
-            tz /= length;
-            tw /= length;
+            Rotations.turn(wx, wy, wz, spin, t, turn);
+            tx = turn[0];
+            ty = turn[1];
+            tz = turn[2];
+            tw = turn[3];
         }
 
         /** Where a point of now, from the collider's centre, was at the start, from the body's. */

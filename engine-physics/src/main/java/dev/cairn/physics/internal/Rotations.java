@@ -8,7 +8,46 @@ public final class Rotations {
     /** Four units in the last place of 1. */
     private static final double ROUNDING = 0x1p-50;
 
+    private static final double TWO_OVER_PI = 2 / Math.PI;
+
+    /** A quarter turn in two parts: the first has 33 bits, so its multiples are exact. */
+    private static final double QUARTER_HIGH = 0x1.921fb544p0, QUARTER_LOW = 0x1.0b4611a626331p-34;
+
     private Rotations() {}
+
+    /**
+     * The turn by w t: cosine and sine of the half angle h by their series, after the quarter turns
+     * in it are taken off. Only with + - * / and sqrt, so with the same bits everywhere.
+     *
+     * @param spin length of w, rad/s, above 0
+     * @param out receives the unit quaternion x, y, z, w
+     */
+    public static void turn(double wx, double wy, double wz, double spin, double t, double[] out) {
+        double half = 0.5 * spin * t;
+        double quarters = Math.rint(half * TWO_OVER_PI);
+        double h = half - quarters * QUARTER_HIGH - quarters * QUARTER_LOW;
+        double s = h * h;
+        double sine = series(s, 1) * h;
+        double cosine = series(s, 0);
+        long quadrant = (long) quarters & 3;
+        double c = (quadrant & 1) == 0 ? cosine : sine;
+        double d = (quadrant & 1) == 0 ? sine : cosine;
+        c = quadrant == 1 || quadrant == 2 ? -c : c;
+        d = quadrant >= 2 ? -d : d;
+        out[0] = d * wx / spin;
+        out[1] = d * wy / spin;
+        out[2] = d * wz / spin;
+        out[3] = c;
+    }
+
+    /** 1 - s/(o+1)(o+2) (1 - s/(o+3)(o+4) (…)): cosine for o = 0, sine over its angle for 1. */
+    private static double series(double s, int o) {
+        double sum = 1;
+        for (int i = 16 + o; i > o; i -= 2) {
+            sum = 1 - s / (i * (i - 1)) * sum;
+        }
+        return sum;
+    }
 
     /**
      * The factor that makes a quaternion a unit one, if it is one but for rounding.

@@ -12,11 +12,6 @@ import dev.cairn.physics.shape.Shape;
  * the origin. One thread.
  */
 public final class Flight {
-    private static final double TWO_OVER_PI = 2 / Math.PI;
-
-    /** A quarter turn in two parts: the first has 33 bits, so its multiples are exact. */
-    private static final double QUARTER_HIGH = 0x1.921fb544p0, QUARTER_LOW = 0x1.0b4611a626331p-34;
-
     /** What moves. */
     public Shape shape = HalfSpace.of();
 
@@ -47,6 +42,7 @@ public final class Flight {
     public double movedX, movedY, movedZ;
 
     private final double[] turned = new double[3];
+    private final double[] turn = new double[4];
 
     /** A shape that stays, until it is set. */
     public Flight() {}
@@ -102,7 +98,11 @@ public final class Flight {
             qw = sw;
             return;
         }
-        turn(t);
+        Rotations.turn(wx, wy, wz, spin, t, turn);
+        tx = turn[0];
+        ty = turn[1];
+        tz = turn[2];
+        tw = turn[3];
         qx = tw * sx + tx * sw + ty * sz - tz * sy;
         qy = tw * sy - tx * sz + ty * sw + tz * sx;
         qz = tw * sz + tx * sy - ty * sx + tz * sw;
@@ -113,37 +113,6 @@ public final class Flight {
             y += turned[1] - leverY;
             z += turned[2] - leverZ;
         }
-    }
-
-    /**
-     * The turn by w t: cosine and sine of the half angle h by their series, after the quarter turns
-     * in it are taken off.
-     */
-    private void turn(double t) {
-        double half = 0.5 * spin * t;
-        double quarters = Math.rint(half * TWO_OVER_PI);
-        double h = half - quarters * QUARTER_HIGH - quarters * QUARTER_LOW;
-        double s = h * h;
-        double sine = series(s, 1) * h;
-        double cosine = series(s, 0);
-        long quadrant = (long) quarters & 3;
-        double c = (quadrant & 1) == 0 ? cosine : sine;
-        double d = (quadrant & 1) == 0 ? sine : cosine;
-        c = quadrant == 1 || quadrant == 2 ? -c : c;
-        d = quadrant >= 2 ? -d : d;
-        tx = d * wx / spin;
-        ty = d * wy / spin;
-        tz = d * wz / spin;
-        tw = c;
-    }
-
-    /** 1 - s/(o+1)(o+2) (1 - s/(o+3)(o+4) (…)): cosine for o = 0, sine over its angle for 1. */
-    private static double series(double s, int o) {
-        double sum = 1;
-        for (int i = 16 + o; i > o; i -= 2) {
-            sum = 1 - s / (i * (i - 1)) * sum;
-        }
-        return sum;
     }
 
     /** Where a point of now, from the shape's centre, was at the start, from the pivot. */
