@@ -59,6 +59,27 @@ final class DocsTest {
         return blocks;
     }
 
+    /**
+     * {@code mvn -Prun}, {@code -Pcompare} and {@code -Prelease} ask every module for a program;
+     * who has none must say so, by the parent or, without one, itself.
+     */
+    @Test
+    void commandsOfTheReadmePassThroughEveryModule() throws IOException {
+        String parent = Files.readString(ROOT.resolve("pom.xml"));
+        Matcher modules = Pattern.compile("<module>([^<]*)</module>").matcher(parent);
+        while (modules.find()) {
+            Path pom = ROOT.resolve(modules.group(1)).resolve("pom.xml");
+            if (Files.exists(pom)) {
+                String text = Files.readString(pom);
+                assertTrue(
+                        text.contains("<parent>")
+                                || (text.contains("<exec.skip>true</exec.skip>")
+                                        && text.contains("<exec.executable>")),
+                        pom + " has no parent and no exec.skip, exec.executable");
+            }
+        }
+    }
+
     /** Both programs are compiled as a reader copies them, and run; the window's as a picture. */
     @Test
     void theQuickstartCompilesAndRuns(@TempDir Path folder)
