@@ -1,12 +1,12 @@
 package dev.cairn.samples.editor;
 
 import dev.cairn.samples.scenefile.EntitySpec;
-import dev.cairn.samples.scenefile.SceneEdit;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFileException;
-import dev.cairn.samples.scenefile.SceneHistory;
 import dev.cairn.samples.scenefile.Xyz;
+import dev.cairn.samples.scenefile.edit.SceneEdit;
+import dev.cairn.samples.scenefile.edit.SceneHistory;
 
 import org.jspecify.annotations.Nullable;
 

@@ -3,12 +3,12 @@ package dev.cairn.samples.editor;
 import dev.cairn.physics.collider.Filter;
 import dev.cairn.samples.scenefile.BodyKind;
 import dev.cairn.samples.scenefile.EntitySpec;
-import dev.cairn.samples.scenefile.JointEdit;
 import dev.cairn.samples.scenefile.JointSpec;
-import dev.cairn.samples.scenefile.SceneEdit;
 import dev.cairn.samples.scenefile.ShapeSpec.SphereShape;
 import dev.cairn.samples.scenefile.Turn;
 import dev.cairn.samples.scenefile.Xyz;
+import dev.cairn.samples.scenefile.edit.JointEdit;
+import dev.cairn.samples.scenefile.edit.SceneEdit;
 
 import org.jspecify.annotations.Nullable;
 

@@ -1,10 +1,10 @@
 package dev.cairn.samples.editor;
 
-import dev.cairn.samples.scenefile.SceneEdit;
 import dev.cairn.samples.scenefile.SceneFile;
-import dev.cairn.samples.scenefile.SceneHistory;
 import dev.cairn.samples.scenefile.SceneReader;
 import dev.cairn.samples.scenefile.SceneWriter;
+import dev.cairn.samples.scenefile.edit.SceneEdit;
+import dev.cairn.samples.scenefile.edit.SceneHistory;
 
 import org.jspecify.annotations.Nullable;
 

@@ -246,7 +246,7 @@ public record BodySpec(
      * @param body gets it
      * @throws IllegalArgumentException if a number is out of its range
      */
-    void tell(Body body) {
+    public void tell(Body body) {
         body.filter(filter)
                 .gravityScale(gravityScale)
                 .damping(linearDamping, angularDamping)

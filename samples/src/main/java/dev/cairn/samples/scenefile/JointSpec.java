@@ -394,7 +394,7 @@ public record JointSpec(
      * @return what to add to the world
      * @throws IllegalArgumentException if a number is out of range
      */
-    Joint joint(Jointed bodyA, Jointed bodyB) {
+    public Joint joint(Jointed bodyA, Jointed bodyB) {
         Joint joint = start(kind, bodyA, bodyB, parameters).name(name).collide(collides);
         Xyz pa = place.anchorA();
         Xyz pb = place.anchorB();

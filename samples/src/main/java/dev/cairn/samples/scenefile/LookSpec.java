@@ -49,6 +49,15 @@ public record LookSpec(
     }
 
     /**
+     * Whether the texture is a file, whose path is relative to that of the scene.
+     *
+     * @return false for none and for built-in ones
+     */
+    public boolean hasTextureFile() {
+        return texture != null && !texture.startsWith(Textures.PREFIX);
+    }
+
+    /**
      * The same with another texture.
      *
      * @param value path, {@code builtin:} name, or null

@@ -16,8 +16,6 @@
  *   FILE.json --JsonNode--&gt; SceneReader --&gt; SceneFile --SceneLoader--&gt; SceneBuilder (world, camera, light)
  *       ^                                     |   ^                        |
  *       +-------------- SceneWriter ----------+   +----- SceneExport ------+
- *                                             |
- *                                 SceneEdit, SceneHistory (undo, redo)
  * </pre>
  *
  * <p><b>Source.</b> The shortest decimal of a double: R. Giulietti, "The Schubfach way to render

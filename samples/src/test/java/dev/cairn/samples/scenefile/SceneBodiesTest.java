@@ -25,6 +25,7 @@ import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.SceneRegistry;
+import dev.cairn.samples.scenefile.edit.SceneEdit;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;

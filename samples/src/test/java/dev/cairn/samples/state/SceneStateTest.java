@@ -13,12 +13,12 @@ import dev.cairn.samples.replay.Act;
 import dev.cairn.samples.replay.Looks;
 import dev.cairn.samples.replay.Player;
 import dev.cairn.samples.replay.RunFile;
-import dev.cairn.samples.scenefile.SceneEdit;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneLoader;
 import dev.cairn.samples.scenefile.SceneReader;
 import dev.cairn.samples.scenefile.SceneWriter;
 import dev.cairn.samples.scenefile.Xyz;
+import dev.cairn.samples.scenefile.edit.SceneEdit;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

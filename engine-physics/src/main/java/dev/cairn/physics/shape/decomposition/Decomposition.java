@@ -44,8 +44,7 @@ public final class Decomposition {
      * How far parts go beyond the mesh: the largest distance from the mesh's solid that a point of
      * a part was found to have.
      *
-     * @return m; at most a quarter of the allowed error below the true maximum, if {@link
-     *     #beyondAtMost} says no more
+     * @return m; the true maximum is between this and {@link #beyondAtMost}
      */
     public double beyond() {
         return beyond;

@@ -1,7 +1,15 @@
-package dev.cairn.samples.scenefile;
+package dev.cairn.samples.scenefile.edit;
 
 import dev.cairn.physics.Body;
+import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.JointSpec;
+import dev.cairn.samples.scenefile.LookSpec;
+import dev.cairn.samples.scenefile.PartSpec;
+import dev.cairn.samples.scenefile.SceneFile;
+import dev.cairn.samples.scenefile.ShapeSpec;
 import dev.cairn.samples.scenefile.ShapeSpec.MeshShape;
+import dev.cairn.samples.scenefile.Turn;
+import dev.cairn.samples.scenefile.Xyz;
 
 import org.jspecify.annotations.Nullable;
 
@@ -128,7 +136,7 @@ public final class SceneEdit {
         for (EntitySpec entity : scene.entities()) {
             LookSpec look = entity.look();
             String texture = look.texture();
-            boolean own = texture != null && !texture.startsWith(Textures.PREFIX);
+            boolean own = look.hasTextureFile();
             EntitySpec moved =
                     entity.withLook(
                             new LookSpec(

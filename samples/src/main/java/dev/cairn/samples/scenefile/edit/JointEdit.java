@@ -1,9 +1,14 @@
-package dev.cairn.samples.scenefile;
+package dev.cairn.samples.scenefile.edit;
 
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.shape.Sphere;
+import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.JointSpec;
+import dev.cairn.samples.scenefile.SceneFile;
+import dev.cairn.samples.scenefile.Turn;
+import dev.cairn.samples.scenefile.Xyz;
 
 import org.joml.Quaterniond;
 import org.joml.Vector3d;

@@ -1,4 +1,6 @@
-package dev.cairn.samples.scenefile;
+package dev.cairn.samples.scenefile.edit;
+
+import dev.cairn.samples.scenefile.SceneFile;
 
 import org.jspecify.annotations.Nullable;
 
