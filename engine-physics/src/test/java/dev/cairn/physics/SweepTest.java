@@ -188,12 +188,37 @@ class SweepTest {
      */
     @Test
     void aBodysOwnGravityIsAsThatOfTheWorld() {
-        for (double share : new double[] {0, 2, -3}) {
+        for (double share : new double[] {0, 2, -3, 100}) {
             for (int i = 0; i < 10; i++) {
                 Vector3d own = rodAndBall(-9.81, share, SeamTest.random(70 + i));
                 Vector3d all = rodAndBall(-9.81 * share, 1, SeamTest.random(70 + i));
                 assertEquals(0, own.distance(all), 1e-9, "gravity times " + share + ", " + i);
             }
+        }
+        for (double share : new double[] {5, 30, 100}) {
+            double own = dropped(-9.81, share);
+            double all = dropped(-9.81 * share, 1);
+            assertEquals(all, own, 1e-9, "dropped, gravity times " + share);
+        }
+    }
+
+    /** How high a rod is that was dropped, at a slant, on a floor that it meets within a tick. */
+    private static double dropped(double gravity, double share) {
+        try (PhysicsWorld world = Scenes.awake().workers(1).gravity(0, gravity, 0).build()) {
+            Material hard = new Material(0, .9, 1000);
+            world.add(Body.fixed().shape(Box.ofHalfExtents(5, .01, 5)).material(hard));
+            BodyRef rod =
+                    world.add(
+                            Body.dynamic()
+                                    .shape(Box.ofHalfExtents(.2, .01, .01))
+                                    .at(0, .3, 0)
+                                    .rotationAbout(0, 0, 1, .4)
+                                    .gravityScale(share)
+                                    .material(hard));
+            for (int tick = 0; tick < 8; tick++) {
+                world.step(Scenes.STEP);
+            }
+            return rod.position().y;
         }
     }
 
