@@ -19,12 +19,8 @@ import dev.cairn.physics.shape.decomposition.Decomposition;
 import dev.cairn.render.camera.CameraMount;
 import dev.cairn.render.input.Control;
 import dev.cairn.render.input.Controllable;
-import dev.cairn.render.mesh.Model;
-import dev.cairn.render.mesh.ModelGroup;
 import dev.cairn.render.mesh.ObjModel;
-import dev.cairn.render.mesh.ObjReader;
 import dev.cairn.render.mesh.Texture;
-import dev.cairn.samples.Palette;
 import dev.cairn.samples.SampleScene;
 import dev.cairn.samples.SceneBuilder;
 import dev.cairn.samples.SceneView;
@@ -55,12 +51,10 @@ public final class SceneLoader {
     public static final long NOTHING = -1;
 
     /** Half the edge of the cube that collides and is drawn where a mesh cannot be used, m. */
-    private static final double PLACEHOLDER_HALF = 0.5;
+    static final double PLACEHOLDER_HALF = 0.5;
 
-    private final Path folder;
     private final SceneBuilder into;
-    private final Map<String, @Nullable ObjModel> meshes;
-    private final Map<String, @Nullable Texture> textures;
+    private final Looks looks;
     private final Map<Shared, Shape> shapes;
     private final Map<Shared, Decomposition> solids;
 
@@ -95,10 +89,8 @@ public final class SceneLoader {
     private static final int MOST_SHAPES = 4096;
 
     private SceneLoader(Path folder, SceneBuilder into, Assets assets) {
-        this.folder = folder;
         this.into = into;
-        meshes = assets.meshes;
-        textures = assets.textures;
+        looks = new Looks(folder, into, assets.meshes, assets.textures);
         shapes = assets.shapes;
         solids = assets.solids;
     }
@@ -293,8 +285,8 @@ public final class SceneLoader {
         if (look.visible()) {
             visual =
                     entity.physics().parts().isEmpty() || look.mesh() != null
-                            ? look(entity, shape, index)
-                            : look(parts, look, index);
+                            ? looks.look(entity, shape, index)
+                            : looks.look(parts, look, index);
         }
         Turn turn = entity.rotation();
         Xyz at = entity.position();
@@ -370,17 +362,6 @@ public final class SceneLoader {
         return parts;
     }
 
-    /** Several colliders are drawn as they are. */
-    private Visual look(List<Collider> parts, LookSpec look, int index) {
-        Integer rgb = look.rgb();
-        int colour = rgb != null ? rgb : Palette.body(index);
-        List<Model> models = new ArrayList<>();
-        for (Collider part : parts) {
-            models.add(textured(Model.of(part.placed()).color(colour), look, index));
-        }
-        return new Visual(models.size() == 1 ? models.get(0) : new ModelGroup(models));
-    }
-
     private static Shape placeholderShape(EntitySpec entity) {
         Xyz s = entity.scale();
         return Box.ofHalfExtents(
@@ -407,7 +388,7 @@ public final class SceneLoader {
     }
 
     private @Nullable Shape fileShape(String file, boolean isLevel, EntitySpec entity, int index) {
-        ObjModel mesh = mesh(file, index);
+        ObjModel mesh = looks.mesh(file, index);
         if (mesh == null) {
             return null;
         }
@@ -421,9 +402,8 @@ public final class SceneLoader {
                     ? MeshParts.surface(mesh.mesh(), scale[0], scale[1], scale[2])
                     : ConvexHull.of(points);
         } catch (DegenerateShapeException flat) {
-            meshes.put(file, null);
             String what = isLevel ? ": no surface: " : ": no convex hull of its points: ";
-            complain(index, file + what + flat.getMessage());
+            looks.refuse(file, index, what + flat.getMessage());
             return null;
         }
     }
@@ -432,7 +412,7 @@ public final class SceneLoader {
     private @Nullable Decomposition solid(MeshShape spec, EntitySpec entity, int index) {
         Shared key = new Shared(spec, entity.scale());
         Decomposition known = solids.get(key);
-        ObjModel mesh = known == null ? mesh(spec.file(), index) : null;
+        ObjModel mesh = known == null ? looks.mesh(spec.file(), index) : null;
         if (known != null || mesh == null) {
             return known;
         }
@@ -445,115 +425,19 @@ public final class SceneLoader {
                             .run(jobs);
             if (!made.isWithinAllowed()) {
                 into.remark(
-                        "entity %d: %d parts of %s go %.3g m beyond it, %.3g were allowed: allow more parts"
+                        "entity %d: %d parts of %s go up to %.3g m beyond it, %.3g were allowed: allow more parts"
                                 .formatted(
                                         index,
                                         made.parts().size(),
                                         SceneFileException.shown(spec.file()),
-                                        made.beyond(),
+                                        made.beyondAtMost(),
                                         made.allowed()));
             }
             solids.put(key, made);
             return made;
         } catch (DegenerateShapeException flat) {
-            meshes.put(spec.file(), null);
-            complain(index, spec.file() + ": no solid: " + flat.getMessage());
+            looks.refuse(spec.file(), index, ": no solid: " + flat.getMessage());
             return null;
         }
-    }
-
-    private Visual look(EntitySpec entity, @Nullable Shape shape, int index) {
-        LookSpec look = entity.look();
-        Xyz s = entity.scale();
-        Integer rgb = look.rgb();
-        String file =
-                look.mesh() != null
-                        ? look.mesh()
-                        : entity.shape() instanceof MeshShape own ? own.file() : null;
-        if (file == null) {
-            if (shape == null) {
-                throw new IllegalStateException("entity " + index + " has no shape");
-            }
-            Model model = Model.of(shape).color(rgb != null ? rgb : Palette.body(index));
-            return new Visual(textured(model, look, index));
-        }
-        ObjModel mesh = mesh(file, index);
-        if (mesh == null) {
-            double half = PLACEHOLDER_HALF;
-            return new Visual(Model.placeholder().scale(half * s.x(), half * s.y(), half * s.z()));
-        }
-        Xyz m = look.meshScale();
-        ModelGroup parts =
-                mesh.look()
-                        .map(part ->
-                                textured(
-                                                part.color(colour(mesh, part.rgb(), rgb, index)),
-                                                look,
-                                                index)
-                                        .scale(m.x() * s.x(), m.y() * s.y(), m.z() * s.z()));
-        return new Visual(parts.parts().size() == 1 ? parts.parts().get(0) : parts);
-    }
-
-    private Model textured(Model model, LookSpec look, int index) {
-        String texture = look.texture();
-        return texture == null
-                ? model
-                : model.texture(texture(texture, index).tiledEvery(look.tileMetres()));
-    }
-
-    /** The entity's colour tints the materials of its file; without materials it is the colour. */
-    private static int colour(ObjModel mesh, int own, @Nullable Integer wanted, int index) {
-        if (!mesh.hasMaterials()) {
-            return wanted != null ? wanted : Palette.body(index);
-        }
-        if (wanted == null) {
-            return own;
-        }
-        int rgb = 0;
-        for (int shift = 16; shift >= 0; shift -= 8) {
-            int product = ((own >> shift) & 255) * ((wanted >> shift) & 255);
-            rgb |= ((product + 127) / 255) << shift;
-        }
-        return rgb;
-    }
-
-    private @Nullable ObjModel mesh(String file, int index) {
-        if (!meshes.containsKey(file)) {
-            ObjModel mesh = null;
-            try {
-                mesh =
-                        ObjReader.readModel(
-                                AssetPath.of(folder, file, AssetPath.MESHES),
-                                told -> complain(index, told));
-            } catch (IllegalArgumentException broken) {
-                complain(index, String.valueOf(broken.getMessage()));
-            }
-            meshes.put(file, mesh);
-        }
-        return meshes.get(file);
-    }
-
-    private Texture texture(String name, int index) {
-        Texture builtIn = Textures.builtIn(name);
-        if (builtIn != null) {
-            return builtIn;
-        }
-        Texture known = textures.get(name);
-        if (known == null) {
-            try {
-                known = Texture.read(AssetPath.of(folder, name, AssetPath.PICTURES));
-            } catch (IllegalArgumentException broken) {
-                complain(index, String.valueOf(broken.getMessage()));
-                known = Texture.missing();
-            }
-            textures.put(name, known);
-        }
-        return known;
-    }
-
-    private void complain(int index, String message) {
-        into.remark(
-                "entity %d shows a placeholder: %s"
-                        .formatted(index, SceneFileException.shown(message)));
     }
 }
