@@ -32,7 +32,7 @@ abstract class HoldingRows extends AssemblyEquations {
                 boolean bound = store.held[row] != 0;
                 s.isActive[r] =
                         switch (store.role[row]) {
-                                    case JointStore.LIMIT -> bound;
+                                    case JointStore.LIMIT -> bound && isAt(k, r, row);
                                     case JointStore.MOTOR -> !bound;
                                     case JointStore.SPRING -> moves && !bound && isSprung(r, row);
                                     default -> true;
@@ -42,6 +42,7 @@ abstract class HoldingRows extends AssemblyEquations {
                     set(k, r, isRound(k, row) ? held(k, row) : store.held[row] * bound(row));
                 }
             }
+            standAll(k);
         }
     }
 
@@ -71,6 +72,7 @@ abstract class HoldingRows extends AssemblyEquations {
                     changed |= clamp(k, r, row);
                 }
             }
+            changed |= standAll(k);
         }
         changes += changed ? 1 : 0;
         return changed;
@@ -94,10 +96,93 @@ abstract class HoldingRows extends AssemblyEquations {
             s.isActive[r] = true;
             return true;
         }
-        if (round == 0 || s.impulse[r] * store.held[row] <= 0) {
+        if (round == 0 || s.impulse[r] * store.held[row] <= pressure(k, row)) {
             return false;
         }
         return release(k, r, row);
+    }
+
+    /**
+     * Impulse with which motors press the axis of a limit against it. A motor that drives its axis
+     * into a limit stands still, and the limit holds both ways: what it pulls is the motor's.
+     */
+    double pressure(int k, int limit) {
+        double sum = 0;
+        int first = store.firstRow[s.joint[k]];
+        for (int row = first; row < first + store.rows[s.joint[k]]; row++) {
+            sum += presses(row, limit) ? bound(row) : 0;
+        }
+        return sum;
+    }
+
+    /** Whether a row is that of a motor that drives the axis of a limit further into it. */
+    private boolean presses(int row, int limit) {
+        return store.role[row] == JointStore.MOTOR
+                && store.law[row] == store.law[limit]
+                && store.target[row] * store.held[limit] >= 0;
+    }
+
+    /** Whether a limit that holds has brought a motor to a stand. */
+    private boolean stands(int k, int motor) {
+        int first = store.firstRow[s.joint[k]];
+        for (int row = first; row < first + store.rows[s.joint[k]]; row++) {
+            if (store.role[row] == JointStore.LIMIT
+                    && store.held[row] != 0
+                    && presses(motor, row)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean standAll(int k) {
+        boolean changed = false;
+        for (int r = s.firstRow[k]; r < s.firstRow[k + 1] && !s.isRigid; r++) {
+            if (store.role[row(k, r)] == JointStore.MOTOR && s.compliance[r] > 0) {
+                changed |= stand(k, r, row(k, r));
+            }
+        }
+        return changed;
+    }
+
+    /**
+     * Brings a motor to a stand, or lets it go on, with all that it has: less was not enough to
+     * stay at the limit. Whether it is another than before.
+     */
+    private boolean stand(int k, int r, int row) {
+        boolean stands = stands(k, row);
+        boolean stood = !s.isActive[r] && store.held[row] == 0;
+        if (stands && !stood) {
+            set(k, r, 0);
+            s.isActive[r] = false;
+            store.held[row] = 0;
+        } else if (stood && !stands) {
+            double most = bound(row);
+            double way = Math.signum(store.target[row]);
+            s.isActive[r] = way == 0 || most == Double.POSITIVE_INFINITY;
+            store.held[row] = (byte) (s.isActive[r] ? 0 : way);
+            set(k, r, s.isActive[r] ? 0 : way * most);
+        }
+        return stands != stood;
+    }
+
+    /**
+     * Whether a limit that held still does; not one that a body was taken away from, or whose axis
+     * a motor that is strong enough drives away.
+     */
+    private boolean isAt(int k, int r, int limit) {
+        double edge = store.held[limit] < 0 ? store.lower[limit] : store.upper[limit];
+        boolean leaves = (edge - s.start[r]) * store.held[limit] > TINY;
+        int first = store.firstRow[s.joint[k]];
+        for (int row = first; row < first + store.rows[s.joint[k]]; row++) {
+            leaves |=
+                    store.role[row] == JointStore.MOTOR
+                            && store.law[row] == store.law[limit]
+                            && store.held[row] == 0
+                            && store.target[row] * store.held[limit] < 0;
+        }
+        store.held[limit] = leaves ? 0 : store.held[limit];
+        return !leaves;
     }
 
     boolean release(int k, int r, int row) {
@@ -239,7 +324,8 @@ abstract class HoldingRows extends AssemblyEquations {
                     continue;
                 }
                 if (store.role[row] == JointStore.LIMIT) {
-                    changed |= s.impulse[r] * store.held[row] > 0 && release(k, r, row);
+                    changed |=
+                            s.impulse[r] * store.held[row] > pressure(k, row) && release(k, r, row);
                 } else if (store.role[row] == JointStore.MOTOR
                         && Math.abs(s.impulse[r]) > bound(row)) {
                     s.isActive[r] = false;
@@ -247,6 +333,7 @@ abstract class HoldingRows extends AssemblyEquations {
                     changed = true;
                 }
             }
+            changed |= standAll(k);
         }
         changes += changed ? 1 : 0;
         return changed;
