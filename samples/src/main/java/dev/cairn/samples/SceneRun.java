@@ -344,7 +344,10 @@ public final class SceneRun {
         }
 
         void depth(SceneBuilder built) {
-            deepest = Math.max(deepest, Penetration.deepest(built.bodies()));
+            deepest =
+                    Math.max(
+                            deepest,
+                            Penetration.deepest(built.bodies(), built.world().joints().all()));
         }
 
         /** Nearest-rank percentile of the ticks after the first, ms; 0 if there are none. */

@@ -97,7 +97,7 @@ final class Judge implements AutoCloseable {
         built.afterTick();
         ticks++;
         if (ticks % stride == 0 || ticks == scene.ticks()) {
-            double depth = Penetration.deepest(built.bodies());
+            double depth = Penetration.deepest(built.bodies(), built.world().joints().all());
             deepest = Math.max(deepest, depth);
             if (ticks >= REST * scene.ticks()) {
                 deepestAtRest = Math.max(deepestAtRest, depth);

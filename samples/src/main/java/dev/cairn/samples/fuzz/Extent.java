@@ -1,5 +1,7 @@
 package dev.cairn.samples.fuzz;
 
+import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.PartSpec;
 import dev.cairn.samples.scenefile.ShapeSpec;
 import dev.cairn.samples.scenefile.Xyz;
 
@@ -8,6 +10,24 @@ import java.util.List;
 /** How large and how thin the shapes of the generator are. */
 final class Extent {
     private Extent() {}
+
+    /** Radius of the ball about an entity's origin that holds all of its parts, m. */
+    static double outer(EntitySpec entity) {
+        double most = 0;
+        for (PartSpec part : entity.parts()) {
+            most = Math.max(most, length(part.position()) + outer(part.shape()));
+        }
+        return most;
+    }
+
+    /** Half the least thickness of an entity's parts, m. */
+    static double inner(EntitySpec entity) {
+        double least = Double.POSITIVE_INFINITY;
+        for (PartSpec part : entity.parts()) {
+            least = Math.min(least, inner(part.shape()));
+        }
+        return least;
+    }
 
     /** Radius of the ball about the origin of a shape's frame that holds it, m. */
     static double outer(ShapeSpec shape) {
@@ -25,7 +45,7 @@ final class Extent {
                 }
                 yield most;
             }
-            default -> throw new IllegalStateException("the generator has no " + shape.type());
+            default -> Double.POSITIVE_INFINITY;
         };
     }
 
@@ -47,7 +67,7 @@ final class Extent {
                 }
                 yield least(new Xyz(x, y, z));
             }
-            default -> throw new IllegalStateException("the generator has no " + shape.type());
+            default -> Double.POSITIVE_INFINITY;
         };
     }
 

@@ -12,5 +12,12 @@ public enum Family {
     /** The same without gravity and with nothing around: only momenta and energy. */
     SPACE,
     /** Everything: the whole of the ranges, other ticks and sub-steps. */
-    WIDE
+    WIDE,
+    /**
+     * Bodies of one and of several shapes on a half-space, a slab, tiles, triangles or heights,
+     * among fixed benches; for some, something kinematic moves among them.
+     */
+    LEVEL,
+    /** Chains, loops, limbs, doors and carts, with loose things around them. */
+    MACHINE
 }

@@ -59,7 +59,9 @@ public final class FuzzCommand {
     @Option(names = "--world", paramLabel = "INDEX", description = "Run this world only.")
     @Nullable Long world;
 
-    @Option(names = "--family", description = "Only worlds of HOUSE, ROOM, SPACE or WIDE.")
+    @Option(
+            names = "--family",
+            description = "Only worlds of HOUSE, ROOM, SPACE, WIDE, LEVEL or MACHINE.")
     @Nullable Family family;
 
     @Option(names = "--law", description = "Look at this law only.")
@@ -159,20 +161,14 @@ public final class FuzzCommand {
         Path file = folder.resolve("%d-%d.json".formatted(fuzz.seed(), fuzz.index()));
         SceneFile scene = least.scene();
         SceneFile told =
-                new SceneFile(
-                        scene.name(),
+                scene.withDescription(
                         "%s; family %s, ticks %s of %s s, sleep %s"
                                 .formatted(
                                         still == null ? first : still,
                                         least.family(),
                                         least.pace(),
                                         scene.tick().seconds(),
-                                        least.sleeping() ? "on" : "off"),
-                        scene.gravity(),
-                        scene.tick(),
-                        scene.camera(),
-                        scene.light(),
-                        scene.entities());
+                                        least.sleeping() ? "on" : "off"));
         try {
             Files.createDirectories(folder);
         } catch (IOException unwritable) {

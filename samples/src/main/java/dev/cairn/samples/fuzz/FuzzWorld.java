@@ -1,19 +1,22 @@
 package dev.cairn.samples.fuzz;
 
-import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
+import dev.cairn.samples.SceneBuilder;
+import dev.cairn.samples.SceneOptions;
 import dev.cairn.samples.scenefile.BodyKind;
 import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.JointSpec;
+import dev.cairn.samples.scenefile.LookSpec;
 import dev.cairn.samples.scenefile.SceneFile;
-import dev.cairn.samples.scenefile.Turn;
+import dev.cairn.samples.scenefile.SceneLoader;
 import dev.cairn.samples.scenefile.Xyz;
 
-import org.joml.Quaterniond;
-
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 
 /**
  * A world to be tried: a scene, and what a scene file does not say. Immutable.
@@ -37,6 +40,7 @@ public record FuzzWorld(
         boolean sleeping,
         double room,
         double floor) {
+    private static final LookSpec UNSEEN = new LookSpec(false, null, null, 0, null, Xyz.ONE);
 
     /** Whether nothing fixed is there and nothing pulls. */
     public boolean isFree() {
@@ -77,18 +81,10 @@ public record FuzzWorld(
      * @return a copy
      */
     public FuzzWorld lasting(int ticks, int substeps) {
-        SceneFile s = scene;
-        SceneFile.TickSpec tick =
-                new SceneFile.TickSpec(s.tick().seconds(), substeps, ticks, Math.min(ticks, 1));
         return withScene(
-                new SceneFile(
-                        s.name(),
-                        s.description(),
-                        s.gravity(),
-                        tick,
-                        s.camera(),
-                        s.light(),
-                        s.entities()));
+                scene.withTick(
+                        new SceneFile.TickSpec(
+                                scene.tick().seconds(), substeps, ticks, Math.min(ticks, 1))));
     }
 
     /** The lengths of its ticks, s. */
@@ -109,6 +105,11 @@ public record FuzzWorld(
                 .withLanes(lanes);
     }
 
+    /** Whether something moves that nothing stops, and so gives energy. */
+    public boolean isDriven() {
+        return scene.entities().stream().anyMatch(e -> e.body() == BodyKind.KINEMATIC);
+    }
+
     /**
      * Builds the world.
      *
@@ -118,43 +119,36 @@ public record FuzzWorld(
      * @return a world, to be closed
      */
     public PhysicsWorld build(int workers, PhysicsSettings settings, List<BodyRef> bodies) {
-        PhysicsWorld world =
-                PhysicsWorld.builder()
-                        .gravity(scene.gravity().x(), scene.gravity().y(), scene.gravity().z())
-                        .workers(workers)
-                        .settings(settings)
-                        .build();
-        for (EntitySpec entity : scene.entities()) {
-            bodies.add(world.add(body(entity)));
-        }
+        PhysicsWorld world = PhysicsWorld.builder().workers(workers).settings(settings).build();
+        SceneFile unseen =
+                scene.withEntities(scene.entities().stream().map(e -> e.withLook(UNSEEN)).toList());
+        SceneBuilder builder = new SceneBuilder(world, new SceneOptions(Map.of(), 1, null));
+        SceneLoader.build(unseen, Path.of(""), builder);
+        bodies.addAll(builder.bodies());
         return world;
     }
 
-    private static Body body(EntitySpec e) {
-        Turn q = e.rotation();
-        Body body =
-                (e.body() == BodyKind.FIXED ? Body.fixed() : Body.dynamic())
-                        .shape(e.shape().collider(e.scale()))
-                        .at(e.position().x(), e.position().y(), e.position().z())
-                        .rotation(new Quaterniond(q.x(), q.y(), q.z(), q.w()))
-                        .material(e.material())
-                        .velocity(e.velocity().x(), e.velocity().y(), e.velocity().z())
-                        .angularVelocity(
-                                e.angularVelocity().x(),
-                                e.angularVelocity().y(),
-                                e.angularVelocity().z());
-        Double mass = e.mass();
-        if (mass != null) {
-            body.mass(mass);
-        }
-        return body;
-    }
-
-    /** The scene without one entity. */
+    /** The scene without one entity and its joints. */
     FuzzWorld without(int entity) {
         List<EntitySpec> rest = new ArrayList<>(scene.entities());
         rest.remove(entity);
-        return withScene(scene.withEntities(rest));
+        List<JointSpec> joints = new ArrayList<>();
+        for (JointSpec joint : scene.joints()) {
+            if (joint.a() != entity && joint.b() != entity) {
+                joints.add(
+                        joint.between(
+                                joint.a() - (joint.a() > entity ? 1 : 0),
+                                joint.b() - (joint.b() > entity ? 1 : 0)));
+            }
+        }
+        return withScene(scene.withJoints(List.of()).withEntities(rest).withJoints(joints));
+    }
+
+    /** The scene without one joint. */
+    FuzzWorld withoutJoint(int joint) {
+        List<JointSpec> rest = new ArrayList<>(scene.joints());
+        rest.remove(joint);
+        return withScene(scene.withJoints(rest));
     }
 
     /** The scene with another entity in the place of one. */

@@ -16,6 +16,8 @@ public enum Law {
     OVERLAP("deepest overlap over the least inner radius", 0.1),
     /** What has rested in every visible sense for three seconds sleeps. */
     SLEEP("bodies awake", 0),
+    /** No joint is apart. */
+    GAP("gap of a joint, rad, or over the lesser outer radius of its bodies", 1e-3),
     /** The same bits for any number of workers and lanes. */
     BITS("ticks with other bits", 0),
     /** Nothing that was finite is quarantined. */

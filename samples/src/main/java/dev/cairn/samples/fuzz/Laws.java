@@ -4,7 +4,11 @@ import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.PhysicsSettings;
 import dev.cairn.physics.PhysicsWorld;
 import dev.cairn.physics.body.Kinetics;
+import dev.cairn.physics.joint.JointRef;
 import dev.cairn.samples.overlap.Penetration;
+import dev.cairn.samples.scenefile.BodyKind;
+import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.JointSpec;
 
 import org.joml.Matrix3d;
 import org.joml.Vector3d;
@@ -27,7 +31,9 @@ public final class Laws {
     private final FuzzWorld fuzz;
     private final Map<Law, Breach> broken = new EnumMap<>(Law.class);
     private final List<BodyRef> bodies = new ArrayList<>();
+    private final List<JointRef> joints = new ArrayList<>();
     private final Vector3d at = new Vector3d();
+    private final Vector3d other = new Vector3d();
 
     /**
      * By body: centre of mass and outer radius at the start of its visible rest, and since when.
@@ -68,6 +74,7 @@ public final class Laws {
         long[] digests = new long[bits ? ticks.length : 0];
         int tick = 0;
         try (PhysicsWorld world = fuzz.build(1, fuzz.settings(1), bodies)) {
+            joints.addAll(world.joints().all());
             begin(world);
             for (; tick < ticks.length; tick++) {
                 world.step(ticks[tick]);
@@ -122,10 +129,13 @@ public final class Laws {
         energyScale = firstEnergy;
         for (int i = 0; i < n; i++) {
             BodyRef body = bodies.get(i);
-            if (body.isFixed()) {
+            EntitySpec entity = fuzz.scene().entities().get(i);
+            if (!fuzz.scene().joints().isEmpty() || entity.body() == BodyKind.DYNAMIC) {
+                radius[i] = Extent.outer(entity);
+            }
+            if (entity.body() != BodyKind.DYNAMIC) {
                 continue;
             }
-            radius[i] = Extent.outer(fuzz.scene().entities().get(i).shape());
             mass[i] = body.mass();
             energyScale += mass[i] * pull * radius[i];
             body.centreOfMass(at);
@@ -144,7 +154,7 @@ public final class Laws {
 
     private void look(PhysicsWorld world, int tick) {
         breach(Law.FINITE, world.quarantined().size(), tick, "");
-        if (energyScale > 0) {
+        if (energyScale > 0 && !fuzz.isDriven()) {
             double energy = world.kineticEnergy() + world.potentialEnergy();
             breach(Law.ENERGY, (energy - firstEnergy) / energyScale, tick, "");
         }
@@ -161,6 +171,23 @@ public final class Laws {
                 body(i, tick);
             }
         }
+        for (int k = 0; k < joints.size(); k++) {
+            joint(k, tick);
+        }
+    }
+
+    /** A gap is told as the larger of metres and radians, so the metres are looked at alone too. */
+    private void joint(int k, int tick) {
+        JointSpec spec = fuzz.scene().joints().get(k);
+        JointRef joint = joints.get(k);
+        double least = Math.min(radius[spec.a()], radius[spec.b()]);
+        double gap = joint.gap() / Math.max(1, least);
+        switch (spec.kind()) {
+            case "rope", "rod", "slider" -> {}
+            default ->
+                    gap = Math.max(gap, joint.anchorA(at).distance(joint.anchorB(other)) / least);
+        }
+        breach(Law.GAP, gap, tick, spec.kind() + " " + k);
     }
 
     private void body(int i, int tick) {
@@ -208,10 +235,10 @@ public final class Laws {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0; i < mass.length; i++) {
             if (mass[i] > 0) {
-                least = Math.min(least, Extent.inner(fuzz.scene().entities().get(i).shape()));
+                least = Math.min(least, Extent.inner(fuzz.scene().entities().get(i)));
             }
         }
-        breach(Law.OVERLAP, Penetration.deepest(bodies) / least, tick, "");
+        breach(Law.OVERLAP, Penetration.deepest(bodies, joints) / least, tick, "");
         if (fuzz.sleeping() && longest > SLEEPS_WITHIN) {
             breach(Law.SLEEP, awake, tick, "");
         }

@@ -43,6 +43,7 @@ final class Shrinker {
         do {
             shrinker.smaller = false;
             shrinker.bodies();
+            shrinker.joints();
             shrinker.calm();
             shrinker.plain();
         } while (shrinker.smaller && shrinker.runs < MOST_RUNS);
@@ -67,6 +68,12 @@ final class Shrinker {
             if (entity(i).name().isEmpty() || !(law == Law.WALLS || law == Law.SINK)) {
                 attempt(least.without(i));
             }
+        }
+    }
+
+    private void joints() {
+        for (int i = least.scene().joints().size() - 1; i >= 0; i--) {
+            attempt(least.withoutJoint(i));
         }
     }
 
@@ -101,19 +108,15 @@ final class Shrinker {
     private void plain() {
         attempt(least.withPace(Pace.EVEN));
         attempt(least.lasting(least.scene().tick().ticks(), 4));
-        SceneFile s = least.scene();
-        SceneFile.TickSpec tick =
-                new SceneFile.TickSpec(
-                        1.0 / 60, s.tick().substeps(), s.tick().ticks(), s.tick().pictureTick());
+        SceneFile.TickSpec tick = least.scene().tick();
         attempt(
                 least.withScene(
-                        new SceneFile(
-                                s.name(),
-                                s.description(),
-                                s.gravity(),
-                                tick,
-                                s.camera(),
-                                s.light(),
-                                s.entities())));
+                        least.scene()
+                                .withTick(
+                                        new SceneFile.TickSpec(
+                                                1.0 / 60,
+                                                tick.substeps(),
+                                                tick.ticks(),
+                                                tick.pictureTick()))));
     }
 }

@@ -2,7 +2,6 @@ package dev.cairn.samples.fuzz;
 
 import dev.cairn.samples.scenefile.BodyKind;
 import dev.cairn.samples.scenefile.EntitySpec;
-import dev.cairn.samples.scenefile.ShapeSpec;
 
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
@@ -55,11 +54,10 @@ public final class Tally {
         double bounce = 0;
         for (EntitySpec e : fuzz.scene().entities()) {
             if (e.body() == BodyKind.DYNAMIC) {
-                ShapeSpec shape = e.shape();
-                thin = Math.min(thin, Extent.inner(shape) / Extent.outer(shape));
+                thin = Math.min(thin, Extent.inner(e) / Extent.outer(e));
                 spin = Math.max(spin, Extent.length(e.angularVelocity()));
                 Double own = e.mass();
-                double mass = own == null ? Math.pow(Extent.outer(shape), 3) : own;
+                double mass = own == null ? Math.pow(Extent.outer(e), 3) : own;
                 lightest = Math.min(lightest, mass);
                 heaviest = Math.max(heaviest, mass);
                 bounce = Math.max(bounce, e.material().restitution());

@@ -3,8 +3,11 @@ package dev.cairn.samples.fuzz;
 import dev.cairn.physics.Material;
 import dev.cairn.render.camera.Light;
 import dev.cairn.samples.scenefile.BodyKind;
+import dev.cairn.samples.scenefile.BodySpec;
 import dev.cairn.samples.scenefile.EntitySpec;
+import dev.cairn.samples.scenefile.JointSpec;
 import dev.cairn.samples.scenefile.LookSpec;
+import dev.cairn.samples.scenefile.PartSpec;
 import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneFile.CameraSpec;
 import dev.cairn.samples.scenefile.SceneFile.TickSpec;
@@ -28,6 +31,12 @@ public final class WorldGenerator {
     private static final double G = 9.81;
     private static final double TAU = 2 * Math.PI;
 
+    /** Size of the least machine, m: wheels of a millimetre are WIDE. */
+    private static final double LEAST_MACHINE = 0.2;
+
+    /** Of machines, rad/s. */
+    private static final double MOST_MACHINE_SPIN = 10;
+
     /** Odd, so that neighbouring indices share no stream. */
     private static final long STRIDE = 0x9E3779B97F4A7C15L;
 
@@ -35,14 +44,20 @@ public final class WorldGenerator {
     private final long index;
     private final Family family;
     private final SplittableRandom random;
+    private final Draws draws;
     private final List<EntitySpec> entities = new ArrayList<>();
+    private final List<JointSpec> joints = new ArrayList<>();
     private final List<double[]> balls = new ArrayList<>();
+
+    /** Above which bodies are placed, m. */
+    private double low;
 
     private WorldGenerator(long seed, long index, Family family, SplittableRandom random) {
         this.seed = seed;
         this.index = index;
         this.family = family;
         this.random = random;
+        draws = new Draws(random, family == Family.WIDE ? -4 : -1.7);
     }
 
     /**
@@ -56,19 +71,24 @@ public final class WorldGenerator {
     public static FuzzWorld world(long seed, long index, @Nullable Family only) {
         SplittableRandom random = new SplittableRandom(seed * STRIDE + index).split();
         double u = random.nextDouble();
-        Family drawn =
-                u < 0.4
-                        ? Family.HOUSE
-                        : u < 0.6 ? Family.ROOM : u < 0.75 ? Family.SPACE : Family.WIDE;
-        return new WorldGenerator(seed, index, only == null ? drawn : only, random).draw();
+        return new WorldGenerator(seed, index, only == null ? drawn(u) : only, random).draw();
+    }
+
+    private static Family drawn(double u) {
+        if (u < 0.6) {
+            return u < 0.25 ? Family.HOUSE : u < 0.4 ? Family.ROOM : Family.LEVEL;
+        }
+        return u < 0.75 ? Family.MACHINE : u < 0.85 ? Family.SPACE : Family.WIDE;
     }
 
     private FuzzWorld draw() {
         boolean wide = family == Family.WIDE;
-        boolean space = family == Family.SPACE || (wide && random.nextInt(4) == 0);
+        boolean space =
+                family == Family.SPACE
+                        || ((wide || family == Family.MACHINE) && random.nextInt(4) == 0);
         boolean closed = !space && (family == Family.ROOM || (wide && random.nextInt(3) == 0));
-        double size = wide ? power(-3, 3) : power(-1.7, 0.3);
-        double base = wide && random.nextInt(3) == 0 ? power(-3, -1.5) : 1.0 / 60;
+        double size = wide ? draws.power(-3, 3) : draws.power(-1.7, 0.3);
+        double base = wide && random.nextInt(3) == 0 ? draws.power(-3, -1.5) : 1.0 / 60;
         Pace pace = Pace.EVEN;
         int substeps = 4;
         if (wide) {
@@ -85,16 +105,27 @@ public final class WorldGenerator {
         int count = count();
         double restitution = restitution();
         boolean tower = !space && !closed && random.nextInt(8) == 0;
-        if (tower) {
+        Grounds grounds = null;
+        if (family == Family.LEVEL || (family == Family.MACHINE && !space)) {
+            grounds = Grounds.draw(draws, size);
+            base(grounds, size);
+        }
+        if (family == Family.MACHINE) {
+            machines(1 + random.nextInt(2), size, space);
+            scatter(random.nextInt(4), size, space, restitution, base);
+        } else if (tower && family != Family.LEVEL) {
             tower(count, size);
         } else {
             scatter(count, size, space, restitution, base);
         }
         double room = Double.POSITIVE_INFINITY;
         double floor = Double.POSITIVE_INFINITY;
-        Material ground = new Material(friction(), restitution, 1000);
+        Material ground = new Material(draws.friction(), restitution, 1000);
         if (closed) {
             room = closeRoom(ground);
+        } else if (grounds != null) {
+            grounds.entities().forEach(e -> entities.add(e.withMaterial(ground, null)));
+            floor = grounds.half();
         } else if (!space) {
             floor = floor(ground, size);
         }
@@ -107,7 +138,10 @@ public final class WorldGenerator {
                         new TickSpec(base, substeps, ticks, 1),
                         camera(size),
                         Light.DAYLIGHT,
-                        entities);
+                        entities,
+                        joints,
+                        List.of(),
+                        null);
         return new FuzzWorld(seed, index, family, scene, pace, sleeping, room, floor);
     }
 
@@ -126,58 +160,49 @@ public final class WorldGenerator {
         return kind < 2 ? 0 : kind == 2 ? random.nextDouble() : 1;
     }
 
-    private double friction() {
-        return random.nextInt(4) == 0 ? 0 : 2 * random.nextDouble();
-    }
-
-    private double power(double least, double most) {
-        return StrictMath.pow(10, least + (most - least) * random.nextDouble());
-    }
-
-    private double signed() {
-        return 2 * random.nextDouble() - 1;
-    }
-
-    private Turn turn() {
-        if (random.nextInt(4) == 0) {
-            return Turn.NONE;
-        }
-        return Turn.about(new Xyz(signed(), signed(), signed() + 1e-3), 360 * random.nextDouble());
-    }
-
     // Bodies -------------------------------------------------------------------------------------
 
     private void scatter(int count, double size, boolean space, double restitution, double tick) {
         boolean column = random.nextBoolean();
         double most = 0;
         for (int i = 0; i < count; i++) {
-            double own = size * power(-0.7, 0);
-            ShapeSpec shape = shape(own);
-            double radius = Extent.outer(shape);
+            double own = size * draws.power(-0.7, 0);
+            EntitySpec thing = thing(own);
+            double radius = Extent.outer(thing);
             most = Math.max(most, radius);
             double width = column ? 0.5 * most : 2 * most * Math.cbrt(count);
             Xyz at = free(radius, width, space);
             boolean peg = !space && random.nextInt(10) == 0;
             EntitySpec entity =
-                    EntitySpec.of("", peg ? BodyKind.FIXED : BodyKind.DYNAMIC, shape)
-                            .at(at, turn())
+                    thing.withBody(peg ? BodyKind.FIXED : BodyKind.DYNAMIC)
+                            .at(at, draws.turn())
                             .withMaterial(
-                                    new Material(friction(), restitution, power(2, 4)),
-                                    family == Family.WIDE ? power(-3, 3) : null);
+                                    new Material(draws.friction(), restitution, draws.power(2, 4)),
+                                    family == Family.WIDE ? draws.power(-3, 3) : null);
             entities.add(peg ? entity : moving(entity, at, radius, space, tick));
         }
+    }
+
+    /** In a level every second one is of several shapes. */
+    private EntitySpec thing(double size) {
+        if (family == Family.LEVEL && random.nextBoolean()) {
+            List<PartSpec> parts = draws.parts(size);
+            return EntitySpec.of("", BodyKind.DYNAMIC, parts.get(0).shape())
+                    .withPhysics(BodySpec.DEFAULT.withParts(parts));
+        }
+        return EntitySpec.of("", BodyKind.DYNAMIC, draws.shape(size));
     }
 
     /** A place for a ball among those before, wider and higher until it is free. */
     private Xyz free(double radius, double width, boolean space) {
         double wide = width;
         while (true) {
-            double x = wide * signed();
-            double z = wide * signed();
+            double x = wide * draws.signed();
+            double z = wide * draws.signed();
             double y =
                     space
-                            ? wide * signed()
-                            : radius * 1.02 + (wide + 2 * radius) * random.nextDouble();
+                            ? wide * draws.signed()
+                            : low + radius * 1.02 + (wide + 2 * radius) * random.nextDouble();
             boolean isFree = true;
             for (double[] ball : balls) {
                 double dx = x - ball[0];
@@ -197,7 +222,7 @@ public final class WorldGenerator {
     /** In space bodies fly at the middle, so that they meet. */
     private EntitySpec moving(
             EntitySpec entity, Xyz at, double radius, boolean space, double tick) {
-        double fast = family == Family.WIDE ? Math.sqrt(G * radius) * power(-1, 1.5) : 10;
+        double fast = family == Family.WIDE ? Math.sqrt(G * radius) * draws.power(-1, 1.5) : 10;
         if (family == Family.ROOM) {
             fast = 20;
         }
@@ -206,18 +231,22 @@ public final class WorldGenerator {
         Xyz v =
                 space
                         ? new Xyz(
-                                speed * (0.3 * signed() - at.x() / away),
-                                speed * (0.3 * signed() - at.y() / away),
-                                speed * (0.3 * signed() - at.z() / away))
-                        : new Xyz(speed * signed(), speed * signed(), speed * signed());
+                                speed * (0.3 * draws.signed() - at.x() / away),
+                                speed * (0.3 * draws.signed() - at.y() / away),
+                                speed * (0.3 * draws.signed() - at.z() / away))
+                        : new Xyz(
+                                speed * draws.signed(),
+                                speed * draws.signed(),
+                                speed * draws.signed());
         // house: rims up to 10 m/s; wide: up to several turns a tick
         double spin =
                 random.nextInt(3) == 0
                         ? 0
                         : family == Family.WIDE
-                                ? power(-2, 0.5) * TAU / tick
+                                ? draws.power(-2, 0.5) * TAU / tick
                                 : random.nextDouble() * 10 / radius;
-        return entity.moving(v, new Xyz(spin * signed(), spin * signed(), spin * signed()));
+        return entity.moving(
+                v, new Xyz(spin * draws.signed(), spin * draws.signed(), spin * draws.signed()));
     }
 
     /** Boxes put on one another exactly, at rest. */
@@ -226,7 +255,7 @@ public final class WorldGenerator {
         double half = size;
         for (int i = 0; i < Math.min(count, 10); i++) {
             half *= 0.9 + 0.1 * random.nextDouble();
-            double height = half * power(-1, 0);
+            double height = half * draws.power(-1, 0);
             EntitySpec box =
                     EntitySpec.of(
                                     "",
@@ -234,60 +263,67 @@ public final class WorldGenerator {
                                     new ShapeSpec.BoxShape(new Xyz(half, height, half)))
                             .at(
                                     new Xyz(0, top + height, 0),
-                                    Turn.about(new Xyz(0, 1, 0), 20 * signed()))
-                            .withMaterial(new Material(0.3 + friction(), 0, 1000), null);
+                                    Turn.about(new Xyz(0, 1, 0), 20 * draws.signed()))
+                            .withMaterial(new Material(0.3 + draws.friction(), 0, 1000), null);
             entities.add(box);
             top += 2 * height;
         }
     }
 
-    private ShapeSpec shape(double size) {
-        boolean wide = family == Family.WIDE;
-        double thin = random.nextInt(3) == 0 ? size : size * power(wide ? -4 : -1.7, 0);
-        double broad = random.nextBoolean() ? thin : thin + (size - thin) * random.nextDouble();
-        return switch (random.nextInt(7)) {
-            case 0 -> new ShapeSpec.SphereShape(size);
-            case 1 -> new ShapeSpec.TurnedShape("capsule", thin, size);
-            case 2 -> turned("cylinder", thin, size);
-            case 3 -> turned("cone", thin, size);
-            case 4 -> hull(thin, broad, size);
-            default -> new ShapeSpec.BoxShape(shuffled(thin, broad, size));
-        };
-    }
-
-    /** A rod or a disc. */
-    private ShapeSpec turned(String type, double thin, double size) {
-        return random.nextBoolean()
-                ? new ShapeSpec.TurnedShape(type, thin, size)
-                : new ShapeSpec.TurnedShape(type, size, thin);
-    }
-
-    private Xyz shuffled(double a, double b, double c) {
-        return switch (random.nextInt(3)) {
-            case 0 -> new Xyz(a, b, c);
-            case 1 -> new Xyz(c, a, b);
-            default -> new Xyz(b, c, a);
-        };
-    }
-
-    /** Eight points, one in each octant, so that they are in no plane. */
-    private ShapeSpec hull(double a, double b, double c) {
-        Xyz half = shuffled(a, b, c);
-        List<Xyz> points = new ArrayList<>();
-        for (int k = 0; k < 8; k++) {
-            points.add(
-                    new Xyz(
-                            ((k & 1) == 0 ? half.x() : -half.x())
-                                    * (0.5 + 0.5 * random.nextDouble()),
-                            ((k & 2) == 0 ? half.y() : -half.y())
-                                    * (0.5 + 0.5 * random.nextDouble()),
-                            ((k & 4) == 0 ? half.z() : -half.z())
-                                    * (0.5 + 0.5 * random.nextDouble())));
-        }
-        return new ShapeSpec.HullShape(points);
-    }
-
     // Surroundings -------------------------------------------------------------------------------
+
+    /**
+     * What stands on the ground of a level: benches for every third, something kinematic for every
+     * fifth, which comes by once a second. All else starts above it.
+     */
+    private void base(Grounds grounds, double size) {
+        low = grounds.top();
+        boolean isLevel = family == Family.LEVEL;
+        if (isLevel && random.nextInt(3) == 0) {
+            for (int i = 0; i < 3; i++) {
+                ShapeSpec bench = new ShapeSpec.BoxShape(new Xyz(3 * size, size, 0.3 * size));
+                Xyz at = new Xyz(4 * size * draws.signed(), low + 0.9 * size, 0);
+                Turn turn = Turn.about(new Xyz(0, 1, 0), 360 * random.nextDouble());
+                entities.add(EntitySpec.of("bench", BodyKind.FIXED, bench).at(at, turn));
+            }
+            low += 2 * size;
+        } else if (isLevel && random.nextInt(4) == 0) {
+            ShapeSpec bar = new ShapeSpec.BoxShape(new Xyz(2 * size, 0.5 * size, 0.2 * size));
+            boolean turns = random.nextBoolean();
+            Xyz at = new Xyz(0, low + 0.55 * size, turns ? 0 : -3 * size);
+            entities.add(
+                    EntitySpec.of("mover", BodyKind.KINEMATIC, bar)
+                            .at(at, Turn.NONE)
+                            .moving(
+                                    turns ? Xyz.ZERO : new Xyz(0, 0, 2 * size),
+                                    turns ? new Xyz(0, 4 * draws.signed(), 0) : Xyz.ZERO));
+            low += 1.1 * size;
+        }
+    }
+
+    /** Machines in rigid motion, or at rest. */
+    private void machines(int count, double size, boolean space) {
+        for (int i = 0; i < count; i++) {
+            Machines machine =
+                    Machines.draw(draws, Math.max(size, LEAST_MACHINE) * draws.power(-0.7, 0));
+            double radius = machine.radius();
+            Xyz at = free(radius, 2 * radius, space);
+            Xyz velocity = Xyz.ZERO;
+            Xyz spin = Xyz.ZERO;
+            if (machine.isLoose()) {
+                double fast = random.nextInt(3) == 0 ? 0 : 5;
+                velocity =
+                        new Xyz(
+                                fast * draws.signed(),
+                                fast * draws.signed(),
+                                fast * draws.signed());
+                double rim = Math.min(fast / radius, MOST_MACHINE_SPIN);
+                spin = new Xyz(rim * draws.signed(), rim * draws.signed(), rim * draws.signed());
+            }
+            joints.addAll(machine.joints(at, entities.size()));
+            entities.addAll(machine.bodies(at, velocity, spin));
+        }
+    }
 
     /** A floor without end, or a wide slab; half its width. */
     private double floor(Material ground, double size) {

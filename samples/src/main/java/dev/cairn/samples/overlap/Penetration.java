@@ -2,6 +2,7 @@ package dev.cairn.samples.overlap;
 
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.ColliderRef;
+import dev.cairn.physics.joint.JointRef;
 import dev.cairn.physics.shape.HeightField;
 import dev.cairn.physics.shape.Moved;
 import dev.cairn.physics.shape.Shape;
@@ -12,7 +13,9 @@ import org.joml.Vector3dc;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /**
  * How deep bodies overlap, measured from outside the engine: only poses and shapes go in, all in
@@ -35,19 +38,28 @@ public final class Penetration {
     private Penetration() {}
 
     /**
-     * The deepest overlap among bodies. Pairs of two fixed bodies do not count.
+     * The deepest overlap among bodies. Pairs of two fixed bodies do not count, nor do those that a
+     * joint keeps from colliding.
      *
      * @param bodies any bodies; those that were removed are skipped
+     * @param joints between them
      * @return metres, at least 0
      */
-    public static double deepest(List<BodyRef> bodies) {
+    public static double deepest(List<BodyRef> bodies, List<JointRef> joints) {
+        Set<Partners> partners = new HashSet<>();
+        for (JointRef joint : joints) {
+            if (joint.isAlive() && !joint.collides()) {
+                partners.add(new Partners(joint.entityA(), joint.entityB()));
+                partners.add(new Partners(joint.entityB(), joint.entityA()));
+            }
+        }
         List<Entry> entries = new ArrayList<>();
         for (BodyRef body : bodies) {
             if (body.isAlive()) {
                 add(body, entries);
             }
         }
-        return deepestOf(entries);
+        return deepestOf(entries, partners);
     }
 
     /**
@@ -89,7 +101,10 @@ public final class Penetration {
 
     private record Entry(Solid solid, boolean fixed, BodyRef body) {}
 
-    private static double deepestOf(List<Entry> entries) {
+    /** Two entities that may overlap. */
+    private record Partners(long a, long b) {}
+
+    private static double deepestOf(List<Entry> entries, Set<Partners> partners) {
         int axis = widestAxis(entries);
         entries.sort(Comparator.comparingDouble(entry -> entry.solid.low[axis]));
         double deepest = 0;
@@ -104,7 +119,9 @@ public final class Penetration {
                 open.set(kept++, other);
                 if (!(entry.fixed && other.fixed)
                         && entry.body != other.body
-                        && entry.solid.mayTouch(other.solid)) {
+                        && entry.solid.mayTouch(other.solid)
+                        && !partners.contains(
+                                new Partners(entry.body.entity(), other.body.entity()))) {
                     deepest = Math.max(deepest, depth(entry.solid, other.solid));
                 }
             }

@@ -124,6 +124,28 @@ public record SceneFile(
     }
 
     /**
+     * The same, run otherwise.
+     *
+     * @param value the run's lengths
+     * @return a copy
+     */
+    public SceneFile withTick(TickSpec value) {
+        return new SceneFile(
+                name, description, gravity, value, camera, light, entities, joints, layers, state);
+    }
+
+    /**
+     * The same with another description.
+     *
+     * @param value what is there and what should be seen; may be empty
+     * @return a copy
+     */
+    public SceneFile withDescription(String value) {
+        return new SceneFile(
+                name, value, gravity, tick, camera, light, entities, joints, layers, state);
+    }
+
+    /**
      * The same seen from elsewhere.
      *
      * @param value the camera
