@@ -19,6 +19,7 @@ import dev.cairn.physics.shape.mesh.Meshed;
 import org.joml.Quaterniond;
 import org.joml.Quaterniondc;
 import org.joml.Vector3d;
+import org.joml.Vector3dc;
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
@@ -45,8 +46,8 @@ public final class Collider {
     /** Of these, as {@code ColliderStore.palette} has them. */
     private final double[] palette;
 
-    /** Of the surface, body axes, m/s. */
-    final double beltX, beltY, beltZ;
+    /** Of the surface, body axes, m/s; NaN for the material's. */
+    private final double beltX, beltY, beltZ;
 
     /** The shape in the body's frame. */
     final Shape placed;
@@ -78,6 +79,9 @@ public final class Collider {
         out.writeDouble(m.rollingArm());
         out.writeString(m.frictionMix().name());
         out.writeString(m.restitutionMix().name());
+        out.writeDouble(m.surfaceX());
+        out.writeDouble(m.surfaceY());
+        out.writeDouble(m.surfaceZ());
     }
 
     private static Material one(StateInput in) {
@@ -87,7 +91,10 @@ public final class Collider {
                 in.readDouble(),
                 in.readDouble(),
                 Mix.valueOf(in.readString()),
-                Mix.valueOf(in.readString()));
+                Mix.valueOf(in.readString()),
+                in.readDouble(),
+                in.readDouble(),
+                in.readDouble());
     }
 
     private static List<Material> many(StateInput in) {
@@ -147,7 +154,7 @@ public final class Collider {
      * @return a new description
      */
     public static Collider of(Shape shape) {
-        double[] pose = {0, 0, 0, 0, 0, 0, 1, 0, 0, 0};
+        double[] pose = {0, 0, 0, 0, 0, 0, 1, Double.NaN, Double.NaN, Double.NaN};
         return new Collider(
                 Checks.notNull("shape", shape), pose, null, null, null, false, List.of());
     }
@@ -166,6 +173,17 @@ public final class Collider {
         Checks.finite("z", bodyZ);
         double[] pose = {bodyX, bodyY, bodyZ, qx, qy, qz, qw, beltX, beltY, beltZ};
         return new Collider(shape, pose, material, filter, userData, sensor, materials);
+    }
+
+    /**
+     * Places the origin of the shape's frame in the body's frame.
+     *
+     * @param body m, finite
+     * @return a new description
+     */
+    public Collider at(Vector3dc body) {
+        Checks.notNull("body", body);
+        return at(body.x(), body.y(), body.z());
     }
 
     /**
@@ -234,7 +252,8 @@ public final class Collider {
     /**
      * Lets the surface run along, as that of a conveyor belt, while the body stays: what touches it
      * is dragged, by friction, up to this velocity against the body. A dynamic body is pushed the
-     * other way. Of the velocity only what is along a contact acts. 0 by default.
+     * other way. Of the velocity only what is along a contact acts. That of the material by
+     * default, which is 0 for most, see {@link Material#withSurfaceVelocity}.
      *
      * @param bodyX body axes, m/s, finite
      * @param bodyY body axes, m/s, finite
@@ -247,6 +266,17 @@ public final class Collider {
         pose[8] = Checks.finite("surfaceVelocity y", bodyY);
         pose[9] = Checks.finite("surfaceVelocity z", bodyZ);
         return new Collider(shape, pose, material, filter, userData, sensor, materials);
+    }
+
+    /**
+     * Lets the surface run along, see {@link #surfaceVelocity(double, double, double)}.
+     *
+     * @param body axes of the body, m/s, finite
+     * @return a new description
+     */
+    public Collider surfaceVelocity(Vector3dc body) {
+        Checks.notNull("body", body);
+        return surfaceVelocity(body.x(), body.y(), body.z());
     }
 
     private double[] pose() {
@@ -288,10 +318,14 @@ public final class Collider {
         double[] all = new double[ColliderStore.MATERIAL * materials.size()];
         for (int i = 0; i < materials.size(); i++) {
             Material m = materials.get(i);
-            all[4 * i] = m.friction();
-            all[4 * i + 1] = m.restitution();
-            all[4 * i + 2] = m.rollingArm();
-            all[4 * i + 3] = rules(m);
+            int at = ColliderStore.MATERIAL * i;
+            all[at] = m.friction();
+            all[at + 1] = m.restitution();
+            all[at + 2] = m.rollingArm();
+            all[at + 3] = rules(m);
+            all[at + ColliderStore.BELT] = m.surfaceX();
+            all[at + ColliderStore.BELT + 1] = m.surfaceY();
+            all[at + ColliderStore.BELT + 2] = m.surfaceZ();
         }
         return all;
     }
@@ -367,13 +401,16 @@ public final class Collider {
     }
 
     /**
-     * The velocity at which the surface runs along.
+     * The velocity at which the surface runs along: its own, or that of its material.
      *
      * @param destination receives m/s, body axes; 0 for most
      * @return destination
      */
     public Vector3d surfaceVelocity(Vector3d destination) {
-        return destination.set(beltX, beltY, beltZ);
+        if (!Double.isNaN(beltX)) {
+            return destination.set(beltX, beltY, beltZ);
+        }
+        return material == null ? destination.zero() : material.surfaceVelocity(destination);
     }
 
     /** The shape, neither moved nor turned. */

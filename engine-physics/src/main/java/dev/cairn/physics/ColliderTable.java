@@ -201,7 +201,8 @@ final class ColliderTable implements Stateful {
         colliders.mixing[c] = Collider.rules(material);
         double rolls = paint(c, part);
         colliders.userData[c] = part.userData;
-        colliders.setBelt(c, part.beltX, part.beltY, part.beltZ);
+        Vector3d run = part.surfaceVelocity(new Vector3d());
+        colliders.setBelt(c, run.x, run.y, run.z);
         if (colliders.belts) {
             contacts().beginBelts();
         }
@@ -232,6 +233,7 @@ final class ColliderTable implements Stateful {
             return;
         }
         surface(c, now(c).material(material));
+        colliders.measure(colliders.body[c]);
         contacts().mixAll(c, colliders);
         table.roster.changed(colliders.body[c]);
         table.changes.wakeAround(colliders.body[c]);

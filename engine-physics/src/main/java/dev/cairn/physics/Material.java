@@ -3,6 +3,9 @@ package dev.cairn.physics;
 import dev.cairn.physics.collider.Mix;
 import dev.cairn.physics.internal.Checks;
 
+import org.joml.Vector3d;
+import org.joml.Vector3dc;
+
 /**
  * What a body's surface and substance are like. Immutable; any thread.
  *
@@ -25,6 +28,10 @@ import dev.cairn.physics.internal.Checks;
  * @param rollingArm arm of rolling friction, m, finite, at least 0
  * @param frictionMix how the friction of two materials becomes one
  * @param restitutionMix how the restitution of two materials becomes one
+ * @param surfaceX velocity at which the surface runs along, see {@link #withSurfaceVelocity}; axes
+ *     of the body, m/s, finite
+ * @param surfaceY the same along y
+ * @param surfaceZ the same along z
  */
 public record Material(
         double friction,
@@ -32,7 +39,10 @@ public record Material(
         double density,
         double rollingArm,
         Mix frictionMix,
-        Mix restitutionMix) {
+        Mix restitutionMix,
+        double surfaceX,
+        double surfaceY,
+        double surfaceZ) {
     /** Friction 0.6, no bounce, the density of water: what a body is made of if nothing is said. */
     public static final Material DEFAULT = new Material(0.6, 0, 1000);
 
@@ -61,6 +71,9 @@ public record Material(
         Checks.atLeastZero("rollingArm", rollingArm);
         Checks.notNull("frictionMix", frictionMix);
         Checks.notNull("restitutionMix", restitutionMix);
+        Checks.finite("surfaceVelocity x", surfaceX);
+        Checks.finite("surfaceVelocity y", surfaceY);
+        Checks.finite("surfaceVelocity z", surfaceZ);
     }
 
     /**
@@ -72,7 +85,7 @@ public record Material(
      * @param rollingArm m, at least 0
      */
     public Material(double friction, double restitution, double density, double rollingArm) {
-        this(friction, restitution, density, rollingArm, Mix.DEFAULT, Mix.DEFAULT);
+        this(friction, restitution, density, rollingArm, Mix.DEFAULT, Mix.DEFAULT, 0, 0, 0);
     }
 
     /**
@@ -93,7 +106,7 @@ public record Material(
      * @return a new material
      */
     public Material withFriction(double value) {
-        return new Material(value, restitution, density, rollingArm, frictionMix, restitutionMix);
+        return with(value, restitution, density, rollingArm, frictionMix, restitutionMix);
     }
 
     /**
@@ -103,7 +116,7 @@ public record Material(
      * @return a new material
      */
     public Material withRestitution(double value) {
-        return new Material(friction, value, density, rollingArm, frictionMix, restitutionMix);
+        return with(friction, value, density, rollingArm, frictionMix, restitutionMix);
     }
 
     /**
@@ -113,7 +126,7 @@ public record Material(
      * @return a new material
      */
     public Material withDensity(double value) {
-        return new Material(friction, restitution, value, rollingArm, frictionMix, restitutionMix);
+        return with(friction, restitution, value, rollingArm, frictionMix, restitutionMix);
     }
 
     /**
@@ -123,7 +136,7 @@ public record Material(
      * @return a new material
      */
     public Material withRollingArm(double value) {
-        return new Material(friction, restitution, density, value, frictionMix, restitutionMix);
+        return with(friction, restitution, density, value, frictionMix, restitutionMix);
     }
 
     /**
@@ -134,7 +147,57 @@ public record Material(
      * @return a new material
      */
     public Material withMix(Mix ofFriction, Mix ofRestitution) {
-        return new Material(friction, restitution, density, rollingArm, ofFriction, ofRestitution);
+        return with(friction, restitution, density, rollingArm, ofFriction, ofRestitution);
+    }
+
+    /** The same surface velocity, anything else. */
+    private Material with(double f, double r, double d, double arm, Mix ofF, Mix ofR) {
+        return new Material(f, r, d, arm, ofF, ofR, surfaceX, surfaceY, surfaceZ);
+    }
+
+    /**
+     * This material with a surface that runs along, as a conveyor belt's, while the body stays:
+     * what touches it is dragged, by friction, up to this velocity against the body. A dynamic body
+     * is pushed the other way. Of the velocity only what is along a contact acts. A {@link
+     * Collider#surfaceVelocity} goes before it.
+     *
+     * @param bodyX axes of the body, m/s, finite
+     * @param bodyY axes of the body, m/s, finite
+     * @param bodyZ axes of the body, m/s, finite
+     * @return a new material
+     */
+    public Material withSurfaceVelocity(double bodyX, double bodyY, double bodyZ) {
+        return new Material(
+                friction,
+                restitution,
+                density,
+                rollingArm,
+                frictionMix,
+                restitutionMix,
+                bodyX,
+                bodyY,
+                bodyZ);
+    }
+
+    /**
+     * This material with a surface that runs along.
+     *
+     * @param body axes of the body, m/s, finite
+     * @return a new material
+     */
+    public Material withSurfaceVelocity(Vector3dc body) {
+        Checks.notNull("body", body);
+        return withSurfaceVelocity(body.x(), body.y(), body.z());
+    }
+
+    /**
+     * The velocity at which the surface runs along.
+     *
+     * @param destination receives m/s, axes of the body; 0 for most
+     * @return destination
+     */
+    public Vector3d surfaceVelocity(Vector3d destination) {
+        return destination.set(surfaceX, surfaceY, surfaceZ);
     }
 
     /**

@@ -280,6 +280,46 @@ class ConveyorTest {
         }
     }
 
+    /**
+     * A material that runs along makes belts of all that is of it; a collider may say otherwise.
+     */
+    @Test
+    void aMaterialRunsAlong() {
+        Material rubber = Material.DEFAULT.withSurfaceVelocity(new Vector3d(1.5, 9, .25));
+        Vector3d u = new Vector3d(1.5, 0, .25);
+        assertEquals(new Vector3d(1.5, 9, .25), rubber.surfaceVelocity(new Vector3d()));
+        assertEquals(rubber, rubber.withFriction(1).withRollingArm(0).withFriction(.6));
+        try (PhysicsWorld world = PhysicsWorld.builder().workers(1).build()) {
+            Collider plank = Collider.of(Box.ofHalfExtents(40, .5, 9));
+            BodyRef line =
+                    world.add(
+                            Body.fixed()
+                                    .material(rubber)
+                                    .shape(plank.shape())
+                                    .collider(plank.at(0, 0, 20).surfaceVelocity(0, 0, -.5))
+                                    .collider(plank.at(0, 0, -20).material(Material.DEFAULT))
+                                    .at(0, -.5, 0));
+            Body box = Body.dynamic().shape(Box.ofHalfExtents(.4, .2, .4));
+            BodyRef[] on = new BodyRef[3];
+            for (int i = 0; i < 3; i++) {
+                on[i] = world.add(box.at(-9, .2, i == 0 ? 0 : i == 1 ? 27 : -20));
+            }
+            step(world, 600);
+            assertEquals(0, on[0].velocity().distance(u), 1e-9);
+            assertEquals(0, on[1].velocity().distance(0, 0, -.5), 1e-9);
+            assertTrue(on[2].isAsleep());
+            // live: it stops, another one starts and wakes who sleeps there
+            line.colliders().get(0).setMaterial(Material.DEFAULT);
+            line.colliders().get(2).setMaterial(rubber);
+            step(world, 600);
+            assertEquals(0, on[0].velocity().length(), 1e-9);
+            assertEquals(0, on[1].velocity().distance(0, 0, -.5), 1e-9);
+            assertEquals(0, on[2].velocity().distance(u), 1e-9);
+            Vector3d told = line.colliders().get(2).description().surfaceVelocity(new Vector3d());
+            assertEquals(new Vector3d(1.5, 9, .25), told);
+        }
+    }
+
     @Test
     void theSameBitsForWorkersAndLanes() {
         Set<Long> digests = new HashSet<>();

@@ -262,14 +262,24 @@ public final class BodyStore extends Poses implements Stateful {
      */
     public boolean isDriven(int slot) {
         return driven > 0
-                && ((kind[slot] == KINEMATIC
-                                && (velocityX[slot] != 0
-                                        || velocityY[slot] != 0
-                                        || velocityZ[slot] != 0
-                                        || angularVelocityX[slot] != 0
-                                        || angularVelocityY[slot] != 0
-                                        || angularVelocityZ[slot] != 0))
+                && (isMoved(slot)
                         || (hasBelt[slot] && (kind[slot] == STATIC || kind[slot] == KINEMATIC)));
+    }
+
+    /**
+     * Whether a body is kinematic and moves.
+     *
+     * @param slot whose
+     * @return false for all others
+     */
+    public boolean isMoved(int slot) {
+        return kind[slot] == KINEMATIC
+                && (velocityX[slot] != 0
+                        || velocityY[slot] != 0
+                        || velocityZ[slot] != 0
+                        || angularVelocityX[slot] != 0
+                        || angularVelocityY[slot] != 0
+                        || angularVelocityZ[slot] != 0);
     }
 
     /**

@@ -82,13 +82,17 @@ public final class ColliderStore implements Stateful {
     public @Nullable Object[] userData = {};
 
     /**
-     * Of surfaces with several materials: friction, restitution, arm of rolling friction, and rules
-     * of mixing of each number from 1 on. Follows from what the colliders were made of.
+     * Of surfaces with several materials: friction, restitution, arm of rolling friction, rules of
+     * mixing, and from {@link #BELT} the velocity of the surface, of each number from 1 on. Follows
+     * from what the colliders were made of.
      */
     public double[][] palette = {};
 
     /** Numbers of a material in {@link #palette}. */
-    public static final int MATERIAL = 4;
+    public static final int MATERIAL = 7;
+
+    /** Where in a material of {@link #palette} its surface's velocity is, body axes, m/s. */
+    public static final int BELT = 4;
 
     /** Arm of rolling friction, m. */
     public double[] rollingArm = {};
@@ -264,7 +268,7 @@ public final class ColliderStore implements Stateful {
     }
 
     /**
-     * Sets the velocity of a collider's surface.
+     * Sets the velocity of a collider's surface, behind its palette.
      *
      * @param collider its slot
      * @param x body axes, m/s
@@ -273,7 +277,7 @@ public final class ColliderStore implements Stateful {
      */
     public void setBelt(int collider, double x, double y, double z) {
         if (!belts) {
-            if (x == 0 && y == 0 && z == 0) {
+            if (x == 0 && y == 0 && z == 0 && !hasBelt(collider)) {
                 return;
             }
             belts = true;
@@ -282,6 +286,16 @@ public final class ColliderStore implements Stateful {
         belt[3 * collider] = x;
         belt[3 * collider + 1] = y;
         belt[3 * collider + 2] = z;
+    }
+
+    /** Whether a material beside the collider's own runs along. */
+    private boolean hasBelt(int collider) {
+        double[] all = palette.length > collider ? palette[collider] : NOTHING;
+        boolean has = false;
+        for (int at = BELT; at < all.length; at += MATERIAL) {
+            has |= all[at] != 0 || all[at + 1] != 0 || all[at + 2] != 0;
+        }
+        return has;
     }
 
     /** Gives a collider materials beside its own, or takes them; see {@link #palette}. */
@@ -385,6 +399,7 @@ public final class ColliderStore implements Stateful {
         for (int c = first; belts && c != NONE; c = next[c]) {
             int u = 3 * c;
             b.hasBelt[slot] |= belt[u] != 0 || belt[u + 1] != 0 || belt[u + 2] != 0;
+            b.hasBelt[slot] |= hasBelt(c);
         }
         if (b.hasBelt[slot] && b.belts == 0) {
             b.belts = 1;

@@ -196,6 +196,12 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
         return bodyB[active[i]];
     }
 
+    @Override
+    public boolean runs(int i) {
+        int u = 3 * active[i];
+        return belts && (belt[u] != 0 || belt[u + 1] != 0 || belt[u + 2] != 0);
+    }
+
     /** Nothing: rows leave with their pairs, when the boxes have parted. */
     @Override
     public void leave(int slot) {}

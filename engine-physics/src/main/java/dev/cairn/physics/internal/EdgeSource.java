@@ -30,6 +30,11 @@ public interface EdgeSource {
     /** Slot of the second body of an edge that is solved. */
     int edgeB(int i);
 
+    /** Whether a surface runs along at an edge that is solved, so that its bodies do not rest. */
+    default boolean runs(int i) {
+        return false;
+    }
+
     /** A body leaves, and its slot will be another's: edges to it end. */
     void leave(int slot);
 

@@ -175,17 +175,13 @@ final class RestingIslands {
                 continue;
             }
             int b = source.edgeB(i);
-            if (kind[a] == BodyStore.DYNAMIC && (bodies.isDriven(b) || runs(a) || runs(b))) {
+            boolean runs = source.runs(i);
+            if (kind[a] == BodyStore.DYNAMIC && (runs || bodies.isMoved(b))) {
                 restless[islands.root(a)] = true;
-            } else if (kind[b] == BodyStore.DYNAMIC && (bodies.isDriven(a) || runs(b))) {
+            } else if (kind[b] == BodyStore.DYNAMIC && (runs || bodies.isMoved(a))) {
                 restless[islands.root(b)] = true;
             }
         }
-    }
-
-    /** Whether a surface of the body runs along, if the body is one that moves. */
-    private boolean runs(int s) {
-        return bodies.belts > 0 && bodies.hasBelt[s];
     }
 
     private boolean still(int s) {

@@ -26,7 +26,9 @@ import org.junit.jupiter.api.Test;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /** Ground of several materials: each triangle rubs and bounces as its own does. */
 class GroundMaterialTest {
@@ -103,6 +105,31 @@ class GroundMaterialTest {
                     assertEquals(isIce ? 1 : 0, material, "triangle " + triangle);
                 }
             }
+        }
+    }
+
+    /** Of ground of several materials one runs along: what lies there is a conveyor's, no other. */
+    @Test
+    void aLaneOfTrianglesRunsAlong() {
+        Material runs = ROUGH.withSurfaceVelocity(-1.25, 0, 0);
+        for (Shape shape : List.of(field(), mesh())) {
+            Set<Long> digests = new HashSet<>();
+            for (int lanes : new int[] {1, 4, 8}) {
+                try (PhysicsWorld world = world(1 + lanes / 4, lanes)) {
+                    Collider collider = Collider.of(shape).material(ROUGH).materials(runs);
+                    world.add(Body.fixed().collider(collider));
+                    Body box = Body.dynamic().shape(Box.cubeOfHalfExtent(.2)).material(ROUGH);
+                    BodyRef beside = world.add(box.at(12.1, .2, 3.3));
+                    BodyRef on = world.add(box.at(15.1, .2, 9.9));
+                    for (int t = 0; t < 600; t++) {
+                        world.step(STEP);
+                    }
+                    assertEquals(-1.25, speed(on), 1e-9, "on the lane, " + shape);
+                    assertEquals(0, speed(beside), 1e-9, "beside it, " + shape);
+                    digests.add(world.digest());
+                }
+            }
+            assertEquals(1, digests.size());
         }
     }
 

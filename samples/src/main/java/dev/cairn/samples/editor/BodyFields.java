@@ -170,6 +170,17 @@ final class BodyFields {
                     e ->
                             e.withMaterial(
                                     e.material().withMix(all[friction], all[bounce]), e.mass()));
+            return;
+        }
+        Xyz before = PartFields.run(old);
+        Xyz run = fields.xyz(ui, "surface runs, m/s", before);
+        if (run != before) {
+            editor.change(
+                    "surface of",
+                    e ->
+                            e.withMaterial(
+                                    e.material().withSurfaceVelocity(run.x(), run.y(), run.z()),
+                                    e.mass()));
         }
     }
 

@@ -94,12 +94,19 @@ final class PartFields {
         Xyz at = fields.xyz(ui, AT[i], old.position());
         Xyz turn = fields.xyz(ui, TURN[i], degrees.get(i));
         boolean sensor = ui.checkbox(SENSOR[i], old.sensor());
-        Xyz run = fields.xyz(ui, RUN[i], old.surfaceVelocity());
+        Material whole = old.material() == null ? material : old.material();
+        Xyz before = old.surfaceVelocity() == null ? run(whole) : old.surfaceVelocity();
+        Xyz run = fields.xyz(ui, RUN[i], before);
         PartSpec part = at == old.position() ? old : old.at(at);
         part = turn == degrees.get(i) ? part : part.turned(turn(turn));
         part = sensor == old.sensor() ? part : part.withSensor(sensor);
-        part = run == old.surfaceVelocity() ? part : part.withSurfaceVelocity(run);
+        part = run == before ? part : part.withSurfaceVelocity(run.equals(run(whole)) ? null : run);
         return layers(ui, substance(ui, part, i, material), i, filter);
+    }
+
+    /** At which velocity a material lets its surface run along, m/s. */
+    static Xyz run(Material material) {
+        return new Xyz(material.surfaceX(), material.surfaceY(), material.surfaceZ());
     }
 
     private static Turn turn(Xyz degrees) {

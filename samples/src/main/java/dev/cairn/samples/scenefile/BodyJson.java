@@ -39,7 +39,8 @@ final class BodyJson {
                     "density",
                     "rollingArm",
                     "frictionMix",
-                    "restitutionMix");
+                    "restitutionMix",
+                    "surfaceVelocity");
     static final List<String> FILTER = List.of("category", "mask", "except", "group");
     static final List<String> DAMPING = List.of("linear", "angular");
 
@@ -121,7 +122,7 @@ final class BodyJson {
                 in.containsKey("sensor") && in.get("sensor").truth(),
                 in.containsKey("surfaceVelocity")
                         ? in.get("surfaceVelocity").xyz("a velocity")
-                        : Xyz.ZERO,
+                        : null,
                 userData(in.get("userData")));
     }
 
@@ -181,6 +182,10 @@ final class BodyJson {
                 throw bounce.wrong("a number from 0 to 1", bounce.shown());
             }
         }
+        Xyz run =
+                in.containsKey("surfaceVelocity")
+                        ? in.get("surfaceVelocity").xyz("a velocity")
+                        : Xyz.ZERO;
         return new Material(
                 in.containsKey("friction")
                         ? in.get("friction").atLeastZero("a number")
@@ -193,7 +198,10 @@ final class BodyJson {
                         ? in.get("rollingArm").atLeastZero("a length in metres")
                         : base.rollingArm(),
                 mix(in.get("frictionMix")),
-                mix(in.get("restitutionMix")));
+                mix(in.get("restitutionMix")),
+                run.x(),
+                run.y(),
+                run.z());
     }
 
     private static Mix mix(@Nullable JsonNode node) {
@@ -328,7 +336,7 @@ final class BodyJson {
         if (part.sensor()) {
             out.addProperty("sensor", true);
         }
-        if (!part.surfaceVelocity().equals(Xyz.ZERO)) {
+        if (part.surfaceVelocity() != null) {
             out.add("surfaceVelocity", SceneWriter.xyz(part.surfaceVelocity()));
         }
         if (part.userData() != null) {
@@ -350,6 +358,10 @@ final class BodyJson {
         }
         if (material.restitutionMix() != Mix.DEFAULT) {
             out.addProperty("restitutionMix", word(material.restitutionMix()));
+        }
+        Xyz run = new Xyz(material.surfaceX(), material.surfaceY(), material.surfaceZ());
+        if (!run.equals(Xyz.ZERO)) {
+            out.add("surfaceVelocity", SceneWriter.xyz(run));
         }
         return out;
     }

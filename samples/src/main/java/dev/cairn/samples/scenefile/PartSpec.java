@@ -17,7 +17,8 @@ import org.jspecify.annotations.Nullable;
  * @param material of it alone, or null for the entity's
  * @param filter whom it meets, or null for the entity's
  * @param sensor whether it only tells who is in it
- * @param surfaceVelocity at which the surface runs along, entity's axes, m/s
+ * @param surfaceVelocity at which the surface runs along, entity's axes, m/s; null for that of the
+ *     material
  * @param userData a word or a number ({@code Double}) for the program; null for none
  */
 public record PartSpec(
@@ -27,7 +28,7 @@ public record PartSpec(
         @Nullable Material material,
         @Nullable Filter filter,
         boolean sensor,
-        Xyz surfaceVelocity,
+        @Nullable Xyz surfaceVelocity,
         @Nullable Object userData) {
     /**
      * A shape at the entity's origin.
@@ -36,7 +37,7 @@ public record PartSpec(
      * @return a part with defaults for all else
      */
     public static PartSpec of(ShapeSpec shape) {
-        return new PartSpec(shape, Xyz.ZERO, Turn.NONE, null, null, false, Xyz.ZERO, null);
+        return new PartSpec(shape, Xyz.ZERO, Turn.NONE, null, null, false, null, null);
     }
 
     /**
@@ -75,10 +76,10 @@ public record PartSpec(
     /**
      * The same with another run of its surface.
      *
-     * @param value m/s
+     * @param value m/s, or null for that of the material
      * @return a copy
      */
-    public PartSpec withSurfaceVelocity(Xyz value) {
+    public PartSpec withSurfaceVelocity(@Nullable Xyz value) {
         return new PartSpec(shape, position, rotation, material, filter, sensor, value, userData);
     }
 
@@ -130,9 +131,12 @@ public record PartSpec(
                         .rotation(
                                 new Quaterniond(
                                         rotation.x(), rotation.y(), rotation.z(), rotation.w()))
-                        .sensor(sensor)
-                        .surfaceVelocity(
-                                surfaceVelocity.x(), surfaceVelocity.y(), surfaceVelocity.z());
+                        .sensor(sensor);
+        if (surfaceVelocity != null) {
+            collider =
+                    collider.surfaceVelocity(
+                            surfaceVelocity.x(), surfaceVelocity.y(), surfaceVelocity.z());
+        }
         if (material != null) {
             collider = collider.material(material);
         }

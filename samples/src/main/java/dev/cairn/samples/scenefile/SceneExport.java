@@ -217,7 +217,8 @@ public final class SceneExport {
         Collider collider = ref.description();
         Vector3d at = collider.localPosition(new Vector3d());
         Quaterniond q = collider.localRotation(new Quaterniond());
-        Vector3d belt = collider.surfaceVelocity(new Vector3d());
+        Vector3d run = collider.surfaceVelocity(new Vector3d());
+        boolean isItsOwn = !run.equals(ref.material().surfaceVelocity(new Vector3d()));
         return new PartSpec(
                 shape(collider.shape()),
                 new Xyz(at.x, at.y, at.z),
@@ -225,7 +226,7 @@ public final class SceneExport {
                 ref.material().equals(material) ? null : ref.material(),
                 ref.filter().equals(filter) ? null : ref.filter(),
                 ref.isSensor(),
-                new Xyz(belt.x, belt.y, belt.z),
+                isItsOwn ? new Xyz(run.x, run.y, run.z) : null,
                 written(ref.userData()));
     }
 

@@ -104,6 +104,19 @@ class SceneBodiesTest {
         scene.add(box, 5, Body.dynamic().at(0, 3, 0).filter(Filter.ALL.neverWith(3)));
         scene.add(box, 6, Body.dynamic().at(.1, 3.2, 0).filter(Filter.ALL.neverWith(3)));
         scene.add(box, 7, Body.dynamic().at(-6, .5, 2).centreOfMass(.1, -.05, 0).userData("die"));
+        Material runs = Material.WOOD.withSurfaceVelocity(.5, 0, -.25);
+        scene.add(Box.ofHalfExtents(2, .25, 2), 8, Body.fixed().at(30, 0, 0).material(runs));
+        scene.add(box, 9, Body.dynamic().at(30, .5, 0));
+        scene.addParts(
+                List.of(
+                        Collider.of(Box.ofHalfExtents(2, .25, 2)),
+                        Collider.of(Box.ofHalfExtents(2, .25, 2))
+                                .at(4, 0, 0)
+                                .surfaceVelocity(0, 0, 0)),
+                0x808080,
+                Body.fixed().material(runs).at(40, 0, 0));
+        scene.add(box, 10, Body.dynamic().at(40, .5, 0));
+        scene.add(box, 11, Body.dynamic().at(44, .5, 0));
     }
 
     private static final SampleScene SCENE =
@@ -254,7 +267,8 @@ class SceneBodiesTest {
                         + " \"halfExtents\": [1, 1, 1]}, \"surfaceVelocity\": [3, 0, 0],"
                         + " \"filter\": {\"mask\": [0]}, \"material\": {\"friction\": 0.9,"
                         + " \"frictionMix\": \"multiply\"}}]},"
-                        + " {\"shape\": {\"type\": \"sphere\", \"radius\": 1}, \"position\":"
+                        + " {\"material\": {\"surfaceVelocity\": [0, 2, 1]},"
+                        + " \"shape\": {\"type\": \"sphere\", \"radius\": 1}, \"position\":"
                         + " [0, 9, 0], \"mass\": 2, \"inertia\": [1, 1, 1.5], \"gravityScale\":"
                         + " -1, \"damping\": {\"angular\": 2}, \"speedLimit\": 5, \"locks\":"
                         + " [\"turnY\", \"moveX\"]}]}";
@@ -274,6 +288,8 @@ class SceneBodiesTest {
             assertEquals(Mix.MULTIPLY, belt.material().frictionMix());
             assertEquals(new Vector3d(3, 0, 0), belt.description().surfaceVelocity(new Vector3d()));
             BodyRef ball = world.bodies().get(1);
+            Material runs = ball.colliders().get(0).material();
+            assertEquals(new Vector3d(0, 2, 1), runs.surfaceVelocity(new Vector3d()));
             assertEquals(2, ball.statedMass());
             assertEquals(new Vector3d(1, 1, 1.5), ball.statedInertia(new Vector3d()));
             assertEquals(-1, ball.gravityScale());

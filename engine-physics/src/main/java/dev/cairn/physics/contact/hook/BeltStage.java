@@ -63,6 +63,12 @@ public final class BeltStage {
         double[] belt = colliders.belt;
         BodyStore b = colliders.bodies;
         int at = 3 * collider;
+        int triangle = contacts.grouped ? contacts.triangle[row] : 0;
+        int material = triangle > 0 ? colliders.material(collider, triangle - 1) : -1;
+        if (material >= 0) {
+            belt = colliders.palette[collider];
+            at = material + ColliderStore.BELT;
+        }
         if ((belt[at] == 0 && belt[at + 1] == 0 && belt[at + 2] == 0)
                 || b.kind[body] == BodyStore.ASLEEP) {
             return;
