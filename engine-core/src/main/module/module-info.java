@@ -7,6 +7,8 @@ module dev.cairn.core {
     requires org.jctools.core.jdk11;
 
     exports dev.cairn.core.ecs;
+    exports dev.cairn.core.ecs.access;
+    exports dev.cairn.core.ecs.component;
     exports dev.cairn.core.job;
     exports dev.cairn.core.profile;
     exports dev.cairn.core.snapshot;

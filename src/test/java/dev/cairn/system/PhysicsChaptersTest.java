@@ -2,33 +2,15 @@ package dev.cairn.system;
 
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
-import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
-import static org.junit.jupiter.api.Assertions.assertTrue;
-
-import com.tngtech.archunit.core.domain.JavaClass;
-import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
 import com.tngtech.archunit.lang.ArchRule;
 
-import java.util.Map;
-import java.util.Set;
-import java.util.stream.Collectors;
-
-/**
- * The packages of the physics are chapters: each knows the ones before it, and none in a circle.
- */
+/** The packages of the physics are chapters: each knows the ones before it. */
 @AnalyzeClasses(packages = "dev.cairn.physics", importOptions = ShippedClasses.class)
 final class PhysicsChaptersTest {
-    /** Files that one folder may hold before it wants sections. */
-    private static final int MOST_FILES = 25;
-
     private static final String SOLVER = "dev.cairn.physics.solver";
-
-    @ArchTest
-    static final ArchRule noPackagesInACircle =
-            slices().matching("dev.cairn.(**)").should().beFreeOfCycles();
 
     /** What touches is told with the contact. */
     @ArchTest
@@ -93,24 +75,4 @@ final class PhysicsChaptersTest {
                     .mayOnlyAccessLayers("body")
                     .whereLayer("body")
                     .mayNotAccessAnyLayer();
-
-    @ArchTest
-    static void packagesAreSmall(JavaClasses all) {
-        Map<String, Set<String>> files =
-                all.stream()
-                        .filter(type ->
-                                !type.getSimpleName().startsWith("Single")
-                                        || type.getSimpleName().startsWith("SingleContact"))
-                        .collect(
-                                Collectors.groupingBy(
-                                        JavaClass::getPackageName,
-                                        Collectors.mapping(
-                                                PhysicsChaptersTest::file, Collectors.toSet())));
-        files.forEach((name, of) ->
-                assertTrue(of.size() <= MOST_FILES, () -> name + " holds " + of.size() + " files"));
-    }
-
-    private static String file(JavaClass type) {
-        return type.getSource().flatMap(source -> source.getFileName()).orElse(type.getName());
-    }
 }

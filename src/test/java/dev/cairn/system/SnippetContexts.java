@@ -1,14 +1,14 @@
 package dev.cairn.system;
 
-import dev.cairn.core.ecs.Access;
 import dev.cairn.core.ecs.Chunk;
 import dev.cairn.core.ecs.ChunkSystem;
-import dev.cairn.core.ecs.Component;
-import dev.cairn.core.ecs.DoubleField;
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.ecs.WorldSystem;
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.component.DoubleField;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.snapshot.SnapshotExchange;
 import dev.cairn.core.state.StateCodecs;

@@ -14,12 +14,12 @@ import dev.cairn.benchmarks.EcsModel.MutablePosition;
 import dev.cairn.benchmarks.EcsModel.MutableVelocity;
 import dev.cairn.benchmarks.EcsModel.Position;
 import dev.cairn.benchmarks.EcsModel.Velocity;
-import dev.cairn.core.ecs.Access;
 import dev.cairn.core.ecs.Chunk;
 import dev.cairn.core.ecs.ChunkSystem;
-import dev.cairn.core.ecs.FloatField;
 import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.World;
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.component.FloatField;
 import dev.dominion.ecs.api.Dominion;
 
 import org.openjdk.jmh.annotations.Benchmark;

@@ -1,7 +1,7 @@
 package dev.cairn.benchmarks;
 
-import dev.cairn.core.ecs.Component;
-import dev.cairn.core.ecs.FloatField;
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.component.FloatField;
 
 /**
  * The two components of the ECS suites, for each engine: three {@code float} each. Immutable

@@ -1,8 +1,8 @@
 package dev.cairn.physics;
 
-import dev.cairn.core.ecs.Component;
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
+import dev.cairn.core.ecs.component.Component;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;

@@ -1,6 +1,6 @@
 package dev.cairn.physics;
 
-import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.component.Component;
 import dev.cairn.physics.internal.Checks;
 
 /**

@@ -1,10 +1,10 @@
 package dev.cairn.physics;
 
-import dev.cairn.core.ecs.Access;
 import dev.cairn.core.ecs.Chunk;
-import dev.cairn.core.ecs.IntField;
 import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.WorldSystem;
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.component.IntField;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;

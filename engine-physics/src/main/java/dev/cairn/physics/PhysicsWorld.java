@@ -1,9 +1,9 @@
 package dev.cairn.physics;
 
-import dev.cairn.core.ecs.Component;
 import dev.cairn.core.ecs.EcsSystem;
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
+import dev.cairn.core.ecs.component.Component;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.Visual;

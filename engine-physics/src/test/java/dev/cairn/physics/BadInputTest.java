@@ -5,9 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.cairn.core.ecs.Access;
 import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.WorldSystem;
+import dev.cairn.core.ecs.access.Access;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.body.BodyRemovedException;
 import dev.cairn.physics.component.Velocity;

@@ -3,10 +3,10 @@ package dev.cairn.physics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.cairn.core.ecs.Access;
 import dev.cairn.core.ecs.Chunk;
 import dev.cairn.core.ecs.ChunkSystem;
 import dev.cairn.core.ecs.Tick;
+import dev.cairn.core.ecs.access.Access;
 import dev.cairn.core.profile.SystemProfile;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.profile.StepProfile;

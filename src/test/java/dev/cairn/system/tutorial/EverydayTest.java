@@ -3,11 +3,11 @@ package dev.cairn.system.tutorial;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.cairn.core.ecs.Access;
 import dev.cairn.core.ecs.Chunk;
 import dev.cairn.core.ecs.ChunkSystem;
-import dev.cairn.core.ecs.DoubleField;
 import dev.cairn.core.ecs.Tick;
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.component.DoubleField;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;
 import dev.cairn.physics.Collider;

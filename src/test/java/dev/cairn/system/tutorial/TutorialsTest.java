@@ -4,12 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.cairn.core.ecs.Access;
 import dev.cairn.core.ecs.Chunk;
 import dev.cairn.core.ecs.ChunkSystem;
-import dev.cairn.core.ecs.Component;
-import dev.cairn.core.ecs.FloatField;
 import dev.cairn.core.ecs.Tick;
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.component.FloatField;
 import dev.cairn.core.state.WorldState;
 import dev.cairn.physics.Body;
 import dev.cairn.physics.BodyRef;

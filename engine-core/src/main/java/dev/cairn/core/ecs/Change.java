@@ -1,5 +1,16 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.component.ComponentException;
+import dev.cairn.core.ecs.component.DoubleField;
+import dev.cairn.core.ecs.component.Entities;
+import dev.cairn.core.ecs.component.Field;
+import dev.cairn.core.ecs.component.FloatField;
+import dev.cairn.core.ecs.component.IntField;
+import dev.cairn.core.ecs.component.LongField;
+import dev.cairn.core.ecs.component.ObjectField;
+import dev.cairn.core.ecs.storage.Slab;
+
 /**
  * What an {@link Observer} is told: an entity and a component of it. One object per observer, valid
  * during the call. Reading columns by their fields allocates nothing; {@link #value()} makes a
@@ -23,9 +34,9 @@ public final class Change<T extends Record> {
     Change(World world, Component<T> component) {
         this.world = world;
         this.component = component;
-        this.before = new Object[component.fields.length];
-        for (Field field : component.fields) {
-            before[field.offset] = field.kind.allocate(field.type, 1);
+        this.before = new Object[component.fieldCount()];
+        for (int i = 0; i < before.length; i++) {
+            before[i] = component.field(i).newColumn(1);
         }
         this.now = before;
     }
@@ -33,8 +44,8 @@ public final class Change<T extends Record> {
     /** Keeps the value that is about to be replaced. */
     void keep(Slab slab, int local) {
         int from = slab.archetype.base(component);
-        for (Field field : component.fields) {
-            field.kind.copy(slab.published[from + field.offset], local, before[field.offset], 0);
+        for (int i = 0; i < before.length; i++) {
+            component.field(i).copyRow(slab.published[from + i], local, before[i], 0);
         }
     }
 
@@ -49,8 +60,8 @@ public final class Change<T extends Record> {
     void end() {
         entity = Entities.NONE;
         now = before;
-        for (Field field : component.fields) {
-            field.kind.forget(before[field.offset], 0);
+        for (int i = 0; i < before.length; i++) {
+            component.field(i).forget(before[i], 0);
         }
     }
 
@@ -80,7 +91,7 @@ public final class Change<T extends Record> {
      */
     public Commands commands() {
         requireValid();
-        return world.store.observers.commands();
+        return world.observers.commands();
     }
 
     /**
@@ -90,7 +101,7 @@ public final class Change<T extends Record> {
      */
     public T value() {
         requireValid();
-        return component.type().cast(component.codec.read(now, base, row));
+        return component.type().cast(component.codec().read(now, base, row));
     }
 
     /**
@@ -158,7 +169,7 @@ public final class Change<T extends Record> {
      */
     public T previous() {
         requirePrevious();
-        return component.type().cast(component.codec.read(before, 0, 0));
+        return component.type().cast(component.codec().read(before, 0, 0));
     }
 
     /**
@@ -220,7 +231,7 @@ public final class Change<T extends Record> {
 
     private int offset(Field field) {
         requireValid();
-        if (!component.equals(field.component)) {
+        if (!component.equals(field.component())) {
             throw new ComponentException(
                     "column "
                             + field
@@ -229,7 +240,7 @@ public final class Change<T extends Record> {
                             + ", which is observed; read other components of the entity with"
                             + " change.world().get(change.entity(), ..)");
         }
-        return field.offset;
+        return field.offset();
     }
 
     private void requireValid() {

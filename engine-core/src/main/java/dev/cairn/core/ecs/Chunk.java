@@ -1,5 +1,19 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.access.AccessException;
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.component.ComponentException;
+import dev.cairn.core.ecs.component.DoubleField;
+import dev.cairn.core.ecs.component.Field;
+import dev.cairn.core.ecs.component.FloatField;
+import dev.cairn.core.ecs.component.IntField;
+import dev.cairn.core.ecs.component.LongField;
+import dev.cairn.core.ecs.component.ObjectField;
+import dev.cairn.core.ecs.storage.ChunkSizes;
+import dev.cairn.core.ecs.storage.Slab;
+import dev.cairn.core.ecs.storage.Store;
+
 /**
  * Up to 16384 entities of one archetype, as raw columns, through the eyes of one system or query.
  * Row {@code r} of every column belongs to {@link #entity entity(r)}. Only rows below {@link #size}
@@ -19,6 +33,11 @@ package dev.cairn.core.ecs;
 public final class Chunk {
     /** Most rows that a chunk can have. A table begins with chunks of 1024 rows. */
     public static final int CAPACITY = ChunkSizes.LARGEST;
+
+    /**
+     * A right beside those of {@link Access}: it is between ticks, writes are published at once.
+     */
+    static final byte DIRECT = 64;
 
     final Slab slab;
     private final String system;
@@ -279,7 +298,7 @@ public final class Chunk {
     private Object writable(Field field) {
         int slot = slot(field, Access.WRITE);
         int right = rights[slot];
-        if ((right & Access.DIRECT) != 0) {
+        if ((right & DIRECT) != 0) {
             slab.versions[slot] = store.tick;
         } else if ((right & Access.IN_PLACE) != 0) {
             slab.versions[slot] = store.tick + 1; // the tick that is being computed
@@ -298,7 +317,7 @@ public final class Chunk {
     }
 
     private RuntimeException denied(Field field, int slot, int need) {
-        if (slot < 0 && (rights.length > 0 && (rights[0] & Access.DIRECT) != 0)) {
+        if (slot < 0 && (rights.length > 0 && (rights[0] & DIRECT) != 0)) {
             return absent(field);
         }
         String call = need == Access.WRITE ? "out" : need == Access.NEXT ? "next" : "in";

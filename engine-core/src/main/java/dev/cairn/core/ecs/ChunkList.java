@@ -1,5 +1,11 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.storage.Archetype;
+import dev.cairn.core.ecs.storage.ComponentSet;
+import dev.cairn.core.ecs.storage.Slab;
+import dev.cairn.core.ecs.storage.Store;
+
 import java.util.Arrays;
 
 /**
@@ -7,6 +13,10 @@ import java.util.Arrays;
  * used slabs changes, and views are made once per slab, so a steady tick makes nothing.
  */
 final class ChunkList {
+    /** All rights between ticks, when writes go to the published column. */
+    private static final byte DIRECT =
+            (byte) (Access.READ | Access.WRITE | Access.NEXT | Chunk.DIRECT);
+
     private final Store store;
     private final Access access;
     private final boolean direct;
@@ -29,8 +39,8 @@ final class ChunkList {
         this.access = access;
         this.direct = direct;
         this.checked = checked;
-        this.required = access.required();
-        this.excluded = access.excluded();
+        this.required = ComponentSet.of(access.required());
+        this.excluded = ComponentSet.of(access.excluded());
     }
 
     /** Brings the list up to date. Between stages, simulation thread. */
@@ -89,10 +99,7 @@ final class ChunkList {
         rights = Arrays.copyOf(rights, index + 1);
         writable = Arrays.copyOf(writable, index + 1);
         views = Arrays.copyOf(views, index + 1);
-        byte[] granted = access.rights(archetype);
-        if (direct) {
-            Arrays.fill(granted, (byte) (Access.READ | Access.WRITE | Access.NEXT | Access.DIRECT));
-        }
+        byte[] granted = rights(archetype);
         int[] slots = new int[granted.length];
         int written = 0;
         for (int slot = 0; slot < granted.length; slot++) {
@@ -106,6 +113,15 @@ final class ChunkList {
         views[index] = new Chunk[0];
     }
 
+    /** By column. */
+    private byte[] rights(Archetype archetype) {
+        byte[] granted = new byte[archetype.fields.length];
+        for (int slot = 0; slot < granted.length; slot++) {
+            granted[slot] = direct ? DIRECT : access.rights(archetype.fields[slot].component());
+        }
+        return granted;
+    }
+
     /** Slabs are only ever added, so views stay valid. */
     private void enlarge(int i) {
         Slab[] slabs = archetypes[i].slabs;
@@ -113,7 +129,8 @@ final class ChunkList {
         views[i] = Arrays.copyOf(views[i], slabs.length);
         for (int chunk = old; chunk < slabs.length; chunk++) {
             views[i][chunk] =
-                    new Chunk(slabs[chunk], access.system, rights[i], writable[i], store, checked);
+                    new Chunk(
+                            slabs[chunk], access.system(), rights[i], writable[i], store, checked);
         }
     }
 }

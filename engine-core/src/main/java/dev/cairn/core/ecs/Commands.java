@@ -1,5 +1,13 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.component.ComponentException;
+import dev.cairn.core.ecs.component.DeadEntityException;
+import dev.cairn.core.ecs.component.Entities;
+import dev.cairn.core.ecs.storage.Handle;
+import dev.cairn.core.ecs.storage.Store;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;

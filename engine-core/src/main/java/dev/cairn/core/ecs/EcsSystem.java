@@ -1,5 +1,7 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.access.Access;
+
 /**
  * A system: a name and a contract. Implement {@link ChunkSystem} (rows of raw columns, chunks in
  * parallel) or {@link WorldSystem} (once per tick, on the simulation thread), not this interface.

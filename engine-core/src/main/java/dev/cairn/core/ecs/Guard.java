@@ -1,5 +1,12 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.access.AccessException;
+import dev.cairn.core.ecs.component.Entities;
+import dev.cairn.core.ecs.component.Field;
+import dev.cairn.core.ecs.storage.Hash;
+import dev.cairn.core.ecs.storage.Slab;
+
 /**
  * Checked mode: notices a system that writes what it may only read, or that writes NaN. Columns are
  * hashed before and after the system; the systems of a level then run one after the other, so the

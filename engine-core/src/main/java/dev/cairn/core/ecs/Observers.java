@@ -1,5 +1,12 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.component.Entities;
+import dev.cairn.core.ecs.storage.Handle;
+import dev.cairn.core.ecs.storage.Slab;
+import dev.cairn.core.ecs.storage.Store;
+import dev.cairn.core.ecs.storage.Watch;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
@@ -11,7 +18,7 @@ import java.util.List;
  */
 final class Observers {
     private final Store store;
-    private final List<Watch<?>> watches = new ArrayList<>();
+    private final List<Observed<?>> observed = new ArrayList<>();
     private @Nullable Commands commands;
     private boolean hasCommands;
     private @Nullable SystemFailure failure;
@@ -24,46 +31,43 @@ final class Observers {
     }
 
     /** One observer of one component. */
-    static final class Watch<T extends Record> {
-        static final Watch<?>[] NONE = {};
+    private final class Observed<T extends Record> extends Watch {
+        private final Component<T> key;
+        private final Observer<T> observer;
+        private final Change<T> change;
 
-        final Component<T> component;
-        final Observer<T> observer;
-        final Change<T> change;
-
-        Watch(World world, Component<T> component, Observer<T> observer) {
-            this.component = component;
+        Observed(World world, Component<T> key, Observer<T> observer) {
+            super(key);
+            this.key = key;
             this.observer = observer;
-            this.change = new Change<>(world, component);
+            this.change = new Change<>(world, key);
         }
 
-        void tell(What what) {
-            switch (what) {
-                case ADDED -> observer.added(change);
-                case SET -> observer.set(change);
-                case REMOVED -> observer.removed(change);
+        @Override
+        public void keep(Slab slab, int local) {
+            change.keep(slab, local);
+        }
+
+        @Override
+        public void tell(What what, long entity, Slab slab, int local) {
+            change.begin(entity, slab, local, what.equals(What.SET));
+            calling = true;
+            try {
+                switch (what) {
+                    case ADDED -> observer.added(change);
+                    case SET -> observer.set(change);
+                    case REMOVED -> observer.removed(change);
+                }
+            } catch (Throwable thrown) {
+                note(thrown, this, what, entity);
+            } finally {
+                calling = false;
+                change.end();
             }
-        }
-
-        Watch<T> in(World other) {
-            return new Watch<>(other, component, observer);
         }
 
         boolean is(Component<?> otherComponent, Observer<?> otherObserver) {
             return component.equals(otherComponent) && observer.equals(otherObserver);
-        }
-    }
-
-    /** What happened. */
-    enum What {
-        ADDED("add"),
-        SET("set"),
-        REMOVED("remove");
-
-        final String call;
-
-        What(String call) {
-            this.call = call;
         }
     }
 
@@ -72,95 +76,47 @@ final class Observers {
         commands = new Commands(store, handles, Handle.OBSERVERS, 0, null);
     }
 
-    void add(Watch<?> added) {
-        for (Watch<?> watch : watches) {
-            if (watch.is(added.component, added.observer)) {
+    <T extends Record> void add(World world, Component<T> component, Observer<T> observer) {
+        for (Observed<?> known : observed) {
+            if (known.is(component, observer)) {
                 throw new IllegalStateException(
                         "this object observes "
-                                + added.component
+                                + component
                                 + " already, and would be told twice; give another one");
             }
         }
-        watches.add(added);
+        observed.add(new Observed<>(world, component, observer));
         refresh();
     }
 
     boolean remove(Component<?> component, Observer<?> observer) {
-        boolean known = watches.removeIf(watch -> watch.is(component, observer));
+        boolean known = observed.removeIf(each -> each.is(component, observer));
         refresh();
         return known;
     }
 
     /** Those of another world, behind the own ones. */
     void addAll(Observers other, World world) {
-        for (Watch<?> watch : other.watches) {
-            add(watch.in(world));
+        for (Observed<?> each : other.observed) {
+            addLike(each, world);
         }
+    }
+
+    private <T extends Record> void addLike(Observed<T> other, World world) {
+        add(world, other.key, other.observer);
     }
 
     private void refresh() {
-        for (Archetype archetype : store.archetypes) {
-            archetype.watches = of(archetype);
-        }
+        store.watchBy(observed.toArray(Watch[]::new));
     }
 
-    /** The observers of the components of a table. */
-    Watch<?>[] of(Archetype archetype) {
-        List<Watch<?>> found = new ArrayList<>();
-        for (Watch<?> watch : watches) {
-            if (archetype.has(watch.component)) {
-                found.add(watch);
-            }
-        }
-        return found.isEmpty() ? Watch.NONE : found.toArray(Watch<?>[]::new);
-    }
-
-    /** All components of a row have come, or are about to go. */
-    void tellAll(What what, long entity, Archetype archetype, int row) {
-        for (Watch<?> watch : archetype.watches) {
-            tell(watch, what, entity, archetype, row);
-        }
-    }
-
-    /** One component of a row has come, was set, or is about to go. */
-    void tell(What what, long entity, Archetype archetype, int row, Component<?> component) {
-        for (Watch<?> watch : archetype.watches) {
-            if (watch.component.equals(component)) {
-                tell(watch, what, entity, archetype, row);
-            }
-        }
-    }
-
-    /** One component of a row is about to be replaced. */
-    void keep(Archetype archetype, int row, Component<?> component) {
-        for (Watch<?> watch : archetype.watches) {
-            if (watch.component.equals(component)) {
-                watch.change.keep(archetype.slab(row), ChunkSizes.local(row));
-            }
-        }
-    }
-
-    private void tell(Watch<?> watch, What what, long entity, Archetype archetype, int row) {
-        watch.change.begin(
-                entity, archetype.slab(row), ChunkSizes.local(row), what.equals(What.SET));
-        calling = true;
-        try {
-            watch.tell(what);
-        } catch (Throwable thrown) {
-            note(thrown, watch, what, entity);
-        } finally {
-            calling = false;
-            watch.change.end();
-        }
-    }
-
-    private void note(Throwable thrown, Watch<?> watch, What what, long entity) {
+    private void note(Throwable thrown, Observed<?> by, Watch.What what, long entity) {
         SystemFailure told =
                 new SystemFailure(
                         "observer '"
-                                + watch.observer.getClass().getName()
+                                + by.observer.getClass().getName()
                                 + "' of "
-                                + watch.component
+                                + by.component
                                 + " ("
                                 + what.call
                                 + ", entity "

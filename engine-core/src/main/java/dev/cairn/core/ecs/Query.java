@@ -1,5 +1,9 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.storage.Store;
+
 import java.util.Objects;
 import java.util.function.LongConsumer;
 

@@ -1,5 +1,9 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.component.Entities;
+import dev.cairn.core.ecs.storage.Handle;
+import dev.cairn.core.ecs.storage.Store;
 import dev.cairn.core.job.Jobs;
 
 import java.util.ArrayList;
@@ -12,10 +16,18 @@ final class Runner implements Commands.Handles {
     private final SystemRunner[] systems;
     private final Level[] levels;
     private final Tick[] ticks;
+    private final Observers observers;
     final SystemClock clock;
 
-    Runner(World world, Store store, Schedule schedule, Jobs jobs, boolean checked) {
+    Runner(
+            World world,
+            Store store,
+            Observers observers,
+            Schedule schedule,
+            Jobs jobs,
+            boolean checked) {
         this.store = store;
+        this.observers = observers;
         this.jobs = jobs;
         SystemRunner none = new SystemRunner(null, new Access("none"), -1, store, this, false);
         this.ticks = new Tick[jobs.workers()];
@@ -36,7 +48,7 @@ final class Runner implements Commands.Handles {
         }
         this.systems = all.toArray(SystemRunner[]::new);
         this.levels = stages.toArray(Level[]::new);
-        store.observers.resolveBy(this);
+        observers.resolveBy(this);
     }
 
     /** Computes and publishes a tick; returns how many commands were skipped. */
@@ -58,7 +70,7 @@ final class Runner implements Commands.Handles {
         for (SystemRunner system : systems) {
             skipped += system.applyCommands(tick);
         }
-        return skipped + store.observers.applyCommands();
+        return skipped + observers.applyCommands();
     }
 
     private void compute() {
@@ -84,14 +96,14 @@ final class Runner implements Commands.Handles {
         for (SystemRunner system : systems) {
             system.forgetCommands();
         }
-        store.observers.forget();
+        observers.forget();
     }
 
     @Override
     public long entityOf(long handle) {
         int system = Handle.system(handle);
         if (system == Handle.OBSERVERS) {
-            return store.observers.entityOf(handle);
+            return observers.entityOf(handle);
         }
         return system < systems.length ? systems[system].entityOf(handle) : Entities.NONE;
     }

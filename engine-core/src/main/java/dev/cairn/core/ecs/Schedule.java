@@ -1,6 +1,11 @@
 package dev.cairn.core.ecs;
 
-import org.jspecify.annotations.Nullable;
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.access.SchedulingException;
+import dev.cairn.core.ecs.graph.Edge;
+import dev.cairn.core.ecs.graph.Levels;
+import dev.cairn.core.ecs.graph.Node;
+import dev.cairn.core.ecs.storage.Handle;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -73,7 +78,7 @@ public final class Schedule {
             }
             for (int depth = 0; depth < levels.size(); depth++) {
                 List<Entry> level = levels.get(depth);
-                boolean world = level.getFirst().system() instanceof WorldSystem;
+                boolean world = level.getFirst().isAlone();
                 out.append("level ").append(Integer.toString(depth));
                 out.append(world ? ", simulation thread\n" : ", chunks in parallel\n");
                 for (Entry entry : level) {
@@ -133,56 +138,21 @@ public final class Schedule {
     }
 
     /** A system and its place in the graph. */
-    static final class Entry {
+    static final class Entry extends Node {
         private final EcsSystem system;
-        private final String name;
-        private final String stage;
-        private final Access access;
-        private final List<Edge> after = new ArrayList<>();
         private volatile boolean enabled = true;
 
         Entry(EcsSystem system, String name, String stage, Access access) {
+            super(name, stage, access, system instanceof WorldSystem);
             this.system = system;
-            this.name = name;
-            this.stage = stage;
-            this.access = access;
         }
 
         EcsSystem system() {
             return system;
         }
 
-        String name() {
-            return name;
-        }
-
-        String stage() {
-            return stage;
-        }
-
-        Access access() {
-            return access;
-        }
-
-        List<Edge> after() {
-            return after;
-        }
-
         boolean isEnabled() {
             return enabled;
-        }
-
-        @Override
-        public String toString() {
-            return "'" + name + "' (stage '" + stage + "')";
-        }
-    }
-
-    /** Why a system runs after another. */
-    record Edge(Entry writer, @Nullable Component<?> component) {
-        /** The component that is read, or that it was asked for. */
-        String reason() {
-            return component == null ? "asked for" : component.name();
         }
     }
 
@@ -248,9 +218,16 @@ public final class Schedule {
         public Schedule build() {
             List<Entry> sorted = new ArrayList<>(entries.size());
             for (Entry entry : entries) {
-                sorted.add(new Entry(entry.system, entry.name, entry.stage, entry.access));
+                sorted.add(new Entry(entry.system, entry.name(), entry.stage(), entry.access()));
             }
-            return new Schedule(List.copyOf(sorted), ScheduleGraph.levels(sorted));
+            if (sorted.size() > Handle.MAX_SYSTEMS) {
+                throw new SchedulingException(
+                        "a schedule of "
+                                + sorted.size()
+                                + " systems is beyond "
+                                + Handle.MAX_SYSTEMS);
+            }
+            return new Schedule(List.copyOf(sorted), Levels.of(sorted));
         }
     }
 }

@@ -1,5 +1,11 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.access.AccessException;
+import dev.cairn.core.ecs.component.Entities;
+import dev.cairn.core.ecs.storage.Handle;
+import dev.cairn.core.ecs.storage.Store;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.Arrays;
@@ -32,7 +38,7 @@ final class SystemRunner {
             Commands.Handles handles,
             boolean checked) {
         this.entry = entry;
-        this.name = access.system;
+        this.name = access.system();
         this.givesCommands = access.givesCommands();
         this.index = index;
         this.store = store;

@@ -1,5 +1,8 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.access.AccessException;
+import dev.cairn.core.ecs.component.ComponentException;
 import dev.cairn.core.job.Jobs;
 
 import java.util.Objects;

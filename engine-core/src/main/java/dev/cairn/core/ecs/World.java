@@ -1,5 +1,13 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.access.AccessException;
+import dev.cairn.core.ecs.access.SchedulingException;
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.component.ComponentCodec;
+import dev.cairn.core.ecs.component.DeadEntityException;
+import dev.cairn.core.ecs.component.Entities;
+import dev.cairn.core.ecs.storage.Handle;
+import dev.cairn.core.ecs.storage.Hash;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.core.profile.SystemProfile;
 import dev.cairn.core.state.StateCodecs;
@@ -57,7 +65,7 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
         this.jobs = jobs;
         this.ownsJobs = ownsJobs;
         this.seed = seed;
-        this.runner = new Runner(this, store, schedule, jobs, checked);
+        this.runner = new Runner(this, store, observers, schedule, jobs, checked);
     }
 
     /**
@@ -121,7 +129,7 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
             skipped = runner.run(tick, stepSeconds);
             tickNumber = tick;
             this.stepSeconds = stepSeconds;
-            SystemFailure told = store.observers.takeFailure();
+            SystemFailure told = observers.takeFailure();
             if (told != null) {
                 throw told;
             }
@@ -228,9 +236,7 @@ public final class World extends WorldContents implements AutoCloseable, Statefu
      * @return codecs
      */
     public static StateCodecs codecs(Component<?>... components) {
-        return StateCodecs.STANDARD
-                .derived(ComponentCodec.classes(components))
-                .with(new ComponentCodec(components));
+        return ComponentCodec.codecs(components);
     }
 
     /**

@@ -1,5 +1,11 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.component.ComponentException;
+import dev.cairn.core.ecs.component.DeadEntityException;
+import dev.cairn.core.ecs.storage.Store;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.HashMap;
@@ -14,6 +20,7 @@ import java.util.function.LongConsumer;
  */
 abstract sealed class WorldContents permits World {
     final Store store = new Store();
+    final Observers observers = new Observers(store);
     private final Map<Class<?>, Object> resources = new HashMap<>();
 
     /** Number of completed ticks. */
@@ -129,7 +136,7 @@ abstract sealed class WorldContents permits World {
         }
         long[] entities = new long[count];
         store.spawnMany(entities, components);
-        store.observers.settle();
+        observers.settle();
         return entities;
     }
 
@@ -142,7 +149,7 @@ abstract sealed class WorldContents permits World {
     public final void delete(long entity) {
         requireChangeable("delete");
         store.delete(entity);
-        store.observers.settle();
+        observers.settle();
     }
 
     /**
@@ -167,7 +174,7 @@ abstract sealed class WorldContents permits World {
     public final void add(long entity, Record component) {
         requireChangeable("add");
         store.add(entity, requirePart(component));
-        store.observers.settle();
+        observers.settle();
     }
 
     /**
@@ -184,7 +191,7 @@ abstract sealed class WorldContents permits World {
         requireChangeable("remove");
         requireKey(component);
         store.remove(entity, component);
-        store.observers.settle();
+        observers.settle();
     }
 
     /**
@@ -196,7 +203,7 @@ abstract sealed class WorldContents permits World {
     public final void clear(long entity) {
         requireChangeable("clear");
         store.clear(entity);
-        store.observers.settle();
+        observers.settle();
     }
 
     /**
@@ -244,7 +251,7 @@ abstract sealed class WorldContents permits World {
     public final void set(long entity, Record component) {
         requireChangeable("set");
         store.set(entity, requirePart(component));
-        store.observers.settle();
+        observers.settle();
     }
 
     /**
@@ -386,7 +393,7 @@ abstract sealed class WorldContents permits World {
         requireChangeable("observe");
         requireKey(component);
         Objects.requireNonNull(observer, "observer must not be null");
-        store.observers.add(new Observers.Watch<>((World) this, component, observer));
+        observers.add((World) this, component, observer);
     }
 
     /**
@@ -398,7 +405,7 @@ abstract sealed class WorldContents permits World {
      */
     public final boolean unobserve(Component<?> component, Observer<?> observer) {
         requireChangeable("unobserve");
-        return store.observers.remove(component, observer);
+        return observers.remove(component, observer);
     }
 
     /**
@@ -408,12 +415,12 @@ abstract sealed class WorldContents permits World {
      */
     public final void putObserversOf(World other) {
         requireChangeable("putObserversOf");
-        store.observers.addAll(((WorldContents) other).store.observers, (World) this);
+        observers.addAll(((WorldContents) other).observers, (World) this);
     }
 
     /** After a direct change: what observers asked for is made. */
     private long settled(long entity) {
-        store.observers.settle();
+        observers.settle();
         return entity;
     }
 
@@ -426,7 +433,7 @@ abstract sealed class WorldContents permits World {
     }
 
     final void requireBetweenSteps(String call) {
-        if (store.observers.calling) {
+        if (observers.calling) {
             throw new IllegalStateException(
                     call
                             + " was called by an observer while a change is being made; an"

@@ -1,5 +1,7 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.access.Access;
+
 /**
  * A system that runs once per tick on the simulation thread, with all its chunks and the workers at
  * hand. It is a level of its own in the schedule, so nothing else runs beside it.

@@ -22,6 +22,18 @@
  *           (system, chunk, sequence) order
  * </pre>
  *
+ * <h2>Chapters</h2>
+ *
+ * <pre>
+ *   component   ids, components, fields, codecs           what entities are made of
+ *   storage     tables, rows, arrays, changes             where they live         (internal)
+ *   access      in, out, next, with, exclude              what systems touch
+ *   graph       edges, levels                             the order that follows  (internal)
+ *   ecs         world, systems, tick, commands, queries, observers: this package
+ * </pre>
+ *
+ * <p>Each knows those above it in this list, and none below.
+ *
  * <h2>Rules</h2>
  *
  * <ul>
@@ -50,10 +62,8 @@
  *
  * <h2>Sources</h2>
  *
- * <p>Archetype chunks and per-chunk change versions as in Unity's entity component system;
- * primitive columns behind records as in japes; access declarations as in Bevy and flecs; playback
- * order by chunk as a sort key as in Unity's parallel command buffers; random streams after Salmon
- * et al. 2011 and Steele et al. 2014; digest after Collet's xxHash64.
+ * <p>Playback order by chunk as a sort key as in Unity's parallel command buffers; random streams
+ * after Salmon et al. 2011 and Steele et al. 2014. The chapters name theirs.
  */
 @NullMarked
 package dev.cairn.core.ecs;

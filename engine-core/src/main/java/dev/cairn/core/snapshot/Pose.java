@@ -1,6 +1,6 @@
 package dev.cairn.core.snapshot;
 
-import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.component.Component;
 
 /**
  * Where a body is and how it is turned. World frame, right-handed, y up, metres.

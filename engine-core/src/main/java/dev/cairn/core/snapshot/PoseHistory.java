@@ -2,7 +2,7 @@ package dev.cairn.core.snapshot;
 
 import static dev.cairn.core.snapshot.PoseSnapshot.STRIDE;
 
-import dev.cairn.core.ecs.Entities;
+import dev.cairn.core.ecs.component.Entities;
 
 import java.util.Arrays;
 

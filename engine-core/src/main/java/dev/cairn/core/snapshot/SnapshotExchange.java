@@ -1,11 +1,11 @@
 package dev.cairn.core.snapshot;
 
 import dev.cairn.core.ecs.Chunk;
-import dev.cairn.core.ecs.DoubleField;
-import dev.cairn.core.ecs.IntField;
-import dev.cairn.core.ecs.ObjectField;
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
+import dev.cairn.core.ecs.component.DoubleField;
+import dev.cairn.core.ecs.component.IntField;
+import dev.cairn.core.ecs.component.ObjectField;
 
 import org.jspecify.annotations.Nullable;
 

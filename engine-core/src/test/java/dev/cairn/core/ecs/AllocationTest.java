@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 
+import dev.cairn.core.ecs.component.DoubleField;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.snapshot.SnapshotExchange;

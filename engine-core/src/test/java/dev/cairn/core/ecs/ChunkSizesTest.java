@@ -3,6 +3,7 @@ package dev.cairn.core.ecs;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.core.ecs.storage.ChunkSizes;
 import dev.cairn.core.job.Jobs;
 
 import org.junit.jupiter.api.Test;

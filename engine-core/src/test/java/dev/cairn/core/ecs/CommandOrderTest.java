@@ -7,6 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.access.SchedulingException;
+
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;

@@ -8,6 +8,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.core.ecs.component.ComponentException;
+import dev.cairn.core.ecs.component.DeadEntityException;
+import dev.cairn.core.ecs.storage.Handle;
 import dev.cairn.core.job.Jobs;
 
 import org.junit.jupiter.api.Test;

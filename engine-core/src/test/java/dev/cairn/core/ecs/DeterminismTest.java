@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.core.ecs.storage.Hash;
 import dev.cairn.core.job.Jobs;
 
 import org.junit.jupiter.api.Test;
@@ -164,8 +165,8 @@ class DeterminismTest {
         assertEquals(Hash.of(new double[] {Double.NaN}, 1), Hash.of(new double[] {odd}, 1));
         assertNotEquals(Hash.of(new int[] {1, 2}, 2), Hash.of(new int[] {2, 1}, 2));
         assertNotEquals(Hash.of(new int[] {0}, 1), Hash.of(new int[] {0, 0}, 2));
-        Object[] texts = {"a", null, Kind.INT, 1, 'c', true, new Object()};
-        Object[] same = {new String("a"), null, Kind.INT, 1, 'c', true, new Object()};
+        Object[] texts = {"a", null, Thread.State.NEW, 1, 'c', true, new Object()};
+        Object[] same = {new String("a"), null, Thread.State.NEW, 1, 'c', true, new Object()};
         assertEquals(Hash.of(texts, 7), Hash.of(same, 7));
     }
 }

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.core.ecs.storage.ChunkSizes;
 import dev.cairn.core.job.Jobs;
 
 import org.junit.jupiter.api.Test;

@@ -1,5 +1,10 @@
 package dev.cairn.core.ecs;
 
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.component.DoubleField;
+import dev.cairn.core.ecs.component.FloatField;
+
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 

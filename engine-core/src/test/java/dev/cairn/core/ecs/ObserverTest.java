@@ -11,6 +11,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.component.ComponentException;
+import dev.cairn.core.ecs.component.Entities;
+import dev.cairn.core.ecs.component.FloatField;
+import dev.cairn.core.ecs.storage.Hash;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.core.state.WorldState;
 

@@ -9,6 +9,10 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.access.AccessException;
+import dev.cairn.core.ecs.access.SchedulingException;
+
 import org.junit.jupiter.api.Test;
 
 import java.util.ArrayList;

@@ -7,6 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.component.DeadEntityException;
+import dev.cairn.core.ecs.component.Entities;
+
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 

@@ -5,19 +5,20 @@ import static dev.cairn.core.ecs.Fixtures.*;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.component.ComponentException;
+import dev.cairn.core.ecs.component.DeadEntityException;
+import dev.cairn.core.ecs.component.Entities;
 import dev.cairn.core.job.Jobs;
 
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-
-import java.lang.invoke.MethodHandles;
 
 /** What a user may do with a world between steps, and what is refused. */
 class WorldTest {
@@ -40,18 +41,6 @@ class WorldTest {
         assertEquals(-5, chunk.in(MIXED.intField("small"))[0]);
         assertEquals("text", chunk.in(MIXED.objectField("text", String.class))[0]);
         assertEquals("text", chunk.in(MIXED.objectField("text"))[0]);
-    }
-
-    @Test
-    void aCodecOfMethodHandlesDoesTheSame() throws ReflectiveOperationException {
-        HandleCodec codec = new HandleCodec(MethodHandles.lookup(), Mixed.class);
-        Object[] columns = new Object[MIXED.fields.length];
-        for (Field field : MIXED.fields) {
-            columns[field.offset] = field.kind.allocate(field.type, 3);
-        }
-        codec.write(VALUE, columns, 0, 2);
-        assertEquals(VALUE, codec.read(columns, 0, 2));
-        assertEquals(VALUE, MIXED.codec.read(columns, 0, 2));
     }
 
     @Test
@@ -84,19 +73,6 @@ class WorldTest {
         assertFalse(world.isAlive(-1));
         assertEquals(1, world.entityCount());
         assertEquals("1v2", Entities.toString(third));
-    }
-
-    @Test
-    void anIndexWhoseGenerationsAreUsedUpIsRetired() {
-        EntityTable table = new EntityTable();
-        long entity = table.create();
-        table.age(entity, EntityTable.LAST_GENERATION);
-        long old = Entities.of(Entities.index(entity), EntityTable.LAST_GENERATION);
-        table.put(old, 0, 0);
-        assertTrue(table.isAlive(old));
-        table.free(old);
-        assertFalse(table.isAlive(old));
-        assertNotEquals(Entities.index(old), Entities.index(table.create()));
     }
 
     @Test

@@ -5,11 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.cairn.core.ecs.Access;
-import dev.cairn.core.ecs.Component;
 import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.World;
 import dev.cairn.core.ecs.WorldSystem;
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.component.Component;
 
 import org.junit.jupiter.api.Test;
 

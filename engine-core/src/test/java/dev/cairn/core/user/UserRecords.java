@@ -1,6 +1,6 @@
 package dev.cairn.core.user;
 
-import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.component.Component;
 
 import java.util.List;
 

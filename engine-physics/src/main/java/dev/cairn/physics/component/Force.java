@@ -1,6 +1,6 @@
 package dev.cairn.physics.component;
 
-import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.component.Component;
 
 /**
  * The force on the centre of mass of a body, in each tick as long as the component says so: any

@@ -1,6 +1,6 @@
 package dev.cairn.physics.component;
 
-import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.component.Component;
 
 /**
  * The torque on a body, as {@link Force}.

@@ -1,6 +1,6 @@
 package dev.cairn.physics.component;
 
-import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.component.Component;
 
 /**
  * Velocity of a body, written each tick by the physics system; changing it has no effect on the

@@ -1,8 +1,8 @@
 package dev.cairn.physics.joint;
 
-import dev.cairn.core.ecs.DeadEntityException;
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
+import dev.cairn.core.ecs.component.DeadEntityException;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.physics.internal.JointStore;
 import dev.cairn.physics.state.RigidBody;

@@ -1,6 +1,6 @@
 package dev.cairn.physics.joint;
 
-import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.component.Component;
 
 /**
  * Marks the entity of a joint that was made by {@link NewJoint}. The joint lives as long as its

@@ -1,7 +1,7 @@
 package dev.cairn.physics.state;
 
-import dev.cairn.core.ecs.Field;
 import dev.cairn.core.ecs.Tick;
+import dev.cairn.core.ecs.component.Field;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
 

@@ -1,10 +1,10 @@
 package dev.cairn.physics.state;
 
 import dev.cairn.core.ecs.Chunk;
-import dev.cairn.core.ecs.Component;
-import dev.cairn.core.ecs.DoubleField;
-import dev.cairn.core.ecs.IntField;
 import dev.cairn.core.ecs.Tick;
+import dev.cairn.core.ecs.component.Component;
+import dev.cairn.core.ecs.component.DoubleField;
+import dev.cairn.core.ecs.component.IntField;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
 import dev.cairn.physics.component.Force;

@@ -1,9 +1,9 @@
 package dev.cairn.physics.state;
 
 import dev.cairn.core.ecs.Chunk;
-import dev.cairn.core.ecs.DoubleField;
-import dev.cairn.core.ecs.IntField;
 import dev.cairn.core.ecs.Tick;
+import dev.cairn.core.ecs.component.DoubleField;
+import dev.cairn.core.ecs.component.IntField;
 import dev.cairn.core.job.BlockJob;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.physics.component.Velocity;

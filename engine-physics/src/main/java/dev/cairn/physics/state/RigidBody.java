@@ -1,6 +1,6 @@
 package dev.cairn.physics.state;
 
-import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.component.Component;
 
 import java.lang.invoke.MethodHandles;
 

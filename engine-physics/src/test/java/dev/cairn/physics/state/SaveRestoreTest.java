@@ -9,9 +9,9 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.cairn.core.ecs.Access;
 import dev.cairn.core.ecs.Tick;
 import dev.cairn.core.ecs.WorldSystem;
+import dev.cairn.core.ecs.access.Access;
 import dev.cairn.core.job.Jobs;
 import dev.cairn.core.snapshot.Pose;
 import dev.cairn.core.state.StateException;

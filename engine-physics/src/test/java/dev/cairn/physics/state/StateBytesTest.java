@@ -9,7 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 
-import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.component.Component;
 import dev.cairn.core.state.StateCodec;
 import dev.cairn.core.state.StateCodecs;
 import dev.cairn.core.state.StateException;

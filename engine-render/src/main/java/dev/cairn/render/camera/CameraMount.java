@@ -1,8 +1,8 @@
 package dev.cairn.render.camera;
 
-import dev.cairn.core.ecs.Component;
 import dev.cairn.core.ecs.Query;
 import dev.cairn.core.ecs.World;
+import dev.cairn.core.ecs.component.Component;
 
 /**
  * Component of an entity that carries the camera: from the start of the scene the camera rides on

@@ -1,6 +1,6 @@
 package dev.cairn.render.input;
 
-import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.component.Component;
 
 import java.util.List;
 

@@ -1,6 +1,6 @@
 package dev.cairn.samples.weather;
 
-import dev.cairn.core.ecs.Component;
+import dev.cairn.core.ecs.component.Component;
 
 /**
  * What water and wind know of a body: an upright prism about its origin.

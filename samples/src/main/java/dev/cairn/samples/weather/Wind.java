@@ -1,10 +1,10 @@
 package dev.cairn.samples.weather;
 
-import dev.cairn.core.ecs.Access;
 import dev.cairn.core.ecs.Chunk;
 import dev.cairn.core.ecs.ChunkSystem;
-import dev.cairn.core.ecs.DoubleField;
 import dev.cairn.core.ecs.Tick;
+import dev.cairn.core.ecs.access.Access;
+import dev.cairn.core.ecs.component.DoubleField;
 import dev.cairn.physics.component.Force;
 import dev.cairn.physics.component.Velocity;
 

@@ -1,8 +1,0 @@
-package dev.cairn.core.ecs;
-
-/** Key of a column of {@code float}. */
-public final class FloatField extends Field {
-    FloatField(Component<?> component, String name, Class<?> type, int offset) {
-        super(component, name, type, offset);
-    }
-}

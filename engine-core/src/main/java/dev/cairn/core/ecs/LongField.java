@@ -1,8 +1,0 @@
-package dev.cairn.core.ecs;
-
-/** Key of a column of {@code long}. */
-public final class LongField extends Field {
-    LongField(Component<?> component, String name, Class<?> type, int offset) {
-        super(component, name, type, offset);
-    }
-}
