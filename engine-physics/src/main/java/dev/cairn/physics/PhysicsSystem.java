@@ -285,10 +285,10 @@ final class PhysicsSystem implements WorldSystem, Stateful {
                 int[] slots = chunk.in(SLOT);
                 int size = chunk.size();
                 for (int row = 0; row < size; row++) {
-                    table.roster.see(slots[row], chunk.entity(row), tick.number());
+                    table.roster.see(slots[row], chunk.entity(row));
                 }
             }
-            table.roster.sweep(tick.number());
+            table.roster.sweep();
         }
         table.roster.beginTick();
     }

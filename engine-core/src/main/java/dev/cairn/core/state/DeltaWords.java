@@ -4,26 +4,45 @@ import java.util.Arrays;
 
 /**
  * The exclusive or of the numbers of two states in the wide layout (see {@link Alignment}), by
- * words of eight bytes: runs of words that differ, and how many are skipped before each.
+ * words of eight bytes; of those that differ, one after the other:
  *
  * <pre>
- *   run   2 skipped + (1 if it is longer than one word), as a varint; then its length, if longer
- *   word  a byte that tells which of its bytes are not 0, and these
- *         or 0 and its place among those that were seen
+ *   head   lower half: kind; upper half: how many words are skipped before it, up to 13,
+ *          14 as in the {@link Skips pattern} before, 15 as a varint that follows
+ *   kind   0 a byte that tells which of the word's bytes are not 0, and these
+ *          1 to 8 so many lower bytes; those above are 0
+ *          9 the word that followed the word before when that was seen last
+ *          10 words by even steps: how many, as a varint, and the first two with heads of their own
+ *          11 only byte 4
+ *          12 to 15 and a byte: its place among those that were seen
  * </pre>
  *
  * Numbers that change little have equal signs, exponents and first digits. What a body and its
- * entity both hold changes alike: such a word is told by where it was seen.
+ * entity both hold changes alike: such a word is told by where it was seen. Lists of slots that
+ * come or go as a whole are equal numbers, or grow by the same step.
  */
 final class DeltaWords {
-    private static final long ODD = 0x9E37_79B9_7F4A_7C15L;
+    static final long ODD = 0x9E37_79B9_7F4A_7C15L;
     private static final byte[] NONE = {};
 
-    /** Words that were seen, by the upper bits of a product; a power of two, at most 256. */
-    private static final int SEEN = 256;
+    /** Words that were seen, by the upper bits of a product; a power of two, at most 1024. */
+    private static final int SEEN = 1024;
 
-    private static final int SEEN_SHIFT = 56;
+    private static final int SEEN_SHIFT = 54;
     private static final long[] NOT_USED = {};
+
+    /** Kinds beside numbers of bytes, and codes of skips beside the skips themselves. */
+    private static final int MASK = 0;
+
+    private static final int FOLLOWS = 9;
+    private static final int EVEN = 10;
+    private static final int UPPER_BYTE = 11;
+    private static final int PLACE = 12;
+    private static final int PATTERN = 14;
+    private static final int FAR = 15;
+
+    /** Words by even steps that are worth being told so. */
+    private static final int LEAST_EVEN = 6;
 
     byte[] bytes = NONE;
     int size;
@@ -38,17 +57,31 @@ final class DeltaWords {
 
     private int at;
     private final long[] seen;
+    private final Skips skips;
 
+    /** By place of a word among those that were seen: that of the one after it, the last time. */
+    private final int[] follower;
+
+    private int lastSlot;
+
+    /** Words that differ one after the other: those of the first state, exclusive ors. */
+    private long[] before = NOT_USED;
+
+    private long[] change = NOT_USED;
+
+    /** Empty, to be added to. */
     DeltaWords() {
-        this(NONE, 0, 0, true);
+        this(NONE, 0, 0, new long[SEEN]);
     }
 
     DeltaWords(byte[] bytes, long sumBefore, long sumAfter) {
-        this(bytes, sumBefore, sumAfter, false);
+        this(bytes, sumBefore, sumAfter, NOT_USED);
     }
 
-    private DeltaWords(byte[] bytes, long sumBefore, long sumAfter, boolean isUsed) {
-        seen = isUsed ? new long[SEEN] : NOT_USED;
+    private DeltaWords(byte[] bytes, long sumBefore, long sumAfter, long[] seen) {
+        this.seen = seen;
+        skips = new Skips(seen.length > 0);
+        follower = new int[seen.length];
         this.bytes = bytes;
         size = bytes.length;
         this.sumBefore = sumBefore;
@@ -86,18 +119,63 @@ final class DeltaWords {
             while (end < n && word(a, ta, na, end) != word(b, tb, nb, end)) {
                 end++;
             }
-            if (end > w) {
-                varint(2L * (base + w - last) + (end - w > 1 ? 1 : 0));
-                if (end - w > 1) {
-                    varint(end - w);
-                }
-                last = base + end;
-                for (; w < end; w++) {
-                    put(word(a, ta, na, w), word(b, tb, nb, w));
-                }
+            if (end - w > before.length) {
+                before = new long[2 * (end - w)];
+                change = new long[2 * (end - w)];
             }
+            for (int d = w; d < end; d++) {
+                before[d - w] = word(a, ta, na, d);
+                change[d - w] = before[d - w] ^ word(b, tb, nb, d);
+            }
+            runs(base + w, end - w);
+            w = end;
         }
         return n;
+    }
+
+    /** Writes words that differ one after the other. */
+    private void runs(int place, int n) {
+        int i = 0;
+        while (i < n) {
+            int even = i;
+            int end = evenEnd(even, n);
+            while (end - even < LEAST_EVEN && end < n) {
+                even = end - 1;
+                end = evenEnd(even, n);
+            }
+            boolean isEven = end - even >= LEAST_EVEN;
+            for (int to = isEven ? even : n; i < to; i++) {
+                word(skip(place + i), change[i]);
+            }
+            if (isEven) {
+                head(skip(place + even), EVEN);
+                varint(end - even);
+                word(0, change[even]);
+                word(0, change[even + 1]);
+                i = end;
+                last = place + end;
+            }
+        }
+        for (i = 0; i < n; i++) {
+            sumBefore = mix(sumBefore, before[i]);
+            sumAfter = mix(sumAfter, before[i] ^ change[i]);
+        }
+    }
+
+    /** Behind the last word that goes on from a word and the next one by the same step. */
+    private int evenEnd(int from, int n) {
+        int i = from + 2;
+        while (i < n && change[i] - change[i - 1] == change[from + 1] - change[from]) {
+            i++;
+        }
+        return Math.min(i, n);
+    }
+
+    /** Words between the last one that was written and this one, which is written next. */
+    private int skip(int place) {
+        int skip = place - last;
+        last = place + 1;
+        return skip;
     }
 
     private static int words(WorldState s, int entry) {
@@ -108,27 +186,69 @@ final class DeltaWords {
         return w < words ? (long) StateWriter.LONG.get(s.bytes, begin + 8 * w) : 0;
     }
 
-    private void put(long before, long after) {
-        sumBefore = mix(sumBefore, before);
-        sumAfter = mix(sumAfter, after);
-        long x = before ^ after;
-        room(9);
-        int place = size++;
+    private void head(int skip, int kind) {
+        boolean isSeen = skip > 0 && skips.next(skip);
+        int code = isSeen ? PATTERN : Math.min(skip, FAR);
+        code = !isSeen && skip == PATTERN ? FAR : code;
+        room(6);
+        bytes[size++] = (byte) ((code << 4) | kind);
+        if (code == FAR) {
+            varint(skip);
+        }
+    }
+
+    private void word(int skip, long x) {
         int slot = slot(x);
+        int guess = follower[lastSlot];
+        follow(slot);
         if (seen[slot] == x) {
-            bytes[place] = 0;
-            bytes[size++] = (byte) slot;
+            head(skip, guess == slot ? FOLLOWS : PLACE + (slot >> 8));
+            if (guess != slot) {
+                room(1);
+                bytes[size++] = (byte) slot;
+            }
             return;
         }
         seen[slot] = x;
         int mask = 0;
-        for (int k = 0; k < 8; k++, x >>>= 8) {
-            if ((x & 255) != 0) {
-                mask |= 1 << k;
-                bytes[size++] = (byte) x;
+        for (int k = 0; k < 8; k++) {
+            mask |= (x >>> (8 * k) & 255) != 0 ? 1 << k : 0;
+        }
+        int kind = kind(mask);
+        head(skip, kind);
+        room(9);
+        if (kind == MASK) {
+            bytes[size++] = (byte) mask;
+        }
+        for (int k = 0; k < 8; k++) {
+            if (((bytesOf(kind, mask) >> k) & 1) != 0) {
+                bytes[size++] = (byte) (x >>> (8 * k));
             }
         }
-        bytes[place] = (byte) mask;
+    }
+
+    /** Columns that change alike repeat each other from word to word. */
+    private void follow(int slot) {
+        follower[lastSlot] = slot;
+        lastSlot = slot;
+    }
+
+    /** By which of its bytes are not 0. */
+    private static int kind(int mask) {
+        int length = 32 - Integer.numberOfLeadingZeros(mask);
+        return switch (mask) {
+            case 1 << 4 -> UPPER_BYTE;
+            default -> Integer.bitCount(mask) < length - 1 ? MASK : length;
+        };
+    }
+
+    /** Which bytes of a word are there. */
+    private static int bytesOf(int kind, int mask) {
+        return switch (kind) {
+            case MASK -> mask;
+            case UPPER_BYTE -> 1 << 4;
+            default -> (1 << kind) - 1;
+        };
     }
 
     private static long mix(long sum, long word) {
@@ -183,22 +303,31 @@ final class DeltaWords {
 
     /** Goes over all words that differ; the sum of what they were. */
     private long walk(WorldState wide, boolean writes) {
-        DeltaWords reader = new DeltaWords(bytes, 0, 0, true); // what threads share stays
+        // what threads share stays
+        DeltaWords reader = new DeltaWords(bytes, 0, 0, new long[SEEN]);
         long sum = 0;
         long w = 0;
         while (reader.at < size) {
-            long skipped = reader.readVarint();
-            w += skipped >> 1;
-            long run = (skipped & 1) == 0 ? 1 : reader.readVarint();
+            int head = reader.readByte();
+            w += reader.readSkip(head >> 4);
+            int kind = head & 15;
+            long run = kind == EVEN ? reader.readVarint() : 1;
             if (run > (wide.size >> 3) - w) {
                 throw damaged(
                         "words up to " + (w + run) + " are to be changed, of " + (wide.size >> 3));
             }
-            for (long end = w + run; w < end; w++) {
+            long x = 0;
+            long step = 0;
+            for (int i = 0; i < run; i++, w++) {
                 int place = (int) (8 * w);
                 long now = (long) StateWriter.LONG.get(wide.bytes, place);
                 sum = mix(sum, now);
-                long x = reader.readWord();
+                long next = x + step;
+                if (kind != EVEN || i < 2) {
+                    next = reader.readWord(kind == EVEN ? reader.readByte() & 15 : kind);
+                }
+                step = next - x;
+                x = next;
                 if (writes) {
                     StateWriter.LONG.set(wide.bytes, place, now ^ x);
                 }
@@ -207,11 +336,31 @@ final class DeltaWords {
         return sum;
     }
 
-    private long readWord() {
-        int mask = readByte();
-        if (mask == 0) {
-            return seen[readByte() & (SEEN - 1)];
+    private long readSkip(int code) {
+        if (code == 0) {
+            return 0;
         }
+        if (code == PATTERN) {
+            return skips.next();
+        }
+        long skip = code == FAR ? readVarint() : code;
+        if (skip > Integer.MAX_VALUE) {
+            throw damaged(skip + " words are skipped");
+        }
+        skips.next((int) skip);
+        return skip;
+    }
+
+    private long readWord(int kind) {
+        if (kind >= PLACE || kind == FOLLOWS) {
+            int slot = kind == FOLLOWS ? follower[lastSlot] : ((kind - PLACE) << 8) | readByte();
+            follow(slot);
+            return seen[slot];
+        }
+        if (kind == EVEN) {
+            throw damaged("a word of even steps has steps");
+        }
+        int mask = bytesOf(kind, kind == MASK ? readByte() : 0);
         long x = 0;
         for (int k = 0; k < 8; k++) {
             if ((mask >> k & 1) != 0) {
@@ -219,6 +368,7 @@ final class DeltaWords {
             }
         }
         seen[slot(x)] = x;
+        follow(slot(x));
         return x;
     }
 
@@ -243,5 +393,53 @@ final class DeltaWords {
 
     private static StateException damaged(String how) {
         return new StateException("the delta is damaged: " + how);
+    }
+
+    /**
+     * Guesses how many words are skipped before the next one that differs. Columns of the same rows
+     * change in the same places: after the same skip as before, the same ones follow.
+     */
+    private static final class Skips {
+        private static final int LENGTH = 1024;
+        private static final int PLACES = 256;
+        private static final int[] NOT_USED = {};
+
+        /** The last ones, in a ring. */
+        private final int[] ring;
+
+        /** Behind which one a skip was last, by the upper bits of a product; 0 for none. */
+        private final int[] behind;
+
+        private int count = 1;
+        private int guess;
+
+        Skips(boolean isUsed) {
+            ring = isUsed ? new int[LENGTH] : NOT_USED;
+            behind = isUsed ? new int[PLACES] : NOT_USED;
+        }
+
+        /** What is guessed; it comes true. */
+        int next() {
+            int skip = ring[guess & (LENGTH - 1)];
+            next(skip);
+            return skip;
+        }
+
+        /**
+         * What comes next.
+         *
+         * @return whether it was guessed
+         */
+        boolean next(int skip) {
+            int slot = (int) ((skip * ODD) >>> 56);
+            boolean isGuessed = guess > 0 && ring[guess & (LENGTH - 1)] == skip;
+            guess = isGuessed ? guess + 1 : behind[slot];
+            ring[count++ & (LENGTH - 1)] = skip;
+            behind[slot] = count;
+            if (guess == count) {
+                guess = 0;
+            }
+            return isGuessed;
+        }
     }
 }

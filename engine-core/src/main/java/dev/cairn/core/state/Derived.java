@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 import java.lang.invoke.MethodHandles;
 
 /** A codec that follows from the class. */
-record Derived<T>(Class<T> type, Part part) implements StateCodec<T> {
+record Derived<T>(Class<T> type, Parts.Part part) implements StateCodec<T> {
     /** Of an enum, an array of primitives or a record of such; null for other classes. */
     static @Nullable StateCodec<?> of(Class<?> type) {
         if (type.isRecord()) {
@@ -15,7 +15,7 @@ record Derived<T>(Class<T> type, Part part) implements StateCodec<T> {
                 return null;
             }
         }
-        Part part = Parts.whole(type);
+        Parts.Part part = Parts.whole(type);
         return part == null ? null : new Derived<>(type, part);
     }
 

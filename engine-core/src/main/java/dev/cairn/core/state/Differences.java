@@ -50,6 +50,9 @@ final class Differences {
     }
 
     private static @Nullable String entry(WorldState a, int e, WorldState b, int f) {
+        if (a.kinds[e] == WorldState.SECTION) {
+            return null;
+        }
         int width = WorldState.WIDTH[a.kinds[e]];
         int count = Math.min(a.counts[e], b.counts[f]);
         if (width == 0) {

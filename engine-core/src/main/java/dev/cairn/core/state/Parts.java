@@ -43,6 +43,18 @@ final class Parts {
 
     private Parts() {}
 
+    /** How values of one type, within a record, become bytes. */
+    interface Part {
+        /** The type, as another program would know it. */
+        String name();
+
+        /** Writes a value, which is null only where {@link OrNull} takes it. */
+        void write(Object value, StateOutput out);
+
+        /** Reads a value of this type; what is none ends with a {@link StateException}. */
+        @Nullable Object read(StateInput in);
+    }
+
     private static Part number(
             String name, BiConsumer<Object, StateOutput> writing, Function<StateInput, Object> r) {
         return new Plain(name, writing, r);

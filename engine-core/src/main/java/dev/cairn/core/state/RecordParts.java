@@ -18,7 +18,7 @@ import java.util.List;
  */
 final class RecordParts<T extends Record> implements StateCodec<T> {
     private final Class<T> type;
-    private final Part[] parts;
+    private final Parts.Part[] parts;
     private final String[] names;
     private final MethodHandle[] accessors;
     private final MethodHandle constructor;
@@ -37,7 +37,7 @@ final class RecordParts<T extends Record> implements StateCodec<T> {
         }
         this.type = type;
         RecordComponent[] components = type.getRecordComponents();
-        parts = new Part[components.length];
+        parts = new Parts.Part[components.length];
         names = new String[components.length];
         accessors = new MethodHandle[components.length];
         Class<?>[] parameters = new Class<?>[components.length];
@@ -82,10 +82,10 @@ final class RecordParts<T extends Record> implements StateCodec<T> {
         }
     }
 
-    private static Part part(
+    private static Parts.Part part(
             MethodHandles.Lookup caller, RecordComponent component, List<Class<?>> around) {
         Class<?> type = component.getType();
-        Part plain = Parts.of(type);
+        Parts.Part plain = Parts.of(type);
         if (plain != null) {
             return plain;
         }
@@ -115,7 +115,7 @@ final class RecordParts<T extends Record> implements StateCodec<T> {
                         + "; give the record a StateCodec.of(..)");
     }
 
-    private static void describe(String name, Part part, List<String> to) {
+    private static void describe(String name, Parts.Part part, List<String> to) {
         to.add(name + ":" + part.name());
         if (part instanceof Parts.OrNull(Nested(RecordParts<?> inner))) {
             for (int i = 0; i < inner.names.length; i++) {
@@ -125,7 +125,7 @@ final class RecordParts<T extends Record> implements StateCodec<T> {
     }
 
     /** A record within. */
-    private record Nested(RecordParts<?> inner) implements Part {
+    private record Nested(RecordParts<?> inner) implements Parts.Part {
         @Override
         public String name() {
             return inner.type.getName();

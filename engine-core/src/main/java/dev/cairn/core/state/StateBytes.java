@@ -11,13 +11,13 @@ import java.lang.foreign.MemorySegment;
  * The bytes of a state, the same on every machine, in a {@link Frame}:
  *
  * <pre>
- *   contents   how many; of each: kind, name, how many elements
+ *   contents   how many; of each: kind, name, how many elements, or rows of a section
  *   numbers    how many bytes; as they lie in memory, each entry from a multiple of 8 on
  *   references how many; of each: number of the object, or -1
  * </pre>
  */
 final class StateBytes {
-    private static final Frame FRAME = new Frame("CAIRNST1", "state");
+    private static final Frame FRAME = new Frame("CAIRNST2", "state");
 
     private StateBytes() {}
 
@@ -72,7 +72,7 @@ final class StateBytes {
             String name = in.readString();
             int count = in.readInt();
             boolean isOne = kind > WorldState.SECTION && kind <= WorldState.REFERENCE;
-            if (count < 0 || (isOne && count != 1) || (kind == WorldState.SECTION && count != 0)) {
+            if (count < 0 || (isOne && count != 1)) {
                 throw new StateException(
                         "entry " + e + ", " + name + ", has " + count + " elements");
             }

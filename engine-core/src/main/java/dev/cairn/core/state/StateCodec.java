@@ -26,7 +26,7 @@ public interface StateCodec<T> {
             String name,
             BiConsumer<T, StateOutput> writing,
             Function<StateInput, T> reading) {
-        return new FunctionCodec<>(type, name, writing, reading);
+        return new StateCodecs.Functions<>(type, name, writing, reading);
     }
 
     /**

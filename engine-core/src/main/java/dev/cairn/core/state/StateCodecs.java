@@ -132,4 +132,22 @@ public final class StateCodecs {
                     failure);
         }
     }
+
+    /** A codec of two functions. */
+    record Functions<T>(
+            Class<T> type,
+            String name,
+            BiConsumer<T, StateOutput> writing,
+            Function<StateInput, T> reading)
+            implements StateCodec<T> {
+        @Override
+        public void write(T value, StateOutput out) {
+            writing.accept(value, out);
+        }
+
+        @Override
+        public T read(StateInput in) {
+            return reading.apply(in);
+        }
+    }
 }

@@ -39,9 +39,9 @@ public final class StateDelta {
     final Alignment alignment;
 
     /** What only one of the states has. */
-    final @Nullable WorldState onlyBefore;
+    final @Nullable PackedEntries onlyBefore;
 
-    final @Nullable WorldState onlyAfter;
+    final @Nullable PackedEntries onlyAfter;
 
     final DeltaWords words;
     final DeltaReferences references;
@@ -51,8 +51,8 @@ public final class StateDelta {
             Form before,
             Form after,
             Alignment alignment,
-            @Nullable WorldState onlyBefore,
-            @Nullable WorldState onlyAfter,
+            @Nullable PackedEntries onlyBefore,
+            @Nullable PackedEntries onlyAfter,
             DeltaWords words,
             DeltaReferences references,
             boolean isRead) {
@@ -79,16 +79,33 @@ public final class StateDelta {
         Alignment alignment = Alignment.of(before, after);
         DeltaWords words = new DeltaWords();
         DeltaReferences references = new DeltaReferences();
+        WorldState wideBefore = new WorldState();
+        WorldState wideAfter = new WorldState();
         int word = 0;
         int reference = 0;
+        int r = 0;
         for (int m = 0; m < alignment.count(); m++) {
+            WorldState a = before;
+            WorldState b = after;
             int i = m < alignment.head() ? m : m + alignment.before();
             int k = m < alignment.head() ? m : m + alignment.after();
-            byte kind = before.kinds[i];
+            boolean isResized = r < alignment.resized().length && alignment.resized()[r] == m;
+            if (isResized && alignment.movesAt(r) != null) {
+                wideBefore.clear();
+                alignment.widen(before, i, r, true, wideBefore);
+                a = wideBefore;
+                i = 0;
+                wideAfter.clear();
+                alignment.widen(after, k, r, false, wideAfter);
+                b = wideAfter;
+                k = 0;
+            }
+            r += isResized ? Alignment.NUMBERS : 0;
+            byte kind = a.kinds[i];
             if (WorldState.WIDTH[kind] != 0) {
-                word += words.add(word, before, i, after, k);
+                word += words.add(word, a, i, b, k);
             } else if (kind != WorldState.SECTION) {
-                reference += references.add(reference, before, i, after, k);
+                reference += references.add(reference, a, i, b, k);
             }
         }
         references.resize(references.count);
@@ -96,27 +113,16 @@ public final class StateDelta {
                 Form.of(before),
                 Form.of(after),
                 alignment,
-                cut(before, alignment.head(), alignment.before()),
-                cut(after, alignment.head(), alignment.after()),
+                PackedEntries.of(before, alignment.head(), alignment.before()),
+                PackedEntries.of(after, alignment.head(), alignment.after()),
                 words.trimmed(),
                 references,
                 before.isRead || after.isRead);
     }
 
-    private static @Nullable WorldState cut(WorldState from, int first, int count) {
-        if (count == 0) {
-            return null;
-        }
-        WorldState part = new WorldState();
-        for (int e = first; e < first + count; e++) {
-            part.append(from, e, from.counts[e]);
-        }
-        return part;
-    }
-
     /**
-     * Makes the first state the second one. Allocates only while the state's buffers grow, where
-     * lengths have changed.
+     * Makes the first state the second one. Allocates some kilobytes to read with, and while the
+     * state's buffers grow.
      *
      * @param state equal to the first state
      * @throws StateException if it is another one; it stays as it is
@@ -161,11 +167,12 @@ public final class StateDelta {
     private void laidOut(WorldState state, boolean forward, long sum) {
         requireFit(state, forward);
         WorldState wide = state.spare();
-        alignment.widen(state, forward ? alignment.before() : alignment.after(), wide);
+        alignment.widen(state, forward, wide);
         words.apply(wide, sum);
         references.apply(wide, forward);
         boolean wasRead = state.isRead;
-        alignment.narrow(wide, forward ? onlyAfter : onlyBefore, forward ? 2 : 1, state);
+        PackedEntries comes = forward ? onlyAfter : onlyBefore;
+        alignment.narrow(wide, comes == null ? null : comes.unpack(), !forward, state);
         state.isRead = wasRead;
         wide.clear();
     }
@@ -174,7 +181,7 @@ public final class StateDelta {
         int[] resized = alignment.resized();
         long size = state.size;
         long objects = state.objectCount;
-        for (int r = 0; r < resized.length; r += 3) {
+        for (int r = 0; r < resized.length; r += Alignment.NUMBERS) {
             int m = resized[r];
             int only = forward ? alignment.before() : alignment.after();
             int e = m < alignment.head() ? m : m + only;
@@ -189,14 +196,22 @@ public final class StateDelta {
                                 + " elements and not "
                                 + then);
             }
-            long width = WorldState.WIDTH[state.kinds[e]];
+            byte kind = state.kinds[e];
+            if (kind < WorldState.INTS && alignment.movesAt(r) != null) {
+                throw new StateException(
+                        "the delta is damaged: it moves the rows of "
+                                + state.path(e)
+                                + ", which has none");
+            }
+            long width = WorldState.WIDTH[kind];
             size += (width * next + 7 & -8L) - (width * then + 7 & -8L);
-            objects += width == 0 ? (long) next - then : 0;
+            objects += width == 0 && kind != WorldState.SECTION ? (long) next - then : 0;
         }
-        WorldState gone = forward ? onlyBefore : onlyAfter;
-        WorldState comes = forward ? onlyAfter : onlyBefore;
-        size += (comes == null ? 0 : comes.size) - (gone == null ? 0 : gone.size);
-        objects += (comes == null ? 0 : comes.objectCount) - (gone == null ? 0 : gone.objectCount);
+        PackedEntries gone = forward ? onlyBefore : onlyAfter;
+        PackedEntries comes = forward ? onlyAfter : onlyBefore;
+        size += (comes == null ? 0 : comes.size()) - (gone == null ? 0 : gone.size());
+        objects += (comes == null ? 0 : comes.objects().length);
+        objects -= (gone == null ? 0 : gone.objects().length);
         Form to = forward ? after : before;
         if (size != to.size || objects != to.objects) {
             throw new StateException(
@@ -226,14 +241,14 @@ public final class StateDelta {
     public long byteCount() {
         return OWN_BYTES
                 + words.size
-                + 4L * alignment.resized().length
+                + alignment.byteCount()
                 + 20L * references.count
                 + bytesOf(onlyBefore)
                 + bytesOf(onlyAfter);
     }
 
-    private static long bytesOf(@Nullable WorldState part) {
-        return part == null ? 0 : 2048 + part.bytes.length + 8L * part.objects.length;
+    private static long bytesOf(@Nullable PackedEntries part) {
+        return part == null ? 0 : part.byteCount();
     }
 
     /**

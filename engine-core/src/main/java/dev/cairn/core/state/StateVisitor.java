@@ -36,6 +36,16 @@ public interface StateVisitor {
     void section(String name, Object owner);
 
     /**
+     * Tells, directly behind {@link #section}, that arrays of the object hold rows, of one or of
+     * several elements each, which keep their order while some leave and others come. The first two
+     * arrays of ints with one element to a row tell which row is which. A {@link StateDelta} does
+     * not take rows for new ones that have only moved up then; nothing else depends on it.
+     *
+     * @param count how many rows there are, when it saves
+     */
+    default void rows(int count) {}
+
+    /**
      * A number.
      *
      * @param name of the field; a constant

@@ -41,6 +41,16 @@ final class StateWriter implements StateVisitor {
     }
 
     @Override
+    public void rows(int count) {
+        int last = state.entries - 1;
+        if (last < 0 || state.kinds[last] != WorldState.SECTION) {
+            throw new IllegalStateException(
+                    "rows are told of directly behind section(..), before any field");
+        }
+        state.counts[last] = count;
+    }
+
+    @Override
     public int value(String name, int now) {
         int at = room(name, WorldState.INT, 1);
         INT.set(state.bytes, at, now);

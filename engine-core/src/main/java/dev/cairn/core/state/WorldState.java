@@ -69,7 +69,10 @@ public final class WorldState {
     @Nullable Object[] objects = new Object[FIRST_ENTRIES];
     int objectCount;
 
-    /** By entry: name and kind; where it begins among bytes or objects; how many elements. */
+    /**
+     * By entry: name and kind; where it begins among bytes or objects; how many elements. Of a
+     * section: how many rows it has, see {@link StateVisitor#rows}.
+     */
     String[] names = new String[FIRST_ENTRIES];
 
     byte[] kinds = new byte[FIRST_ENTRIES];
@@ -142,11 +145,15 @@ public final class WorldState {
 
     /** An entry of another state, behind those that are here: longer by zeros, or cut. */
     void append(WorldState from, int entry, int count) {
+        append(from, entry, Math.min(count, from.counts[entry]), count);
+    }
+
+    /** The same, of whose elements only the first ones are taken. */
+    void append(WorldState from, int entry, int least, int count) {
         byte kind = from.kinds[entry];
         int width = WIDTH[kind];
-        int least = Math.min(count, from.counts[entry]);
         if (kind == SECTION) {
-            add(from.names[entry], kind, size, 0);
+            add(from.names[entry], kind, size, count);
         } else if (width == 0) {
             ensureObjects(objectCount + count);
             System.arraycopy(from.objects, from.at[entry], objects, objectCount, least);
@@ -363,6 +370,23 @@ public final class WorldState {
         CRC32C sum = new CRC32C();
         sum.update(bytes, at[e], width * counts[e]);
         return (int) sum.getValue();
+    }
+
+    /** Elements of another state's entry, into the entry that was appended last. */
+    void put(WorldState from, int entry, int source, int target, int count) {
+        int last = entries - 1;
+        int width = WIDTH[kinds[last]];
+        if (width == 0) {
+            System.arraycopy(
+                    from.objects, from.at[entry] + source, objects, at[last] + target, count);
+        } else {
+            System.arraycopy(
+                    from.bytes,
+                    from.at[entry] + width * source,
+                    bytes,
+                    at[last] + width * target,
+                    width * count);
+        }
     }
 
     /** Room for more bytes; the segment follows. */

@@ -1,5 +1,6 @@
 package dev.cairn.physics.broadphase;
 
+import dev.cairn.core.state.StateException;
 import dev.cairn.core.state.StateVisitor;
 import dev.cairn.core.state.Stateful;
 
@@ -389,6 +390,7 @@ public final class AabbTree implements Stateful {
         return x * y + y * z + z * x;
     }
 
+    /** All but the boxes, which follow from those of the items: see {@link #fill}. */
     @Override
     public void state(StateVisitor s) {
         s.section("tree", this);
@@ -400,12 +402,40 @@ public final class AabbTree implements Stateful {
         if (used > parent.length) {
             grow(used);
         }
-        bounds = s.array("bounds", bounds, 0, 6 * used, 6 * parent.length, false);
         parent = s.array("parent", parent, 0, used, used, false);
         left = s.array("left", left, 0, used, used, false);
         right = s.array("right", right, 0, used, used, false);
         height = s.array("height", height, 0, used, used, false);
         item = s.array("item", item, 0, used, used, false);
+    }
+
+    /**
+     * Makes the boxes of all nodes anew after restoring, children first.
+     *
+     * @param boxes of items, six numbers to each
+     * @throws StateException if the nodes are no tree
+     */
+    void fill(double[] boxes) {
+        int node = root;
+        int from = NONE;
+        for (long way = 0; node != NONE; way++) {
+            if (way > 3L * used) {
+                throw new StateException(
+                        "tree: its " + used + " nodes go round in a circle; the state is damaged");
+            }
+            int next = parent[node];
+            if (left[node] == NONE) {
+                System.arraycopy(boxes, 6 * item[node], bounds, 6 * node, 6);
+            } else if (from == left[node]) {
+                next = right[node];
+            } else if (from == right[node]) {
+                pull(node);
+            } else {
+                next = left[node];
+            }
+            from = node;
+            node = next;
+        }
     }
 
     private void grow(int nodes) {

@@ -350,6 +350,10 @@ public final class BroadPhase {
         pairs.state(s);
         s.section("boxes", this);
         fat = s.array("fat", fat, 0, 6 * slots, fat.length, false);
+        if (s.isRestoring()) {
+            staticTree.fill(fat);
+            dynamicTree.fill(fat);
+        }
         leaf = s.array("leaf", leaf, 0, slots, leaf.length, false);
         where = s.array("where", where, slots);
         moved = s.array("moved", moved, slots);

@@ -310,6 +310,7 @@ public final class ContactStore extends ContactColumns implements EdgeSource, St
     @Override
     public void state(StateVisitor s) {
         s.section("contacts", this);
+        s.rows(count);
         count = s.count("count", count);
         remembered = s.value("remembered", remembered);
         rolls = s.value("rolls", rolls);

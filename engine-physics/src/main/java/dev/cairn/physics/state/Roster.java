@@ -43,6 +43,7 @@ public final class Roster implements Stateful {
     /** How often each body was teleported. */
     public int[] jumps = {};
 
+    /** By slot: before which {@link #sweep} its entity was there. */
     private long[] seen = {};
 
     /** Slots of dynamic bodies that are awake, of fixed and of kinematic ones, each ascending. */
@@ -126,7 +127,6 @@ public final class Roster implements Stateful {
         comY = s.array("comY", comY, slots);
         comZ = s.array("comZ", comZ, slots);
         jumps = s.array("jumps", jumps, slots);
-        seen = s.array("seen", seen, slots);
         freeCount = s.value("freeCount", freeCount);
         free = s.array("free", free, freeCount);
         goneCount = s.value("goneCount", goneCount);
@@ -252,7 +252,7 @@ public final class Roster implements Stateful {
     }
 
     /** A row of the ECS says that its body is there. */
-    public void see(int slot, long entity, long tick) {
+    public void see(int slot, long entity) {
         if (slot < 0
                 || slot >= bodies.slotCount
                 || bodies.kind[slot] == BodyStore.FREE
@@ -263,18 +263,18 @@ public final class Roster implements Stateful {
                             + "] that is not its own; bodies are made by PhysicsWorld.add, do not"
                             + " add RigidBody by hand");
         }
-        seen[slot] = tick;
+        seen[slot] = rosters + 1;
     }
 
     /**
      * Bodies that can move and whose entity is gone leave the trees; their slots are free after
      * {@link #freeGone}. After {@link #see} for all that are there.
      */
-    public void sweep(long tick) {
+    public void sweep() {
         rosters++;
         for (int slot = 0; slot < bodies.slotCount; slot++) {
             byte kind = bodies.kind[slot];
-            if (kind != BodyStore.FREE && kind != BodyStore.STATIC && seen[slot] != tick) {
+            if (kind != BodyStore.FREE && kind != BodyStore.STATIC && seen[slot] != rosters) {
                 leave(slot);
             }
         }

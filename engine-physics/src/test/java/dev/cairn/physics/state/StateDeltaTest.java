@@ -19,6 +19,8 @@ import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -122,39 +124,66 @@ class StateDeltaTest {
         return StateDelta.read(new ByteArrayInputStream(bytes), PhysicsWorld.codecs());
     }
 
-    /** 990 sleep; ten fly over them. */
-    @Test
-    void ofAThousandBodiesTenMove() throws IOException {
-        try (PhysicsWorld world = ground()) {
-            List<BodyRef> flying = new ArrayList<>();
-            for (int i = 0; i < 990; i++) {
-                double x = i % 33 * 1.5 - 24;
-                world.add(
-                        Body.dynamic()
-                                .shape(Box.cubeOfHalfExtent(0.4))
-                                .at(x, 0.4, i / 33 * 1.5 - 24));
-                if (i % 99 == 0) {
-                    flying.add(
-                            world.add(
-                                    Body.dynamic()
-                                            .shape(Box.cubeOfHalfExtent(0.4))
-                                            .at(x, 30 + 2 * (i / 99), 0)
-                                            .angularVelocity(1, 2, 3)
-                                            .velocity(1, 9, 2)));
+    /** What ten of a thousand bodies do while the others sleep. */
+    enum Doing {
+        FLYING,
+        /** Asleep at first: they wake, their contacts leave, others come, and they sleep again. */
+        HOPPING,
+        SLIDING,
+        /** Not as the others, so that columns come that were not there. */
+        ROLLING,
+        LEAVING_THE_WORLD
+    }
+
+    private static List<BodyRef> aThousand(PhysicsWorld world, Doing doing) {
+        Box box = Box.cubeOfHalfExtent(0.4);
+        List<BodyRef> ten = new ArrayList<>();
+        for (int i = 0; i < 1000; i++) {
+            Body body = Body.dynamic().shape(box).at(i % 33 * 1.5 - 24, 0.4, i / 33 * 1.5 - 24);
+            int n = i / 99;
+            if (i % 99 == 98) {
+                switch (doing) {
+                    case FLYING ->
+                            body.at(2 * n, 100, 0).velocity(1, 9, 2).angularVelocity(1, 2, 3);
+                    case ROLLING -> body.shape(Sphere.of(0.4)).at(32 + 2 * n, 20 + n, 0);
+                    default -> {}
                 }
             }
+            BodyRef ref = world.add(body);
+            if (i % 99 == 98) {
+                ten.add(ref);
+            }
+        }
+        return ten;
+    }
+
+    /** Each tick of it, whatever happens there, is a few kilobytes. */
+    @ParameterizedTest
+    @EnumSource
+    void ofAThousandBodiesTenMove(Doing doing) throws IOException {
+        try (PhysicsWorld world = ground()) {
+            List<BodyRef> ten = aThousand(world, doing);
             for (int t = 0; t < 90; t++) {
                 world.step(STEP);
             }
-            assertEquals(10, awake(world));
+            for (BodyRef body : ten) {
+                switch (doing) {
+                    case HOPPING -> body.applyImpulse(0, 3 * body.mass(), 0);
+                    case SLIDING -> body.applyImpulse(body.mass(), 0, 0.3 * body.mass());
+                    case LEAVING_THE_WORLD -> body.remove();
+                    default -> {}
+                }
+            }
             WorldState before = world.save();
-            for (int t = 0; t < 20; t++) {
+            for (int t = 0; t < 150; t++) {
                 world.step(STEP);
                 WorldState after = world.save();
                 StateDelta delta = StateDelta.between(before, after);
+                assertTrue(awake(world) <= 10);
                 int length = bytes(delta).length;
-                assertTrue(length <= 5000, length + " bytes of " + after.byteCount());
-                assertTrue(delta.byteCount() <= 5000, delta.byteCount() + " bytes of memory");
+                String where = doing + ", tick " + t + ": ";
+                assertTrue(length <= 5000, where + length + " bytes of " + after.byteCount());
+                assertTrue(delta.byteCount() <= 5000, where + delta.byteCount() + " in memory");
                 before = after;
             }
         }
