@@ -9,8 +9,11 @@ import dev.cairn.samples.replay.Act;
 import dev.cairn.samples.replay.Looks;
 import dev.cairn.samples.replay.Player;
 import dev.cairn.samples.replay.RunFile;
+import dev.cairn.samples.scenefile.SceneFile;
 import dev.cairn.samples.scenefile.SceneFileException;
 import dev.cairn.samples.scenefile.SceneReader;
+import dev.cairn.samples.scenefile.SceneWriter;
+import dev.cairn.samples.scenefile.edit.SceneEdit;
 
 import org.jspecify.annotations.Nullable;
 
@@ -23,6 +26,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 
 /** Writes down a run of a scene, and plays it again. */
@@ -54,11 +58,10 @@ final class RunCommand {
 
     /** The exit code. */
     int record(Main typed) {
-        if (typed.window || typed.obj != null || typed.sceneFile != null) {
+        if (typed.window || typed.obj != null) {
             throw new UsageException(
-                    "--record %s: writes down a scene of the list without a window; leave --window,"
-                                    .formatted(typed.record)
-                            + " --obj and --scene-file out");
+                    "--record %s: writes down a scene without a window; leave --window and --obj out"
+                            .formatted(typed.record));
         }
         Path file = Path.of(String.valueOf(typed.record));
         Request request = Request.of(typed);
@@ -67,6 +70,7 @@ final class RunCommand {
         try (PhysicsWorld world = prepared(request, scene, ticks).world()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, options(request, scene)));
             Looks looks = new Looks(world);
+            long begin = built.tick();
             Recorder<Act> recorder =
                     new Recorder<>(
                             world, new Player(built), world.bodyCount() <= SMALL ? 1 : SELDOM);
@@ -77,16 +81,33 @@ final class RunCommand {
                 recorder.input(Act.BEFORE);
                 recorder.step(built.stepSeconds());
             }
-            RunFile.write(file, deciding(typed), "", 0, recorder.recording(), looks);
+            RunFile.write(
+                    file, deciding(typed), text(request, file), begin, recorder.recording(), looks);
             out.printf(
                     "Recorded %s, digest %016x, in %s%n",
-                    typed.scenes, world.digest(), file.toAbsolutePath());
+                    scene.id(), world.digest(), file.toAbsolutePath());
         } catch (IOException unwritable) {
             throw new UncheckedIOException(
                     "--record %s: cannot be written: %s".formatted(file, unwritable.getMessage()),
                     unwritable);
         }
         return Main.DONE;
+    }
+
+    /** The scene, if it is none of the list, for a file that may lie elsewhere. */
+    private static String text(Request request, Path file) {
+        SceneFile described = request.described();
+        Path from = request.sceneFile();
+        if (described == null || from == null) {
+            return "";
+        }
+        // the moment that it begins with is the recording's first state
+        SceneFile begun = described.withState(null);
+        return SceneWriter.text(SceneEdit.rebase(begun, folder(from), folder(file)));
+    }
+
+    private static Path folder(Path file) {
+        return Objects.requireNonNull(file.toAbsolutePath().getParent(), "a file is in a folder");
     }
 
     /** The exit code: {@link Main#FAILED} if anything differs. */

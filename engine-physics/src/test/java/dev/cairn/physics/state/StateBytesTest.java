@@ -212,7 +212,7 @@ class StateBytesTest {
     }
 
     /** Puts the right sums to bytes of the length that they tell. */
-    private static void sign(byte[] bytes) {
+    static void sign(byte[] bytes) {
         if (bytes.length < 24) {
             return;
         }

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
+
 import dev.cairn.core.state.StateDelta;
 import dev.cairn.core.state.StateException;
 import dev.cairn.core.state.WorldState;
@@ -18,6 +20,7 @@ import dev.cairn.physics.joint.Joint;
 import dev.cairn.physics.shape.Box;
 import dev.cairn.physics.shape.Sphere;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -25,6 +28,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -256,24 +260,54 @@ class StateDeltaTest {
     /** Flipped and cut: refused with a reason when it is read or applied. */
     @Test
     void damagedBytesAreRefused() throws IOException {
-        long seed = 31;
+        fuzz(31, 2000, false);
+    }
+
+    /** With sums made anew: what stands behind them is read, and refused, or is a delta. */
+    @Test
+    void forgedBytesAreRefusedOrADelta() throws IOException {
+        fuzz(33, 10_000, true);
+    }
+
+    @Test
+    @Tag("soak")
+    void aHundredThousandForgedDeltas() throws IOException {
+        fuzz(34, 100_000, true);
+    }
+
+    private static void fuzz(long seed, int mutations, boolean forged) throws IOException {
         SplittableRandom random = new SplittableRandom(seed);
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         try (PhysicsWorld world = ground()) {
             List<WorldState> states = past(world, 5, 12);
             byte[] whole = bytes(StateDelta.between(states.get(9), states.get(11)));
-            for (int i = 0; i < 2000; i++) {
+            int refused = 0;
+            for (int i = 0; i < mutations; i++) {
                 byte[] bad = StateBytesTest.mutate(whole, random);
+                if (forged) {
+                    StateBytesTest.sign(bad);
+                }
+                String what = "seed " + seed + ", mutation " + i;
                 WorldState moved = new WorldState();
                 moved.set(states.get(9));
+                long before = threads.getCurrentThreadAllocatedBytes();
                 try {
                     read(bad).apply(moved);
+                } catch (StateException told) {
+                    refused++;
+                    assertTrue(told.getMessage().length() > 20, what);
+                    assertNull(moved.difference(states.get(9)), what);
+                }
+                try {
                     world.restore(moved);
                     world.restore(states.get(11));
                 } catch (StateException told) {
-                    assertTrue(told.getMessage().length() > 20, "mutation " + i);
-                    assertNull(moved.difference(states.get(9)), "mutation " + i);
+                    assertTrue(forged && told.getMessage().length() > 20, what);
                 }
+                long took = threads.getCurrentThreadAllocatedBytes() - before;
+                assertTrue(took < 256_000_000 + 40L * whole.length, what + " takes " + took);
             }
+            assertTrue(refused > mutations / 10, refused + " were refused");
         }
     }
 }

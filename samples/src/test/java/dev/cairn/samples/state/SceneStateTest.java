@@ -115,6 +115,23 @@ class SceneStateTest {
         assertTrue(!other.equals(digest("--scene-file", written(scene).toString())), other);
     }
 
+    /** A run of a scene file holds the scene: the file may be gone, or be another one by then. */
+    @Test
+    void aRunOfASceneFileIsWrittenDownAndComesAgain() throws IOException {
+        for (String state : new String[] {null, "moment.cairn"}) {
+            Path file = written(scene.withState(state));
+            String run = folder.resolve("run.cairn").toString();
+            String[] record = {"--scene-file", file.toString(), "--ticks", "90", "--record", run};
+            String told = run(0, record);
+            Matcher digest = Pattern.compile("digest ([0-9a-f]{16})").matcher(told);
+            assertTrue(digest.find(), told);
+            Files.delete(file);
+            String again = run(0, "--replay", run, "--workers", "2", "--lanes", "4");
+            assertTrue(again.contains("the last " + digest.group(1)), told + again);
+            assertTrue(again.contains(state == null ? "from tick 0" : "from tick 40"), again);
+        }
+    }
+
     @Test
     void theStateStaysWhereTheSceneIsWrittenEditedAndMoved() {
         SceneFile begun = scene.withState("states/moment.cairn");
