@@ -100,9 +100,11 @@ class FromWindowTest extends WindowFixture {
                 });
         // back into what was seen since, and on again
         type("key", "comma");
-        Seen paused = await("the pause", seen -> seen.flag("paused"));
+        await("the pause", seen -> seen.flag("paused"));
+        settle();
+        Seen paused = now();
         type("key", "comma");
-        await("a tick back", seen -> seen.number("tick") < paused.number("newest") - 1);
+        await("a tick back", seen -> seen.number("tick") < paused.number("tick"));
         type("key", "space");
         await(
                 "more ticks",

@@ -11,6 +11,7 @@ import dev.cairn.samples.Main;
 import org.junit.jupiter.api.Test;
 
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -29,17 +30,19 @@ class ClusterWorkerTest {
     private static JsonObject worker(long seed) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         ByteArrayOutputStream err = new ByteArrayOutputStream();
-        String command =
-                "--headless --scene pile --set boxes=12 --ticks 30 --workers 1 --json - --seed "
-                        + seed;
         int code =
                 Main.run(
-                        command.split(" "),
+                        arguments(seed),
                         new PrintStream(out, true, StandardCharsets.UTF_8),
                         new PrintStream(err, true, StandardCharsets.UTF_8),
                         false);
         assertEquals(0, code, err::toString);
         return JsonParser.parseString(out.toString(StandardCharsets.UTF_8)).getAsJsonObject();
+    }
+
+    private static String[] arguments(long seed) {
+        String line = "--headless --scene pile --set boxes=12 --ticks 30 --workers 1 --json -";
+        return (line + " --seed " + seed).split(" ");
     }
 
     private static Map<Long, String> digests(List<Long> seeds) {
@@ -60,5 +63,21 @@ class ClusterWorkerTest {
         Map<Long, String> one = digests(seeds);
         assertEquals(one, digests(seeds.reversed()));
         assertEquals(seeds.size(), new HashSet<>(one.values()).size(), "each seed is another run");
+    }
+
+    /** As the page's function does it: a process for each seed, whose output is the document. */
+    @Test
+    void aProcessWritesOneDocumentAndNothingElse() throws IOException, InterruptedException {
+        List<String> command = new ArrayList<>();
+        command.add(ProcessHandle.current().info().command().orElseThrow());
+        command.addAll(List.of("--add-modules=jdk.incubator.vector", "-cp"));
+        command.addAll(List.of(System.getProperty("java.class.path"), Main.class.getName()));
+        command.addAll(List.of(arguments(17)));
+        Process process =
+                new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
+        String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(0, process.waitFor(), out);
+        JsonObject report = JsonParser.parseString(out).getAsJsonObject();
+        assertEquals(worker(17).get("digest"), report.get("digest"));
     }
 }

@@ -46,6 +46,10 @@ class ReplayTest {
                 false);
     }
 
+    private static PhysicsWorld world() {
+        return PhysicsWorld.builder().gravity(0, -SampleScene.GRAVITY, 0).sleeping(false).build();
+    }
+
     @Test
     void aRunComesAgainWithOtherWorkersAndLanes(@TempDir Path folder) {
         String file = folder.resolve("run.cairn").toString();
@@ -71,11 +75,7 @@ class ReplayTest {
     void theFirstTickThatDiffersIsToldAndInWhat(@TempDir Path folder) throws IOException {
         Path file = folder.resolve("run.cairn");
         SampleScene scene = SceneRegistry.get("stack-4");
-        try (PhysicsWorld world =
-                PhysicsWorld.builder()
-                        .gravity(0, -SampleScene.GRAVITY, 0)
-                        .sleeping(false)
-                        .build()) {
+        try (PhysicsWorld world = world()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, SceneOptions.defaults(scene)));
             Looks looks = new Looks(world);
             Recorder<Act> recorder = new Recorder<>(world, new Player(built), 1);
@@ -101,11 +101,7 @@ class ReplayTest {
     void whatAUserDidComesAgain(@TempDir Path folder) throws IOException {
         Path file = folder.resolve("report.cairn");
         SampleScene scene = SceneRegistry.get("stack-4");
-        try (PhysicsWorld world =
-                PhysicsWorld.builder()
-                        .gravity(0, -SampleScene.GRAVITY, 0)
-                        .sleeping(false)
-                        .build()) {
+        try (PhysicsWorld world = world()) {
             SceneBuilder built = scene.build(new SceneBuilder(world, SceneOptions.defaults(scene)));
             Looks looks = new Looks(world);
             for (int tick = 0; tick < 50; tick++) {
