@@ -51,7 +51,7 @@ public class RollbackFrame {
     @AuxCounters(AuxCounters.Type.EVENTS)
     @State(Scope.Thread)
     public static class Cpu {
-        /** Mean of a frame, µs. */
+        /** Mean of a frame, µs; JMH shows the sum over its iterations. */
         public double cpuMicros;
 
         private long nanos;
